@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/math/transform.h"
+
+namespace sinew {
+
+/// One whole key of a joint: where it is at `time_s`, in its parent's space.
+template <class T>
+struct KeyframeT {
+  double time_s = 0.0;
+  Vec3<T> translation{T(0)};
+  Quat<T> rotation{T(1), T(0), T(0), T(0)};  // w x y z
+  Vec3<T> scale{T(1)};
+};
+
+using Keyframe = KeyframeT<float>;
+
+}  // namespace sinew

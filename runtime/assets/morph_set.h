@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/math/conventions.h"
+
+namespace sinew {
+
+/// Displacements of the vertices that a morph target moves; all others have none. `vertices` strictly increases.
+template <class V>
+struct SparseDeltas {
+  std::vector<std::uint32_t> vertices;
+  std::vector<V> deltas;               ///< parallel to `vertices`, never the zero vector
+
+  bool empty() const noexcept { return vertices.empty(); }
+};
+
+/// eq   attribute' = attribute + sum over targets of weight * delta, before skinning   (glTF 2.0, "Morph Targets"; G42)
+/// Tangents change in x, y, z only (G45); colours are clamped to [0, 1] after the sum (G47).
+struct MorphTarget {
+  SparseDeltas<glm::vec3> positions, normals, tangents;
+  SparseDeltas<glm::vec4> colors;                        ///< COLOR_0
+  std::vector<SparseDeltas<glm::vec2>> texcoords;        ///< TEXCOORD_n
+};
+
+/// The morph targets of one primitive; all primitives of a mesh have the same number of targets.
+struct MorphSet {
+  std::vector<MorphTarget> targets;
+
+  bool empty() const noexcept { return targets.empty(); }
+};
+
+}  // namespace sinew

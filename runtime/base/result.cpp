@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/base/result.h"
+
+namespace sinew {
+
+std::string_view describe(ErrorCode code) noexcept {
+  switch (code) {
+    case ErrorCode::ok: return "no error";
+    case ErrorCode::size_mismatch: return "a buffer is too short, or parallel buffers differ in length";
+    case ErrorCode::overlapping_buffers: return "an output buffer overlaps an input";
+    case ErrorCode::index_out_of_range: return "an index points past the end of its array";
+    case ErrorCode::parents_not_first: return "a joint comes before its parent";
+    case ErrorCode::times_not_increasing: return "key times decrease or are not finite";
+    case ErrorCode::too_few_keys: return "a track has fewer keys than its interpolation needs";
+    case ErrorCode::not_finite: return "a number is NaN or infinite";
+    case ErrorCode::unsupported: return "this combination is not supported";
+    case ErrorCode::busy: return "the job thread has no free slot for another frame";
+  }
+  return "unknown error";
+}
+
+}  // namespace sinew

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/assets/skin.h"
+#include "runtime/base/result.h"
+#include "runtime/math/dual_quaternion.h"
+
+namespace sinew {
+
+/// Skinning matrices of one skin.
+/// eq   palette[i] = model[joints[i]] * inverse_bind[i]   (glTF 2.0, "Skins")
+/// in   model[J]   all joints of the skeleton
+/// out  palette[N] N = skin->joints.size()
+/// err  size_mismatch, index_out_of_range     cost O(N), no allocation
+struct JointPaletteJob {
+  const Skin* skin = nullptr;
+  std::span<const Affine> model;
+  std::span<Affine> palette;
+};
+
+ErrorCode check(const JointPaletteJob& job) noexcept;
+void run(const JointPaletteJob& job) noexcept;
+
+/// A skinning matrix split for dual-quaternion skinning: first stretch in bind space, then move rigidly (N19).
+/// eq   J = [R S | t]: R the rotation of the polar decomposition, S = stretch symmetric (xx yy zz xy xz yz);
+///      for a mirrored J (det < 0) S is negative: R * S still is J (numeric case "polar")
+struct RigidStretch {
+  DualQuat rigid;
+  float stretch[6] = {1, 1, 1, 0, 0, 0};
+};
+
+/// Splits every palette matrix.
+/// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase is needed (P12)
+/// err  size_mismatch     cost O(N), no allocation; a singular matrix gives some rotation with R * S = J
+struct SplitPaletteJob {
+  std::span<const Affine> palette;
+  std::span<RigidStretch> split;
+  bool* any_stretch = nullptr;
+};
+
+ErrorCode check(const SplitPaletteJob& job) noexcept;
+void run(const SplitPaletteJob& job) noexcept;
+
+}  // namespace sinew

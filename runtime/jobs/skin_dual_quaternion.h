@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/assets/skin.h"
+#include "runtime/base/result.h"
+#include "runtime/jobs/joint_palette.h"
+#include "runtime/jobs/vertex_streams.h"
+
+namespace sinew {
+
+/// Dual-quaternion skinning in two phases: stretch in bind space, then a rigid motion (Kavan et al. 2008).
+/// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i), pivot = the influence with the largest weight, lowest index
+///      on ties (N17, N18);  d = d / |real(d)|;  p' = d p1 d*;   n' = rotate(d, normalise(cof(sum(w S)) n))
+/// in   split[N]        from SplitPaletteJob;   any_stretch  false skips the first phase (P12)
+/// out  as SkinLinearJob
+/// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation;
+///      a blend whose real part cancels (norm^2 < 1e-12) follows the pivot alone
+struct SkinDualQuaternionJob {
+  const VertexInfluences* influences = nullptr;
+  std::span<const RigidStretch> split;
+  bool any_stretch = true;
+  VertexInput vertices;
+  VertexOutput out;
+};
+
+ErrorCode check(const SkinDualQuaternionJob& job) noexcept;
+void run(const SkinDualQuaternionJob& job) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/assets/skin.h"
+#include "runtime/base/result.h"
+#include "runtime/jobs/vertex_streams.h"
+#include "runtime/math/affine.h"
+
+namespace sinew {
+
+/// How normals follow the blended matrix M. `linear`: normalise(mat3(M) n), what engines' shaders compute; right when
+/// the blend is rigid or uniformly scaled. `cofactor`: normalise(cof(mat3(M)) n), right under any scale, no division (N22).
+enum class NormalRule : unsigned char { linear, cofactor };
+
+/// Linear-blend skinning.
+/// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59);  t' = normalise(mat3(M) t)
+/// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
+/// out  vertices    world space when the palette is; a normal that collapses to zero keeps its input value (N22)
+/// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
+struct SkinLinearJob {
+  const VertexInfluences* influences = nullptr;
+  std::span<const Affine> palette;
+  VertexInput vertices;
+  VertexOutput out;
+  NormalRule normal_rule = NormalRule::linear;
+};
+
+ErrorCode check(const SkinLinearJob& job) noexcept;
+void run(const SkinLinearJob& job) noexcept;
+
+}  // namespace sinew

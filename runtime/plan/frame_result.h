@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "runtime/assets/mesh.h"
+#include "runtime/math/affine.h"
+#include "runtime/plan/work_counters.h"
+
+namespace sinew {
+
+/// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. Empty spans: the attribute
+/// is not deformed, use the primitive's own.
+struct DeformedPrimitive {
+  std::uint32_t instance = 0;
+  std::uint32_t primitive = 0;
+  std::span<const glm::vec3> positions;
+  std::span<const glm::vec3> normals;
+  std::span<const glm::vec4> tangents;
+  std::span<const glm::vec4> colors;      ///< only when a target morphs COLOR_0
+};
+
+/// One mesh instance in this frame.
+struct InstanceResult {
+  Affine world_from_mesh;                 ///< identity for skinned meshes: their vertices are in world space already (G29)
+  std::uint32_t first_primitive = 0;      ///< into FrameResult::primitives: one entry per primitive of its mesh
+  bool mirrored = false;                  ///< front faces wind clockwise (G48)
+  Aabb bounds;                            ///< world space; empty unless Needs::bounds
+};
+
+/// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until that
+/// buffer runs again.
+struct FrameResult {
+  std::uint64_t frame = 0;                ///< counts up by one per run of the instance
+  std::span<const Affine> model;          ///< [J] world matrix of every joint
+  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight)
+  std::span<const InstanceResult> instances;
+  std::span<const DeformedPrimitive> primitives;
+  WorkCounters work;
+};
+
+}  // namespace sinew

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "runtime/base/result.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew {
+
+/// Names one submitted frame; rises by one per submit.
+using Ticket = std::uint64_t;
+
+/// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its own
+/// job system here. Which thread runs which i must not matter: results are the same bits (style: same input, same bits).
+using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
+
+struct JobThreadOptions {
+  Executor executor;                 ///< empty = oneTBB
+  std::size_t inline_below = 2;      ///< fewer characters than this run on the worker itself (P16)
+};
+
+/// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
+/// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the
+/// worker unless it calls wait().
+/// owns  one worker thread, the frame buffers of all characters added;   thread-safe: submit and read from one thread
+class JobThread {
+ public:
+  using Character = std::uint32_t;
+
+  explicit JobThread(JobThreadOptions options = {});
+  ~JobThread();                      ///< finishes the frame in flight, drops the queued one
+  JobThread(const JobThread&) = delete;
+  JobThread& operator=(const JobThread&) = delete;
+
+  /// Adds a character that runs `plan` (which must outlive the job thread). Not while a frame is in flight: waits for it.
+  Character add_character(const Plan& plan);
+  std::size_t character_count() const noexcept;
+
+  /// Queues one frame: inputs[c] is what character c shows. Inputs are copied. No allocation once layer counts have been
+  /// seen before.  err size_mismatch (inputs.size() != characters), busy (a frame waits already)
+  Result<Ticket> submit(std::span<const FrameInput> inputs);
+
+  bool done(Ticket ticket) const noexcept;
+  void wait(Ticket ticket) const;
+
+  /// Newest finished frame of a character; stays valid and unchanged until the next call of latest() for that character.
+  /// Null before the first frame is done.
+  const FrameResult* latest(Character character) noexcept;
+
+  /// First error of the last finished frame, ok if none.
+  ErrorCode last_error() const noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+namespace sinew {
+
+/// Work done by one frame of one instance. A stage that the plan leaves out counts exactly zero.
+struct WorkCounters {
+  std::uint64_t tracks_sampled = 0;
+  std::uint64_t poses_blended = 0;
+  std::uint64_t joints_composed = 0;
+  std::uint64_t palette_entries = 0;
+  std::uint64_t palette_entries_split = 0;
+  std::uint64_t morph_deltas = 0;
+  std::uint64_t vertices_morphed = 0;
+  std::uint64_t vertices_skinned_linear = 0;
+  std::uint64_t vertices_skinned_dual_quaternion = 0;
+  std::uint64_t bounds_vertices = 0;
+
+  friend bool operator==(const WorkCounters&, const WorkCounters&) = default;
+};
+
+}  // namespace sinew
