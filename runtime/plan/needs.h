@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "runtime/jobs/skin_linear.h"
 
@@ -17,6 +18,7 @@ struct Needs {
   bool tangents = true;
   bool bounds = false;        ///< boxes of the deformed instances (P14)
   Skinning skinning = Skinning::linear;
+  std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;
 };
 
