@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sinew {
+
+/// For each vertex the first vertex with the same key; -0 and +0 are the same number, other bits must match.
+/// in   keys[V * stride]  `stride` floats per vertex.   cost O(V * stride) expected
+std::vector<std::uint32_t> weld(std::span<const float> keys, std::size_t stride);
+
+}  // namespace sinew
