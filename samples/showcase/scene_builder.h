@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "runtime/assets/scene.h"
+
+namespace sinew::showcase {
+
+/// Puts a Scene together piece by piece. Joints are added level by level: all roots, then their children, and so on.
+class SceneBuilder {
+ public:
+  std::uint32_t add_material(std::string name, const glm::vec3& base_color, float roughness, float metallic = 0.0f);
+  std::uint32_t add_joint(std::string name, std::uint32_t parent, const Transform& rest);
+  std::uint32_t add_skin(Skin skin);
+  std::uint32_t add_mesh(Mesh mesh);
+  void add_instance(std::uint32_t joint, std::uint32_t mesh, std::uint32_t skin = kNone);
+  void add_animation(Animation animation);
+
+  /// A mesh of one primitive on a root joint of its own, for things that just stand there. Returns the joint.
+  std::uint32_t add_prop(const std::string& name, Primitive primitive, std::uint32_t material, const Transform& rest = {});
+
+  /// Completes the scene and proves it: breaking check(Scene) here is a bug.
+  Scene finish();
+
+ private:
+  Scene scene_;
+  std::vector<std::uint32_t> depth_;
+};
+
+}  // namespace sinew::showcase

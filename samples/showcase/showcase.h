@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "runtime/assets/scene.h"
+#include "runtime/plan/needs.h"
+
+namespace sinew::showcase {
+
+/// A built-in scene, made by code: no file is needed to see what the runtime does.
+struct ShowcaseScene {
+  std::string name;                 ///< short, for a menu
+  std::string what_to_look_at;      ///< one sentence for the person watching
+  Scene scene;
+  Needs needs;
+  glm::vec3 eye{0.0f}, target{0.0f};
+  float fov_y_rad = 0.7f;
+};
+
+/// A stylised skull flies over a floor with a box and rows of columns that carry spheres: contact shadows by ambient occlusion.
+/// One BoneAnimation of five keyframes drives it.
+ShowcaseScene skull_flight();
+
+/// The same arm twisted 0..180 degrees twice: linear-blend skinning collapses, dual-quaternion skinning keeps its volume.
+ShowcaseScene twisted_arms();
+
+/// A face of morph targets, with weights below 0 and above 1.
+ShowcaseScene morphed_face();
+
+/// All of them, in this order.
+std::vector<ShowcaseScene> showcase();
+
+}  // namespace sinew::showcase
