@@ -19,10 +19,11 @@ struct ImportIssue {
   std::string detail;         ///< this case, with the numbers that broke the rule and, for a warning, the repair
 };
 
-/// Why an import failed: the first error, and every warning found before it.
+/// Why an import failed: the first error, the other errors that were found together with it, and every warning so far.
 struct ImportError {
   std::string file;
   ImportIssue issue;
+  std::vector<ImportIssue> more_errors;
   std::vector<ImportIssue> warnings;
 };
 
