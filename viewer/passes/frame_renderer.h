@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "viewer/device/device.h"
+#include "viewer/passes/render_options.h"
+#include "viewer/passes/view.h"
+#include "viewer/upload/frame_upload.h"
+#include "viewer/upload/scene_upload.h"
+
+namespace sinew::viewer {
+
+/// Where a frame is drawn. The image's old contents do not matter; it must allow colour attachment use. A UNORM format
+/// receives sRGB-encoded values from the shader, an SRGB format is encoded by the hardware.
+struct ColorTarget {
+  VkImage image = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;
+  VkExtent2D extent{};
+  VkImageLayout final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;   ///< left in this layout, visible to all later commands
+};
+
+/// A scene that was uploaded and the vertices of its newest frame.
+struct DrawnScene {
+  const SceneUpload* scene = nullptr;
+  const FrameUpload* frame = nullptr;
+};
+
+/// End points of a line drawn over the picture, without depth test: the skeleton, a grid. Two vertices per line.
+struct LineVertex {
+  glm::vec3 position;              ///< world space
+  std::uint32_t rgba = 0xffffffffu;  ///< 8 bits each, red lowest, sRGB
+};
+
+/// Everything that one frame shows.
+struct FrameInputs {
+  std::uint32_t slot = 0;                        ///< < slot count; the GPU must be done with its last use
+  std::span<const DrawnScene> scenes;
+  View view;
+  RenderOptions options;
+  std::span<const LineVertex> lines;
+  std::function<void(VkCommandBuffer)> overlay;  ///< recorded last, inside rendering to the target: the ImGui hook
+};
+
+/// Milliseconds that a pass took on the GPU.
+struct PassTime {
+  std::string_view pass;
+  double milliseconds = 0.0;
+};
+
+/// Records the passes of a frame in the order of frame_graph.h, each only when the frame calls for it.
+///
+/// Use:  wait until the slot's last submit is done;  frame_upload.update(slot, result);
+///       renderer.record(commands, target, inputs);  submit `commands`, waiting for the target at COLOR_ATTACHMENT_OUTPUT
+/// owns  pipelines, the images between passes (made again when the target's extent changes: waits for the device then),
+///       and per slot uniforms, descriptor sets and timestamps.   thread: one
+class FrameRenderer {
+ public:
+  /// in   target_format  of every ColorTarget;   slot_count  frames that may be in flight
+  FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count);
+  ~FrameRenderer();
+  FrameRenderer(const FrameRenderer&) = delete;
+  FrameRenderer& operator=(const FrameRenderer&) = delete;
+
+  /// in   commands  begun, outside of rendering
+  void record(VkCommandBuffer commands, const ColorTarget& target, const FrameInputs& inputs);
+
+  /// Times of the passes that the slot's last frame ran, once the GPU is done with it. Empty without timestamps.
+  std::span<const PassTime> pass_times(std::uint32_t slot);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace sinew::viewer {
+
+namespace {
+
+constexpr double kNearestNear = 1e-6;   // relative to the distance of the eye
+
+struct Ball {
+  glm::dvec3 centre;
+  double radius;
+};
+
+Ball ball_around(const Aabb& bounds) {
+  if (bounds.empty()) return {{0.0, 0.0, 0.0}, 1.0};
+  const glm::dvec3 lower(bounds.lower), upper(bounds.upper);
+  const double radius = 0.5 * glm::length(upper - lower);
+  return {0.5 * (lower + upper), radius > 0.0 ? radius : 1.0};
+}
+
+}  // namespace
+
+View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, double near_m, const glm::dvec3& up) {
+  const glm::dvec3 sight = target - eye;
+  const double distance = glm::length(sight);
+  const glm::dvec3 back = distance > 0.0 ? -sight / distance : glm::dvec3(0.0, 0.0, 1.0);
+  glm::dvec3 right = glm::cross(up, back);
+  if (glm::length(right) < 1e-6 * glm::length(up))   // looking along `up`: any other axis will do
+    right = glm::cross(std::abs(back.z) < 0.9 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(1.0, 0.0, 0.0), back);
+  right = glm::normalize(right);
+  const glm::dvec3 above = glm::cross(back, right);
+  View view;
+  view.view_from_world = {{{right, -glm::dot(right, eye)}, {above, -glm::dot(above, eye)}, {back, -glm::dot(back, eye)}}};
+  view.fov_y_rad = fov_y_rad;
+  view.near_m = near_m;
+  return view;
+}
+
+glm::dvec3 eye_of(const View& view) {
+  const auto& m = view.view_from_world;
+  return -(translation_of(m) * linear_part(m));   // R^T * t: the linear part is a rotation
+}
+
+double near_plane_for(const glm::dvec3& eye, const Aabb& bounds) {
+  const Ball ball = ball_around(bounds);
+  const double distance = glm::length(eye - ball.centre);
+  return std::max({0.5 * (distance - ball.radius), 0.002 * ball.radius, kNearestNear * distance});
+}
+
+View view_of_all(const Aabb& bounds, double fov_y_rad, double aspect) {
+  const Ball ball = ball_around(bounds);
+  const double half_fov = 0.5 * fov_y_rad;
+  const double narrower = std::min(half_fov, std::atan(std::tan(half_fov) * aspect));
+  const double distance = ball.radius / std::sin(narrower) * 1.02;
+  const glm::dvec3 eye = ball.centre + distance * glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
+  return look_at(eye, ball.centre, fov_y_rad, near_plane_for(eye, bounds));
+}
+
+}  // namespace sinew::viewer

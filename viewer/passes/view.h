@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/assets/mesh.h"
+#include "runtime/math/affine.h"
+
+namespace sinew::viewer {
+
+/// A perspective camera that looks along -z of its own space, +y up. Depth is reversed with the far plane at infinity:
+/// stored depth = near / distance, 0 where nothing was drawn (N30). Double precision, because the product with a mesh's
+/// matrix is where large world coordinates cancel (N25).
+/// eq   clip = (x * cot(fov_y/2) / aspect, y * cot(fov_y/2), near, -z)
+struct View {
+  Affined view_from_world;
+  double fov_y_rad = 0.8;
+  double near_m = 0.01;
+};
+
+/// Rotation and position from an eye point towards a target; any `up` that is not parallel to the line of sight, and a
+/// safe substitute when it is.
+/// in   eye, target  world space, metres
+View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, double near_m,
+             const glm::dvec3& up = {0.0, 1.0, 0.0});
+
+/// Where `look_at` stands.
+glm::dvec3 eye_of(const View& view);
+
+/// A view that shows the whole box from the front, slightly from the right and above, with a near plane to match.
+/// in   bounds  world space; an empty box gives a view of the unit cube;   aspect  width / height
+View view_of_all(const Aabb& bounds, double fov_y_rad, double aspect);
+
+/// A near plane for an eye at this distance from the middle of `bounds`: as far out as it can be without cutting them.
+double near_plane_for(const glm::dvec3& eye, const Aabb& bounds);
+
+}  // namespace sinew::viewer

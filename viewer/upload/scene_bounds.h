@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/assets/scene.h"
+#include "runtime/plan/frame_result.h"
+
+namespace sinew::viewer {
+
+/// World-space box of everything that the frame draws, from the deformed vertices: a skinned mesh may be far from its
+/// static box.
+/// cost O(vertices); empty when the scene draws nothing
+Aabb bounds_of(const Scene& scene, const FrameResult& frame);
+
+}  // namespace sinew::viewer
