@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "runtime/math/affine.h"
+#include "runtime/math/transform.h"
+
+namespace sinew {
+
+/// What a decomposition found out about its matrix; the parts are usable in every case.
+enum class DecomposeStatus : std::uint8_t {
+  ok,
+  mirrored,    ///< determinant negative: the sign is carried by the stretch, or by scale.x
+  sheared,     ///< trs only: the columns are not perpendicular, T * R * S is not the matrix
+  singular,    ///< rank below 3 within rounding: some of the rotation is free and was completed to a rotation
+  not_finite,  ///< NaN or infinite entries: the identity is returned
+};
+
+/// M = R S: R a rotation (determinant +1), S symmetric. For a mirroring M, S is negative (R = -U V^T).
+template <class T>
+struct PolarT {
+  Mat3<T> rotation{T(1)};
+  Quat<T> quat{T(1), T(0), T(0), T(0)};             ///< the same rotation, w x y z
+  T stretch[6] = {T(1), T(1), T(1), T(0), T(0), T(0)};  ///< xx yy zz xy xz yz
+  DecomposeStatus status = DecomposeStatus::ok;
+};
+
+/// Polar decomposition.
+/// eq   M = U D V^T by one-sided Jacobi (Hestenes), after scaling by the largest entry; R = U V^T, S = V D V^T, for
+///      det M < 0: R = -U V^T, S = -V D V^T   (Shoemake and Duff 1992; no inverse is formed, so rank 0..3 all work, N16)
+/// cost computed in double for float as well; about 3 sweeps of 3 rotations
+template <class T>
+PolarT<T> decompose_polar(const Mat3<T>& m) noexcept;
+
+/// Symmetric matrix of a stretch as stored in PolarT.
+template <class T>
+Mat3<T> matrix_from_stretch(const T (&s)[6]) noexcept {
+  return {s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2]};
+}
+
+template <class T>
+struct TrsT {
+  TransformT<T> transform;
+  DecomposeStatus status = DecomposeStatus::ok;
+};
+
+/// Translation, rotation and scale of a matrix without shear; scale = column lengths, scale.x takes the sign of a mirroring
+/// (N15). With shear, `rotation` is the nearest rotation to the normalised columns and the status says so; when the matrix
+/// is mirrored, sheared or singular at once, the worst is reported (singular, then sheared).
+/// err  status   cost O(1), no allocation
+template <class T>
+TrsT<T> decompose_trs(const AffineT<T>& m) noexcept;
+
+extern template PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
+extern template PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
+extern template TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
+extern template TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
+
+}  // namespace sinew

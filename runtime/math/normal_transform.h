@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/math/affine.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+
+/// Cofactor matrix: transpose of the adjoint. Exists for every matrix, singular ones too, without a division.
+/// eq   cof(M) = [c1 x c2, c2 x c0, c0 x c1], c the columns of M;  cof(M)(a x b) = M a x M b   (Real-Time Rendering, 4.1.7)
+template <class T>
+Mat3<T> cofactor(const Mat3<T>& m) noexcept {
+  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+/// Entry of largest absolute value; NaN entries count as 0.
+template <class T>
+T largest_entry(const Mat3<T>& m) noexcept {
+  return std::max(std::max(largest_component(m[0]), largest_component(m[1])), largest_component(m[2]));
+}
+
+/// Cofactor matrix of M divided by its largest entry: the same directions, without overflow or underflow (N22).
+template <class T>
+Mat3<T> normal_matrix(const Mat3<T>& m) noexcept {
+  const T scale = largest_entry(m);
+  if (!(scale > T(0)) || !std::isfinite(scale)) return Mat3<T>(T(0));
+  Mat3<T> s = m;
+  for (int c = 0; c < 3; ++c) s[c] /= scale;
+  return cofactor(s);
+}
+
+/// Normal of a surface that was moved by M, unit length, on the side that follows the winding: the cross product of two
+/// moved edges. Where M leaves no normal (rank below 2) the normal stays as it was.
+/// eq   normalise(cof(M) n)
+template <class T>
+Vec3<T> transform_normal(const Mat3<T>& m, const Vec3<T>& n) noexcept {
+  return normalised_or(normal_matrix(m) * n, n);
+}
+
+/// As transform_normal, but pointing to the outside of a solid also when M mirrors (hard case G48).
+/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists
+template <class T>
+Vec3<T> transform_normal_outward(const Mat3<T>& m, const Vec3<T>& n) noexcept {
+  const T scale = largest_entry(m);
+  const Mat3<T> cof = normal_matrix(m);
+  const T det = scale > T(0) ? glm::dot(m[0] / scale, cof[0]) : T(0);
+  return normalised_or(det < T(0) ? -(cof * n) : cof * n, n);
+}
+
+}  // namespace sinew

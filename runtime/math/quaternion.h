@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/math/conventions.h"
+
+namespace sinew {
+
+/// Names differ from GLM's on purpose: GLM's are found by argument lookup for its types and would make calls ambiguous.
+/// The product is GLM's plain `a * b` (b is applied first; Real-Time Rendering 4th ed., eq. 4.28).
+
+/// Identity rotation.
+template <class T>
+constexpr Quat<T> quat_identity() noexcept {
+  return quat_xyzw(T(0), T(0), T(0), T(1));
+}
+
+/// 4D dot product: cosine of half the rotation angle between unit q and r, up to sign.
+template <class T>
+T quat_dot(const Quat<T>& q, const Quat<T>& r) noexcept {
+  return (q.x * r.x + q.y * r.y) + (q.z * r.z + q.w * r.w);
+}
+
+/// Component of largest absolute value; the scale that keeps squares from overflow and underflow.
+template <class T>
+T largest_component(const Quat<T>& q) noexcept {
+  return std::max(std::max(std::abs(q.x), std::abs(q.y)), std::max(std::abs(q.z), std::abs(q.w)));
+}
+
+template <class T>
+T largest_component(const Vec3<T>& v) noexcept {
+  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+}
+
+/// Length without overflow or underflow on the way. Works for Vec3 and Quat alike.
+template <class V>
+auto safe_length(const V& v) noexcept {
+  const auto m = largest_component(v);
+  using T = std::remove_const_t<decltype(m)>;
+  if (!(m > T(0)) || !std::isfinite(m)) return m;
+  const V s = v / m;
+  T sum = T(0);
+  for (int i = 0; i < V::length(); ++i) sum += s[i] * s[i];
+  return m * std::sqrt(sum);
+}
+
+/// Unit vector along v, or `fallback` where v has no direction (zero, infinite or NaN).
+template <class T>
+Vec3<T> normalised_or(const Vec3<T>& v, const Vec3<T>& fallback) noexcept {
+  const T m = largest_component(v);
+  const Vec3<T> s = v / m;
+  const T sum = s.x * s.x + s.y * s.y + s.z * s.z;
+  return m > T(0) && sum >= T(1) && sum <= T(3) ? s / std::sqrt(sum) : fallback;
+}
+
+/// Unit quaternion along q, or `fallback` where q has no direction (zero, infinite or NaN).
+/// eq   q / |q|   with q first divided by its largest component, so that any finite length works
+template <class T>
+Quat<T> normalised_or(const Quat<T>& q, const Quat<T>& fallback) noexcept {
+  const T m = largest_component(q);
+  const Quat<T> s = q / m;
+  const T sum = quat_dot(s, s);
+  return m > T(0) && sum >= T(1) && sum <= T(4) ? s / std::sqrt(sum) : fallback;
+}
+
+/// Unit quaternion along q; the identity where q has no direction (zero, infinite or NaN).
+template <class T>
+Quat<T> normalised(const Quat<T>& q) noexcept {
+  return normalised_or(q, quat_identity<T>());
+}
+
+/// eq   q* = (-v, w): the inverse of a unit quaternion   (Real-Time Rendering, eq. 4.31)
+template <class T>
+constexpr Quat<T> quat_conjugate(const Quat<T>& q) noexcept {
+  return quat_xyzw(-q.x, -q.y, -q.z, q.w);
+}
+
+/// eq   q^-1 = q* / |q|^2   (Real-Time Rendering, eq. 4.35); the identity where q has no direction
+template <class T>
+Quat<T> quat_inverse(const Quat<T>& q) noexcept {
+  const T m = largest_component(q);
+  const Quat<T> s = q / m;
+  const T sum = quat_dot(s, s);
+  return m > T(0) && sum >= T(1) && sum <= T(4) ? quat_conjugate(s) / sum / m : quat_identity<T>();
+}
+
+/// -q where q and `reference` lie on opposite half spheres, else q. sign(0) = +1, so the choice is the same everywhere.
+template <class T>
+Quat<T> aligned_with(const Quat<T>& reference, const Quat<T>& q) noexcept {
+  return quat_dot(reference, q) < T(0) ? -q : q;
+}
+
+/// eq   p' = q p q* = p + 2 w (v x p) + 2 v x (v x p)   for unit q   (Real-Time Rendering, eq. 4.36)
+template <class T>
+Vec3<T> rotate_vector(const Quat<T>& q, const Vec3<T>& p) noexcept {
+  const Vec3<T> v(q.x, q.y, q.z);
+  const Vec3<T> twice = glm::cross(v, p) * T(2);
+  return p + twice * q.w + glm::cross(v, twice);
+}
+
+/// Rotation angle between q and r in [0, pi], signs ignored.
+/// eq   2 atan2(|v|, |w|) of q* r: keeps full relative accuracy for small angles, where acos floors at 3e-4 (N03)
+template <class T>
+T rotation_angle_between(const Quat<T>& q, const Quat<T>& r) noexcept {
+  const Quat<T> d = quat_conjugate(q) * r;
+  return T(2) * std::atan2(safe_length(Vec3<T>(d.x, d.y, d.z)), std::abs(d.w));
+}
+
+template <class To, class From>
+Quat<To> quat_cast(const Quat<From>& q) noexcept {
+  return quat_xyzw(static_cast<To>(q.x), static_cast<To>(q.y), static_cast<To>(q.z), static_cast<To>(q.w));
+}
+
+}  // namespace sinew
