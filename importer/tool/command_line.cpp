@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "importer/tool/messages.h"
+
+namespace sinew::tool {
+namespace {
+
+constexpr const char* kAbout =
+    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and vertex\n"
+    "is at any time of their animations.\n\n"
+    "Examples:\n"
+    "  sinew info fox.glb                                what is inside\n"
+    "  sinew check fox.glb                               every rule that the file breaks\n"
+    "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"
+    "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
+    "  sinew plan fox.glb                                which stages a frame runs, and why\n";
+constexpr const char* kEnding =
+    "Results go to stdout, messages to stderr.\n"
+    "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
+    "`sinew COMMAND --help` explains one command.";
+
+ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, const char* const* argv) {
+  try {
+    program.parse(argc, argv);
+    return outcome;
+  } catch (const CLI::Success& help_or_version) {
+    program.exit(help_or_version);
+    return ExitCode::done;
+  } catch (const CLI::ParseError& error) {
+    say_error(fmt::format("{} (see `sinew --help`)", error.what()));
+    return ExitCode::wrong_usage;
+  } catch (const std::bad_alloc&) {
+    say_error("not enough memory");
+  } catch (const std::exception& error) {
+    say_error(error.what());
+  }
+  return ExitCode::machine_lacks;
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, const char* const* argv) {
+  CLI::App program(kAbout, "sinew");
+  program.footer(kEnding);
+  program.set_version_flag("--version", std::string("sinew ") + SINEW_VERSION, "Print the version and exit");
+  program.set_help_flag("-h,--help", "Print this help and exit");
+  program.require_subcommand(1);
+  ExitCode outcome = ExitCode::wrong_usage;
+  add_info(program, outcome);
+  add_sample(program, outcome);
+  add_verify(program, outcome);
+  add_check(program, outcome);
+  add_plan(program, outcome);
+  const ExitCode code = parse_and_run(program, outcome, argc, argv);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  say_error("stdout cannot be written");
+  return ExitCode::machine_lacks;
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "importer/import_gltf.h"
+
+namespace sinew::tool {
+
+/// Everything that `sinew info` tells about a file, as one document; the readable text is made from it.
+nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& file);
+
+}  // namespace sinew::tool

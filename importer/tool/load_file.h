@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+
+#include "importer/import_gltf.h"
+
+namespace sinew::tool {
+
+/// Imports a file with progress on a terminal; warnings and the error go to stderr.
+/// out  nothing when the file is at fault: the command then ends with ExitCode::input_at_fault
+std::optional<ImportedFile> load_file(const std::string& file, ImportOptions options = {});
+
+}  // namespace sinew::tool

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "importer/tool/clip_choice.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::tool {
+namespace {
+
+struct PlanOptions {
+  std::string file;
+  std::optional<std::string> clip;
+  std::vector<std::string> needs;
+  std::string skinning = "linear";
+  bool json = false;
+};
+
+constexpr const char* kNeedNames[] = {"joints", "positions", "normals", "tangents", "bounds"};
+
+Needs needs_from(const PlanOptions& options) {
+  Needs needs;
+  if (options.skinning == "dual-quaternion") needs.skinning = Skinning::dual_quaternion;
+  if (options.needs.empty()) return needs;
+  const auto asked = [&](const char* name) {
+    return std::find(options.needs.begin(), options.needs.end(), name) != options.needs.end();
+  };
+  needs.joints = asked("joints");
+  needs.positions = asked("positions");
+  needs.normals = asked("normals");
+  needs.tangents = asked("tangents");
+  needs.bounds = asked("bounds");
+  return needs;
+}
+
+nlohmann::ordered_json work_json(const WorkCounters& work) {
+  return {{"tracks_sampled", work.tracks_sampled},
+          {"poses_blended", work.poses_blended},
+          {"joints_composed", work.joints_composed},
+          {"palette_entries", work.palette_entries},
+          {"palette_entries_split", work.palette_entries_split},
+          {"morph_deltas", work.morph_deltas},
+          {"vertices_morphed", work.vertices_morphed},
+          {"vertices_skinned_linear", work.vertices_skinned_linear},
+          {"vertices_skinned_dual_quaternion", work.vertices_skinned_dual_quaternion},
+          {"bounds_vertices", work.bounds_vertices}};
+}
+
+/// Runs the plan once, in the middle of the clip, and answers what the frame really did.
+Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
+  FrameBuffer frame(plan);
+  ClipLayer layer{clip, 0.0, 1.0f};
+  if (clip != kNone) layer.time_s = 0.5 * plan.scene->animations[clip].duration_s;
+  const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span<const ClipLayer>(&layer, 1), {}, {}};
+  if (const ErrorCode code = run_plan(plan, input, frame); code != ErrorCode::ok) return tl::unexpected(code);
+  return frame.result().work;
+}
+
+void print_json(const Plan& plan, const std::optional<WorkCounters>& work) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  for (const PlanStage& stage : plan.stages)
+    stages.push_back({{"stage", stage.stage},
+                      {"runs", stage.runs},
+                      {"reason", stage.reason},
+                      {"count", stage.count},
+                      {"bytes", stage.bytes}});
+  nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes}};
+  if (work) report["work"] = work_json(*work);
+  fmt::print("{}\n", report.dump(2));
+}
+
+void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
+  std::size_t widest = 5;
+  for (const PlanStage& stage : plan.stages) widest = std::max(widest, stage.stage.size());
+  fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
+  for (const PlanStage& stage : plan.stages)
+    fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out", stage.count,
+               stage.bytes, stage.reason);
+  fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes);
+  if (!work) return;
+  fmt::print("work done by one frame:\n");
+  for (const auto& [name, count] : work_json(*work).items()) fmt::print("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
+}
+
+ExitCode plan_file(const PlanOptions& options) {
+  ImportOptions import;
+  import.decode_images = false;
+  const auto file = load_file(options.file, import);
+  if (!file) return ExitCode::input_at_fault;
+  const auto chosen = choose_clips(file->scene, options.clip);
+  if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
+
+  const Plan plan = compile_plan(file->scene, needs_from(options));
+  std::optional<WorkCounters> work;
+  if (options.clip) {
+    const auto counted = work_of_one_frame(plan, chosen->front());
+    if (!counted) return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
+    work = *counted;
+  }
+  options.json ? print_json(plan, work) : print_text(plan, work);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command = program.add_subcommand(
+      "plan", "Show the stages that a frame of this file runs or leaves out, each with the reason.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  command->add_option("--clip", options->clip, "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
+      ->type_name("INDEX|NAME|none");
+  command->add_option("--needs", options->needs, "What the consumer of frames asks for (default: all but bounds)")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kNeedNames), std::end(kNeedNames))));
+  command->add_option("--skinning", options->skinning, "Skinning to plan for (default: linear)")
+      ->type_name("METHOD")
+      ->check(CLI::IsMember({"linear", "dual-quaternion"}));
+  command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
+  command->callback([options, &outcome] { outcome = plan_file(*options); });
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/pose_output.h"
+
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <iterator>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+namespace sinew::tool {
+namespace {
+
+using Text = fmt::memory_buffer;
+constexpr std::size_t kChunk = std::size_t{1} << 20;   // bytes handed to zlib at once
+
+template <class... Args>
+void put(Text& text, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+}
+
+std::string quoted(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Nine digits give every float back exactly. JSON has no NaN or infinity: such a vector is null.
+void put_vector(Text& text, std::span<const double> numbers) {
+  for (const double number : numbers)
+    if (!std::isfinite(number)) return put(text, "null");
+  put(text, "[");
+  for (std::size_t i = 0; i < numbers.size(); ++i) put(text, "{}{:.9g}", i ? ", " : "", numbers[i]);
+  put(text, "]");
+}
+
+}  // namespace
+
+PoseOutput::PoseOutput(const std::string& file_or_empty) {
+  const bool compress = file_or_empty.ends_with(".gz");
+  const char* mode = compress ? "wb6" : "wbT";
+  file_ = file_or_empty.empty() ? gzdopen(dup(STDOUT_FILENO), mode) : gzopen(file_or_empty.c_str(), mode);
+}
+
+PoseOutput::~PoseOutput() {
+  if (file_) gzclose(static_cast<gzFile>(file_));
+}
+
+void PoseOutput::begin(std::string_view model, double extent) {
+  put(text_, "{{\"model\": {},\n \"extent\": {:.9g},\n \"clips\": [", quoted(model), extent);
+}
+
+void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
+  put(text_, "{}", first_clip_ ? "\n" : ",\n");
+  if (clip == kNone) put(text_, "  {{\"clip\": null, \"index\": null, \"name\": null, \"samples\": [");
+  else put(text_, "  {{\"clip\": {0}, \"index\": {0}, \"name\": {1}, \"samples\": [", clip, quoted(name));
+  first_clip_ = false;
+  first_sample_ = true;
+}
+
+void PoseOutput::add(const Pose& pose) {
+  put(text_, "{}   {{\"time\": {},\n    \"nodes\": [", first_sample_ ? "\n" : ",\n", pose.time_s);
+  first_sample_ = false;
+  add_nodes(pose);
+  put(text_, "],\n    \"skinned\": [");
+  for (std::size_t i = 0; i < pose.primitives.size(); ++i) {
+    put(text_, "{}", i ? ",\n     " : "\n     ");
+    add_primitive(pose.primitives[i]);
+  }
+  put(text_, "]}}");
+  flush();
+}
+
+void PoseOutput::add_nodes(const Pose& pose) {
+  for (std::size_t i = 0; i < pose.nodes.size(); ++i) {
+    put(text_, "{}{{\"node\": {}, \"world\": ", i ? ",\n     " : "\n     ", pose.nodes[i].node);
+    put_vector(text_, pose.nodes[i].world);
+    put(text_, "}}");
+  }
+  put(text_, "],\n    \"weights\": [");
+  for (std::size_t i = 0; i < pose.weights.size(); ++i) {
+    put(text_, "{}{{\"node\": {}, \"weights\": ", i ? ",\n     " : "\n     ", pose.weights[i].node);
+    put_vector(text_, pose.weights[i].weights);
+    put(text_, "}}");
+  }
+}
+
+void PoseOutput::add_primitive(const PrimitivePose& primitive) {
+  put(text_, "{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]", primitive.node, primitive.mesh,
+      primitive.primitive, fmt::join(primitive.vertices, ", "));
+  for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind) {
+    const std::vector<double>& values = primitive.values[kind];
+    if (values.empty()) continue;
+    const std::size_t width = kVertexKinds[kind].width;
+    put(text_, ",\n      \"{}\": [", kVertexKinds[kind].key);
+    for (std::size_t i = 0; i < values.size(); i += width) {
+      if (i) put(text_, ", ");
+      put_vector(text_, std::span(values).subspan(i, width));
+      if (text_.size() > kChunk) flush();
+    }
+    put(text_, "]");
+  }
+  put(text_, "}}");
+}
+
+void PoseOutput::end_clip() { put(text_, "]}}"); }
+
+bool PoseOutput::end() {
+  put(text_, "\n ]}}\n");
+  flush();
+  const int closed = gzclose(static_cast<gzFile>(file_));
+  file_ = nullptr;
+  return closed == Z_OK && !failed_;
+}
+
+void PoseOutput::flush() {
+  if (!failed_ && text_.size() > 0)
+    failed_ = gzwrite(static_cast<gzFile>(file_), text_.data(), static_cast<unsigned>(text_.size())) <= 0;
+  text_.clear();
+}
+
+}  // namespace sinew::tool

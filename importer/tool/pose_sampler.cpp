@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/pose_sampler.h"
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace sinew::tool {
+namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+using Vec3d = Vec3<double>;
+
+/// A pose file holds floats.
+template <int N, class T>
+void append(std::vector<double>& out, const glm::vec<N, T, glm::defaultp>& v) {
+  for (int i = 0; i < N; ++i) out.push_back(static_cast<double>(static_cast<float>(v[i])));
+}
+
+template <class V>
+void append_chosen(std::vector<double>& out, const VertexChoice& choice, std::span<const V> values) {
+  out.reserve(choice.in_primitive.size() * static_cast<std::size_t>(V::length()));
+  for (const std::uint32_t v : choice.in_primitive) append(out, values[v]);
+}
+
+/// Values of a deformed attribute, or the primitive's own where the plan leaves it alone.
+template <class V>
+std::span<const V> deformed_or_own(std::span<const V> deformed, const std::vector<V>& own) {
+  return deformed.empty() ? std::span<const V>(own) : deformed;
+}
+
+/// eq   cof(M) has the cross products of M's columns; cof(M) = det(M) * transpose(inverse(M)), so multiplied with the
+///      sign of det(M) it turns normals like the inverse transpose, without dividing (hard case N22)
+Mat3<double> normal_matrix(const Affined& m) {
+  const Mat3<double> a = linear_part(m);
+  const double sign = determinant(m) < 0.0 ? -1.0 : 1.0;
+  return {sign * glm::cross(a[1], a[2]), sign * glm::cross(a[2], a[0]), sign * glm::cross(a[0], a[1])};
+}
+
+/// Unit vector along v; `fallback` where v vanishes.
+Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
+  const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  if (!(largest > 0.0)) return fallback;
+  const Vec3d scaled = v / largest;
+  return scaled / std::sqrt(glm::dot(scaled, scaled));
+}
+
+/// True where a palette matrix mirrors or collapses space, so that no rotation stands for it.
+bool has_no_rotation(const Affined& j) {
+  const Mat3<double> a = linear_part(j);
+  const double volume = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
+  constexpr double kFlat = 1e-12;   // of the box that the columns span
+  return !(determinant(j) > kFlat * volume);
+}
+
+std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Affine> model) {
+  std::vector<bool> broken(skin.joints.size());
+  for (std::size_t i = 0; i < broken.size(); ++i)
+    broken[i] = has_no_rotation(affine_cast<double>(model[skin.joints[i]]) * affine_cast<double>(skin.inverse_bind[i]));
+  return broken;
+}
+
+}  // namespace
+
+PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
+    : plan(compile_plan(scene, Needs{.skinning = skinning, .instance_skinning = {}})), frame(plan) {}
+
+PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene) {
+  if (content.linear || !content.dual_quaternion) linear_ = std::make_unique<Method>(scene, Skinning::linear);
+  if (content.dual_quaternion) dual_quaternion_ = std::make_unique<Method>(scene, Skinning::dual_quaternion);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p)
+      drawn_.push_back({i, p, choose_vertices(mesh.primitives[p], content.vertices_per_primitive)});
+  }
+}
+
+const FrameResult& PoseSampler::any_frame() const { return (linear_ ? linear_ : dual_quaternion_)->frame.result(); }
+
+Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
+  const ClipLayer layer{clip, time_s, 1.0f};
+  const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}};
+  for (Method* method : {linear_.get(), dual_quaternion_.get()})
+    if (method)
+      if (const ErrorCode code = run_plan(method->plan, input, method->frame); code != ErrorCode::ok)
+        return tl::unexpected(code);
+
+  const FrameResult& frame = any_frame();
+  Pose pose;
+  pose.time_s = time_s;
+  pose.nodes.resize(frame.model.size());
+  for (std::uint32_t n = 0; n < pose.nodes.size(); ++n) {
+    pose.nodes[n].node = n;
+    const Affine& world = frame.model[scene_.skeleton.joint_of_node[n]];
+    const glm::mat4 columns = mat4_from_affine(world);
+    for (int i = 0; i < 16; ++i) pose.nodes[n].world[static_cast<std::size_t>(i)] = columns[i / 4][i % 4];
+  }
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+    const auto weights = frame.weights.subspan(scene_.first_weight[i], scene_.first_weight[i + 1] - scene_.first_weight[i]);
+    if (!weights.empty())
+      pose.weights.push_back({scene_.skeleton.node_of_joint[scene_.instances[i].joint], {weights.begin(), weights.end()}});
+  }
+  for (const Drawn& drawn : drawn_) pose.primitives.push_back(primitive_pose(drawn));
+  return pose;
+}
+
+PrimitivePose PoseSampler::primitive_pose(const Drawn& drawn) const {
+  const MeshInstance& instance = scene_.instances[drawn.instance];
+  PrimitivePose out;
+  out.node = scene_.skeleton.node_of_joint[instance.joint];
+  out.mesh = instance.mesh;
+  out.primitive = drawn.primitive;
+  out.vertices = drawn.choice.in_file;
+  const bool skinned = instance.skin != kNone && !drawn.choice.influences.empty();
+  if (!skinned) add_rigid(drawn, out);
+  if (skinned && linear_) add_linear(drawn, out);
+  if (skinned && dual_quaternion_) add_dual_quaternion(drawn, out);
+  return out;
+}
+
+/// Morphed vertices come in mesh space; the node's matrix brings them into the world, as a shader would.
+void PoseSampler::add_rigid(const Drawn& drawn, PrimitivePose& out) const {
+  const MeshInstance& instance = scene_.instances[drawn.instance];
+  const Primitive& own = scene_.meshes[instance.mesh].primitives[drawn.primitive];
+  const FrameResult& frame = any_frame();
+  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const auto positions = deformed_or_own(deformed.positions, own.positions);
+  const auto normals = deformed_or_own(deformed.normals, own.normals);
+  const auto tangents = deformed_or_own(deformed.tangents, own.tangents);
+  const Affined world = affine_cast<double>(frame.model[instance.joint]);
+  const Mat3<double> world_normal = normal_matrix(world);
+  for (const std::uint32_t v : drawn.choice.in_primitive) {
+    append(out.of(VertexKind::positions), transform_point(world, Vec3d(positions[v])));
+    if (!normals.empty() && !own.flat_normals) {
+      const Vec3d n(normals[v]);
+      append(out.of(VertexKind::normals), direction(world_normal * n, n));
+    }
+    if (!tangents.empty()) {
+      const Vec3d t(tangents[v]);
+      append(out.of(VertexKind::tangents), direction(transform_vector(world, t), t));
+      out.of(VertexKind::tangents).push_back(static_cast<double>(tangents[v].w));
+    }
+  }
+}
+
+void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
+  const FrameResult& frame = linear_->frame.result();
+  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const bool flat = scene_.meshes[out.mesh].primitives[out.primitive].flat_normals;
+  append_chosen(out.of(VertexKind::positions), drawn.choice, deformed.positions);
+  if (!deformed.normals.empty() && !flat) append_chosen(out.of(VertexKind::normals), drawn.choice, deformed.normals);
+  if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), drawn.choice, deformed.tangents);
+}
+
+void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const {
+  const MeshInstance& instance = scene_.instances[drawn.instance];
+  const Primitive& own = scene_.meshes[out.mesh].primitives[out.primitive];
+  const FrameResult& frame = dual_quaternion_->frame.result();
+  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const auto broken = entries_without_rotation(scene_.skins[instance.skin], frame.model);
+  const bool with_normals = !deformed.normals.empty() && !own.flat_normals;
+  for (std::size_t i = 0; i < drawn.choice.in_primitive.size(); ++i) {
+    const auto [first, count] = drawn.choice.influences[i];
+    bool usable = true;
+    for (std::uint32_t k = first; k < first + count; ++k) usable = usable && !broken[own.influences.joints[k]];
+    const std::uint32_t v = drawn.choice.in_primitive[i];
+    append(out.of(VertexKind::dqs), usable ? Vec3d(deformed.positions[v]) : Vec3d(kNoValue));
+    if (with_normals) append(out.of(VertexKind::dqs_normals), usable ? Vec3d(deformed.normals[v]) : Vec3d(kNoValue));
+  }
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "importer/tool/pose.h"
+#include "importer/tool/vertex_choice.h"
+#include "runtime/base/result.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::tool {
+
+/// What a pose holds besides node matrices and morph weights.
+struct PoseContent {
+  bool linear = true;             ///< positions, normals and tangents of skinned primitives
+  bool dual_quaternion = true;    ///< dqs and dqsNormals of skinned primitives
+  std::size_t vertices_per_primitive = 64;
+};
+
+/// Poses of a scene as a program that links sinew gets them: every sample is one run of a compiled plan per kind of
+/// skinning. Positions, normals and tangents of unskinned primitives, morphed or not, are always there.
+class PoseSampler {
+ public:
+  /// The scene must outlive the sampler.
+  PoseSampler(const Scene& scene, const PoseContent& content);
+
+  /// in   clip  index, or kNone for the rest pose
+  /// err  as run_plan
+  Result<Pose> sample(std::uint32_t clip, double time_s);
+
+ private:
+  struct Method {
+    Method(const Scene& scene, Skinning skinning);
+    Plan plan;
+    FrameBuffer frame;
+  };
+  struct Drawn {                   ///< one primitive of one mesh instance
+    std::uint32_t instance = 0, primitive = 0;
+    VertexChoice choice;
+  };
+
+  PrimitivePose primitive_pose(const Drawn& drawn) const;
+  void add_rigid(const Drawn& drawn, PrimitivePose& out) const;
+  void add_linear(const Drawn& drawn, PrimitivePose& out) const;
+  void add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const;
+  const FrameResult& any_frame() const;
+
+  const Scene& scene_;
+  std::unique_ptr<Method> linear_;
+  std::unique_ptr<Method> dual_quaternion_;
+  std::vector<Drawn> drawn_;
+};
+
+}  // namespace sinew::tool

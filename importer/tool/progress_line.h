@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <string_view>
+
+namespace sinew::tool {
+
+/// One line on the terminal that says how far long work is. Silent when stderr is not a terminal, and for the first
+/// moment, so that quick work leaves no trace.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();   ///< wipes the line
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::string_view work, double done_0_to_1);
+  void wipe();       ///< before a message is printed
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool terminal_ = false;
+  bool visible_ = false;
+  Clock::time_point next_;
+};
+
+}  // namespace sinew::tool

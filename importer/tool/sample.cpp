@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "importer/tool/clip_choice.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
+#include "importer/tool/pose_output.h"
+#include "importer/tool/pose_sampler.h"
+#include "importer/tool/progress_line.h"
+#include "importer/tool/sample_times.h"
+
+namespace sinew::tool {
+namespace {
+
+struct SampleOptions {
+  std::string file, output;
+  std::optional<std::string> clip, times;
+  std::optional<double> fps;
+  std::string skinning = "all", vertices = "64";
+};
+
+constexpr double kMostFrames = 1e6;   // of one clip: a typing error in --fps must not fill the disk
+
+/// One clip with the times to sample it at.
+struct Task {
+  std::uint32_t clip = kNone;
+  std::vector<double> times_s;
+};
+
+tl::expected<std::size_t, std::string> vertex_limit(const std::string& text) {
+  if (text == "all") return kAllVertices;
+  std::size_t limit = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), limit);
+  if (error == std::errc{} && stop == text.data() + text.size()) return limit;
+  return tl::unexpected(fmt::format("--vertices {}: neither a number nor 'all'", text));
+}
+
+tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const SampleOptions& options) {
+  const auto clips = choose_clips(scene, options.clip);
+  if (!clips) return tl::unexpected(clips.error());
+  std::optional<std::vector<double>> named;
+  if (options.times) {
+    const auto parsed = parse_times(*options.times);
+    if (!parsed) return tl::unexpected(parsed.error());
+    named = *parsed;
+  }
+  std::vector<Task> tasks;
+  for (const std::uint32_t clip : *clips) {
+    Task task{clip, {0.0}};               // one look at the rest pose is enough, unless it was asked for by name
+    const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
+    if (named && (clip != kNone || options.clip)) task.times_s = *named;
+    else if (options.fps && duration_s * *options.fps > kMostFrames)
+      return tl::unexpected(fmt::format("--fps {}: more than {} frames of clip {}", *options.fps, kMostFrames, clip));
+    else if (options.fps) task.times_s = frame_times(duration_s, *options.fps);
+    else if (clip != kNone) task.times_s = telling_times(scene.animations[clip]);
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+/// Writes all tasks. Answers the outcome and says what went wrong.
+ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const SampleOptions& options,
+                     const PoseContent& content) {
+  const double size_m = model_size_m(scene);
+  PoseSampler sampler(scene, content);
+  errno = 0;
+  PoseOutput out(options.output);
+  if (!out.opened())
+    return say_error(fmt::format("{}: {}", options.output, std::strerror(errno))), ExitCode::wrong_usage;
+  ProgressLine progress;
+  out.begin(options.file, size_m);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const auto& [clip, times_s] = tasks[i];
+    out.begin_clip(clip, clip == kNone ? std::string_view{} : std::string_view(scene.animations[clip].name));
+    for (std::size_t k = 0; k < times_s.size(); ++k) {
+      const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
+      progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
+      const auto pose = sampler.sample(clip, times_s[k]);
+      if (!pose) return say_error(fmt::format("{}: {}", options.file, describe(pose.error()))), ExitCode::input_at_fault;
+      out.add(*pose);
+    }
+    out.end_clip();
+  }
+  progress.wipe();
+  if (out.end()) return ExitCode::done;
+  say_error(fmt::format("{}: cannot be written to the end", options.output.empty() ? "stdout" : options.output));
+  return ExitCode::machine_lacks;
+}
+
+ExitCode sample_file(const SampleOptions& options) {
+  const auto limit = vertex_limit(options.vertices);
+  if (!limit) return say_error(limit.error()), ExitCode::wrong_usage;
+  if (options.times)
+    if (const auto times = parse_times(*options.times); !times) return say_error(times.error()), ExitCode::wrong_usage;
+
+  ImportOptions import;
+  import.decode_images = false;
+  const auto file = load_file(options.file, import);
+  if (!file) return ExitCode::input_at_fault;
+  const auto tasks = tasks_for(file->scene, options);
+  if (!tasks) return say_error(tasks.error()), ExitCode::wrong_usage;
+  const PoseContent content{options.skinning != "dual-quaternion", options.skinning != "linear", *limit};
+  return write_poses(file->scene, *tasks, options, content);
+}
+
+}  // namespace
+
+void add_sample(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<SampleOptions>();
+  CLI::App* command = program.add_subcommand(
+      "sample", "Write where nodes and vertices are: world matrices, morph weights, deformed vertices, as JSON.\n"
+                "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last\n"
+                "key, and some keys and middles between them.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  command->add_option("--clip", options->clip, "One clip only; none = the rest pose")->type_name("INDEX|NAME|none");
+  auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")->type_name("T,T,...");
+  command->add_option("--fps", options->fps, "Frames per second, from 0 to the clip's end")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->excludes(times);
+  command->add_option("--skinning", options->skinning,
+                      "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; all (default)")
+      ->type_name("METHOD")
+      ->check(CLI::IsMember({"linear", "dual-quaternion", "all"}));
+  command->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
+      ->type_name("N|all");
+  command->add_option("-o,--output", options->output, "Write here (compressed if it ends in .gz), not to stdout")
+      ->type_name("OUT.json");
+  command->callback([options, &outcome] { outcome = sample_file(*options); });
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/assets/bone_animation.h"
+
+namespace sinew::tool {
+
+/// Reads `--times T,T,...`: finite seconds, in the order given.
+tl::expected<std::vector<double>, std::string> parse_times(const std::string& list);
+
+/// Times worth looking at when nobody names any: the start, the first and last key, three keys between them and the
+/// middles of the key intervals that follow them. Increasing, and exact float32 values so that keys are hit.
+/// in   animation  may be empty: the answer is {0}
+std::vector<double> telling_times(const Animation& animation);
+
+/// 0, 1/fps, 2/fps, ... up to the clip's end, and the end itself.
+std::vector<double> frame_times(double duration_s, double fps);
+
+}  // namespace sinew::tool

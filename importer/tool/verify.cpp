@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "importer/tool/compare_poses.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
+#include "importer/tool/pose_input.h"
+#include "importer/tool/pose_sampler.h"
+#include "importer/tool/progress_line.h"
+
+namespace sinew::tool {
+namespace {
+
+struct VerifyOptions {
+  std::string file, golden;
+  std::optional<double> tolerance_m;
+};
+
+constexpr std::size_t kWorstShown = 10;
+
+bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
+  for (const ClipPoses& clip : golden.clips)
+    for (const Pose& pose : clip.samples)
+      for (const PrimitivePose& primitive : pose.primitives)
+        for (const VertexKind kind : kinds)
+          if (!primitive.of(kind).empty()) return true;
+  return false;
+}
+
+/// Samples the scene at the golden times and compares.
+Result<void> compare_all(const Scene& scene, const PoseFile& golden, PoseComparison& comparison) {
+  const PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), kAllVertices};
+  PoseSampler sampler(scene, content);
+  ProgressLine progress;
+  for (std::size_t i = 0; i < golden.clips.size(); ++i) {
+    const auto& [clip, samples] = golden.clips[i];
+    progress.show("comparing", static_cast<double>(i) / static_cast<double>(golden.clips.size()));
+    if (clip != kNone && clip >= scene.clips.size()) {
+      comparison.missing(fmt::format("clip {} (the file has {})", clip, scene.clips.size()));
+      continue;
+    }
+    for (const Pose& expected : samples) {
+      const auto pose = sampler.sample(clip, expected.time_s);
+      if (!pose) return tl::unexpected(pose.error());
+      comparison.compare(clip, expected, *pose);
+    }
+  }
+  return {};
+}
+
+void print_outcome(const PoseComparison& comparison, const VerifyOptions& options) {
+  fmt::print("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance\n", options.file,
+             comparison.compared(), options.golden, comparison.largest_m(), comparison.failed());
+  for (const Deviation& worst : comparison.worst()) {
+    if (std::isinf(worst.amount)) fmt::print("  {}: missing\n", worst.where);
+    else fmt::print("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
+                    worst.unit, worst.tolerance);
+  }
+}
+
+ExitCode verify_file(const VerifyOptions& options) {
+  const auto golden = read_poses(options.golden);
+  if (!golden) return say_issue(options.golden, golden.error()), ExitCode::input_at_fault;
+  ImportOptions import;
+  import.decode_images = false;
+  const auto file = load_file(options.file, import);
+  if (!file) return ExitCode::input_at_fault;
+
+  PoseTolerance tolerance;
+  tolerance.distance_m = options.tolerance_m;
+  tolerance.model_size_m = golden->extent ? *golden->extent : model_size_m(file->scene);
+  PoseComparison comparison(tolerance, kWorstShown);
+  if (const auto done = compare_all(file->scene, *golden, comparison); !done)
+    return say_error(fmt::format("{}: {}", options.file, describe(done.error()))), ExitCode::input_at_fault;
+  print_outcome(comparison, options);
+  if (comparison.compared() == 0) {
+    say_issue(options.golden, {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
+    return ExitCode::input_at_fault;
+  }
+  if (comparison.failed() == 0) return ExitCode::done;
+  say_error(fmt::format("{}: poses differ from {}", options.file, options.golden));
+  return ExitCode::input_at_fault;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = program.add_subcommand(
+      "verify", "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
+                "Exit status 0 when every pose still matches; else 1, and the worst differences are named.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz")->required();
+  command->add_option("--tolerance", options->tolerance_m,
+                      "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")
+      ->type_name("METRES")
+      ->check(CLI::NonNegativeNumber);
+  command->callback([options, &outcome] { outcome = verify_file(*options); });
+}
+
+}  // namespace sinew::tool
