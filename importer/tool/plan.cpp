@@ -87,7 +87,8 @@ void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
   fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes);
   if (!work) return;
   fmt::print("work done by one frame:\n");
-  for (const auto& [name, count] : work_json(*work).items()) fmt::print("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
+  const nlohmann::ordered_json counts = work_json(*work);
+  for (const auto& [name, count] : counts.items()) fmt::print("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
 }
 
 ExitCode plan_file(const PlanOptions& options) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A file that outgrows its limit holds two ideas: split it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/architecture/source_tree.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr std::size_t kHeaderLines = 150, kSourceLines = 400, kTestLines = 450;
+
+std::size_t limit_for(const SourceFile& file) {
+  if (file.in("tests")) return kTestLines;
+  return file.is_header() ? kHeaderLines : kSourceLines;
+}
+
+TEST(file_sizes, headers_sources_and_tests_stay_below_their_limits) {
+  std::vector<std::string> large;
+  for (const SourceFile& file : source_tree())
+    if (const std::size_t count = lines_of(file.text).size(); count > limit_for(file))
+      large.push_back(file.path + ": " + std::to_string(count) + " lines, limit " + std::to_string(limit_for(file)));
+  EXPECT_THAT(large, testing::IsEmpty());
+}
+
+TEST(file_sizes, the_tree_is_really_read) {
+  const auto files = source_tree();
+  EXPECT_GT(files.size(), 40u);
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(),
+                          [](const SourceFile& f) { return f.path == "runtime/math/conventions.h" && lines_of(f.text).size() > 10; }));
+}
+
+TEST(file_sizes, each_file_starts_with_its_licence_and_headers_with_a_guard) {
+  std::vector<std::string> bare;
+  for (const SourceFile& file : source_tree()) {
+    if (!file.text.starts_with("// SPDX-License-Identifier: MIT\n")) bare.push_back(file.path);
+    if (file.is_header() && !file.path.ends_with("-inl.h") && file.text.find("\n#pragma once\n") == std::string::npos)
+      bare.push_back(file.path + " (no #pragma once)");
+  }
+  EXPECT_THAT(bare, testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace sinew::test

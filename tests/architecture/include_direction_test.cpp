@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime
+// base <- math <- assets <- jobs <- plan. A file that includes against the arrow fails here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "tests/architecture/source_tree.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr std::array<const char*, 5> kRuntimeOrder = {"base", "math", "assets", "jobs", "plan"};
+
+/// The part of the tree that a path belongs to: "runtime/jobs", "importer", "importer/tool", "viewer/app", ...
+std::string part_of(const std::string& path) {
+  const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
+  for (const char* folder : kRuntimeOrder)
+    if (starts(std::string("runtime/") + folder)) return std::string("runtime/") + folder;
+  for (const char* part : {"importer/tool", "viewer/app", "importer", "viewer", "samples", "tests", "runtime"})
+    if (starts(part)) return part;
+  return "";
+}
+
+bool sees(const std::string& from, const std::string& to) {
+  if (to == "tests") return from == "tests";
+  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app") return true;
+  if (from == "importer") return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
+  if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
+  const auto rank = [](const std::string& part) {
+    return std::find_if(kRuntimeOrder.begin(), kRuntimeOrder.end(),
+                        [&](const char* folder) { return part == std::string("runtime/") + folder; }) -
+           kRuntimeOrder.begin();
+  };
+  return to.starts_with("runtime/") && rank(to) <= rank(from);
+}
+
+/// Libraries that only some parts of the tree may know, by the beginning of the header's name.
+const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
+    {"tiny_gltf", {"importer", "tests"}},
+    {"OpenMesh/", {"importer"}},
+    {"meshoptimizer", {"importer", "tests"}},
+    {"draco/", {"importer", "tests"}},
+    {"embree", {"importer"}},
+    {"vulkan/", {"viewer", "viewer/app", "tests"}},
+    {"GLFW/", {"viewer", "viewer/app"}},
+    {"imgui", {"viewer/app"}},
+    {"CLI/", {"importer/tool", "viewer/app", "tests"}},
+    {"nlohmann/", {"importer", "importer/tool", "tests"}},
+    {"hwy/", {"runtime/math", "runtime/jobs", "runtime/plan", "tests"}},
+    {"tbb/", {"runtime/plan", "importer", "tests"}},
+    {"oneapi/", {"runtime/plan", "importer", "tests"}},
+};
+
+std::vector<std::string> broken_arrows(const SourceFile& file) {
+  std::vector<std::string> broken;
+  const std::string from = part_of(file.path);
+  const auto quoted = quoted_includes(file.text);
+  for (const std::string& name : quoted) {
+    const std::string to = part_of(name);
+    if (!to.empty() && !sees(from, to)) broken.push_back(file.path + " includes " + name);
+  }
+  for (auto names : {quoted, system_includes(file.text)})
+    for (const std::string& name : names)
+      for (const auto& [library, allowed] : kWhoMayInclude)
+        if (name.starts_with(library) && !allowed.contains(from)) broken.push_back(file.path + " includes " + name);
+  return broken;
+}
+
+TEST(include_direction, holds_in_the_whole_tree) {
+  std::vector<std::string> broken;
+  for (const SourceFile& file : source_tree())
+    for (const std::string& arrow : broken_arrows(file)) broken.push_back(arrow);
+  EXPECT_THAT(broken, testing::IsEmpty());
+}
+
+TEST(include_direction, finds_an_include_against_the_arrow) {
+  const auto count = [](const char* path, const char* include) {
+    return broken_arrows({path, std::string("#include ") + include + "\n"}).size();
+  };
+  EXPECT_EQ(count("runtime/math/x.h", "\"runtime/assets/clip.h\""), 1u);
+  EXPECT_EQ(count("runtime/assets/x.h", "\"runtime/math/affine.h\""), 0u);
+  EXPECT_EQ(count("runtime/plan/x.cpp", "\"importer/import_gltf.h\""), 1u);
+  EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/jobs/sample_clip.h\""), 1u);
+  EXPECT_EQ(count("importer/tool/x.cpp", "\"runtime/jobs/sample_clip.h\""), 0u);
+  EXPECT_EQ(count("viewer/passes/x.cpp", "\"importer/import_gltf.h\""), 1u);
+  EXPECT_EQ(count("viewer/app/main.cpp", "\"importer/import_gltf.h\""), 0u);
+  EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel.h\""), 1u);
+  EXPECT_EQ(count("samples/x/main.cpp", "\"tests/support/near.h\""), 1u);
+  EXPECT_EQ(count("runtime/jobs/x.cpp", "<vulkan/vulkan.h>"), 1u);
+  EXPECT_EQ(count("importer/tool/x.cpp", "\"tiny_gltf.h\""), 1u);
+}
+
+TEST(include_direction, names_are_written_from_the_repository_root) {
+  std::vector<std::string> relative;
+  const std::filesystem::path root = SINEW_SOURCE_DIR;
+  for (const SourceFile& file : source_tree())
+    for (const std::string& name : quoted_includes(file.text))
+      if (!std::filesystem::exists(root / name) && std::filesystem::exists((root / file.path).parent_path() / name))
+        relative.push_back(file.path + " includes " + name);
+  EXPECT_THAT(relative, testing::IsEmpty());
+}
+
+TEST(include_direction, a_source_file_includes_its_own_header_first) {
+  std::vector<std::string> late;
+  const auto files = source_tree();
+  std::set<std::string> headers;
+  for (const SourceFile& file : files)
+    if (file.is_header()) headers.insert(file.path);
+  for (const SourceFile& file : files) {
+    if (file.is_header() || file.text.find("foreach_target.h") != std::string::npos) continue;   // Highway's own order
+    const std::string own = file.path.substr(0, file.path.size() - 4) + ".h";
+    if (!headers.contains(own)) continue;
+    const std::size_t first = file.text.find("#include");
+    if (!file.text.substr(first).starts_with("#include \"" + own + "\"")) late.push_back(file.path);
+  }
+  EXPECT_THAT(late, testing::IsEmpty());
+}
+
+TEST(include_direction, tinygltf_is_included_by_one_header_only) {
+  std::vector<std::string> who;
+  for (const SourceFile& file : source_tree())
+    for (auto names : {quoted_includes(file.text), system_includes(file.text)})
+      for (const std::string& name : names)
+        if (name.starts_with("tiny_gltf") && !file.in("tests")) who.push_back(file.path);
+  EXPECT_LE(who.size(), 1u) << testing::PrintToString(who);
+}
+
+}  // namespace
+}  // namespace sinew::test
