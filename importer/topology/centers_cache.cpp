@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "importer/topology/centers_cache.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <span>
+
+namespace sinew {
+namespace {
+
+/// FNV-1a, 64 bits.
+class Hash {
+ public:
+  void add(std::span<const std::byte> bytes) {
+    for (const std::byte b : bytes) value_ = (value_ ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3u;
+  }
+  template <class T> void add_array(const std::vector<T>& values) { add(std::as_bytes(std::span(values))); }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+struct Header {
+  std::array<char, 8> magic{'s', 'i', 'n', 'e', 'w', 'C', 'o', 'R'};
+  std::uint32_t version = 1;
+  std::uint32_t vertex_count = 0;
+  std::uint64_t data_hash = 0;
+
+  friend bool operator==(const Header&, const Header&) = default;
+};
+
+std::uint64_t hash_of(const std::vector<glm::vec3>& centers) {
+  Hash hash;
+  hash.add_array(centers);
+  return hash.value();
+}
+
+}  // namespace
+
+CentersCache::CentersCache(const std::filesystem::path& folder, const Primitive& primitive, double sigma)
+    : vertex_count_(primitive.vertex_count()) {
+  if (folder.empty()) return;
+  Hash hash;
+  hash.add(std::as_bytes(std::span(&sigma, 1)));
+  hash.add_array(primitive.positions);
+  hash.add_array(primitive.indices);
+  for (const auto& group : primitive.influences.groups) {
+    const std::array<std::uint32_t, 2> shape{group.vertex_count, group.influence_count};
+    hash.add(std::as_bytes(std::span(shape)));
+  }
+  hash.add_array(primitive.influences.joints);
+  hash.add_array(primitive.influences.weights);
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.centers", static_cast<unsigned long long>(hash.value()));
+  file_ = folder / name;
+}
+
+std::optional<std::vector<glm::vec3>> CentersCache::load() const {
+  if (file_.empty()) return std::nullopt;
+  std::ifstream in(file_, std::ios::binary);
+  Header header;
+  if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
+  std::vector<glm::vec3> centers(vertex_count_);
+  const auto bytes = static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3));
+  if (!in.read(reinterpret_cast<char*>(centers.data()), bytes)) return std::nullopt;
+  Header expected;
+  expected.vertex_count = static_cast<std::uint32_t>(vertex_count_);
+  expected.data_hash = hash_of(centers);
+  if (!(header == expected)) return std::nullopt;
+  return centers;
+}
+
+void CentersCache::store(const std::vector<glm::vec3>& centers) const {
+  if (file_.empty()) return;
+  std::error_code ignored;
+  std::filesystem::create_directories(file_.parent_path(), ignored);
+  const std::filesystem::path unfinished = file_.string() + ".part";
+  {
+    std::ofstream out(unfinished, std::ios::binary);
+    Header header;
+    header.vertex_count = static_cast<std::uint32_t>(centers.size());
+    header.data_hash = hash_of(centers);
+    out.write(reinterpret_cast<const char*>(&header), sizeof header);
+    out.write(reinterpret_cast<const char*>(centers.data()), static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3)));
+    if (!out.flush()) return;
+  }
+  std::filesystem::rename(unfinished, file_, ignored);
+}
+
+}  // namespace sinew
