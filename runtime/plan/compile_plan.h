@@ -19,13 +19,28 @@ struct PlanStage {
   std::uint64_t bytes = 0;  ///< of frame memory that it writes
 };
 
-/// What a primitive of a mesh instance goes through.
+/// Vertex attributes that a stage writes for one primitive.
+struct AttributeSet {
+  bool positions = false, normals = false, tangents = false;
+
+  bool any() const noexcept { return positions || normals || tangents; }
+};
+
+/// What a primitive of a mesh instance goes through: morph, then skin, then flat normals, each only where called for.
 struct PrimitivePlan {
   std::uint32_t instance = 0, primitive = 0;
-  bool morph = false, skin = false;
-  bool normals = false, tangents = false;        ///< deformed as well
-  std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;   ///< byte offsets into the frame memory
-  std::size_t morphed_positions_at = 0, morphed_normals_at = 0, morphed_tangents_at = 0;  ///< between morph and skin
+  AttributeSet morph, skin;
+  bool morph_colors = false;
+  bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
+  Skinning skinning = Skinning::linear;
+  std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;  ///< byte offsets into the frame memory
+
+  bool deformed() const noexcept { return morph.any() || skin.any() || morph_colors || flat_normals; }
+};
+
+/// Tracks that one sample of a clip evaluates.
+struct ClipTracks {
+  std::uint32_t joints = 0, weights = 0;
 };
 
 /// The evaluation of one scene for given needs: which stages run, and where in one block of frame memory each of them
@@ -36,13 +51,28 @@ struct Plan {
   std::vector<PlanStage> stages;
   std::vector<PrimitivePlan> primitives;       ///< one per primitive of each mesh instance
   std::vector<std::uint32_t> first_primitive;  ///< [instances + 1] into `primitives`
-  bool sample = false, local_to_model = false;
-  std::vector<bool> skin_used;                 ///< [skins]
-  std::size_t pose_at = 0, layer_pose_at = 0, weights_at = 0, layer_weights_at = 0, model_at = 0, scratch_at = 0;
-  std::vector<std::size_t> palette_at, split_at;   ///< [skins]
-  std::size_t frame_bytes = 0;                 ///< size of the block, 64-byte aligned
+  std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
+  std::vector<ClipTracks> clip_tracks;         ///< [clips]
+  std::vector<float> rest_weights;             ///< [W]
+  bool sample = false, blend = false, local_to_model = false, bounds = false;
+  std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
+
+  // Byte offsets into the frame memory. The rest pose is written once, the rest by every frame.
+  std::size_t rest_pose_at = 0, pose_at = 0, layer_poses_at = 0;  ///< layers after the first have a pose of their own
+  std::size_t weights_at = 0, layer_weights_at = 0;
+  std::size_t model_at = 0;
+  std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
+  std::size_t stretch_at = 0;                                     ///< bool[skins]: the split found stretch
+  std::size_t morphed_positions_at = 0, morphed_normals_at = 0, morphed_tangents_at = 0;  ///< between morph and skin
+  std::size_t scratch_at = 0;
+  std::size_t frame_bytes = 0;                 ///< size of the block, a multiple of 64
 };
 
+inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& planned) noexcept {
+  return plan.scene->meshes[plan.scene->instances[planned.instance].mesh].primitives[planned.primitive];
+}
+
+/// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance
 /// cost O(size of the scene), allocates the plan
 Plan compile_plan(const Scene& scene, const Needs& needs);
 

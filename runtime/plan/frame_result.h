@@ -10,7 +10,8 @@
 namespace sinew {
 
 /// Deformed vertices of one primitive of one mesh instance, in the primitive's vertex order. Empty spans: the attribute
-/// is not deformed, use the primitive's own.
+/// is not deformed or not asked for, use the primitive's own. A morphed primitive whose weights are all zero gives views
+/// of the primitive's own arrays.
 struct DeformedPrimitive {
   std::uint32_t instance = 0;
   std::uint32_t primitive = 0;
@@ -24,8 +25,10 @@ struct DeformedPrimitive {
 struct InstanceResult {
   Affine world_from_mesh;                 ///< identity for skinned meshes: their vertices are in world space already (G29)
   std::uint32_t first_primitive = 0;      ///< into FrameResult::primitives: one entry per primitive of its mesh
-  bool mirrored = false;                  ///< front faces wind clockwise (G48)
-  Aabb bounds;                            ///< world space; empty unless Needs::bounds
+  bool mirrored = false;                  ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
+                                          ///< negative, for a skinned mesh that of the first joint's skinning matrix
+  Aabb bounds;                            ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
+                                          ///< vertices; rigid ones: the box of their moved rest box, which holds them (G54)
 };
 
 /// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until that

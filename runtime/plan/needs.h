@@ -16,10 +16,17 @@ struct Needs {
   bool positions = true;      ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;
-  bool bounds = false;        ///< boxes of the deformed instances (P14)
+  bool bounds = false;        ///< boxes of the mesh instances (P14)
+  std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;
+
+  Skinning skinning_of(std::size_t instance) const noexcept {
+    return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;
+  }
+  /// Something about the meshes themselves, not just joints and weights.
+  bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 
 }  // namespace sinew
