@@ -14,7 +14,7 @@ namespace sinew {
 ///      small displacements on a large base keep their digits)
 /// in   vertices[V], weights[T], any sign and size
 /// out  must not overlap `vertices`;   scratch[V]  displacement sums
-/// err  size_mismatch, not_finite     cost O(V + active deltas), no allocation
+/// err  size_mismatch, index_out_of_range, not_finite     cost O(V + active deltas), no allocation
 struct MorphVerticesJob {
   const MorphSet* morphs = nullptr;
   std::span<const float> weights;

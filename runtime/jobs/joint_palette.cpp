@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/jobs/joint_palette.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/math/decompose.h"
+
+namespace sinew {
+namespace {
+
+/// A stretch this close to the identity is rounding, not scale: the split of a rigid float matrix leaves about 1e-7.
+constexpr float kStretchTolerance = 1e-6f;
+
+bool is_stretched(const float (&s)[6]) noexcept {
+  const float diagonal = std::max({std::abs(s[0] - 1.0f), std::abs(s[1] - 1.0f), std::abs(s[2] - 1.0f)});
+  const float rest = std::max({std::abs(s[3]), std::abs(s[4]), std::abs(s[5])});
+  return !(std::max(diagonal, rest) <= kStretchTolerance);
+}
+
+}  // namespace
+
+ErrorCode check(const JointPaletteJob& job) noexcept {
+  if (!job.skin) return ErrorCode::size_mismatch;
+  const std::size_t count = job.skin->joints.size();
+  if (job.skin->inverse_bind.size() != count || job.palette.size() < count) return ErrorCode::size_mismatch;
+  for (const std::uint32_t joint : job.skin->joints)
+    if (joint >= job.model.size()) return ErrorCode::index_out_of_range;
+  return ErrorCode::ok;
+}
+
+void run(const JointPaletteJob& job) noexcept {
+  const std::size_t count = job.skin->joints.size();
+  for (std::size_t i = 0; i < count; ++i) job.palette[i] = job.model[job.skin->joints[i]] * job.skin->inverse_bind[i];
+}
+
+ErrorCode check(const SplitPaletteJob& job) noexcept {
+  return job.split.size() < job.palette.size() ? ErrorCode::size_mismatch : ErrorCode::ok;
+}
+
+void run(const SplitPaletteJob& job) noexcept {
+  bool any_stretch = false;
+  for (std::size_t i = 0; i < job.palette.size(); ++i) {
+    const auto polar = decompose_polar(linear_part(job.palette[i]));
+    RigidStretch& out = job.split[i];
+    out.rigid = dual_quat_from(polar.quat, translation_of(job.palette[i]));
+    std::copy(std::begin(polar.stretch), std::end(polar.stretch), out.stretch);
+    any_stretch |= is_stretched(out.stretch);
+  }
+  if (job.any_stretch) *job.any_stretch = any_stretch;
+}
+
+}  // namespace sinew
