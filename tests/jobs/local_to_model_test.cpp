@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/jobs/local_to_model.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
+
+namespace sinew {
+namespace {
+
+struct alignas(64) Block {
+  float floats[16];
+};
+
+/// A skeleton, a pose over it and room for the model matrices.
+struct Rig {
+  Skeleton skeleton;
+  std::vector<Block> memory;
+  PoseSpan pose;
+  std::vector<Affine> model;
+
+  explicit Rig(std::vector<std::uint32_t> parents) {
+    const std::size_t count = parents.size();
+    skeleton.parents = std::move(parents);
+    skeleton.rest.resize(count);
+    skeleton.fixed_matrix_of.assign(count, kNone);
+    memory.resize(PoseSpan::floats_for(count) / 16 + 1);
+    pose = pose_over({memory[0].floats, PoseSpan::floats_for(count)}, count);
+    for (std::size_t j = 0; j < count; ++j) pose.set(j, {});
+    model.resize(count);
+  }
+  LocalToModelJob job() { return {.skeleton = &skeleton, .local = pose, .model = model}; }
+};
+
+std::vector<std::uint32_t> chain(std::uint32_t count) {
+  std::vector<std::uint32_t> parents(count);
+  for (std::uint32_t j = 0; j < count; ++j) parents[j] = j == 0 ? kNone : j - 1;
+  return parents;
+}
+
+TEST(local_to_model, rejects_short_and_overlapping_buffers) {
+  Rig rig(chain(3));
+  EXPECT_EQ(check(rig.job()), ErrorCode::ok);
+  auto job = rig.job();
+  job.skeleton = nullptr;
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = rig.job();
+  job.model = job.model.first(2);
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = rig.job();
+  job.local.joint_count = 2;
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = rig.job();
+  job.model = {reinterpret_cast<Affine*>(rig.pose.planes), 3};
+  EXPECT_EQ(check(job), ErrorCode::overlapping_buffers);
+}
+
+TEST(local_to_model, an_empty_skeleton_is_no_work) {
+  Rig rig({});
+  EXPECT_EQ(check(rig.job()), ErrorCode::ok);
+  run(rig.job());
+}
+
+TEST(local_to_model, quarter_turns_along_a_chain_end_where_drawn_by_hand) {
+  Rig rig(chain(3));
+  const float h = std::sqrt(0.5f);
+  rig.pose.set(0, {{1, 0, 0}, quat_xyzw(0.0f, 0.0f, h, h), {1, 1, 1}});  // at (1,0,0), turned 90 degrees about z
+  rig.pose.set(1, {{2, 0, 0}, quat_xyzw(0.0f, 0.0f, h, h), {3, 1, 1}});  // two along the turned x: (1,2,0)
+  rig.pose.set(2, {{1, 0, 0}, quat_identity<float>(), {1, 1, 1}});       // three along -x: (-2,2,0)
+  run(rig.job());
+  EXPECT_TRUE(test::is_near(translation_of(rig.model[1]), {1, 2, 0}, 1e-6));
+  EXPECT_TRUE(test::is_near(translation_of(rig.model[2]), {-2, 2, 0}, 1e-6));
+}
+
+TEST(local_to_model, G50_a_fixed_matrix_replaces_the_pose_verbatim) {
+  Rig rig(chain(2));
+  Affine shear;
+  shear.row[0] = {1, 0.5f, 0, 7};
+  rig.skeleton.fixed_matrices = {shear};
+  rig.skeleton.fixed_matrix_of[1] = 0;
+  rig.pose.set(0, {{0, 3, 0}, quat_identity<float>(), {1, 1, 1}});
+  rig.pose.set(1, {{9, 9, 9}, quat_identity<float>(), {9, 9, 9}});
+  run(rig.job());
+  EXPECT_EQ(rig.model[1].row[0], glm::vec4(1, 0.5f, 0, 7));
+  EXPECT_EQ(rig.model[1].row[1], glm::vec4(0, 1, 0, 3));
+}
+
+TEST(local_to_model, root_stands_above_all_root_joints) {
+  Rig rig({kNone, kNone, 1});
+  auto job = rig.job();
+  job.root.row[1].w = 5;
+  run(job);
+  for (const auto& m : rig.model) EXPECT_EQ(m.row[1].w, 5.0f);
+}
+
+TEST(local_to_model, G49_non_uniform_scale_above_a_rotation_shears) {
+  Rig rig(chain(2));
+  const float h = std::sqrt(0.5f);
+  rig.pose.set(0, {{0, 0, 0}, quat_identity<float>(), {2, 1, 1}});
+  rig.pose.set(1, {{0, 0, 0}, quat_xyzw(0.0f, 0.0f, std::sin(0.3926991f), std::cos(0.3926991f)), {1, 1, 1}});
+  run(rig.job());
+  // diag(2,1,1) times a turn of 45 degrees: no rotation and scale of its own gives this
+  EXPECT_NEAR(rig.model[1].row[0].x, 2 * h, 1e-6f);
+  EXPECT_NEAR(rig.model[1].row[0].y, -2 * h, 1e-6f);
+  EXPECT_NEAR(rig.model[1].row[1].x, h, 1e-6f);
+  EXPECT_NEAR(rig.model[1].row[1].y, h, 1e-6f);
+}
+
+TEST(local_to_model, N25_random_trees_agree_with_double_within_a_few_roundings_per_level) {
+  test::FixedRandom random(7);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    const std::uint32_t count = 1 + random.below(120);
+    std::vector<std::uint32_t> parents(count, kNone);
+    std::vector<int> depth(count, 1);
+    for (std::uint32_t j = 1; j < count; ++j) {
+      parents[j] = random.below(j);
+      depth[j] = depth[parents[j]] + 1;
+    }
+    Rig rig(parents);
+    std::vector<Affined> truth(count);
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const Transform t = random.transform(0.8, 1.25);
+      rig.pose.set(j, t);
+      const Transformd exact{Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
+      const Affined local = affine_from_transform(exact);
+      truth[j] = parents[j] == kNone ? local : truth[parents[j]] * local;
+    }
+    run(rig.job());
+    for (std::uint32_t j = 0; j < count; ++j) {
+      double size = 1;
+      for (const auto& row : truth[j].row)
+        for (int c = 0; c < 4; ++c) size = std::max(size, std::abs(row[c]));
+      EXPECT_TRUE(test::is_near(affine_cast<double>(rig.model[j]), truth[j], 16 * test::kEps * depth[j] * size)) << j;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew
