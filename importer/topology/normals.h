@@ -5,11 +5,10 @@
 namespace sinew {
 
 /// What glTF asks for where triangles have no normals: every face is flat (glTF 2.0, "Meshes": "client implementations
-/// MUST calculate flat normals and the provided tangents (if present) MUST be ignored"). Each corner becomes a vertex of
-/// its own, tangents and morph deltas of normals and tangents go, and flat_normals is set, because morphed shapes need
-/// their normals computed again (G46).
-/// eq   n = (p1 - p0) x (p2 - p0) / |...|, in double;   a face without area takes +Z
-/// Points and lines are left alone.   cost O(V + 3 F)
+/// MUST calculate flat normals and the provided tangents (if present) MUST be ignored"). Each corner becomes a vertex
+/// of its own, tangents and morph deltas of normals and tangents go, and flat_normals is set, because morphed shapes
+/// need their normals computed again (G46). eq   n = (p1 - p0) x (p2 - p0) / |...|, in double;   a face without area
+/// takes +Z Points and lines are left alone.   cost O(V + 3 F)
 void make_flat_normals(Primitive& primitive);
 
 /// The normals of a rounded surface: at each place the face normals around it, each weighted by its angle there

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Tangents for normal mapping, by the rules of MikkTSpace (Mikkelsen 2008): vertices that agree in position, normal and
-/// texture coordinate are one; around it, faces that meet along edges and have the same texture orientation form a
+/// Tangents for normal mapping, by the rules of MikkTSpace (Mikkelsen 2008): vertices that agree in position, normal
+/// and texture coordinate are one; around it, faces that meet along edges and have the same texture orientation form a
 /// group; each group has one tangent, and a vertex in several groups is split (mirrored texture seams).
 /// eq   t = sum(angle_f * t_f) / |...|, t_f = dp/du of the face, laid into the plane of the vertex normal;
 ///      w = -1 where (u, v) turn like the face, else +1, so that bitangent = cross(n, t) * w points to falling v, as

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "importer/topology/normals.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/importer/tiny_surfaces.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
+
+namespace sinew {
+namespace {
+
+using test::is_near;
+using test::kEps;
+
+TEST(make_flat_normals, G46_splits_every_corner_and_marks_the_primitive) {
+  Primitive p = test::cube();
+  p.tangents.assign(8, {1, 0, 0, 1});
+  MorphTarget target;
+  target.positions = {{3}, {{0, 0, 1}}};
+  target.normals = {{0}, {{0, 1, 0}}};
+  target.tangents = {{0}, {{0, 1, 0}}};
+  p.morphs.targets = {target};
+  make_flat_normals(p);
+
+  EXPECT_TRUE(p.flat_normals);
+  EXPECT_TRUE(p.tangents.empty());
+  EXPECT_EQ(p.vertex_count(), 36u);
+  EXPECT_EQ(p.source_vertex.size(), 36u);
+  EXPECT_TRUE(p.morphs.targets[0].normals.empty());
+  EXPECT_TRUE(p.morphs.targets[0].tangents.empty());
+  EXPECT_EQ(p.morphs.targets[0].positions.vertices.size(), 5u);  // vertex 3 lies in five faces
+  std::vector<int> used(36, 0);
+  for (const std::uint32_t v : p.indices) ++used[v];
+  EXPECT_THAT(used, testing::Each(1));
+}
+
+TEST(make_flat_normals, point_out_of_the_faces_of_a_cube) {
+  Primitive p = test::cube();
+  make_flat_normals(p);
+  for (std::size_t f = 0; f < 12; ++f) {
+    glm::vec3 centre(0);
+    for (std::size_t k = 0; k < 3; ++k) centre += p.positions[p.indices[3 * f + k]] / 3.0f;
+    const glm::vec3 outwards = glm::vec3(glm::ivec3(centre));  // the one coordinate that is +-1 survives
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(p.normals[p.indices[3 * f + k]], outwards);
+  }
+}
+
+TEST(make_flat_normals, agree_with_the_cross_product_in_long_double_from_1e_minus_30_to_1e30) {
+  test::FixedRandom random(3);
+  for (int round = 0; round < 2000; ++round) {
+    const auto size = static_cast<float>(std::pow(10.0, random.in(-30, 30)));
+    Primitive p = test::triangles({random.vec3() * size, random.vec3() * size, random.vec3() * size}, {0, 1, 2});
+    make_flat_normals(p);
+    using V = Vec3<long double>;
+    const V a = V(p.positions[1]) - V(p.positions[0]), b = V(p.positions[2]) - V(p.positions[0]);
+    const V n{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    const long double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    EXPECT_TRUE(is_near(Vec3<double>(p.normals[0]), Vec3<double>(n / length), 2 * kEps)) << "size " << size;
+  }
+}
+
+TEST(make_flat_normals, of_faces_without_area_are_finite_and_of_unit_length) {
+  for (auto positions : {std::vector<glm::vec3>(3, glm::vec3(2)),
+                         {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                         {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}}) {
+    Primitive p = test::triangles(positions, {0, 1, 2});
+    make_flat_normals(p);
+    EXPECT_THAT(p.normals, testing::Each(glm::vec3(0, 0, 1)));
+  }
+}
+
+TEST(make_flat_normals, leave_lines_and_points_alone) {
+  for (const Topology topology : {Topology::points, Topology::lines}) {
+    Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 3});
+    p.topology = topology;
+    make_flat_normals(p);
+    make_smooth_normals(p);
+    EXPECT_TRUE(p.normals.empty());
+    EXPECT_FALSE(p.flat_normals);
+  }
+}
+
+TEST(make_smooth_normals, of_a_cube_are_its_diagonals_however_its_sides_are_cut) {
+  Primitive p = test::cube();
+  make_smooth_normals(p);
+  EXPECT_EQ(p.vertex_count(), 8u);
+  for (std::size_t v = 0; v < 8; ++v) EXPECT_TRUE(is_near(p.normals[v], p.positions[v] / std::sqrt(3.0f), 2 * kEps));
+}
+
+TEST(make_smooth_normals, are_shared_across_texture_seams) {
+  Primitive p =
+      test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 1}}, {0, 1, 2, 3, 4, 5});
+  make_smooth_normals(p);
+  EXPECT_EQ(p.vertex_count(), 6u);
+  EXPECT_EQ(p.normals[0], p.normals[3]);
+  EXPECT_EQ(p.normals[2], p.normals[4]);
+  EXPECT_NE(p.normals[0], p.normals[1]);
+}
+
+TEST(make_smooth_normals, split_a_vertex_where_two_cones_touch) {
+  Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}}, {0, 1, 2, 0, 3, 4});
+  make_smooth_normals(p);
+  EXPECT_EQ(p.vertex_count(), 6u);
+  EXPECT_EQ(p.normals[p.indices[0]], glm::vec3(0, 0, 1));
+  EXPECT_EQ(p.normals[p.indices[3]], glm::vec3(-1, 0, 0));
+}
+
+TEST(make_smooth_normals, of_opposite_sheets_take_a_face_instead_of_nothing) {
+  Primitive p = test::triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 1});
+  make_smooth_normals(p);
+  EXPECT_THAT(p.normals, testing::Each(glm::vec3(0, 0, 1)));
+}
+
+TEST(make_smooth_normals, of_random_soup_are_finite_and_of_unit_length) {
+  test::FixedRandom random(5);
+  for (int round = 0; round < 200; ++round) {
+    Primitive p;
+    for (std::uint32_t v = 0; v < 3 + random.below(10); ++v)
+      p.positions.push_back(glm::vec3(glm::ivec3(random.vec3() * 2.0f)));  // many equal, many in line
+    for (int i = 0; i < 45; ++i) p.indices.push_back(random.below(static_cast<std::uint32_t>(p.vertex_count())));
+    make_smooth_normals(p);
+    ASSERT_EQ(p.normals.size(), p.vertex_count());
+    for (const glm::vec3& n : p.normals) ASSERT_NEAR(glm::dot(n, n), 1.0f, 4 * kEps);
+  }
+}
+
+}  // namespace
+}  // namespace sinew
