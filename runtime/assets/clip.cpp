@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/assets/clip.h"
+
+#include "runtime/assets/clip_layout.h"
+
+namespace sinew {
+
+Clip::Clip() : layout_(std::make_unique<ClipLayout>()) {}
+Clip::Clip(Clip&&) noexcept = default;
+Clip& Clip::operator=(Clip&&) noexcept = default;
+Clip::~Clip() = default;
+
+const std::string& Clip::name() const noexcept { return layout_->name; }
+double Clip::duration_s() const noexcept { return layout_->duration_s; }
+std::size_t Clip::joint_count() const noexcept { return layout_->joint_count; }
+std::size_t Clip::weight_count() const noexcept { return layout_->base_weights.size(); }
+Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
+
+std::size_t Clip::byte_size() const noexcept {
+  std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size()) * sizeof(float);
+  for (const TimeGroup& group : layout_->groups) {
+    bytes += group.times.byte_size();
+    for (const TrackBlock& block : group.blocks)
+      bytes += block.rows.size() * sizeof(float) + block.targets.size() * sizeof(std::uint32_t);
+  }
+  return bytes;
+}
+
+}  // namespace sinew

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/assets/clip.h"
+
+#include <bit>
+#include <cstring>
+#include <unordered_map>
+
+#include "runtime/assets/clip_layout.h"
+#include "runtime/base/contract.h"
+
+namespace sinew {
+namespace {
+
+template <class TrackType>
+struct Lane {
+  std::uint32_t target;
+  const TrackType* track;
+};
+
+/// Tracks that will share one key search.
+struct Draft {
+  std::vector<float> times_s;
+  std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
+  std::vector<Lane<QuatTrack>> rotations;
+  std::vector<Lane<WeightTrack>> weights;   // target: first weight of the instance
+};
+
+/// Finds the draft with exactly these key times, or opens one.
+class Drafts {
+ public:
+  Draft& with_times(const std::vector<float>& times_s) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const float t : times_s) hash = (hash ^ std::bit_cast<std::uint32_t>(t)) * 1099511628211u;
+    const auto [begin, end] = by_hash_.equal_range(hash);
+    for (auto it = begin; it != end; ++it)
+      if (all_[it->second].times_s == times_s) return all_[it->second];
+    by_hash_.emplace(hash, all_.size());
+    all_.emplace_back().times_s = times_s;
+    return all_.back();
+  }
+  const std::vector<Draft>& all() const noexcept { return all_; }
+
+ private:
+  std::vector<Draft> all_;
+  std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;
+};
+
+bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }
+
+/// True when the track has the value of its first key at all times. Compares bits, so that folding changes no result.
+template <class V>
+bool is_constant(const Track<V>& track) noexcept {
+  const auto same = [](const V& a, const V& b) { return std::memcmp(&a, &b, sizeof(V)) == 0; };
+  const bool cubic = is_cubic(track.interpolation);
+  for (std::size_t i = 0; i < track.values.size(); ++i) {
+    if (cubic && i % 3 != 1) {
+      const bool unused = i == 0 || i + 1 == track.values.size();
+      if (!unused && track.values[i] != V{} * 0.0f) return false;
+    } else if (!same(track.values[i], track.values[cubic ? 1 : 0])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// True when no weight of the track ever changes. Compares bits.
+bool is_constant(const WeightTrack& track) noexcept {
+  const std::size_t n = track.target_count, rows = n == 0 ? 0 : track.values.size() / n;
+  const bool cubic = is_cubic(track.interpolation);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float* values = track.values.data() + row * n;
+    if (!cubic || row % 3 == 1) {
+      if (std::memcmp(values, track.values.data() + (cubic ? n : 0), n * sizeof(float)) != 0) return false;
+      continue;
+    }
+    const bool unused = row == 0 || row + 1 == rows;
+    for (std::size_t i = 0; i < n && !unused; ++i)
+      if (values[i] != 0.0f) return false;
+  }
+  return true;
+}
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::vec3& v) {
+  float* row = block.rows.data() + (key * block.plane_count + plane) * block.lane_count + lane;
+  for (int c = 0; c < 3; ++c) row[static_cast<std::size_t>(c) * block.lane_count] = v[c];
+}
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::quat& q) {
+  float* row = block.rows.data() + (key * block.plane_count + plane) * block.lane_count + lane;
+  for (const float x : {q.x, q.y, q.z, q.w}) *row = x, row += block.lane_count;
+}
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, float x) {
+  block.rows[(key * block.plane_count + plane) * block.lane_count + lane] = x;
+}
+
+/// Half the rotation angle between two keys on the short arc, computed in double; negative when `next` must be negated.
+float signed_arc(const glm::quat& key, const glm::quat& next) noexcept {
+  const Quat<double> q = normalised(quat_cast<double>(key)), r = normalised(quat_cast<double>(next));
+  const bool negate = quat_dot(q, r) < 0.0;
+  const float arc = std::max(static_cast<float>(arc_angle(q, negate ? -r : r)), kSmallestArc);
+  return negate ? -arc : arc;
+}
+
+void put_squad_segment(TrackBlock& block, const QuatTrack& track, std::size_t key, std::size_t lane) {
+  put(block, key, 0, lane, track.values[key]);
+  const bool jumps = key + 1 == track.key_count() || !(track.times_s[key + 1] > track.times_s[key]);
+  if (jumps) return;  // nothing is ever evaluated between such keys
+  const SquadSegment<double> s = squad_segment<double>(track, key);
+  put(block, key, 4, lane, quat_cast<float>(s.begin_control));
+  put(block, key, 8, lane, quat_cast<float>(s.end_control));
+  put(block, key, 12, lane, quat_dot(s.end, quat_cast<double>(track.values[key + 1])) < 0.0 ? -1.0f : 1.0f);
+}
+
+void fill_lane(TrackBlock& block, const Vec3Track& track, std::size_t lane) {
+  const std::size_t per_key = block.plane_count / 3;
+  for (std::size_t i = 0; i < track.values.size(); ++i) put(block, i / per_key, 3 * (i % per_key), lane, track.values[i]);
+}
+
+void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
+  const bool cubic = is_cubic(track.interpolation);
+  for (std::size_t i = 0; i < track.values.size(); ++i) {
+    if (track.interpolation == Interpolation::squad) put_squad_segment(block, track, i, lane);
+    else put(block, cubic ? i / 3 : i, cubic ? 4 * (i % 3) : 0, lane, track.values[i]);
+    if (track.interpolation == Interpolation::linear)
+      put(block, i, 4, lane, i + 1 < track.values.size() ? signed_arc(track.values[i], track.values[i + 1]) : kSmallestArc);
+  }
+}
+
+std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
+  switch (interpolation) {
+    case Interpolation::step: return 4;
+    case Interpolation::linear: return 5;
+    case Interpolation::cubic_spline: return 12;
+    case Interpolation::squad: return 13;
+  }
+  return 0;
+}
+
+TrackBlock empty_block(Property property, Interpolation interpolation, std::size_t lane_count, std::size_t key_count) {
+  const std::uint32_t components = property == Property::weight ? 1 : property == Property::rotation ? 4 : 3;
+  TrackBlock block;
+  block.property = property;
+  block.interpolation = interpolation;
+  block.lane_count = static_cast<std::uint32_t>(lane_count);
+  block.value_plane = is_cubic(interpolation) ? components : 0;
+  block.plane_count = property == Property::rotation ? rotation_planes(interpolation) : is_cubic(interpolation) ? 3 * components : components;
+  block.rows.assign(key_count * block.plane_count * lane_count + kLanePadding, 0.0f);
+  return block;
+}
+
+constexpr Interpolation kInterpolations[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
+                                             Interpolation::squad};
+
+template <class TrackType>
+void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<TrackType>>& lanes) {
+  for (const Interpolation interpolation : kInterpolations) {
+    std::vector<Lane<TrackType>> chosen;
+    for (const auto& lane : lanes)
+      if (lane.track->interpolation == interpolation) chosen.push_back(lane);
+    if (chosen.empty()) continue;
+    TrackBlock block = empty_block(property, interpolation, chosen.size(), group.times.key_count());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      block.targets.push_back(chosen[i].target);
+      fill_lane(block, *chosen[i].track, i);
+    }
+    group.blocks.push_back(std::move(block));
+  }
+}
+
+/// A weight track is frame-major already: its targets become lanes one after another.
+void add_weight_block(TimeGroup& group, const Lane<WeightTrack>& lane) {
+  const std::size_t n = lane.track->target_count;
+  TrackBlock block = empty_block(Property::weight, lane.track->interpolation, n, group.times.key_count());
+  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.begin());
+  for (std::uint32_t i = 0; i < n; ++i) block.targets.push_back(lane.target + i);
+  group.blocks.push_back(std::move(block));
+}
+
+/// One compilation: constant tracks go to the base pose, the others to drafts by key times.
+class Compiler {
+ public:
+  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights) : layout_(layout) {
+    layout.joint_count = skeleton.joint_count();
+    layout.base_pose = BasePose(skeleton.rest);
+    layout.base_weights.assign(rest_weights.begin(), rest_weights.end());
+  }
+
+  void add(const Animation& animation, std::span<const std::uint32_t> first_weight) {
+    // One track per joint and property: when an animation has several, the last one counts (G20).
+    std::vector<const Vec3Track*> translation(layout_.joint_count), scale(layout_.joint_count);
+    std::vector<const QuatTrack*> rotation(layout_.joint_count);
+    for (const BoneAnimation& bone : animation.bones) {
+      CONTRACT(bone.joint < layout_.joint_count);
+      if (!bone.translation.empty()) translation[bone.joint] = &bone.translation;
+      if (!bone.rotation.empty()) rotation[bone.joint] = &bone.rotation;
+      if (!bone.scale.empty()) scale[bone.joint] = &bone.scale;
+    }
+    for (std::uint32_t j = 0; j < layout_.joint_count; ++j) {
+      add_vector(j, Property::translation, translation[j]);
+      add_rotation(j, rotation[j]);
+      add_vector(j, Property::scale, scale[j]);
+    }
+    add_weights(animation, first_weight);
+    for (const Draft& draft : drafts_.all()) add_group(draft);
+  }
+
+ private:
+  void add_vector(std::uint32_t joint, Property property, const Vec3Track* track) {
+    if (track == nullptr) return;
+    const bool scale = property == Property::scale;
+    if (is_constant(*track)) {
+      const glm::vec3& v = track->values[is_cubic(track->interpolation) ? 1 : 0];
+      layout_.base_pose.set(first_plane(property), joint, {v.x, v.y, v.z});
+      ++layout_.counts.folded;
+      return;
+    }
+    ++(scale ? layout_.counts.scales : layout_.counts.translations);
+    drafts_.with_times(track->times_s).vectors[scale ? 1 : 0].push_back({joint, track});
+  }
+
+  void add_rotation(std::uint32_t joint, const QuatTrack* track) {
+    if (track == nullptr) return;
+    if (is_constant(*track)) {
+      const glm::quat& q = track->values[is_cubic(track->interpolation) ? 1 : 0];
+      layout_.base_pose.set(first_plane(Property::rotation), joint, {q.x, q.y, q.z, q.w});
+      ++layout_.counts.folded;
+      return;
+    }
+    ++layout_.counts.rotations;
+    drafts_.with_times(track->times_s).rotations.push_back({joint, track});
+  }
+
+  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight) {
+    std::vector<const WeightTrack*> tracks(first_weight.empty() ? 0 : first_weight.size() - 1);
+    for (const WeightAnimation& a : animation.weights) {
+      CONTRACT(a.instance < tracks.size());
+      CONTRACT(a.weights.target_count == first_weight[a.instance + 1] - first_weight[a.instance]);
+      if (!a.weights.empty()) tracks[a.instance] = &a.weights;
+    }
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      if (tracks[i] == nullptr || tracks[i]->target_count == 0) continue;
+      const WeightTrack& track = *tracks[i];
+      const std::uint32_t n = track.target_count, first = first_weight[i];
+      if (is_constant(track)) {
+        const auto value = track.values.begin() + (is_cubic(track.interpolation) ? n : 0);
+        std::copy(value, value + n, layout_.base_weights.begin() + first);
+        layout_.counts.folded += n;
+        continue;
+      }
+      layout_.counts.weights += n;
+      drafts_.with_times(track.times_s).weights.push_back({first, &track});
+    }
+  }
+
+  void add_group(const Draft& draft) {
+    TimeGroup group{KeyTimes(draft.times_s), {}};
+    add_blocks(group, Property::translation, draft.vectors[0]);
+    add_blocks(group, Property::rotation, draft.rotations);
+    add_blocks(group, Property::scale, draft.vectors[1]);
+    for (const auto& lane : draft.weights) add_weight_block(group, lane);
+    layout_.groups.push_back(std::move(group));
+    ++layout_.counts.time_groups;
+  }
+
+  ClipLayout& layout_;
+  Drafts drafts_;
+};
+
+}  // namespace
+
+Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
+                  std::span<const std::uint32_t> first_weight) {
+  CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
+  Clip clip;
+  clip.layout_->name = animation.name;
+  clip.layout_->duration_s = animation.duration_s;
+  Compiler(*clip.layout_, skeleton, rest_weights).add(animation, first_weight);
+  return clip;
+}
+
+}  // namespace sinew
