@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/jobs/skin_linear.h"
 
-#include "runtime/jobs/influence_dispatch.h"
+#include "runtime/jobs/blend_matrix.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 
 namespace sinew {
-namespace {
-
-template <int kCount>
-Affine blend(std::span<const Affine> palette, const VertexJoints<kCount>& vertex) noexcept {
-  const Affine& first = palette[vertex.joints[0]];
-  const float w = vertex.weights[0];
-  Affine m{{first.row[0] * w, first.row[1] * w, first.row[2] * w}};
-  for (std::size_t i = 1; i < vertex.count(); ++i) {
-    const Affine& next = palette[vertex.joints[i]];
-    for (int r = 0; r < 3; ++r) m.row[r] += next.row[r] * vertex.weights[i];
-  }
-  return m;
-}
-
-/// A vertex that one joint moves alone takes the joint's matrix as it is.
-Affine blend(std::span<const Affine> palette, const VertexJoints<1>& vertex) noexcept { return palette[vertex.joints[0]]; }
-
-}  // namespace
-
 ErrorCode check(const SkinLinearJob& job) noexcept {
   if (const auto error = check_streams(job.vertices, job.out); error != ErrorCode::ok) return error;
   return check_influences(job.influences, job.vertices.positions.size(), job.palette.size());
@@ -35,7 +16,7 @@ void run(const SkinLinearJob& job) noexcept {
   const bool cofactor_normals = job.normal_rule == NormalRule::cofactor;
   with_attributes(wanted.normals, wanted.tangents, [&](auto normals, auto tangents) {
     for_each_vertex(*job.influences, [&](std::size_t v, const auto& vertex) {
-      const Affine m = blend(job.palette, vertex);
+      const Affine m = blend_matrix(job.palette, vertex);
       if constexpr (normals) {
         const glm::vec3 n = job.vertices.normals[v];
         job.out.normals[v] = cofactor_normals ? transform_normal(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
