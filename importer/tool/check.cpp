@@ -62,11 +62,13 @@ ExitCode check_file(const CheckOptions& options) {
 
 void add_check(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = program.add_subcommand(
-      "check", "List the rules that a file breaks: rule, severity, place in the document, sentence.\n"
-               "Exit status 1 when an error is among them; a file with warnings only can be loaded.");
+  CLI::App* command =
+      program.add_subcommand("check",
+                             "List the rules that a file breaks: rule, severity, place in the document, sentence.\n"
+                             "Exit status 1 when an error is among them; a file with warnings only can be loaded.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
-  command->add_flag("--json", options->json, "Print JSON: {file, errors, warnings, issues: [{severity, rule, pointer, message}]}");
+  command->add_flag("--json", options->json,
+                    "Print JSON: {file, errors, warnings, issues: [{severity, rule, pointer, message}]}");
   command->callback([options, &outcome] { outcome = check_file(*options); });
 }
 

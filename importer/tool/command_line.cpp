@@ -14,7 +14,8 @@ namespace sinew::tool {
 namespace {
 
 constexpr const char* kAbout =
-    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and vertex\n"
+    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and "
+    "vertex\n"
     "is at any time of their animations.\n\n"
     "Examples:\n"
     "  sinew info fox.glb                                what is inside\n"

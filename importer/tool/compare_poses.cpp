@@ -68,7 +68,7 @@ void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose
   const std::span<const double> linear = g.first(12), translation = g.subspan(12, 3);
   add(pose ? length_of_difference(translation, p.subspan(12, 3)) : kMissing, allowed_m(largest_entry(translation)), "m",
       [&] { return fmt::format("{}, node {}, translation", where, golden.node); });
-  constexpr double kNoSize = 1e-6;   // a scene without vertices: a point at 1 m stands for the model
+  constexpr double kNoSize = 1e-6;  // a scene without vertices: a point at 1 m stands for the model
   const double lever_m = tolerance_.model_size_m > kNoSize ? tolerance_.model_size_m : 1.0;
   const double largest = largest_entry(linear);
   const double turned = largest_difference(linear, p.first(12)) / (largest > 0.0 ? largest : 1.0);
@@ -91,8 +91,8 @@ void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose&
     const auto found = weights.find(node.node);
     const bool usable = found != weights.end() && found->second->weights.size() == node.weights.size();
     const double scale = std::fmax(1.0, largest_entry(node.weights));
-    add(usable ? largest_difference(node.weights, found->second->weights) / scale : kMissing, tolerance_.weight + slack_, "",
-        [&] { return fmt::format("{}, node {}, weights", sample, node.node); });
+    add(usable ? largest_difference(node.weights, found->second->weights) / scale : kMissing,
+        tolerance_.weight + slack_, "", [&] { return fmt::format("{}, node {}, weights", sample, node.node); });
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, const PrimitivePose*> primitives;
   for (const PrimitivePose& p : pose.primitives) primitives[{p.node, p.primitive}] = &p;
@@ -102,7 +102,8 @@ void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose&
   }
 }
 
-void PoseComparison::compare_primitive(const PrimitivePose& golden, const PrimitivePose* pose, const std::string& where) {
+void PoseComparison::compare_primitive(const PrimitivePose& golden, const PrimitivePose* pose,
+                                       const std::string& where) {
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind) {
     const auto& [key, width, direction] = kVertexKinds[kind];
     const std::vector<double>& values = golden.values[kind];
@@ -119,7 +120,8 @@ void PoseComparison::compare_primitive(const PrimitivePose& golden, const Primit
       }
       const double allowed = direction ? tolerance_.direction + slack_ : allowed_m(largest_entry(expected));
       add(amount, allowed, direction ? "" : "m", [&, k = key] {
-        return fmt::format("{}, node {}, primitive {}, vertex {}, {}", where, golden.node, golden.primitive, golden.vertices[i], k);
+        return fmt::format("{}, node {}, primitive {}, vertex {}, {}", where, golden.node, golden.primitive,
+                           golden.vertices[i], k);
       });
     }
   }

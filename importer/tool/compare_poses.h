@@ -11,10 +11,10 @@ namespace sinew::tool {
 
 /// One value that moved: by how much, and how much was allowed.
 struct Deviation {
-  std::string where;              ///< "clip 0, 1.5 s, node 3, primitive 0, vertex 17, positions"
-  double amount = 0.0;            ///< infinite when the value is missing
+  std::string where;    ///< "clip 0, 1.5 s, node 3, primitive 0, vertex 17, positions"
+  double amount = 0.0;  ///< infinite when the value is missing
   double tolerance = 0.0;
-  const char* unit = "m";         ///< "m", or "" for directions and weights
+  const char* unit = "m";  ///< "m", or "" for directions and weights
 
   double severity() const noexcept { return amount / tolerance; }
 };
@@ -25,7 +25,7 @@ struct Deviation {
 /// - directions and weights: absolute. Weights beyond 1 are compared relative to the largest.
 /// Everything widens by 1.5 times Pose::non_unit of the golden sample: such rotations may be normalised or not.
 struct PoseTolerance {
-  std::optional<double> distance_m;   ///< nothing = `relative` times the larger of the model's size and the value
+  std::optional<double> distance_m;  ///< nothing = `relative` times the larger of the model's size and the value
   double relative = 1e-4;
   double direction = 1e-3;
   double weight = 1e-4;
@@ -35,15 +35,16 @@ struct PoseTolerance {
 /// Everything that `golden` holds is looked up in `pose` and compared; null entries are passed over.
 class PoseComparison {
  public:
-  PoseComparison(const PoseTolerance& tolerance, std::size_t keep_worst) : tolerance_(tolerance), keep_worst_(keep_worst) {}
+  PoseComparison(const PoseTolerance& tolerance, std::size_t keep_worst)
+      : tolerance_(tolerance), keep_worst_(keep_worst) {}
 
   void compare(std::uint32_t clip, const Pose& golden, const Pose& pose);
-  void missing(std::string where);            ///< a whole clip or sample is not there
+  void missing(std::string where);  ///< a whole clip or sample is not there
 
   std::uint64_t compared() const noexcept { return compared_; }
   std::uint64_t failed() const noexcept { return failed_; }
-  double largest_m() const noexcept { return largest_m_; }               ///< of the values with a unit
-  const std::vector<Deviation>& worst() const noexcept { return worst_; }   ///< worst first
+  double largest_m() const noexcept { return largest_m_; }                 ///< of the values with a unit
+  const std::vector<Deviation>& worst() const noexcept { return worst_; }  ///< worst first
 
  private:
   double allowed_m(double size_m) const noexcept;

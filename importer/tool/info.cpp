@@ -22,8 +22,10 @@ ExitCode tell_about(const InfoOptions& options) {
   const auto file = load_file(options.file);
   if (!file) return ExitCode::input_at_fault;
   const nlohmann::ordered_json info = info_json(options.file, *file);
-  if (options.json) fmt::print("{}\n", info.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  else fmt::print("{}", info_text(info));
+  if (options.json)
+    fmt::print("{}\n", info.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  else
+    fmt::print("{}", info_text(info));
   return ExitCode::done;
 }
 
@@ -32,7 +34,8 @@ ExitCode tell_about(const InfoOptions& options) {
 void add_info(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand(
-      "info", "Tell what is inside: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
+      "info",
+      "Tell what is inside: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_flag("--json", options->json, "Print the same as JSON");
   command->callback([options, &outcome] { outcome = tell_about(*options); });

@@ -35,8 +35,8 @@ Json nodes_json(const Skeleton& skeleton) {
 }
 
 std::size_t non_zero_deltas(const MorphTarget& target) {
-  std::size_t count = target.positions.vertices.size() + target.normals.vertices.size() + target.tangents.vertices.size() +
-                      target.colors.vertices.size();
+  std::size_t count = target.positions.vertices.size() + target.normals.vertices.size() +
+                      target.tangents.vertices.size() + target.colors.vertices.size();
   for (const auto& set : target.texcoords) count += set.vertices.size();
   return count;
 }
@@ -50,12 +50,15 @@ std::size_t file_vertex_count(const Primitive& primitive) {
 
 Json primitive_json(const Primitive& primitive, std::map<std::uint32_t, std::uint64_t>& histogram) {
   constexpr std::size_t kCorners[] = {1, 2, 3};
-  for (const InfluenceGroup& group : primitive.influences.groups) histogram[group.influence_count] += group.vertex_count;
+  for (const InfluenceGroup& group : primitive.influences.groups)
+    histogram[group.influence_count] += group.vertex_count;
   Json out = {{"topology", name_of(primitive.topology, kTopologyNames)},
               {"vertices", file_vertex_count(primitive)},
               {"vertices_after_splitting", primitive.vertex_count()},
               {"elements", primitive.indices.size() / kCorners[static_cast<std::size_t>(primitive.topology)]},
-              {"normals", primitive.flat_normals ? "made, flat" : primitive.normals.empty() ? "none" : "yes"},
+              {"normals", primitive.flat_normals      ? "made, flat"
+                          : primitive.normals.empty() ? "none"
+                                                      : "yes"},
               {"tangents", !primitive.tangents.empty()},
               {"texcoord_sets", primitive.texcoords.size()},
               {"colors", !primitive.colors.empty()},
@@ -77,8 +80,11 @@ Json mesh_json(const Mesh& mesh) {
   }
   Json influences = Json::object();
   for (const auto& [count, of_vertices] : histogram) influences[std::to_string(count)] = of_vertices;
-  Json out = {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles},
-              {"influences", influences}, {"primitives", primitives}};
+  Json out = {{"name", mesh.name},
+              {"vertices", vertices},
+              {"triangles", triangles},
+              {"influences", influences},
+              {"primitives", primitives}};
   if (mesh.target_count() == 0) return out;
   Json targets = Json::array();
   for (std::size_t t = 0; t < mesh.target_count(); ++t)
@@ -139,11 +145,12 @@ Json material_json(const Material& material) {
           {"base_color", {material.base_color.r, material.base_color.g, material.base_color.b, material.base_color.a}},
           {"metallic", material.metallic},
           {"roughness", material.roughness},
-          {"textures", {{"base_color", material.base_color_texture.used()},
-                        {"metallic_roughness", material.metallic_roughness_texture.used()},
-                        {"normal", material.normal_texture.used()},
-                        {"occlusion", material.occlusion_texture.used()},
-                        {"emissive", material.emissive_texture.used()}}}};
+          {"textures",
+           {{"base_color", material.base_color_texture.used()},
+            {"metallic_roughness", material.metallic_roughness_texture.used()},
+            {"normal", material.normal_texture.used()},
+            {"occlusion", material.occlusion_texture.used()},
+            {"emissive", material.emissive_texture.used()}}}};
 }
 
 Json image_json(const Image& image) {
@@ -190,7 +197,9 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
               {"default_scene", index_or_null(scene.default_scene)}};
   out["meshes"] = array_of(scene.meshes, mesh_json);
   out["mesh_instances"] = array_of(scene.instances, [&](const MeshInstance& i) { return instance_json(scene, i); });
-  out["skins"] = array_of(scene.skins, [](const Skin& skin) { return Json{{"name", skin.name}, {"joints", skin.joints.size()}}; });
+  out["skins"] = array_of(scene.skins, [](const Skin& skin) {
+    return Json{{"name", skin.name}, {"joints", skin.joints.size()}};
+  });
   out["clips"] = Json::array();
   for (std::size_t i = 0; i < scene.animations.size(); ++i)
     out["clips"].push_back(clip_json(scene.animations[i], scene.clips[i]));

@@ -54,13 +54,14 @@ class InfoText {
 
   void head() {
     line("{}", text_of(info_["file"]));
-    line("glTF {}, {} bytes with all that it refers to", text_of(info_["version"]), info_["bytes"].get<std::uint64_t>());
+    line("glTF {}, {} bytes with all that it refers to", text_of(info_["version"]),
+         info_["bytes"].get<std::uint64_t>());
     if (!text_of(info_["generator"]).empty()) line("made with: {}", text_of(info_["generator"]));
     if (!text_of(info_["copyright"]).empty()) line("copyright: {}", text_of(info_["copyright"]));
     line("extensions used: {}; required: {}", list(info_["extensions_used"]), list(info_["extensions_required"]));
     const Json& nodes = info_["nodes"];
-    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(), nodes["depth"].dump(),
-         info_["scenes"].dump());
+    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(),
+         nodes["depth"].dump(), info_["scenes"].dump());
   }
 
   void meshes() {
@@ -69,7 +70,8 @@ class InfoText {
       const Json& mesh = info_["meshes"][i];
       line("  {} \"{}\": {} vertices, {} triangles, {} primitives", i, text_of(mesh["name"]), mesh["vertices"].dump(),
            mesh["triangles"].dump(), mesh["primitives"].size());
-      if (!mesh["influences"].empty()) line("    vertices by number of influences: {}", pairs(mesh["influences"], ": "));
+      if (!mesh["influences"].empty())
+        line("    vertices by number of influences: {}", pairs(mesh["influences"], ": "));
       if (!mesh.contains("morph_targets")) continue;
       line("    morph targets: {}", mesh["morph_targets"].size());
       for (std::size_t t = 0; t < mesh["morph_targets"].size(); ++t)
@@ -97,7 +99,8 @@ class InfoText {
   }
 
   void materials() {
-    named("materials", [](const Json& m) { return text_of(m["alpha"]) + (m["double_sided"].get<bool>() ? ", double-sided" : ""); });
+    named("materials",
+          [](const Json& m) { return text_of(m["alpha"]) + (m["double_sided"].get<bool>() ? ", double-sided" : ""); });
     named("images", [](const Json& image) {
       return image["missing"].is_null() ? fmt::format("{} x {}", image["width"].dump(), image["height"].dump())
                                         : "missing: " + text_of(image["missing"]);

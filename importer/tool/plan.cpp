@@ -51,6 +51,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"vertices_morphed", work.vertices_morphed},
           {"vertices_skinned_linear", work.vertices_skinned_linear},
           {"vertices_skinned_dual_quaternion", work.vertices_skinned_dual_quaternion},
+          {"flat_triangles", work.flat_triangles},
           {"bounds_vertices", work.bounds_vertices}};
 }
 
@@ -103,7 +104,8 @@ ExitCode plan_file(const PlanOptions& options) {
   std::optional<WorkCounters> work;
   if (options.clip) {
     const auto counted = work_of_one_frame(plan, chosen->front());
-    if (!counted) return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
+    if (!counted)
+      return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
     work = *counted;
   }
   options.json ? print_json(plan, work) : print_text(plan, work);
@@ -117,7 +119,9 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "plan", "Show the stages that a frame of this file runs or leaves out, each with the reason.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
-  command->add_option("--clip", options->clip, "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
+  command
+      ->add_option("--clip", options->clip,
+                   "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
       ->type_name("INDEX|NAME|none");
   command->add_option("--needs", options->needs, "What the consumer of frames asks for (default: all but bounds)")
       ->delimiter(',')

@@ -15,22 +15,19 @@ namespace sinew::tool {
 /// The vertex arrays of a pose file, in the order in which they are written.
 enum class VertexKind : std::size_t { positions, normals, tangents, dqs, dqs_normals };
 struct VertexKindTraits {
-  const char* key;      ///< in the file
-  std::size_t width;    ///< numbers per vertex
-  bool direction;       ///< unit vector: compared without a unit
+  const char* key;    ///< in the file
+  std::size_t width;  ///< numbers per vertex
+  bool direction;     ///< unit vector: compared without a unit
 };
-inline constexpr std::array<VertexKindTraits, 5> kVertexKinds{{{"positions", 3, false},
-                                                               {"normals", 3, true},
-                                                               {"tangents", 4, true},
-                                                               {"dqs", 3, false},
-                                                               {"dqsNormals", 3, true}}};
+inline constexpr std::array<VertexKindTraits, 5> kVertexKinds{
+    {{"positions", 3, false}, {"normals", 3, true}, {"tangents", 4, true}, {"dqs", 3, false}, {"dqsNormals", 3, true}}};
 
 /// Deformed vertices of one primitive hung on one node, in world space. Node, mesh, primitive and vertex numbers are
 /// the file's. A NaN stands for "no value" (null in the file).
 struct PrimitivePose {
   std::uint32_t node = 0, mesh = 0, primitive = 0;
-  std::vector<std::uint32_t> vertices;                               ///< increasing
-  std::array<std::vector<double>, kVertexKinds.size()> values;       ///< [width * vertices] or empty
+  std::vector<std::uint32_t> vertices;                          ///< increasing
+  std::array<std::vector<double>, kVertexKinds.size()> values;  ///< [width * vertices] or empty
 
   std::vector<double>& of(VertexKind kind) { return values[static_cast<std::size_t>(kind)]; }
   const std::vector<double>& of(VertexKind kind) const { return values[static_cast<std::size_t>(kind)]; }
@@ -38,7 +35,7 @@ struct PrimitivePose {
 
 struct NodeWorld {
   std::uint32_t node = 0;
-  std::array<double, 16> world{};        ///< column-major
+  std::array<double, 16> world{};  ///< column-major
 };
 
 struct NodeWeights {
@@ -49,20 +46,20 @@ struct NodeWeights {
 /// One pose of one clip at one time.
 struct Pose {
   double time_s = 0.0;
-  double non_unit = 0.0;                 ///< of a golden file: how much rotations that are not unit may change the pose
+  double non_unit = 0.0;  ///< of a golden file: how much rotations that are not unit may change the pose
   std::vector<NodeWorld> nodes;
   std::vector<NodeWeights> weights;
   std::vector<PrimitivePose> primitives;
 };
 
 struct ClipPoses {
-  std::uint32_t clip = kNone;            ///< kNone = rest pose
+  std::uint32_t clip = kNone;  ///< kNone = rest pose
   std::vector<Pose> samples;
 };
 
 /// A pose file: golden poses of a model.
 struct PoseFile {
-  std::optional<double> extent;          ///< largest side of the rest pose's box, the model's size
+  std::optional<double> extent;  ///< largest side of the rest pose's box, the model's size
   std::vector<ClipPoses> clips;
 };
 

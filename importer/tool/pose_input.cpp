@@ -30,7 +30,8 @@ class PoseReader {
     PoseFile out;
     if (!document.is_object()) return complain("", "a pose file is an object"), out;
     if (document.contains("extent")) out.extent = number(document["extent"], "/extent");
-    each(document, "", "clips", [&](const json& clip, const std::string& at) { out.clips.push_back(clip_poses(clip, at)); });
+    each(document, "", "clips",
+         [&](const json& clip, const std::string& at) { out.clips.push_back(clip_poses(clip, at)); });
     return out;
   }
 
@@ -45,7 +46,8 @@ class PoseReader {
     const std::string array_at = at + "/" + key;
     if (!object.is_object() || !object.contains(key) || !object[key].is_array())
       return complain(array_at, "an array is missing here");
-    for (std::size_t i = 0; i < object[key].size() && !issue; ++i) read(object[key][i], fmt::format("{}/{}", array_at, i));
+    for (std::size_t i = 0; i < object[key].size() && !issue; ++i)
+      read(object[key][i], fmt::format("{}/{}", array_at, i));
   }
 
   double number(const json& value, const std::string& at) {
@@ -54,7 +56,9 @@ class PoseReader {
   }
 
   /// Values of a pose were floats once and are so again: an unchanged pose compares equal.
-  double rounded(const json& value, const std::string& at) { return static_cast<double>(static_cast<float>(number(value, at))); }
+  double rounded(const json& value, const std::string& at) {
+    return static_cast<double>(static_cast<float>(number(value, at)));
+  }
 
   std::uint32_t index(const json& object, const std::string& at, const char* key) {
     if (object.is_object() && object.contains(key)) return index(object[key], at + "/" + key);
@@ -69,15 +73,18 @@ class PoseReader {
   /// Appends a vector of `width` numbers, or as many NaN for null.
   void vector(const json& value, const std::string& at, std::size_t width, std::vector<double>& out) {
     if (value.is_null()) return out.insert(out.end(), width, std::numeric_limits<double>::quiet_NaN()), void();
-    if (!value.is_array() || value.size() != width) return complain(at, fmt::format("is not a vector of {} numbers", width));
+    if (!value.is_array() || value.size() != width)
+      return complain(at, fmt::format("is not a vector of {} numbers", width));
     for (const json& component : value) out.push_back(rounded(component, at));
   }
 
   ClipPoses clip_poses(const json& clip, const std::string& at) {
     ClipPoses out;
-    if (!clip.is_object() || !clip.contains("clip")) return complain(at + "/clip", "an index or null is missing here"), out;
+    if (!clip.is_object() || !clip.contains("clip"))
+      return complain(at + "/clip", "an index or null is missing here"), out;
     if (!clip["clip"].is_null()) out.clip = index(clip, at, "clip");
-    each(clip, at, "samples", [&](const json& sample, const std::string& s) { out.samples.push_back(pose(sample, s)); });
+    each(clip, at, "samples",
+         [&](const json& sample, const std::string& s) { out.samples.push_back(pose(sample, s)); });
     return out;
   }
 
@@ -86,9 +93,12 @@ class PoseReader {
     if (!sample.is_object() || !sample.contains("time")) return complain(at + "/time", "a time is missing here"), out;
     out.time_s = number(sample["time"], at + "/time");
     if (sample.contains("nonUnit")) out.non_unit = number(sample["nonUnit"], at + "/nonUnit");
-    each(sample, at, "nodes", [&](const json& node, const std::string& n) { out.nodes.push_back(node_world(node, n)); });
-    each(sample, at, "weights", [&](const json& node, const std::string& n) { out.weights.push_back(node_weights(node, n)); });
-    each(sample, at, "skinned", [&](const json& p, const std::string& n) { out.primitives.push_back(primitive(p, n)); });
+    each(sample, at, "nodes",
+         [&](const json& node, const std::string& n) { out.nodes.push_back(node_world(node, n)); });
+    each(sample, at, "weights",
+         [&](const json& node, const std::string& n) { out.weights.push_back(node_weights(node, n)); });
+    each(sample, at, "skinned",
+         [&](const json& p, const std::string& n) { out.primitives.push_back(primitive(p, n)); });
     return out;
   }
 
@@ -105,7 +115,8 @@ class PoseReader {
   NodeWeights node_weights(const json& node, const std::string& at) {
     NodeWeights out;
     out.node = index(node, at, "node");
-    each(node, at, "weights", [&](const json& value, const std::string& v) { out.weights.push_back(rounded(value, v)); });
+    each(node, at, "weights",
+         [&](const json& value, const std::string& v) { out.weights.push_back(rounded(value, v)); });
     return out;
   }
 
@@ -113,13 +124,16 @@ class PoseReader {
     PrimitivePose out;
     out.node = index(primitive, at, "node");
     out.primitive = index(primitive, at, "primitive");
-    each(primitive, at, "vertices", [&](const json& value, const std::string& v) { out.vertices.push_back(index(value, v)); });
+    each(primitive, at, "vertices",
+         [&](const json& value, const std::string& v) { out.vertices.push_back(index(value, v)); });
     for (std::size_t kind = 0; kind < kVertexKinds.size() && !issue; ++kind) {
       const auto& [key, width, direction] = kVertexKinds[kind];
       if (!primitive.contains(key)) continue;
-      each(primitive, at, key, [&, w = width](const json& v, const std::string& n) { vector(v, n, w, out.values[kind]); });
+      each(primitive, at, key,
+           [&, w = width](const json& v, const std::string& n) { vector(v, n, w, out.values[kind]); });
       if (!issue && out.values[kind].size() != width * out.vertices.size())
-        complain(at + "/" + key, fmt::format("does not have one entry for each of the {} vertices", out.vertices.size()));
+        complain(at + "/" + key,
+                 fmt::format("does not have one entry for each of the {} vertices", out.vertices.size()));
     }
     return out;
   }

@@ -14,7 +14,7 @@ namespace sinew::tool {
 namespace {
 
 using Text = fmt::memory_buffer;
-constexpr std::size_t kChunk = std::size_t{1} << 20;   // bytes handed to zlib at once
+constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes handed to zlib at once
 
 template <class... Args>
 void put(Text& text, fmt::format_string<Args...> format, Args&&... args) {
@@ -52,8 +52,10 @@ void PoseOutput::begin(std::string_view model, double extent) {
 
 void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
   put(text_, "{}", first_clip_ ? "\n" : ",\n");
-  if (clip == kNone) put(text_, "  {{\"clip\": null, \"index\": null, \"name\": null, \"samples\": [");
-  else put(text_, "  {{\"clip\": {0}, \"index\": {0}, \"name\": {1}, \"samples\": [", clip, quoted(name));
+  if (clip == kNone)
+    put(text_, "  {{\"clip\": null, \"index\": null, \"name\": null, \"samples\": [");
+  else
+    put(text_, "  {{\"clip\": {0}, \"index\": {0}, \"name\": {1}, \"samples\": [", clip, quoted(name));
   first_clip_ = false;
   first_sample_ = true;
 }
@@ -86,8 +88,8 @@ void PoseOutput::add_nodes(const Pose& pose) {
 }
 
 void PoseOutput::add_primitive(const PrimitivePose& primitive) {
-  put(text_, "{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]", primitive.node, primitive.mesh,
-      primitive.primitive, fmt::join(primitive.vertices, ", "));
+  put(text_, "{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]", primitive.node,
+      primitive.mesh, primitive.primitive, fmt::join(primitive.vertices, ", "));
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind) {
     const std::vector<double>& values = primitive.values[kind];
     if (values.empty()) continue;

@@ -12,9 +12,9 @@
 
 namespace sinew::tool {
 
-/// Writes a pose file while poses are being made, so that memory does not grow with their number. A name that ends in .gz
-/// is compressed; no name means stdout.
-/// err  every call answers whether all went well so far; the reason is in errno of the first failure
+/// Writes a pose file while poses are being made, so that memory does not grow with their number. A name that ends in
+/// .gz is compressed; no name means stdout. err  every call answers whether all went well so far; the reason is in
+/// errno of the first failure
 class PoseOutput {
  public:
   explicit PoseOutput(const std::string& file_or_empty);
@@ -24,17 +24,17 @@ class PoseOutput {
 
   bool opened() const noexcept { return file_ != nullptr; }
   void begin(std::string_view model, double extent);
-  void begin_clip(std::uint32_t clip, std::string_view name);   ///< kNone = rest pose
+  void begin_clip(std::uint32_t clip, std::string_view name);  ///< kNone = rest pose
   void add(const Pose& pose);
   void end_clip();
-  bool end();                                                   ///< false: something could not be written
+  bool end();  ///< false: something could not be written
 
  private:
   void add_nodes(const Pose& pose);
   void add_primitive(const PrimitivePose& primitive);
   void flush();
 
-  void* file_ = nullptr;     // gzFile
+  void* file_ = nullptr;  // gzFile
   fmt::memory_buffer text_;
   bool first_clip_ = true, first_sample_ = true, failed_ = false;
 };

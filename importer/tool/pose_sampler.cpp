@@ -49,7 +49,7 @@ Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
 bool has_no_rotation(const Affined& j) {
   const Mat3<double> a = linear_part(j);
   const double volume = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
-  constexpr double kFlat = 1e-12;   // of the box that the columns span
+  constexpr double kFlat = 1e-12;  // of the box that the columns span
   return !(determinant(j) > kFlat * volume);
 }
 
@@ -63,7 +63,7 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 }  // namespace
 
 PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
-    : plan(compile_plan(scene, Needs{.skinning = skinning, .instance_skinning = {}})), frame(plan) {}
+    : plan(compile_plan(scene, Needs{.max_layers = 1, .skinning = skinning, .instance_skinning = {}})), frame(plan) {}
 
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene) {
   if (content.linear || !content.dual_quaternion) linear_ = std::make_unique<Method>(scene, Skinning::linear);
@@ -96,9 +96,11 @@ Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
     for (int i = 0; i < 16; ++i) pose.nodes[n].world[static_cast<std::size_t>(i)] = columns[i / 4][i % 4];
   }
   for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-    const auto weights = frame.weights.subspan(scene_.first_weight[i], scene_.first_weight[i + 1] - scene_.first_weight[i]);
+    const auto weights =
+        frame.weights.subspan(scene_.first_weight[i], scene_.first_weight[i + 1] - scene_.first_weight[i]);
     if (!weights.empty())
-      pose.weights.push_back({scene_.skeleton.node_of_joint[scene_.instances[i].joint], {weights.begin(), weights.end()}});
+      pose.weights.push_back(
+          {scene_.skeleton.node_of_joint[scene_.instances[i].joint], {weights.begin(), weights.end()}});
   }
   for (const Drawn& drawn : drawn_) pose.primitives.push_back(primitive_pose(drawn));
   return pose;
@@ -123,7 +125,8 @@ void PoseSampler::add_rigid(const Drawn& drawn, PrimitivePose& out) const {
   const MeshInstance& instance = scene_.instances[drawn.instance];
   const Primitive& own = scene_.meshes[instance.mesh].primitives[drawn.primitive];
   const FrameResult& frame = any_frame();
-  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const DeformedPrimitive& deformed =
+      frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const auto positions = deformed_or_own(deformed.positions, own.positions);
   const auto normals = deformed_or_own(deformed.normals, own.normals);
   const auto tangents = deformed_or_own(deformed.tangents, own.tangents);
@@ -145,7 +148,8 @@ void PoseSampler::add_rigid(const Drawn& drawn, PrimitivePose& out) const {
 
 void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
   const FrameResult& frame = linear_->frame.result();
-  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const DeformedPrimitive& deformed =
+      frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const bool flat = scene_.meshes[out.mesh].primitives[out.primitive].flat_normals;
   append_chosen(out.of(VertexKind::positions), drawn.choice, deformed.positions);
   if (!deformed.normals.empty() && !flat) append_chosen(out.of(VertexKind::normals), drawn.choice, deformed.normals);
@@ -156,7 +160,8 @@ void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) co
   const MeshInstance& instance = scene_.instances[drawn.instance];
   const Primitive& own = scene_.meshes[out.mesh].primitives[out.primitive];
   const FrameResult& frame = dual_quaternion_->frame.result();
-  const DeformedPrimitive& deformed = frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
+  const DeformedPrimitive& deformed =
+      frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const auto broken = entries_without_rotation(scene_.skins[instance.skin], frame.model);
   const bool with_normals = !deformed.normals.empty() && !own.flat_normals;
   for (std::size_t i = 0; i < drawn.choice.in_primitive.size(); ++i) {

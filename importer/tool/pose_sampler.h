@@ -13,8 +13,8 @@ namespace sinew::tool {
 
 /// What a pose holds besides node matrices and morph weights.
 struct PoseContent {
-  bool linear = true;             ///< positions, normals and tangents of skinned primitives
-  bool dual_quaternion = true;    ///< dqs and dqsNormals of skinned primitives
+  bool linear = true;           ///< positions, normals and tangents of skinned primitives
+  bool dual_quaternion = true;  ///< dqs and dqsNormals of skinned primitives
   std::size_t vertices_per_primitive = 64;
 };
 
@@ -35,7 +35,7 @@ class PoseSampler {
     Plan plan;
     FrameBuffer frame;
   };
-  struct Drawn {                   ///< one primitive of one mesh instance
+  struct Drawn {  ///< one primitive of one mesh instance
     std::uint32_t instance = 0, primitive = 0;
     VertexChoice choice;
   };

@@ -10,7 +10,7 @@
 
 namespace sinew::tool {
 namespace {
-constexpr std::chrono::milliseconds kQuiet{300};     // work shorter than this shows nothing
+constexpr std::chrono::milliseconds kQuiet{300};  // work shorter than this shows nothing
 constexpr std::chrono::milliseconds kInterval{100};
 }  // namespace
 

@@ -10,12 +10,12 @@ namespace sinew::tool {
 class ProgressLine {
  public:
   ProgressLine();
-  ~ProgressLine();   ///< wipes the line
+  ~ProgressLine();  ///< wipes the line
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(std::string_view work, double done_0_to_1);
-  void wipe();       ///< before a message is printed
+  void wipe();  ///< before a message is printed
 
  private:
   using Clock = std::chrono::steady_clock;

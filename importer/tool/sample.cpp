@@ -30,7 +30,7 @@ struct SampleOptions {
   std::string skinning = "all", vertices = "64";
 };
 
-constexpr double kMostFrames = 1e6;   // of one clip: a typing error in --fps must not fill the disk
+constexpr double kMostFrames = 1e6;  // of one clip: a typing error in --fps must not fill the disk
 
 /// One clip with the times to sample it at.
 struct Task {
@@ -57,13 +57,16 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
   }
   std::vector<Task> tasks;
   for (const std::uint32_t clip : *clips) {
-    Task task{clip, {0.0}};               // one look at the rest pose is enough, unless it was asked for by name
+    Task task{clip, {0.0}};  // one look at the rest pose is enough, unless it was asked for by name
     const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
-    if (named && (clip != kNone || options.clip)) task.times_s = *named;
+    if (named && (clip != kNone || options.clip))
+      task.times_s = *named;
     else if (options.fps && duration_s * *options.fps > kMostFrames)
       return tl::unexpected(fmt::format("--fps {}: more than {} frames of clip {}", *options.fps, kMostFrames, clip));
-    else if (options.fps) task.times_s = frame_times(duration_s, *options.fps);
-    else if (clip != kNone) task.times_s = telling_times(scene.animations[clip]);
+    else if (options.fps)
+      task.times_s = frame_times(duration_s, *options.fps);
+    else if (clip != kNone)
+      task.times_s = telling_times(scene.animations[clip]);
     tasks.push_back(std::move(task));
   }
   return tasks;
@@ -87,7 +90,8 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
       const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
       progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
       const auto pose = sampler.sample(clip, times_s[k]);
-      if (!pose) return say_error(fmt::format("{}: {}", options.file, describe(pose.error()))), ExitCode::input_at_fault;
+      if (!pose)
+        return say_error(fmt::format("{}: {}", options.file, describe(pose.error()))), ExitCode::input_at_fault;
       out.add(*pose);
     }
     out.end_clip();
@@ -119,21 +123,25 @@ ExitCode sample_file(const SampleOptions& options) {
 void add_sample(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<SampleOptions>();
   CLI::App* command = program.add_subcommand(
-      "sample", "Write where nodes and vertices are: world matrices, morph weights, deformed vertices, as JSON.\n"
-                "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last\n"
-                "key, and some keys and middles between them.");
+      "sample",
+      "Write where nodes and vertices are: world matrices, morph weights, deformed vertices, as JSON.\n"
+      "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last\n"
+      "key, and some keys and middles between them.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_option("--clip", options->clip, "One clip only; none = the rest pose")->type_name("INDEX|NAME|none");
-  auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")->type_name("T,T,...");
+  auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")
+                    ->type_name("T,T,...");
   command->add_option("--fps", options->fps, "Frames per second, from 0 to the clip's end")
       ->type_name("N")
       ->check(CLI::PositiveNumber)
       ->excludes(times);
-  command->add_option("--skinning", options->skinning,
-                      "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; all (default)")
+  command
+      ->add_option("--skinning", options->skinning,
+                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; all (default)")
       ->type_name("METHOD")
       ->check(CLI::IsMember({"linear", "dual-quaternion", "all"}));
-  command->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
+  command
+      ->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
       ->type_name("N|all");
   command->add_option("-o,--output", options->output, "Write here (compressed if it ends in .gz), not to stdout")
       ->type_name("OUT.json");

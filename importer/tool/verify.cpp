@@ -59,9 +59,11 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
   fmt::print("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance\n", options.file,
              comparison.compared(), options.golden, comparison.largest_m(), comparison.failed());
   for (const Deviation& worst : comparison.worst()) {
-    if (std::isinf(worst.amount)) fmt::print("  {}: missing\n", worst.where);
-    else fmt::print("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
-                    worst.unit, worst.tolerance);
+    if (std::isinf(worst.amount))
+      fmt::print("  {}: missing\n", worst.where);
+    else
+      fmt::print("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
+                 worst.unit, worst.tolerance);
   }
 }
 
@@ -94,12 +96,14 @@ ExitCode verify_file(const VerifyOptions& options) {
 void add_verify(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand(
-      "verify", "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
-                "Exit status 0 when every pose still matches; else 1, and the worst differences are named.");
+      "verify",
+      "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
+      "Exit status 0 when every pose still matches; else 1, and the worst differences are named.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz")->required();
-  command->add_option("--tolerance", options->tolerance_m,
-                      "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")
+  command
+      ->add_option("--tolerance", options->tolerance_m,
+                   "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")
       ->type_name("METRES")
       ->check(CLI::NonNegativeNumber);
   command->callback([options, &outcome] { outcome = verify_file(*options); });

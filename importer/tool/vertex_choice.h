@@ -13,11 +13,13 @@ inline constexpr std::size_t kAllVertices = std::numeric_limits<std::size_t>::ma
 /// Which vertices of a primitive are written: at most `limit` of the file's vertices, spread evenly. Vertices that the
 /// import split, for flat normals say, stand for one vertex of the file and are written once.
 struct VertexChoice {
-  struct Influences { std::uint32_t first = 0, count = 0; };   ///< into VertexInfluences::joints
+  struct Influences {
+    std::uint32_t first = 0, count = 0;
+  };  ///< into VertexInfluences::joints
 
-  std::vector<std::uint32_t> in_file;        ///< increasing
-  std::vector<std::uint32_t> in_primitive;   ///< parallel: where its deformed values are
-  std::vector<Influences> influences;        ///< parallel, empty without a skin
+  std::vector<std::uint32_t> in_file;       ///< increasing
+  std::vector<std::uint32_t> in_primitive;  ///< parallel: where its deformed values are
+  std::vector<Influences> influences;       ///< parallel, empty without a skin
 };
 
 /// cost O(V log V)

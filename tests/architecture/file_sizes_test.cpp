@@ -26,8 +26,9 @@ TEST(file_sizes, headers_sources_and_tests_stay_below_their_limits) {
 TEST(file_sizes, the_tree_is_really_read) {
   const auto files = source_tree();
   EXPECT_GT(files.size(), 40u);
-  EXPECT_TRUE(std::any_of(files.begin(), files.end(),
-                          [](const SourceFile& f) { return f.path == "runtime/math/conventions.h" && lines_of(f.text).size() > 10; }));
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](const SourceFile& f) {
+    return f.path == "runtime/math/conventions.h" && lines_of(f.text).size() > 10;
+  }));
 }
 
 TEST(file_sizes, each_file_starts_with_its_licence_and_headers_with_a_guard) {

@@ -18,7 +18,8 @@ const std::regex& unstable_calls() {
 }
 
 const std::regex& raw_intrinsics() {
-  static const std::regex names(R"(\b(_mm(256|512)?_\w+|__m(128|256|512)\w*|v(ld|st)[1-4]q?_\w+)\b|immintrin\.h|arm_neon\.h)");
+  static const std::regex names(
+      R"(\b(_mm(256|512)?_\w+|__m(128|256|512)\w*|v(ld|st)[1-4]q?_\w+)\b|immintrin\.h|arm_neon\.h)");
   return names;
 }
 
@@ -26,7 +27,8 @@ std::vector<std::string> places(const SourceFile& file, const std::regex& patter
   std::vector<std::string> found;
   const auto lines = lines_of(without_comments(file.text));
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (std::regex_search(lines[i], pattern)) found.push_back(file.path + ":" + std::to_string(i + 1) + ": " + lines[i]);
+    if (std::regex_search(lines[i], pattern))
+      found.push_back(file.path + ":" + std::to_string(i + 1) + ": " + lines[i]);
   return found;
 }
 
@@ -48,7 +50,8 @@ TEST(forbidden_calls, N28_no_raw_intrinsics_anywhere) {
 
 TEST(forbidden_calls, comments_and_strings_do_not_count_but_code_does) {
   EXPECT_THAT(places({"runtime/x.cpp", "// acos(x)\nfloat a = std::acos(x);\n"}, unstable_calls()), testing::SizeIs(1));
-  EXPECT_THAT(places({"runtime/x.cpp", "/* glm::slerp(a, b, t) */ puts(\"acos(1)\");\n"}, unstable_calls()), testing::IsEmpty());
+  EXPECT_THAT(places({"runtime/x.cpp", "/* glm::slerp(a, b, t) */ puts(\"acos(1)\");\n"}, unstable_calls()),
+              testing::IsEmpty());
   EXPECT_THAT(places({"runtime/x.cpp", "auto q = glm::slerp(a, b, t);\n"}, unstable_calls()), testing::SizeIs(1));
   EXPECT_THAT(places({"runtime/x.cpp", "__m128 v = _mm_add_ps(a, b);\n"}, raw_intrinsics()), testing::SizeIs(1));
 }

@@ -30,7 +30,8 @@ std::string part_of(const std::string& path) {
 bool sees(const std::string& from, const std::string& to) {
   if (to == "tests") return from == "tests";
   if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app") return true;
-  if (from == "importer") return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
+  if (from == "importer")
+    return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
   if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
   const auto rank = [](const std::string& part) {
     return std::find_if(kRuntimeOrder.begin(), kRuntimeOrder.end(),
@@ -113,7 +114,7 @@ TEST(include_direction, a_source_file_includes_its_own_header_first) {
   for (const SourceFile& file : files)
     if (file.is_header()) headers.insert(file.path);
   for (const SourceFile& file : files) {
-    if (file.is_header() || file.text.find("foreach_target.h") != std::string::npos) continue;   // Highway's own order
+    if (file.is_header() || file.text.find("foreach_target.h") != std::string::npos) continue;  // Highway's own order
     const std::string own = file.path.substr(0, file.path.size() - 4) + ".h";
     if (!headers.contains(own)) continue;
     const std::size_t first = file.text.find("#include");
