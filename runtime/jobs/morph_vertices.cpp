@@ -10,11 +10,6 @@
 namespace sinew {
 namespace {
 
-/// Weights below this are zero: they would only make denormal numbers, which some processors add a hundred times slower (N26).
-constexpr float kSmallestWeight = 1e-20f;
-
-bool is_active(float weight) noexcept { return std::abs(weight) >= kSmallestWeight; }
-
 bool in_range(const SparseDeltas<glm::vec3>& deltas, std::size_t vertex_count) noexcept {
   // vertices strictly increase, so the last one is the largest
   return deltas.vertices.size() == deltas.deltas.size() && (deltas.empty() || deltas.vertices.back() < vertex_count);
@@ -27,7 +22,7 @@ bool sum_deltas(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const auto& sparse = targets[t].*attribute;
     const float weight = job.weights[t];
-    if (sparse.empty() || !is_active(weight)) continue;
+    if (sparse.empty() || !is_active_weight(weight)) continue;
     if (!any) std::fill_n(job.scratch.begin(), job.vertices.positions.size(), glm::vec3(0.0f));
     any = true;
     for (std::size_t i = 0; i < sparse.vertices.size(); ++i) job.scratch[sparse.vertices[i]] += weight * sparse.deltas[i];

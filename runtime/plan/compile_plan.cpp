@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/compile_plan.h"
+
+#include <algorithm>
+
+#include "runtime/base/contract.h"
+#include "runtime/jobs/joint_palette.h"
+#include "runtime/jobs/pose.h"
+#include "runtime/plan/plan_stages.h"
+
+namespace sinew {
+namespace {
+
+/// Hands out places of one block, each on a cache line of its own.
+class BlockLayout {
+ public:
+  std::size_t take(std::size_t bytes) noexcept {
+    const std::size_t at = end_;
+    end_ += (bytes + kAlignment - 1) / kAlignment * kAlignment;
+    return at;
+  }
+  template <class T>
+  std::size_t take_array(std::size_t count) noexcept { return take(count * sizeof(T)); }
+  std::size_t size() const noexcept { return end_; }
+
+ private:
+  static constexpr std::size_t kAlignment = 64;
+  std::size_t end_ = 0;
+};
+
+/// Which attributes some target of the set moves.
+struct MorphedAttributes {
+  AttributeSet set;
+  bool colors = false;
+};
+
+MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
+  MorphedAttributes moved;
+  for (const MorphTarget& target : morphs.targets) {
+    moved.set.positions |= !target.positions.empty();
+    moved.set.normals |= !target.normals.empty();
+    moved.set.tangents |= !target.tangents.empty();
+    moved.colors |= !target.colors.empty();
+  }
+  return moved;
+}
+
+/// Morph and skin touch an attribute only when it is there, someone asks for it, and something moves it (P10, P11, P13).
+PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning skinning, const Needs& needs) {
+  PrimitivePlan plan;
+  plan.skinning = skinning;
+  const MorphedAttributes moved = morphed_by(primitive.morphs);
+  const bool skinned = has_skin && !primitive.influences.empty();
+  plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
+                      primitive.topology == Topology::triangles && (skinned || moved.set.positions);
+  const AttributeSet wanted = {needs.positions || needs.bounds || plan.flat_normals,
+                               needs.normals && !primitive.normals.empty() && !plan.flat_normals,
+                               needs.tangents && !primitive.tangents.empty()};
+  plan.morph = {wanted.positions && moved.set.positions, wanted.normals && moved.set.normals,
+                wanted.tangents && moved.set.tangents};
+  plan.morph.positions |= plan.morph.any();   // jobs always write positions
+  plan.morph_colors = needs.vertices() && moved.colors && !primitive.colors.empty();
+  if (skinned) plan.skin = wanted;
+  plan.skin.positions |= plan.skin.any();
+  return plan;
+}
+
+void plan_primitives(Plan& plan) {
+  const Scene& scene = *plan.scene;
+  plan.first_primitive.push_back(0);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const MeshInstance& instance = scene.instances[i];
+    const auto& primitives = scene.meshes[instance.mesh].primitives;
+    bool skinned = false;
+    for (std::uint32_t p = 0; p < primitives.size(); ++p) {
+      PrimitivePlan planned =
+          plan_primitive(primitives[p], instance.skin != kNone, plan.needs.skinning_of(i), plan.needs);
+      planned.instance = i, planned.primitive = p;
+      skinned |= instance.skin != kNone && !primitives[p].influences.empty();
+      if (planned.skin.any()) {
+        plan.palette[instance.skin] = true;
+        if (planned.skinning == Skinning::dual_quaternion) plan.split[instance.skin] = true;
+      }
+      plan.primitives.push_back(planned);
+    }
+    plan.instance_skinned.push_back(skinned);
+    plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));
+  }
+}
+
+void place_primitives(Plan& plan, BlockLayout& block) {
+  std::size_t morphed_positions = 0, morphed_normals = 0, morphed_tangents = 0, scratch = 0;
+  for (PrimitivePlan& p : plan.primitives) {
+    const std::size_t count = primitive_of(plan, p).vertex_count();
+    const auto needed_between = [&](bool morph, bool skin) { return morph && skin ? count : 0; };
+    if (p.morph.positions || p.skin.positions) p.positions_at = block.take_array<glm::vec3>(count);
+    if (p.morph.normals || p.skin.normals || p.flat_normals) p.normals_at = block.take_array<glm::vec3>(count);
+    if (p.morph.tangents || p.skin.tangents) p.tangents_at = block.take_array<glm::vec4>(count);
+    if (p.morph_colors) p.colors_at = block.take_array<glm::vec4>(count);
+    morphed_positions = std::max(morphed_positions, needed_between(p.morph.positions, p.skin.any()));
+    morphed_normals = std::max(morphed_normals, needed_between(p.morph.normals, p.skin.any()));
+    morphed_tangents = std::max(morphed_tangents, needed_between(p.morph.tangents, p.skin.any()));
+    if (p.morph.any()) scratch = std::max(scratch, count);
+  }
+  // Primitives run one after another: what lies between morph and skin is shared by all of them.
+  plan.morphed_positions_at = block.take_array<glm::vec3>(morphed_positions);
+  plan.morphed_normals_at = block.take_array<glm::vec3>(morphed_normals);
+  plan.morphed_tangents_at = block.take_array<glm::vec4>(morphed_tangents);
+  plan.scratch_at = block.take_array<glm::vec3>(scratch);
+}
+
+void place(Plan& plan) {
+  const Scene& scene = *plan.scene;
+  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
+  const std::size_t extra_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
+  BlockLayout block;
+  plan.rest_pose_at = block.take(pose_bytes);
+  plan.pose_at = plan.sample ? block.take(pose_bytes) : plan.rest_pose_at;
+  plan.layer_poses_at = block.take(extra_layers * pose_bytes);
+  plan.weights_at = block.take_array<float>(scene.weight_count());
+  plan.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
+  plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
+  for (std::size_t s = 0; s < scene.skins.size(); ++s) {
+    const std::size_t joints = scene.skins[s].joints.size();
+    plan.palette_at.push_back(block.take_array<Affine>(plan.palette[s] ? joints : 0));
+    plan.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
+  }
+  plan.stretch_at = block.take_array<bool>(scene.skins.size());
+  place_primitives(plan, block);
+  plan.frame_bytes = block.size();
+}
+
+}  // namespace
+
+Plan compile_plan(const Scene& scene, const Needs& needs) {
+  CONTRACT(needs.max_layers > 0);
+  CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
+  Plan plan;
+  plan.scene = &scene;
+  plan.needs = needs;
+  plan.palette.resize(scene.skins.size());
+  plan.split.resize(scene.skins.size());
+  for (const MeshInstance& instance : scene.instances)
+    plan.rest_weights.insert(plan.rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  for (const Clip& clip : scene.clips) {
+    const Clip::Counts counts = clip.counts();
+    plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights});
+  }
+  plan.local_to_model = scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
+  plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0);
+  plan.blend = plan.sample && needs.max_layers > 1;
+  plan.bounds = needs.bounds && !scene.instances.empty();
+  plan_primitives(plan);
+  place(plan);
+  plan.stages = describe_stages(plan);
+  return plan;
+}
+
+}  // namespace sinew

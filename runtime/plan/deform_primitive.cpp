@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/deform_primitive.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runtime/jobs/morph_vertices.h"
+#include "runtime/jobs/skin_dual_quaternion.h"
+#include "runtime/jobs/skin_linear.h"
+#include "runtime/plan/flat_normals.h"
+#include "runtime/plan/morph_colors.h"
+
+namespace sinew {
+namespace {
+
+/// The memory of `at` if the attribute is wanted there, else nothing.
+VertexOutput output_at(FrameMemory memory, const AttributeSet& set, std::size_t positions_at, std::size_t normals_at,
+                       std::size_t tangents_at, std::size_t count) noexcept {
+  return {.positions = memory.array<glm::vec3>(positions_at, set.positions ? count : 0),
+          .normals = memory.array<glm::vec3>(normals_at, set.normals ? count : 0),
+          .tangents = memory.array<glm::vec4>(tangents_at, set.tangents ? count : 0)};
+}
+
+/// Displacements that this frame adds.
+struct ActiveDeltas {
+  std::uint64_t shape = 0, colors = 0;
+};
+
+ActiveDeltas active_deltas(const MorphSet& morphs, std::span<const float> weights, const PrimitivePlan& planned) noexcept {
+  ActiveDeltas active;
+  if (!planned.morph.any() && !planned.morph_colors) return active;
+  for (std::size_t t = 0; t < morphs.targets.size(); ++t) {
+    if (!is_active_weight(weights[t])) continue;
+    const MorphTarget& target = morphs.targets[t];
+    if (planned.morph.positions) active.shape += target.positions.vertices.size();
+    if (planned.morph.normals) active.shape += target.normals.vertices.size();
+    if (planned.morph.tangents) active.shape += target.tangents.vertices.size();
+    if (planned.morph_colors) active.colors += target.colors.vertices.size();
+  }
+  return active;
+}
+
+/// The stages of one primitive in order; `now` is the state of its vertices so far.
+struct Deformation {
+  const Plan& plan;
+  const PrimitivePlan& planned;
+  const Primitive& primitive;
+  FrameMemory memory;
+  WorkCounters& work;
+  VertexInput now;
+
+  void morph(std::span<const float> weights) noexcept {
+    const std::size_t count = primitive.vertex_count();
+    const bool in_between = planned.skin.any();
+    const VertexOutput out = output_at(memory, planned.morph, in_between ? plan.morphed_positions_at : planned.positions_at,
+                                       in_between ? plan.morphed_normals_at : planned.normals_at,
+                                       in_between ? plan.morphed_tangents_at : planned.tangents_at, count);
+    const MorphVerticesJob job{.morphs = &primitive.morphs,
+                               .weights = weights,
+                               .vertices = now,
+                               .out = out,
+                               .scratch = memory.array<glm::vec3>(plan.scratch_at, count),
+                               .normalise = !in_between};
+    assert(check(job) == ErrorCode::ok);
+    run(job);
+    work.vertices_morphed += count;
+    replace(out);
+  }
+
+  void skin() noexcept {
+    const std::uint32_t skin = plan.scene->instances[planned.instance].skin;
+    const std::size_t joints = plan.scene->skins[skin].joints.size();
+    const VertexOutput out =
+        output_at(memory, planned.skin, planned.positions_at, planned.normals_at, planned.tangents_at, primitive.vertex_count());
+    if (planned.skinning == Skinning::dual_quaternion) {
+      const SkinDualQuaternionJob job{.influences = &primitive.influences,
+                                      .split = memory.array<RigidStretch>(plan.split_at[skin], joints),
+                                      .any_stretch = memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
+                                      .vertices = now,
+                                      .out = out};
+      assert(check(job) == ErrorCode::ok);
+      run(job);
+      work.vertices_skinned_dual_quaternion += primitive.vertex_count();
+    } else {
+      const SkinLinearJob job{.influences = &primitive.influences,
+                              .palette = memory.array<Affine>(plan.palette_at[skin], joints),
+                              .vertices = now,
+                              .out = out,
+                              .normal_rule = plan.needs.normal_rule};
+      assert(check(job) == ErrorCode::ok);
+      run(job);
+      work.vertices_skinned_linear += primitive.vertex_count();
+    }
+    replace(out);
+  }
+
+  /// Whether this primitive's smooth normals would keep to the outside where its skin mirrors; the other rules follow the winding.
+  bool keeps_outside_out() const noexcept {
+    return planned.skin.any() && planned.skinning == Skinning::linear && plan.needs.normal_rule == NormalRule::linear;
+  }
+
+  void flatten(bool turned) noexcept {
+    const std::span<glm::vec3> normals = memory.array<glm::vec3>(planned.normals_at, primitive.vertex_count());
+    flat_normals(primitive.indices, now.positions, primitive.normals, turned, normals);
+    work.flat_triangles += primitive.indices.size() / 3;
+    now.normals = normals;
+  }
+
+ private:
+  void replace(const VertexOutput& written) noexcept {
+    if (!written.positions.empty()) now.positions = written.positions;
+    if (!written.normals.empty()) now.normals = written.normals;
+    if (!written.tangents.empty()) now.tangents = written.tangents;
+  }
+};
+
+}  // namespace
+
+DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
+                                   bool mirrored, FrameMemory memory, WorkCounters& work) noexcept {
+  const Primitive& primitive = primitive_of(plan, planned);
+  const bool skins = planned.skin.any();
+  const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
+                                 planned.morph.normals || planned.skin.normals || planned.flat_normals,
+                                 planned.morph.tangents || planned.skin.tangents};
+  Deformation stages{plan, planned, primitive, memory, work, {.positions = primitive.positions, .normals = {}, .tangents = {}}};
+  if (deformed.normals) stages.now.normals = primitive.normals;
+  if (deformed.tangents) stages.now.tangents = primitive.tangents;
+
+  const ActiveDeltas active = active_deltas(primitive.morphs, weights, planned);
+  work.morph_deltas += active.shape + active.colors;
+  if (active.shape > 0) stages.morph(weights);
+  if (skins) stages.skin();
+  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && stages.keeps_outside_out());
+
+  DeformedPrimitive result{.instance = planned.instance, .primitive = planned.primitive, .positions = {}, .normals = {},
+                           .tangents = {}, .colors = {}};
+  if (deformed.positions) result.positions = stages.now.positions;
+  if (deformed.normals) result.normals = stages.now.normals;
+  if (deformed.tangents) result.tangents = stages.now.tangents;
+  if (planned.morph_colors && active.colors == 0) result.colors = primitive.colors;
+  if (active.colors > 0) {
+    const std::span<glm::vec4> colors = memory.array<glm::vec4>(planned.colors_at, primitive.colors.size());
+    morph_colors(primitive.morphs, weights, primitive.colors, colors);
+    result.colors = colors;
+  }
+  return result;
+}
+
+}  // namespace sinew

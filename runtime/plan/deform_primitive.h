@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/plan/frame_memory.h"
+#include "runtime/plan/frame_result.h"
+
+namespace sinew {
+
+/// Stages morph, skin and flat normals for one primitive of one mesh instance.
+/// in   weights[T]  of the instance;   mirrored  as in InstanceResult
+/// out  views of the frame's memory, or of the primitive's own arrays where a planned attribute rests this frame; positions
+///      are there whenever some stage needs them
+/// cost O(V * influences + active deltas), no allocation
+DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
+                                   bool mirrored, FrameMemory memory, WorkCounters& work) noexcept;
+
+}  // namespace sinew

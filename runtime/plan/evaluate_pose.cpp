@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/evaluate_pose.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runtime/jobs/sample_clip.h"
+#include "runtime/plan/blend_weights.h"
+
+namespace sinew {
+namespace {
+
+/// Where layer `index` is sampled to: the first one in the frame's own pose and weights, later ones behind.
+struct LayerPlace {
+  PoseSpan pose;
+  std::span<float> weights;
+};
+
+LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t index) noexcept {
+  const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
+  if (index == 0) return {memory.pose(plan.pose_at, joints), memory.array<float>(plan.weights_at, weights)};
+  const std::size_t pose_at = plan.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
+  const std::size_t weights_at = plan.layer_weights_at + (index - 1) * sizeof(float) * weights;
+  return {memory.pose(pose_at, joints), memory.array<float>(weights_at, weights)};
+}
+
+void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights, WorkCounters& work) noexcept {
+  const SampleClipJob job{.clip = &plan.scene->clips[layer.clip],
+                          .time_s = layer.time_s,
+                          .pose = place.pose,
+                          .weights = with_weights ? place.weights : std::span<float>{}};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  const ClipTracks& tracks = plan.clip_tracks[layer.clip];
+  work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
+}
+
+}  // namespace
+
+PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
+                       WorkCounters& work) noexcept {
+  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.scene->skeleton.joint_count());
+  const LayerPlace first = place_of_layer(plan, memory, 0);
+  const bool own_weights = input.weights.empty() && !first.weights.empty();
+  std::size_t count = 0;
+  for (const ClipLayer& layer : input.layers) {
+    if (!plan.sample || layer.weight == 0.0f) continue;
+    const LayerPlace place = place_of_layer(plan, memory, count);
+    sample(plan, layer, place, own_weights, work);
+    layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = {}};
+  }
+  if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), first.weights.begin());
+  else if (count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
+  if (count == 0) return rest;
+  if (count == 1 && layers[0].weight >= 1.0f) return first.pose;
+
+  const BlendPosesJob job{.layers = layers.first(count), .rest = rest, .pose = first.pose};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.poses_blended += count;
+  const std::size_t others = (count - 1) * first.weights.size();
+  if (own_weights)
+    blend_weights(layers.first(count), plan.rest_weights, first.weights, memory.array<float>(plan.layer_weights_at, others));
+  return first.pose;
+}
+
+}  // namespace sinew

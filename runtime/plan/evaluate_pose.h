@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/plan/frame_memory.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew {
+
+/// Stages sample and blend: the local pose and the morph weights of one frame. A single layer of full weight goes straight
+/// into the pose: the bits are those of sample_clip.
+/// in   input          checked;   layers[max_layers]  room for the blend's table
+/// out  pose           view of the frame's memory; the plan's weights are filled in the frame's memory
+/// cost O(layers * tracks), no allocation
+PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
+                       WorkCounters& work) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "runtime/math/conventions.h"
+
+namespace sinew {
+
+/// Normals of a deformed mesh whose faces are flat: the file has no normals, so they follow the triangles (G46).
+/// eq   n = normalise((b - a) x (c - a)) for the three vertices of each triangle, negated when `turned`: a mirroring
+///      skin turns the winding round, but not the outside inwards (G48)
+/// in   triangles[3T]  flat faces share no vertices; where they do, the last triangle decides
+///      positions[V];   rest_normals[V]  kept by the vertices of a triangle without area and by those of no triangle
+/// out  normals[V]     unit
+/// cost O(V + T), no allocation
+void flat_normals(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
+                  std::span<const glm::vec3> rest_normals, bool turned, std::span<glm::vec3> normals) noexcept;
+
+}  // namespace sinew

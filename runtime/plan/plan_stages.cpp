@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/plan_stages.h"
+
+#include <algorithm>
+
+#include "runtime/jobs/joint_palette.h"
+#include "runtime/jobs/pose.h"
+
+namespace sinew {
+namespace {
+
+std::string counted(std::uint64_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string primitives(std::uint64_t count) { return counted(count, "primitive", "primitives"); }
+
+std::uint64_t pose_bytes(const Plan& plan) {
+  return sizeof(float) * (PoseSpan::floats_for(plan.scene->skeleton.joint_count()) + plan.scene->weight_count());
+}
+
+PlanStage describe_sample(const Plan& plan) {
+  const std::size_t clips = plan.scene->clips.size();
+  if (clips == 0) return {"sample", false, "no clips: the rest pose is written once", 0, 0};
+  if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
+  std::uint32_t tracks = 0;
+  for (const ClipTracks& clip : plan.clip_tracks) tracks = std::max(tracks, clip.joints + clip.weights);
+  return {"sample", true, counted(clips, "clip", "clips") + "; the count is of the one with most tracks", tracks, pose_bytes(plan)};
+}
+
+PlanStage describe_blend(const Plan& plan) {
+  const std::uint64_t layers = plan.needs.max_layers;
+  if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
+  if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
+  return {"blend", true, "up to " + std::to_string(layers) + " layers; a single one of full weight skips the stage",
+          plan.scene->skeleton.joint_count(), pose_bytes(plan) * (layers - 1)};
+}
+
+PlanStage describe_local_to_model(const Plan& plan) {
+  const std::size_t joints = plan.scene->skeleton.joint_count();
+  if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
+  if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
+  return {"local_to_model", true, plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints", joints,
+          joints * sizeof(Affine)};
+}
+
+/// Palettes and their split: `used[skin]` of the skins, `entry_bytes` for each of their joints.
+PlanStage describe_skins(const Plan& plan, std::string stage, const std::vector<bool>& used, std::size_t entry_bytes,
+                         std::string why_not) {
+  std::uint64_t skins = 0, entries = 0;
+  for (std::size_t s = 0; s < used.size(); ++s)
+    if (used[s]) ++skins, entries += plan.scene->skins[s].joints.size();
+  if (skins == 0) return {std::move(stage), false, std::move(why_not), 0, 0};
+  return {std::move(stage), true,
+          std::to_string(skins) + " of " + counted(used.size(), "skin", "skins") + " called for by mesh instances", entries,
+          entries * entry_bytes};
+}
+
+std::string why_no_skinning(const Plan& plan) {
+  if (!plan.needs.vertices()) return "no vertices are asked for";
+  const bool any = std::find(plan.instance_skinned.begin(), plan.instance_skinned.end(), true) != plan.instance_skinned.end();
+  return any ? "no attribute that is asked for is skinned" : "no mesh instance is skinned";
+}
+
+std::uint64_t attribute_bytes(const AttributeSet& set, std::uint64_t vertices) {
+  return vertices * ((set.positions ? sizeof(glm::vec3) : 0) + (set.normals ? sizeof(glm::vec3) : 0) +
+                     (set.tangents ? sizeof(glm::vec4) : 0));
+}
+
+PlanStage describe_morph(const Plan& plan) {
+  PlanStage stage{"morph", false, "", 0, 0};
+  std::uint64_t morphed = 0;
+  bool targets = false;
+  for (const PrimitivePlan& p : plan.primitives) {
+    const std::uint64_t vertices = primitive_of(plan, p).vertex_count();
+    targets |= !primitive_of(plan, p).morphs.empty();
+    if (!p.morph.any() && !p.morph_colors) continue;
+    ++morphed;
+    stage.count += vertices;
+    stage.bytes += attribute_bytes(p.morph, vertices) + (p.morph_colors ? vertices * sizeof(glm::vec4) : 0);
+  }
+  stage.runs = morphed > 0;
+  if (stage.runs) stage.reason = primitives(morphed) + " with targets that move something; targets of weight 0 cost nothing";
+  else if (!targets) stage.reason = "no mesh instance has morph targets";
+  else if (!plan.needs.vertices()) stage.reason = "no vertices are asked for";
+  else stage.reason = "no target moves an attribute that is asked for";
+  return stage;
+}
+
+PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
+  PlanStage stage{std::move(name), false, "", 0, 0};
+  std::uint64_t skinned = 0, skinned_otherwise = 0;
+  for (const PrimitivePlan& p : plan.primitives) {
+    if (!p.skin.any()) continue;
+    if (p.skinning != kind) {
+      ++skinned_otherwise;
+      continue;
+    }
+    ++skinned;
+    stage.count += primitive_of(plan, p).vertex_count();
+    stage.bytes += attribute_bytes(p.skin, primitive_of(plan, p).vertex_count());
+  }
+  stage.runs = skinned > 0;
+  if (stage.runs) stage.reason = primitives(skinned) + " with joints and weights";
+  else if (skinned_otherwise > 0) stage.reason = "all skinned primitives use the other kind of skinning";
+  else stage.reason = why_no_skinning(plan);
+  return stage;
+}
+
+PlanStage describe_flat_normals(const Plan& plan) {
+  PlanStage stage{"flat_normals", false, "", 0, 0};
+  std::uint64_t flat = 0;
+  for (const PrimitivePlan& p : plan.primitives) {
+    if (!p.flat_normals) continue;
+    ++flat;
+    stage.count += primitive_of(plan, p).indices.size() / 3;
+    stage.bytes += primitive_of(plan, p).vertex_count() * sizeof(glm::vec3);
+  }
+  stage.runs = flat > 0;
+  if (stage.runs) stage.reason = primitives(flat) + " without normals in the file, deformed: faces stay flat";
+  else stage.reason = plan.needs.normals ? "no deformed primitive lacks normals in the file" : "normals are not asked for";
+  return stage;
+}
+
+PlanStage describe_bounds(const Plan& plan) {
+  if (!plan.needs.bounds) return {"bounds", false, "boxes are not asked for", 0, 0};
+  if (!plan.bounds) return {"bounds", false, "the scene shows no meshes", 0, 0};
+  std::uint64_t vertices = 0;
+  for (const PrimitivePlan& p : plan.primitives)
+    if (p.morph.positions || p.skin.positions) vertices += primitive_of(plan, p).vertex_count();
+  return {"bounds", true, "boxes are asked for; rigid meshes move the box of their rest pose", vertices,
+          plan.scene->instances.size() * sizeof(Aabb)};
+}
+
+}  // namespace
+
+std::vector<PlanStage> describe_stages(const Plan& plan) {
+  const std::string no_split = "no primitive is skinned with dual quaternions";
+  return {describe_sample(plan),
+          describe_blend(plan),
+          describe_local_to_model(plan),
+          describe_skins(plan, "palette", plan.palette, sizeof(Affine), why_no_skinning(plan)),
+          describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
+          describe_morph(plan),
+          describe_skin(plan, "skin_linear", Skinning::linear),
+          describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
+          describe_flat_normals(plan),
+          describe_bounds(plan)};
+}
+
+}  // namespace sinew

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/compile_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "runtime/jobs/pose.h"
+#include "tests/plan/plan_dump.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
+
+namespace sinew::test {
+namespace {
+
+TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
+  const Scene scene = prop_scene();
+  EXPECT_EQ(dump(compile_plan(scene, {})),
+            "- sample [0, 0 B]: no clips: the rest pose is written once\n"
+            "- blend [0, 0 B]: nothing is sampled\n"
+            "+ local_to_model [1, 48 B]: joints are asked for\n"
+            "- palette [0, 0 B]: no mesh instance is skinned\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "- morph [0, 0 B]: no mesh instance has morph targets\n"
+            "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
+            "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
+            "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
+            "- bounds [0, 0 B]: boxes are not asked for\n");
+}
+
+TEST(compile_plan, an_arm_is_sampled_and_skinned) {
+  const Scene scene = arm_scene();
+  Needs needs;
+  needs.max_layers = 1;
+  EXPECT_EQ(dump(compile_plan(scene, needs)),
+            "+ sample [1, 640 B]: 1 clip; the count is of the one with most tracks\n"
+            "- blend [0, 0 B]: at most one layer is asked for\n"
+            "+ local_to_model [3, 144 B]: joints are asked for\n"
+            "+ palette [2, 96 B]: 1 of 1 skin called for by mesh instances\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "- morph [0, 0 B]: no mesh instance has morph targets\n"
+            "+ skin_linear [4, 96 B]: 1 primitive with joints and weights\n"
+            "- skin_dual_quaternion [0, 0 B]: all skinned primitives use the other kind of skinning\n"
+            "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
+            "- bounds [0, 0 B]: boxes are not asked for\n");
+}
+
+TEST(compile_plan, a_face_is_morphed_and_bounded) {
+  const Scene scene = face_scene();
+  Needs needs;
+  needs.joints = false, needs.bounds = true, needs.max_layers = 2;
+  EXPECT_EQ(dump(compile_plan(scene, needs)),
+            "+ sample [2, 648 B]: 1 clip; the count is of the one with most tracks\n"
+            "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
+            "+ local_to_model [1, 48 B]: mesh instances hang on joints\n"
+            "- palette [0, 0 B]: no mesh instance is skinned\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "+ morph [4, 160 B]: 1 primitive with targets that move something; targets of weight 0 cost nothing\n"
+            "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
+            "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
+            "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
+            "+ bounds [4, 24 B]: boxes are asked for; rigid meshes move the box of their rest pose\n");
+}
+
+TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
+  const Scene scene = random_scene(1);
+  Needs needs;
+  const Plan linear = compile_plan(scene, needs);
+  EXPECT_FALSE(stage(linear, "split_palette").runs);
+  EXPECT_FALSE(stage(linear, "skin_dual_quaternion").runs);
+
+  needs.skinning = Skinning::dual_quaternion;
+  const Plan dual = compile_plan(scene, needs);
+  EXPECT_EQ(stage(dual, "split_palette").count, stage(dual, "palette").count);
+  EXPECT_FALSE(stage(dual, "skin_linear").runs);
+
+  // Instances 0 and 2 are skinned, by skins 0 and 1.
+  needs.skinning = Skinning::linear;
+  needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::linear};
+  const Plan mixed = compile_plan(scene, needs);
+  EXPECT_EQ(stage(mixed, "split_palette").count, scene.skins[1].joints.size());
+  EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count, stage(linear, "skin_linear").count);
+}
+
+TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
+  RandomSceneOptions options;
+  options.skins = 5;
+  options.instances = 3;   // instances 0 and 2 use skins 0 and 1
+  const Scene scene = random_scene(2, options);
+  const Plan plan = compile_plan(scene, {});
+  EXPECT_EQ(stage(plan, "palette").count, scene.skins[0].joints.size() + scene.skins[1].joints.size());
+  EXPECT_EQ(plan.palette, (std::vector<bool>{true, true, false, false, false}));
+}
+
+TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
+  const Scene scene = random_scene(3);
+  Needs needs;
+  const Plan all = compile_plan(scene, needs);
+  needs.tangents = false;
+  const Plan fewer = compile_plan(scene, needs);
+  needs.normals = false;
+  const Plan positions = compile_plan(scene, needs);
+  EXPECT_LT(fewer.frame_bytes, all.frame_bytes);
+  EXPECT_LT(positions.frame_bytes, fewer.frame_bytes);
+  for (const PrimitivePlan& p : positions.primitives) EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
+}
+
+TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
+  const Scene scene = random_scene(4);
+  Needs one, four;
+  one.max_layers = 1, four.max_layers = 4;
+  const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
+  const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
+  EXPECT_GE(large.frame_bytes, small.frame_bytes + 3 * layer_bytes);
+  EXPECT_EQ(large.layer_poses_at + 3 * layer_bytes, large.weights_at);
+  EXPECT_EQ(small.layer_poses_at, small.weights_at);
+}
+
+TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
+  Needs needs;
+  needs.joints = needs.positions = needs.normals = needs.tangents = false;
+  const Scene face = face_scene(), arm = arm_scene();
+  EXPECT_TRUE(compile_plan(face, needs).sample);
+  const Plan plan = compile_plan(arm, needs);
+  for (const PlanStage& stage : plan.stages) EXPECT_FALSE(stage.runs) << stage.stage;
+  EXPECT_EQ(stage(plan, "sample").reason, "neither joints nor vertices nor morph weights are asked for");
+  EXPECT_EQ(stage(plan, "skin_linear").reason, "no vertices are asked for");
+}
+
+TEST(compile_plan, every_stage_says_why) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    RandomSceneOptions options;
+    options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = seed % 2, options.flat_normals = seed % 5 == 0;
+    const Scene scene = random_scene(seed, options);
+    Needs needs;
+    needs.bounds = seed % 2 == 0, needs.normals = seed % 4 != 0;
+    for (const PlanStage& s : compile_plan(scene, needs).stages) {
+      EXPECT_FALSE(s.reason.empty()) << s.stage;
+      EXPECT_EQ(s.runs, s.bytes > 0) << s.stage;
+    }
+  }
+}
+
+TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
+  RandomSceneOptions options;
+  options.flat_normals = true;
+  const Scene scene = random_scene(5, options);
+  const Plan plan = compile_plan(scene, {});
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  const auto take = [&](std::size_t at, std::size_t bytes) { if (bytes > 0) places.emplace_back(at, at + bytes); };
+  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
+  take(plan.rest_pose_at, pose_bytes), take(plan.pose_at, pose_bytes), take(plan.layer_poses_at, 3 * pose_bytes);
+  take(plan.weights_at, 4 * scene.weight_count()), take(plan.layer_weights_at, 3 * 4 * scene.weight_count());
+  take(plan.model_at, sizeof(Affine) * scene.skeleton.joint_count());
+  for (std::size_t s = 0; s < scene.skins.size(); ++s)
+    if (plan.palette[s]) take(plan.palette_at[s], sizeof(Affine) * scene.skins[s].joints.size());
+  for (const PrimitivePlan& p : plan.primitives) {
+    const std::size_t count = primitive_of(plan, p).vertex_count();
+    if (p.morph.positions || p.skin.positions) take(p.positions_at, 12 * count);
+    if (p.morph.normals || p.skin.normals || p.flat_normals) take(p.normals_at, 12 * count);
+    if (p.morph.tangents || p.skin.tangents) take(p.tangents_at, 16 * count);
+    if (p.morph_colors) take(p.colors_at, 16 * count);
+  }
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_EQ(places[i].first % 64, 0u);
+    EXPECT_LE(places[i].second, i + 1 < places.size() ? places[i + 1].first : plan.frame_bytes);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

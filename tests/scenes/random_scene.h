@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "runtime/assets/scene.h"
+
+namespace sinew::test {
+
+/// What a random scene holds. Everything that a plan can call for or leave out is a switch.
+struct RandomSceneOptions {
+  std::uint32_t joints = 14;
+  std::uint32_t clips = 2;
+  std::uint32_t skins = 2;            ///< 0 = no mesh is skinned
+  std::uint32_t targets = 3;          ///< morph targets of each mesh, 0 = none
+  std::uint32_t meshes = 2;
+  std::uint32_t instances = 4;        ///< every other one is skinned, if there are skins
+  std::uint32_t triangles = 40;       ///< of each primitive
+  std::uint32_t most_influences = 6;
+  bool normals = true, tangents = true, colors = true;
+  bool flat_normals = false;          ///< every second primitive
+  bool mirrored_joints = false;
+};
+
+/// A scene made of random numbers that are the same on every machine: valid, finished, and with every kind of track. Its
+/// rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
+Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
+
+}  // namespace sinew::test
