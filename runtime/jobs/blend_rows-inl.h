@@ -11,6 +11,7 @@
 #include "runtime/jobs/lanes-inl.h"
 #include "runtime/math/affine.h"
 
+#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
@@ -122,4 +123,5 @@ HWY_INLINE Rows blend_rows(const Affine* palette, const VertexJoints<kCount>& ve
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
 #endif

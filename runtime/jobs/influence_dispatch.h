@@ -21,25 +21,34 @@ struct VertexJoints {
   }
 };
 
-/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex, group by group: the number of influences is chosen once per
-/// group, so that the body has neither a branch nor a loop of unknown length for the usual counts (P11).
+/// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for others, so that the inner
+/// loop over influences is unrolled (P11).
+template <class Body>
+void with_influence_count(std::uint32_t count, const Body& body) noexcept {
+  switch (count) {
+    case 1: body(std::integral_constant<int, 1>{}); break;
+    case 2: body(std::integral_constant<int, 2>{}); break;
+    case 3: body(std::integral_constant<int, 3>{}); break;
+    case 4: body(std::integral_constant<int, 4>{}); break;
+    default: body(std::integral_constant<int, 0>{}); break;
+  }
+}
+
+/// Influences of vertex `v` of a group.
+template <int kCount>
+VertexJoints<kCount> joints_of(const VertexInfluences& influences, const InfluenceGroup& group, std::size_t v) noexcept {
+  const std::size_t at = group.first_influence + v * group.influence_count;
+  return {&influences.joints[at], &influences.weights[at], group.influence_count};
+}
+
+/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex: the number of influences is chosen once per group.
 template <class Body>
 void for_each_vertex(const VertexInfluences& influences, const Body& body) noexcept {
-  const auto run_group = [&]<int kCount>(const InfluenceGroup& group, std::integral_constant<int, kCount>) {
-    std::size_t at = group.first_influence;
-    const std::size_t end = std::size_t{group.first_vertex} + group.vertex_count;
-    for (std::size_t v = group.first_vertex; v < end; ++v, at += group.influence_count)
-      body(v, VertexJoints<kCount>{&influences.joints[at], &influences.weights[at], group.influence_count});
-  };
-  for (const auto& group : influences.groups) {
-    switch (group.influence_count) {
-      case 1: run_group(group, std::integral_constant<int, 1>{}); break;
-      case 2: run_group(group, std::integral_constant<int, 2>{}); break;
-      case 3: run_group(group, std::integral_constant<int, 3>{}); break;
-      case 4: run_group(group, std::integral_constant<int, 4>{}); break;
-      default: run_group(group, std::integral_constant<int, 0>{}); break;
-    }
-  }
+  for (const auto& group : influences.groups)
+    with_influence_count(group.influence_count, [&](auto count) {
+      for (std::size_t v = 0; v < group.vertex_count; ++v)
+        body(group.first_vertex + v, joints_of<count>(influences, group, v));
+    });
 }
 
 /// Calls `body(normals, tangents)` with std::true_type or std::false_type for each, so that an attribute that is not wanted

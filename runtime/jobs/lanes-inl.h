@@ -11,6 +11,7 @@
 
 #include "runtime/math/conventions.h"
 
+#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -68,4 +69,5 @@ HWY_INLINE bool normalise(Lanes3& v) {
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
 #endif
