@@ -7,6 +7,7 @@
 
 #include "runtime/jobs/blend_matrix.h"
 #include "runtime/jobs/blend_rows-inl.h"
+#include "runtime/jobs/four_vertices.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 
@@ -53,7 +54,7 @@ void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
 template <int kCount, bool kNormals, bool kTangents>
 struct FourVertices {
   const SkinLinearJob& job;
-  VertexJoints<kCount> joints[4];
+  const VertexJoints<kCount> (&joints)[4];
 
   /// Skins the vertices at `in`, four of them and readable one float beyond, to `out`.
   HWY_ATTR void run(const VertexInput& in, const VertexOutput& out) const {
@@ -99,42 +100,12 @@ struct FourVertices {
   }
 };
 
-VertexInput from(const VertexInput& in, std::size_t v) {
-  const auto rest = [v](auto span) { return span.empty() ? span : span.subspan(v); };
-  return {rest(in.positions), rest(in.normals), rest(in.tangents)};
-}
-
-VertexOutput from(const VertexOutput& out, std::size_t v) {
-  const auto rest = [v](auto span) { return span.empty() ? span : span.subspan(v); };
-  return {rest(out.positions), rest(out.normals), rest(out.tangents)};
-}
-
-/// The last one to four vertices of a group go through copies, so that nothing is read or written beyond the arrays.
 template <int kCount, bool kNormals, bool kTangents>
-HWY_ATTR void skin_last(const FourVertices<kCount, kNormals, kTangents>& four, const VertexInput& in, const VertexOutput& out, std::size_t count) {
-  glm::vec3 positions[5] = {}, normals[5] = {}, out_positions[4], out_normals[4];
-  glm::vec4 tangents[4] = {}, out_tangents[4];
-  std::copy_n(in.positions.begin(), count, positions);
-  if constexpr (kNormals) std::copy_n(in.normals.begin(), count, normals);
-  if constexpr (kTangents) std::copy_n(in.tangents.begin(), count, tangents);
-  four.run({positions, normals, tangents}, {out_positions, out_normals, out_tangents});
-  std::copy_n(out_positions, count, out.positions.begin());
-  if constexpr (kNormals) std::copy_n(out_normals, count, out.normals.begin());
-  if constexpr (kTangents) std::copy_n(out_tangents, count, out.tangents.begin());
-}
-
-template <int kCount, bool kNormals, bool kTangents>
-HWY_ATTR void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
-  const std::size_t count = group.vertex_count;
-  for (std::size_t v = 0; v < count; v += 4) {
-    const std::size_t last = count - 1;
-    const auto joints = [&](std::size_t k) { return joints_of<kCount>(*job.influences, group, std::min(v + k, last)); };
-    const FourVertices<kCount, kNormals, kTangents> four{job, {joints(0), joints(1), joints(2), joints(3)}};
-    const VertexInput in = from(job.vertices, group.first_vertex + v);
-    const VertexOutput out = from(job.out, group.first_vertex + v);
-    if (v + 4 < count) four.run(in, out);
-    else skin_last(four, in, out, count - v);
-  }
+void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
+  for_each_four<kCount, kNormals, kTangents>(
+      *job.influences, group, job.vertices, job.out,
+      [&](const VertexJoints<kCount>(&joints)[4], const VertexInput& in, const VertexOutput& out)
+          HWY_ATTR { FourVertices<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
 }
 
 #endif  // HWY_TARGET
