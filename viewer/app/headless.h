@@ -35,14 +35,14 @@ class Headless {
   std::unique_ptr<State> state_;
 };
 
-/// Writes pictures as PNG on a thread of its own, because encoding takes longer than drawing. At most a few pictures wait;
-/// then `write` blocks.
+/// Writes pictures as PNG on a thread of its own, because encoding takes longer than drawing. At most a few pictures
+/// wait; then `write` blocks.
 class PngWriter {
  public:
   PngWriter();
-  ~PngWriter();                                            ///< waits for all pictures
-  void write(std::filesystem::path file, Picture picture); ///< alpha is kept as it is
-  std::vector<std::string> finish();                       ///< waits; names the files that could not be written, and why
+  ~PngWriter();                                             ///< waits for all pictures
+  void write(std::filesystem::path file, Picture picture);  ///< alpha is kept as it is
+  std::vector<std::string> finish();  ///< waits; names the files that could not be written, and why
 
  private:
   struct State;

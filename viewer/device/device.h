@@ -14,15 +14,16 @@
 namespace sinew::viewer {
 
 struct DeviceOptions {
-  bool validation = false;                               ///< the Khronos layer with synchronisation checks, where installed
-  std::function<void(std::string_view)> on_message;      ///< validation messages; empty = standard error
-  std::vector<const char*> instance_extensions;          ///< what the window system asks for; empty = headless
+  bool validation = false;                           ///< the Khronos layer with synchronisation checks, where installed
+  std::function<void(std::string_view)> on_message;  ///< validation messages; empty = standard error
+  std::vector<const char*> instance_extensions;      ///< what the window system asks for; empty = headless
   std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< empty = headless; the device then owns the surface
 };
 
 /// Instance, the chosen physical device, one queue that draws, copies and (with a surface) presents, and memory.
 /// Knows no window library: the application hands in extensions and a surface.
-/// Needs Vulkan 1.3 with dynamic rendering and synchronization2; prefers discrete over integrated over software devices.
+/// Needs Vulkan 1.3 with dynamic rendering and synchronization2; prefers discrete over integrated over software
+/// devices.
 class Device {
  public:
   /// err  DeviceError when no device fits, with what each of them lacks
@@ -36,10 +37,10 @@ class Device {
   VkDevice handle() const noexcept { return device_; }
   VkQueue queue() const noexcept { return queue_; }
   std::uint32_t queue_family() const noexcept { return queue_family_; }
-  VkSurfaceKHR surface() const noexcept { return surface_; }        ///< null when headless
+  VkSurfaceKHR surface() const noexcept { return surface_; }  ///< null when headless
   const std::string& name() const noexcept { return name_; }
   const VkPhysicalDeviceLimits& limits() const noexcept { return limits_; }
-  float max_anisotropy() const noexcept { return max_anisotropy_; } ///< 1 where the device has no anisotropic filter
+  float max_anisotropy() const noexcept { return max_anisotropy_; }  ///< 1 where the device has no anisotropic filter
   float max_point_size() const noexcept { return max_point_size_; }
   std::uint32_t timestamp_bits() const noexcept { return timestamp_bits_; }  ///< 0 = the queue has no timestamps
   Memory& memory() const noexcept { return *memory_; }

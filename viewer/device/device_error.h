@@ -14,7 +14,8 @@ class DeviceError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws DeviceError naming `what` and the code unless the call succeeded. VK_SUBOPTIMAL_KHR and other positive codes pass.
+/// Throws DeviceError naming `what` and the code unless the call succeeded. VK_SUBOPTIMAL_KHR and other positive codes
+/// pass.
 void must(VkResult result, const char* what);
 
 }  // namespace sinew::viewer

@@ -12,21 +12,21 @@ namespace sinew::viewer {
 
 /// What memory is for decides where it lies.
 enum class MemoryUse : std::uint8_t {
-  device,      ///< written once by copies, read by the GPU
-  upload,      ///< written by the CPU every frame, read by the GPU; mapped and coherent
-  read_back    ///< written by the GPU, read by the CPU; mapped, coherent and cached where the device has it
+  device,    ///< written once by copies, read by the GPU
+  upload,    ///< written by the CPU every frame, read by the GPU; mapped and coherent
+  read_back  ///< written by the GPU, read by the CPU; mapped, coherent and cached where the device has it
 };
 
 /// A piece of device memory; give it back with Memory::free.
 struct MemoryPiece {
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkDeviceSize offset = 0;
-  std::byte* mapped = nullptr;     ///< null for MemoryUse::device
+  std::byte* mapped = nullptr;  ///< null for MemoryUse::device
   std::uint32_t block = 0;
 };
 
-/// Device memory in blocks: drivers allow few allocations, scenes have many textures. A block is filled front to back and
-/// returned when all its pieces are gone; buffers and images never share a block (bufferImageGranularity).
+/// Device memory in blocks: drivers allow few allocations, scenes have many textures. A block is filled front to back
+/// and returned when all its pieces are gone; buffers and images never share a block (bufferImageGranularity).
 class Memory {
  public:
   Memory(VkPhysicalDevice physical, VkDevice device);
@@ -38,7 +38,7 @@ class Memory {
   MemoryPiece allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image);
   void free(const MemoryPiece& piece) noexcept;
 
-  std::size_t block_count() const noexcept;   ///< live vkAllocateMemory blocks
+  std::size_t block_count() const noexcept;  ///< live vkAllocateMemory blocks
 
  private:
   struct Block {

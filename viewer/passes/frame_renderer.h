@@ -19,7 +19,7 @@ struct ColorTarget {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;
   VkExtent2D extent{};
-  VkImageLayout final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;   ///< left in this layout, visible to all later commands
+  VkImageLayout final_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;  ///< left in this layout, visible to all later commands
 };
 
 /// A scene that was uploaded and the vertices of its newest frame.
@@ -30,13 +30,13 @@ struct DrawnScene {
 
 /// End points of a line drawn over the picture, without depth test: the skeleton, a grid. Two vertices per line.
 struct LineVertex {
-  glm::vec3 position;              ///< world space
+  glm::vec3 position;                ///< world space
   std::uint32_t rgba = 0xffffffffu;  ///< 8 bits each, red lowest, sRGB
 };
 
 /// Everything that one frame shows.
 struct FrameInputs {
-  std::uint32_t slot = 0;                        ///< < slot count; the GPU must be done with its last use
+  std::uint32_t slot = 0;  ///< < slot count; the GPU must be done with its last use
   std::span<const DrawnScene> scenes;
   View view;
   RenderOptions options;
@@ -53,7 +53,8 @@ struct PassTime {
 /// Records the passes of a frame in the order of frame_graph.h, each only when the frame calls for it.
 ///
 /// Use:  wait until the slot's last submit is done;  frame_upload.update(slot, result);
-///       renderer.record(commands, target, inputs);  submit `commands`, waiting for the target at COLOR_ATTACHMENT_OUTPUT
+///       renderer.record(commands, target, inputs);  submit `commands`, waiting for the target at
+///       COLOR_ATTACHMENT_OUTPUT
 /// owns  pipelines, the images between passes (made again when the target's extent changes: waits for the device then),
 ///       and per slot uniforms, descriptor sets and timestamps.   thread: one
 class FrameRenderer {

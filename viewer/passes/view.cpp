@@ -10,7 +10,7 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr double kNearestNear = 1e-6;   // relative to the distance of the eye
+constexpr double kNearestNear = 1e-6;  // relative to the distance of the eye
 
 struct Ball {
   glm::dvec3 centre;
@@ -31,12 +31,13 @@ View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, 
   const double distance = glm::length(sight);
   const glm::dvec3 back = distance > 0.0 ? -sight / distance : glm::dvec3(0.0, 0.0, 1.0);
   glm::dvec3 right = glm::cross(up, back);
-  if (glm::length(right) < 1e-6 * glm::length(up))   // looking along `up`: any other axis will do
+  if (glm::length(right) < 1e-6 * glm::length(up))  // looking along `up`: any other axis will do
     right = glm::cross(std::abs(back.z) < 0.9 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(1.0, 0.0, 0.0), back);
   right = glm::normalize(right);
   const glm::dvec3 above = glm::cross(back, right);
   View view;
-  view.view_from_world = {{{right, -glm::dot(right, eye)}, {above, -glm::dot(above, eye)}, {back, -glm::dot(back, eye)}}};
+  view.view_from_world = {
+      {{right, -glm::dot(right, eye)}, {above, -glm::dot(above, eye)}, {back, -glm::dot(back, eye)}}};
   view.fov_y_rad = fov_y_rad;
   view.near_m = near_m;
   return view;
@@ -44,7 +45,7 @@ View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, 
 
 glm::dvec3 eye_of(const View& view) {
   const auto& m = view.view_from_world;
-  return -(translation_of(m) * linear_part(m));   // R^T * t: the linear part is a rotation
+  return -(translation_of(m) * linear_part(m));  // R^T * t: the linear part is a rotation
 }
 
 double near_plane_for(const glm::dvec3& eye, const Aabb& bounds) {

@@ -9,7 +9,7 @@
 
 namespace sinew::viewer {
 
-struct FrameVertices;   // frame_vertices.h: for the passes
+struct FrameVertices;  // frame_vertices.h: for the passes
 
 /// The parts of a scene that change per frame. One copy per slot, so that the CPU can fill the next frame while the GPU
 /// still draws the last.
@@ -23,7 +23,8 @@ class FrameUpload {
   /// Copies what the frame deformed into the slot; does nothing when the slot holds that frame already. Only deformed
   /// attributes are copied, so a rigid scene uploads no vertex at all. The result is not read after the call.
   /// in   slot    the GPU must be done with its last use
-  ///      source  tells characters or plans apart whose frames are shown in turn: frame numbers of different sources differ
+  ///      source  tells characters or plans apart whose frames are shown in turn: frame numbers of different sources
+  ///      differ
   void update(std::uint32_t slot, const FrameResult& result, std::uint64_t source = 0);
 
   /// Bytes written by all updates so far.

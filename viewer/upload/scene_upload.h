@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-struct SceneResources;   // scene_resources.h: for the passes
+struct SceneResources;  // scene_resources.h: for the passes
 
 /// The parts of a scene that never change, on the GPU: vertex attributes, indices, materials, textures with mipmaps.
 /// A missing image becomes a magenta and black checkerboard (G66). Keeps a pointer to the scene, which must outlive it.
@@ -15,7 +15,7 @@ struct SceneResources;   // scene_resources.h: for the passes
 class SceneUpload {
  public:
   SceneUpload(Device& device, const Scene& scene);
-  ~SceneUpload();                        ///< the GPU must be done with all frames that drew it
+  ~SceneUpload();  ///< the GPU must be done with all frames that drew it
   SceneUpload(const SceneUpload&) = delete;
   SceneUpload& operator=(const SceneUpload&) = delete;
 

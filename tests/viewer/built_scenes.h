@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "runtime/assets/scene.h"
+#include "runtime/plan/frame_result.h"
+
+namespace sinew::viewer {
+
+/// A scene built in code with the frame that shows it, so that the renderer is tested without a file or a plan.
+class BuiltScene {
+ public:
+  std::uint32_t add_material(const Material& material);
+  /// Returns the instance.
+  std::uint32_t add(const Primitive& primitive, std::uint32_t material, const Affine& world_from_mesh = {},
+                    bool mirrored = false);
+  void add_light(const Light& light, const Affine& world_from_light);
+
+  /// Positions and normals that replace those of an instance's primitive, as skinning would.
+  void deform(std::uint32_t instance, std::vector<glm::vec3> positions, std::vector<glm::vec3> normals);
+
+  /// Call when complete: results are views into this object.
+  FrameResult frame(std::uint64_t number = 1) const;
+  Scene scene;
+
+ private:
+  struct Moved {
+    std::vector<glm::vec3> positions, normals;
+  };
+  std::vector<Affine> model_;
+  std::vector<InstanceResult> instances_;
+  std::vector<Moved> moved_;
+  mutable std::vector<DeformedPrimitive> primitives_;
+};
+
+/// A plain, rough, non-metallic material.
+Material matte(const glm::vec3& color);
+
+Affine translation(const glm::vec3& t);
+
+/// A flat square in the plane y = 0, facing up, with texture coordinates in [0, 1].
+Primitive square(float half_size);
+
+/// A box on a floor with a sphere beside it.
+BuiltScene box_and_sphere_on_floor();
+
+/// A cylinder along +x from 0 to 2, bent upwards by `angle_rad` at x = 1 as two bones would bend it.
+BuiltScene bent_arm(float angle_rad);
+
+}  // namespace sinew::viewer

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/headless.h"
+
+#include <cstring>
+
+#include "viewer/device/buffer.h"
+#include "viewer/device/image.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
+
+}  // namespace
+
+struct Headless::State {
+  State(Device& used, const Scene& scene, VkExtent2D size)
+      : device(used),
+        extent(size),
+        scene_upload(used, scene),
+        frame_upload(used, scene, 1),
+        renderer(used, kFormat, 1),
+        image(used, {kFormat, size, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
+        pixels(used, VkDeviceSize{4} * size.width * size.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+               MemoryUse::read_back) {}
+
+  Device& device;
+  VkExtent2D extent;
+  SceneUpload scene_upload;
+  FrameUpload frame_upload;
+  FrameRenderer renderer;
+  GpuImage image;
+  Buffer pixels;
+  std::uint64_t pictures = 0;
+};
+
+Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height)
+    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height})) {}
+
+Headless::~Headless() = default;
+
+Picture Headless::render(const FrameResult& frame, const View& view, const RenderOptions& options,
+                         std::span<const LineVertex> lines) {
+  State& s = *state_;
+  s.frame_upload.update(0, frame, ++s.pictures);  // frames of any instance may follow each other here
+  const DrawnScene drawn{&s.scene_upload, &s.frame_upload};
+  FrameInputs inputs;
+  inputs.scenes = {&drawn, 1};
+  inputs.view = view;
+  inputs.options = options;
+  inputs.lines = lines;
+  s.device.run_now([&](VkCommandBuffer commands) {
+    s.renderer.record(commands, {s.image.handle(), s.image.view(), s.extent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
+                      inputs);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {s.extent.width, s.extent.height, 1};
+    vkCmdCopyImageToBuffer(commands, s.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, s.pixels.handle(), 1,
+                           &region);
+    VkMemoryBarrier2 to_host{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    to_host.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    to_host.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    to_host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    to_host.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &to_host;
+    vkCmdPipelineBarrier2(commands, &dependency);
+  });
+  Picture picture{s.extent.width, s.extent.height, {}};
+  picture.rgba.resize(s.pixels.size());
+  std::memcpy(picture.rgba.data(), s.pixels.mapped(), picture.rgba.size());
+  return picture;
+}
+
+std::span<const PassTime> Headless::pass_times() const { return state_->renderer.pass_times(0); }
+
+}  // namespace sinew::viewer

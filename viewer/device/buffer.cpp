@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/device/buffer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sinew::viewer {
+
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use)
+    : device_(&device), size_(std::max<VkDeviceSize>(bytes, 1)) {
+  VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+  info.size = size_;
+  info.usage = usage;
+  must(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "vkCreateBuffer");
+  VkMemoryRequirements needs{};
+  vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
+  try {
+    piece_ = device.memory().allocate(needs, use, false);
+  } catch (...) {
+    vkDestroyBuffer(device.handle(), buffer_, nullptr);
+    throw;
+  }
+  must(vkBindBufferMemory(device.handle(), buffer_, piece_.memory, piece_.offset), "vkBindBufferMemory");
+}
+
+Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+  if (this == &other) return *this;
+  reset();
+  device_ = other.device_;
+  buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
+  size_ = other.size_;
+  piece_ = other.piece_;
+  return *this;
+}
+
+void Buffer::reset() noexcept {
+  if (!buffer_) return;
+  vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+  device_->memory().free(piece_);
+  buffer_ = VK_NULL_HANDLE;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/device/device_choice.h"
+
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace sinew::viewer {
+
+namespace {
+
+int rank(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
+    default: return 0;
+  }
+}
+
+std::vector<VkPhysicalDevice> all_devices(VkInstance instance) {
+  std::uint32_t count = 0;
+  must(vkEnumeratePhysicalDevices(instance, &count, nullptr), "vkEnumeratePhysicalDevices");
+  std::vector<VkPhysicalDevice> devices(count);
+  must(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "vkEnumeratePhysicalDevices");
+  devices.resize(count);
+  return devices;
+}
+
+bool has_swapchains(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  must(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr), "vkEnumerateDeviceExtensionProperties");
+  std::vector<VkExtensionProperties> extensions(count);
+  must(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+       "vkEnumerateDeviceExtensionProperties");
+  for (const VkExtensionProperties& extension : extensions)
+    if (std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0) return true;
+  return false;
+}
+
+std::optional<DeviceChoice> with_queue(VkPhysicalDevice device, VkSurfaceKHR surface) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  for (std::uint32_t family = 0; family < count; ++family) {
+    if (!(families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT)) continue;
+    VkBool32 presents = VK_TRUE;
+    if (surface) must(vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &presents), "surface support");
+    if (presents) return DeviceChoice{device, family, families[family].timestampValidBits};
+  }
+  return std::nullopt;
+}
+
+/// Why a device cannot run the passes; null when it can.
+const char* lack_of(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, VkSurfaceKHR surface) {
+  if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
+  VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  if (!features13.dynamicRendering) return "dynamic rendering";
+  if (!features13.synchronization2) return "synchronization2";
+  if (surface && !has_swapchains(device)) return "swapchains";
+  return nullptr;
+}
+
+}  // namespace
+
+DeviceChoice choose_device(VkInstance instance, VkSurfaceKHR surface) {
+  std::optional<DeviceChoice> best;
+  int best_rank = -1;
+  std::string lacks;
+  for (VkPhysicalDevice device : all_devices(instance)) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    const char* lack = lack_of(device, properties, surface);
+    const std::optional<DeviceChoice> choice = lack ? std::nullopt : with_queue(device, surface);
+    if (!choice) {
+      lacks +=
+          std::string("\n  ") + properties.deviceName + " lacks " + (lack ? lack : "a queue that draws and presents");
+      continue;
+    }
+    if (rank(properties.deviceType) > best_rank) best = choice, best_rank = rank(properties.deviceType);
+  }
+  if (!best)
+    throw DeviceError("Vulkan: no device can draw this" +
+                      (lacks.empty() ? std::string(": none is installed") : ":" + lacks));
+  return *best;
+}
+
+}  // namespace sinew::viewer

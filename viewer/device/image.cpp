@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/device/image.h"
+
+#include <utility>
+
+namespace sinew::viewer {
+
+VkImageAspectFlags aspect_of(VkFormat format) noexcept {
+  return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&device), shape_(shape) {
+  VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = shape.format;
+  info.extent = {shape.extent.width, shape.extent.height, 1};
+  info.mipLevels = shape.mip_count;
+  info.arrayLayers = 1;
+  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.tiling = VK_IMAGE_TILING_OPTIMAL;
+  info.usage = shape.usage;
+  must(vkCreateImage(device.handle(), &info, nullptr, &image_), "vkCreateImage");
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device.handle(), image_, &needs);
+  try {
+    piece_ = device.memory().allocate(needs, MemoryUse::device, true);
+  } catch (...) {
+    vkDestroyImage(device.handle(), image_, nullptr);
+    throw;
+  }
+  must(vkBindImageMemory(device.handle(), image_, piece_.memory, piece_.offset), "vkBindImageMemory");
+  VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+  view.image = image_;
+  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+  view.format = shape.format;
+  view.subresourceRange = {aspect_of(shape.format), 0, shape.mip_count, 0, 1};
+  must(vkCreateImageView(device.handle(), &view, nullptr, &view_), "vkCreateImageView");
+}
+
+GpuImage::GpuImage(GpuImage&& other) noexcept { *this = std::move(other); }
+
+GpuImage& GpuImage::operator=(GpuImage&& other) noexcept {
+  if (this == &other) return *this;
+  reset();
+  device_ = other.device_;
+  image_ = std::exchange(other.image_, VK_NULL_HANDLE);
+  view_ = std::exchange(other.view_, VK_NULL_HANDLE);
+  shape_ = other.shape_;
+  piece_ = other.piece_;
+  return *this;
+}
+
+void GpuImage::reset() noexcept {
+  if (!image_) return;
+  vkDestroyImageView(device_->handle(), view_, nullptr);
+  vkDestroyImage(device_->handle(), image_, nullptr);
+  device_->memory().free(piece_);
+  image_ = VK_NULL_HANDLE;
+}
+
+void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& before,
+             const ImageUse& after) {
+  VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  change.srcStageMask = before.stage;
+  change.srcAccessMask = before.access;
+  change.dstStageMask = after.stage;
+  change.dstAccessMask = after.access;
+  change.oldLayout = before.layout;
+  change.newLayout = after.layout;
+  change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  change.image = image;
+  change.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.imageMemoryBarrierCount = 1;
+  dependency.pImageMemoryBarriers = &change;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/device/pipeline.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+VkPipelineColorBlendAttachmentState blend_state(const PipelineShape& shape) {
+  VkPipelineColorBlendAttachmentState blend{};
+  blend.colorWriteMask =
+      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  blend.blendEnable = shape.blend;
+  blend.srcColorBlendFactor = shape.premultiplied ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_SRC_ALPHA;
+  blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  return blend;
+}
+
+std::vector<VkDynamicState> dynamic_states(const PipelineShape& shape) {
+  std::vector<VkDynamicState> states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  if (shape.meshes)
+    states.insert(states.end(), {VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE,
+                                 VK_DYNAMIC_STATE_VERTEX_INPUT_BINDING_STRIDE});
+  return states;
+}
+
+}  // namespace
+
+VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape) {
+  const ShaderModule vertex(device, shape.vertex), fragment(device, shape.fragment);
+  const std::array<VkSpecializationMapEntry, 3> entries = {{{0, 0, 4}, {1, 4, 4}, {2, 8, 4}}};
+  const VkSpecializationInfo constants{3, entries.data(), sizeof(shape.constants), shape.constants.data()};
+  const std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT),
+                             fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, &constants)};
+
+  VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  input.vertexBindingDescriptionCount = static_cast<std::uint32_t>(shape.bindings.size());
+  input.pVertexBindingDescriptions = shape.bindings.data();
+  input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(shape.attributes.size());
+  input.pVertexAttributeDescriptions = shape.attributes.data();
+  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  assembly.topology = shape.topology;
+  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+  viewport.viewportCount = viewport.scissorCount = 1;
+  VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+  raster.polygonMode = VK_POLYGON_MODE_FILL;
+  raster.cullMode = VK_CULL_MODE_NONE;
+  raster.lineWidth = 1.0f;
+  VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+  depth.depthTestEnable = shape.depth;
+  depth.depthWriteEnable = shape.depth_write;
+  depth.depthCompareOp = shape.depth_compare;
+  const VkPipelineColorBlendAttachmentState attachment = blend_state(shape);
+  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = 1;
+  blend.pAttachments = &attachment;
+  const std::vector<VkDynamicState> states = dynamic_states(shape);
+  VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+  dynamic.dynamicStateCount = static_cast<std::uint32_t>(states.size());
+  dynamic.pDynamicStates = states.data();
+  VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.colorAttachmentCount = 1;
+  rendering.pColorAttachmentFormats = &shape.color_format;
+  rendering.depthAttachmentFormat = shape.depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED;
+
+  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+  info.stageCount = static_cast<std::uint32_t>(stages.size());
+  info.pStages = stages.data();
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &raster;
+  info.pMultisampleState = &samples;
+  info.pDepthStencilState = &depth;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamic;
+  info.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  must(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+       "vkCreateGraphicsPipelines");
+  return pipeline;
+}
+
+}  // namespace sinew::viewer

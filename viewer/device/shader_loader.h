@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "viewer/device/device.h"
+
+namespace sinew::viewer {
+
+/// Shaders in viewer/shaders, compiled when the viewer is built and part of the program.
+enum class Shader : std::uint8_t {
+  geometry_vert,
+  normal_depth_frag,
+  shade_frag,
+  full_screen_vert,
+  ssao_frag,
+  ssao_blur_frag,
+  tonemap_frag,
+  show_frag,
+  line_vert,
+  line_frag
+};
+
+std::span<const std::uint32_t> code_of(Shader shader) noexcept;
+
+/// A shader module, alive while pipelines are made from it.
+class ShaderModule {
+ public:
+  ShaderModule(const Device& device, Shader shader);
+  ~ShaderModule() { vkDestroyShaderModule(device_, module_, nullptr); }
+  ShaderModule(const ShaderModule&) = delete;
+  ShaderModule& operator=(const ShaderModule&) = delete;
+
+  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits stage,
+                                        const VkSpecializationInfo* constants = nullptr) const noexcept;
+
+ private:
+  VkDevice device_;
+  VkShaderModule module_ = VK_NULL_HANDLE;
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/draw_list.h"
+
+#include <algorithm>
+
+#include "viewer/passes/frame_renderer.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+struct Source {
+  VkBuffer own, deformed;
+};
+
+void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& own, const DeformedBuffers& deformed,
+                     const Source& source) {
+  const std::array<VkDeviceSize, kAttributeCount> moved = {
+      deformed.positions, deformed.normals, deformed.tangents, kAbsent, kAbsent, deformed.colors};
+  for (std::size_t a = 0; a < kAttributeCount; ++a) {
+    const bool is_moved = moved[a] != kAbsent, is_own = own.attributes[a] != kAbsent;
+    draw.buffers[a] = is_moved ? source.deformed : source.own;
+    draw.offsets[a] = is_moved ? moved[a] : is_own ? own.attributes[a] : meshes.default_of(static_cast<Attribute>(a));
+    draw.strides[a] = is_moved || is_own ? kAttributeBytes[a] : 0;
+  }
+}
+
+DrawConstants constants_of(const Primitive& primitive, const Affine& view_from_mesh, float point_size) {
+  DrawConstants constants{{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]}, 0, point_size};
+  if (primitive.topology != Topology::triangles) return constants;
+  if (primitive.flat_normals) constants.flags |= kFlatNormals;
+  if (!primitive.normals.empty()) constants.flags |= kHasNormals;
+  if (!primitive.tangents.empty()) constants.flags |= kHasTangents;
+  return constants;
+}
+
+}  // namespace
+
+void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, float point_size) {
+  opaque_.clear();
+  blended_.clear();
+  for (const DrawnScene& drawn : scenes) {
+    const SceneResources& resources = drawn.scene->resources();
+    const FrameVertices& vertices = drawn.frame->vertices(slot);
+    const Scene& scene = resources.scene;
+    for (std::size_t i = 0; i < vertices.instances.size(); ++i) {
+      const PlacedInstance& placed = vertices.instances[i];
+      const Affine view_from_mesh =
+          affine_cast<float>(view.view_from_world * affine_cast<double>(placed.world_from_mesh));
+      const std::uint32_t mesh_index = scene.instances[i].mesh;
+      const Mesh& mesh = scene.meshes[mesh_index];
+      for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
+        const Primitive& primitive = mesh.primitives[p];
+        const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
+        if (own.index_count == 0) continue;
+        const DeformedBuffers& deformed = vertices.primitives[placed.first_primitive + p];
+        const Material* material = primitive.material == kNone ? nullptr : &scene.materials[primitive.material];
+        const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
+        Draw& draw = (alpha == AlphaMode::blend ? blended_ : opaque_).emplace_back();
+        bind_attributes(draw, resources.meshes, own, deformed, {resources.meshes.buffer(), vertices.buffer.handle()});
+        draw.indices = resources.meshes.buffer();
+        draw.indices_at = own.indices;
+        draw.index_count = own.index_count;
+        draw.material = resources.materials.set_of(primitive.material);
+        draw.constants = constants_of(primitive, view_from_mesh, point_size);
+        draw.topology = primitive.topology;
+        draw.masked = alpha == AlphaMode::mask;
+        draw.double_sided = material && material->double_sided;
+        draw.mirrored = placed.mirrored;
+        draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
+      }
+    }
+  }
+  std::stable_sort(blended_.begin(), blended_.end(),
+                   [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
+}
+
+}  // namespace sinew::viewer

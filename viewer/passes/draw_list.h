@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "viewer/passes/view.h"
+#include "viewer/upload/frame_vertices.h"
+#include "viewer/upload/scene_resources.h"
+
+namespace sinew::viewer {
+
+/// Mirrors the push constants of shaders/geometry.glsl.
+struct DrawConstants {
+  glm::vec4 view_from_mesh[3];
+  std::uint32_t flags = 0;
+  float point_size = 1.0f;
+};
+inline constexpr std::uint32_t kFlatNormals = 1, kHasNormals = 2, kHasTangents = 4;
+
+/// One draw call. Buffers are bound per attribute: the deformed one, else the mesh's own, else a default with stride 0.
+struct Draw {
+  std::array<VkBuffer, kAttributeCount> buffers{};
+  std::array<VkDeviceSize, kAttributeCount> offsets{}, strides{};
+  VkBuffer indices = VK_NULL_HANDLE;
+  VkDeviceSize indices_at = 0;
+  std::uint32_t index_count = 0;
+  VkDescriptorSet material = VK_NULL_HANDLE;
+  DrawConstants constants{};
+  Topology topology = Topology::triangles;
+  bool masked = false, double_sided = false, mirrored = false;
+  float distance = 0.0f;  ///< of its middle along the line of sight, metres
+};
+
+struct DrawnScene;
+
+/// The draws of a frame: opaque and masked ones in the scene's order, blended ones from far to near.
+class DrawList {
+ public:
+  /// cost O(primitives); allocates only while the number of draws grows
+  void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, float point_size);
+
+  std::span<const Draw> opaque() const noexcept { return opaque_; }
+  std::span<const Draw> blended() const noexcept { return blended_; }
+
+ private:
+  std::vector<Draw> opaque_, blended_;
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/frame_graph.h"
+
+#include <algorithm>
+
+namespace sinew::viewer {
+
+std::string_view name_of(Pass pass) noexcept {
+  constexpr std::array<std::string_view, kPassCount> names = {"normal_depth",  "ssao",   "blur_horizontal",
+                                                              "blur_vertical", "opaque", "transparent",
+                                                              "tonemap",       "show",   "overlay"};
+  return names[static_cast<std::size_t>(pass)];
+}
+
+FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
+  const bool picture = needs.show == Show::color;
+  const bool wanted = needs.show == Show::ao || (picture && needs.ambient);
+  const bool occlusion = needs.opaque && needs.occlusion && wanted;
+  const bool prepass = occlusion || !picture;
+  if (prepass) add(Pass::normal_depth);
+  if (occlusion) {
+    add(Pass::ssao);
+    if (needs.blur) add(Pass::blur_horizontal), add(Pass::blur_vertical);
+  }
+  if (picture) {
+    add(Pass::opaque);
+    if (needs.blended) add(Pass::transparent);
+    add(Pass::tonemap);
+  } else {
+    add(Pass::show);
+  }
+  if (needs.overlay) add(Pass::overlay);
+  depth_image = true;
+  normal_image = prepass;
+  color_image = picture;
+  access_image = occlusion;
+  access_between = occlusion && needs.blur;
+}
+
+bool FrameGraph::has(Pass pass) const noexcept { return std::find(begin(), end(), pass) != end(); }
+
+}  // namespace sinew::viewer

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "viewer/passes/render_options.h"
+
+namespace sinew::viewer {
+
+enum class Pass : std::uint8_t {
+  normal_depth,  ///< view-space normals and depth of everything opaque
+  ssao,          ///< ambient access at half size
+  blur_horizontal,
+  blur_vertical,
+  opaque,
+  transparent,
+  tonemap,
+  show,    ///< one of the buffers instead of the picture
+  overlay  ///< lines and the panel
+};
+inline constexpr std::size_t kPassCount = 9;
+
+std::string_view name_of(Pass pass) noexcept;
+
+/// What a frame has to draw and what was asked for.
+struct FrameNeeds {
+  bool opaque = false;  ///< something opaque or masked is visible
+  bool blended = false;
+  bool overlay = false;   ///< lines or a panel
+  bool ambient = true;    ///< there is ambient light for occlusion to scale
+  bool occlusion = true;  ///< ambient occlusion is switched on
+  bool blur = true;
+  Show show = Show::color;
+};
+
+/// The passes of a frame in order, and the images between them. A pass or an image that is not needed does not exist.
+class FrameGraph {
+ public:
+  explicit FrameGraph(const FrameNeeds& needs) noexcept;
+
+  bool has(Pass pass) const noexcept;
+  const Pass* begin() const noexcept { return passes_.data(); }
+  const Pass* end() const noexcept { return passes_.data() + count_; }
+  std::size_t size() const noexcept { return count_; }
+
+  bool depth_image = false, normal_image = false, color_image = false;
+  bool access_image = false, access_between = false;  ///< of SSAO, and between its blur passes
+
+ private:
+  void add(Pass pass) noexcept { passes_[count_++] = pass; }
+
+  std::array<Pass, kPassCount> passes_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/frame_renderer.h"
+
+#include <cstring>
+
+#include "runtime/base/contract.h"
+#include "viewer/device/timestamps.h"
+#include "viewer/passes/record_passes.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+constexpr float kPointPixels = 4.0f;
+
+struct ViewLineVertex {
+  glm::vec3 view_position;
+  std::uint32_t rgba;
+};
+static_assert(sizeof(ViewLineVertex) == 16);
+
+/// What one frame in flight owns.
+struct FrameSlot {
+  FrameSlot(const Device& device, const PassLayouts& layouts)
+      : set(device, layouts), timestamps(device, kPassCount + 1) {}
+
+  FrameSet set;
+  Timestamps timestamps;
+  Buffer lines;
+  std::vector<Pass> passes;  ///< that its last frame ran
+  std::vector<PassTime> times;
+};
+
+}  // namespace
+
+struct FrameRenderer::State {
+  State(Device& used, VkFormat target_format, std::uint32_t slot_count)
+      : device(used),
+        layouts(used),
+        pipelines(used, layouts, target_format),
+        targets(used),
+        kernel(make_ssao_kernel()) {
+    for (std::uint32_t i = 0; i < slot_count; ++i) slots.push_back(std::make_unique<FrameSlot>(used, layouts));
+  }
+
+  void upload_lines(FrameSlot& slot, const FrameInputs& inputs) const;
+  void collect_lights(const FrameInputs& inputs);
+
+  Device& device;
+  PassLayouts layouts;
+  PassPipelines pipelines;
+  FrameTargets targets;
+  SsaoKernel kernel;
+  DrawList draws;
+  std::vector<PlacedLight> lights;
+  std::vector<std::unique_ptr<FrameSlot>> slots;
+};
+
+FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count)
+    : state_(std::make_unique<State>(device, target_format, slot_count)) {}
+
+FrameRenderer::~FrameRenderer() {
+  vkDeviceWaitIdle(state_->device.handle());  // a lost device is reported by the next frame, not here
+}
+
+void FrameRenderer::State::upload_lines(FrameSlot& slot, const FrameInputs& inputs) const {
+  const VkDeviceSize bytes = inputs.lines.size() * sizeof(ViewLineVertex);
+  if (bytes == 0) return;
+  if (slot.lines.size() < bytes)
+    slot.lines = Buffer(device, bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::upload);
+  std::byte* at = slot.lines.mapped();
+  for (const LineVertex& vertex : inputs.lines) {
+    const ViewLineVertex moved{glm::vec3(transform_point(inputs.view.view_from_world, glm::dvec3(vertex.position))),
+                               vertex.rgba};
+    std::memcpy(at, &moved, sizeof(moved));
+    at += sizeof(moved);
+  }
+}
+
+void FrameRenderer::State::collect_lights(const FrameInputs& inputs) {
+  lights.clear();
+  for (const DrawnScene& drawn : inputs.scenes) {
+    const Scene& scene = drawn.scene->scene();
+    const std::vector<Affine>& placed = drawn.frame->vertices(inputs.slot).world_from_light;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      if (scene.lights[i].joint != kNone) lights.push_back({&scene.lights[i], placed[i]});
+  }
+}
+
+namespace {
+
+void record_pass(Pass pass, const PassContext& context) {
+  switch (pass) {
+    case Pass::normal_depth: return record_normal_depth(context);
+    case Pass::ssao: return record_ssao(context);
+    case Pass::blur_horizontal: return record_ssao_blur(context, false);
+    case Pass::blur_vertical: return record_ssao_blur(context, true);
+    case Pass::opaque: return record_opaque(context);
+    case Pass::transparent: return record_transparent(context);
+    case Pass::tonemap: return record_tonemap(context);
+    case Pass::show: return record_show(context);
+    case Pass::overlay: return record_overlay(context);
+  }
+}
+
+FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs) {
+  return {.opaque = !draws.opaque().empty(),
+          .blended = !draws.blended().empty(),
+          .overlay = !inputs.lines.empty() || inputs.overlay,
+          .ambient = inputs.options.lighting.ambient(),
+          .occlusion = inputs.options.ao.on,
+          .blur = inputs.options.ao.blur,
+          .show = inputs.options.show};
+}
+
+}  // namespace
+
+void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, const FrameInputs& inputs) {
+  CONTRACT(inputs.slot < state_->slots.size() && target.extent.width > 0 && target.extent.height > 0);
+  State& state = *state_;
+  FrameSlot& slot = *state.slots[inputs.slot];
+  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, std::min(kPointPixels, state.device.max_point_size()));
+  state.collect_lights(inputs);
+  const FrameGraph graph(needs_of(state.draws, inputs));
+  state.targets.fit(graph, target.extent);
+  const bool occlusion = graph.access_image;
+  slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
+                 state.targets, graph.has(Pass::normal_depth));
+  state.upload_lines(slot, inputs);
+
+  const PassContext context{commands,
+                            graph,
+                            state.targets,
+                            state.pipelines,
+                            state.layouts.pipeline(),
+                            slot.set,
+                            state.draws,
+                            inputs,
+                            target,
+                            slot.lines.handle(),
+                            static_cast<std::uint32_t>(inputs.lines.size())};
+  // Waits only for what the target's semaphore is waited for at: colour output.
+  barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
+          kWriteColor);
+  slot.timestamps.begin(commands);
+  slot.passes.assign(graph.begin(), graph.end());
+  for (const Pass pass : graph) {
+    record_pass(pass, context);
+    slot.timestamps.mark(commands);
+  }
+  barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, kWriteColor,
+          {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, target.final_layout});
+}
+
+std::span<const PassTime> FrameRenderer::pass_times(std::uint32_t slot_index) {
+  FrameSlot& slot = *state_->slots[slot_index];
+  const std::vector<double> spans = slot.timestamps.milliseconds();
+  slot.times.clear();
+  for (std::size_t i = 0; i < spans.size(); ++i) slot.times.push_back({name_of(slot.passes[i]), spans[i]});
+  return slot.times;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/frame_targets.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D half) {
+  constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  switch (target) {
+    case Target::depth:
+      return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
+    case Target::normals: return {kNormalFormat, full, 1, color};
+    case Target::color: return {kColorFormat, full, 1, color};
+    default: return {kAccessFormat, half, 1, color};
+  }
+}
+
+}  // namespace
+
+FrameTargets::FrameTargets(const Device& device)
+    : device_(device),
+      nothing_(device, {kAccessFormat, {1, 1}, 1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}) {
+  constexpr ImageUse cleared{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+  device.run_now([&](VkCommandBuffer commands) {
+    barrier(commands, nothing_.handle(), VK_IMAGE_ASPECT_COLOR_BIT, {}, cleared);
+    const VkClearColorValue zero{};
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands, nothing_.handle(), cleared.layout, &zero, 1, &all);
+    barrier(commands, nothing_.handle(), VK_IMAGE_ASPECT_COLOR_BIT, cleared, kReadInShader);
+  });
+}
+
+void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
+  const bool resized = extent.width != extent_.width || extent.height != extent_.height;
+  const std::array<bool, kTargetCount> wanted = {graph.depth_image, graph.normal_image, graph.access_image,
+                                                 graph.access_between, graph.color_image};
+  bool changed = resized;
+  for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
+  if (!changed) return;
+  device_.wait_idle();
+  extent_ = extent;
+  for (std::size_t i = 0; i < kTargetCount; ++i) {
+    if (wanted[i] && !resized && slots_[i].image) continue;
+    slots_[i] = {};
+    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, half_extent()));
+  }
+}
+
+void FrameTargets::next_use(VkCommandBuffer commands, Target target, const ImageUse& use, bool keep) {
+  Slot& used = slot(target);
+  ImageUse before = used.last;
+  if (!keep) before.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  barrier(commands, used.image.handle(), aspect_of(used.image.shape().format), before, use);
+  used.last = use;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+
+#include "viewer/device/image.h"
+#include "viewer/passes/frame_graph.h"
+
+namespace sinew::viewer {
+
+/// The images between passes.
+enum class Target : std::uint8_t { depth, normals, access, access_between, color };
+inline constexpr std::size_t kTargetCount = 5;
+
+inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+inline constexpr VkFormat kAccessFormat =
+    VK_FORMAT_R32G32B32A32_SFLOAT;  ///< access, distance, packed normal: one fetch per neighbour
+inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+/// How passes use them.
+inline constexpr ImageUse kWriteColor{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                      VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
+                                      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+inline constexpr ImageUse kWriteDepth{
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+    VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
+inline constexpr ImageUse kReadDepth{
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT |
+        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+    VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+inline constexpr ImageUse kReadInShader{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                                        VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+
+/// Owns the images that the frame graph calls for, and no others, and knows what each was last used for.
+class FrameTargets {
+ public:
+  explicit FrameTargets(const Device& device);
+
+  /// Makes and drops images to fit; waits for the device when something changes.
+  void fit(const FrameGraph& graph, VkExtent2D extent);
+
+  /// The next use of an image: puts the barrier in between. `keep` = the contents matter.
+  void next_use(VkCommandBuffer commands, Target target, const ImageUse& use, bool keep = true);
+
+  bool exists(Target target) const noexcept { return static_cast<bool>(slot(target).image); }
+  /// The image, or a single texel that stands in for one that does not exist.
+  VkImageView view(Target target) const noexcept {
+    return exists(target) ? slot(target).image.view() : nothing_.view();
+  }
+  VkExtent2D extent() const noexcept { return extent_; }
+  VkExtent2D half_extent() const noexcept { return {(extent_.width + 1) / 2, (extent_.height + 1) / 2}; }
+
+ private:
+  struct Slot {
+    GpuImage image;
+    ImageUse last;
+  };
+  Slot& slot(Target target) noexcept { return slots_[static_cast<std::size_t>(target)]; }
+  const Slot& slot(Target target) const noexcept { return slots_[static_cast<std::size_t>(target)]; }
+
+  const Device& device_;
+  std::array<Slot, kTargetCount> slots_;
+  GpuImage nothing_;
+  VkExtent2D extent_{};
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/render_options.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace sinew::viewer {
+
+namespace {
+
+float half_diagonal(const Aabb& bounds) {
+  const float half = bounds.empty() ? 0.0f : 0.5f * glm::length(bounds.upper - bounds.lower);
+  return half > 0.0f ? half : 1.0f;
+}
+
+}  // namespace
+
+AmbientOcclusion ambient_occlusion_for(const Aabb& bounds) {
+  AmbientOcclusion ao;
+  ao.radius_m = 0.1f * half_diagonal(bounds);
+  ao.surface_epsilon_m = 0.02f * ao.radius_m;
+  ao.fade_start_m = 0.4f * ao.radius_m;
+  ao.fade_end_m = 2.0f * ao.radius_m;
+  return ao;
+}
+
+RenderOptions render_options_for(const Aabb& bounds, const glm::dvec3& eye) {
+  RenderOptions options;
+  options.ao = ambient_occlusion_for(bounds);
+  const glm::vec3 centre = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.lower + bounds.upper);
+  const float distance = static_cast<float>(glm::length(eye - glm::dvec3(centre)));
+  const float radius = half_diagonal(bounds);
+  options.depth_range = {std::max(distance - radius, 0.0f), distance + radius};
+  return options;
+}
+
+}  // namespace sinew::viewer

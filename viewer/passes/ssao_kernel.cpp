@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/ssao_kernel.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace sinew::viewer {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 0x51e2d5a0;
+
+/// SplitMix64: standard engines are portable, but the standard distributions are not.
+class Random {
+ public:
+  float in(float lower, float upper) noexcept {
+    state_ += 0x9e3779b97f4a7c15ull;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    const auto top_bits = static_cast<float>((z ^ (z >> 31)) >> 40);  // 24 bits: exact in a float
+    return lower + (upper - lower) * (top_bits / 16777216.0f);
+  }
+
+ private:
+  std::uint64_t state_ = kSeed;
+};
+
+glm::vec3 scaled_to(const glm::vec3& v, float length) {
+  return v * (length / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
+}
+
+}  // namespace
+
+SsaoKernel make_ssao_kernel() {
+  constexpr std::array<glm::vec3, 7> half = {
+      {{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  Random random;
+  SsaoKernel kernel{};
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    kernel.offsets[2 * i] = scaled_to(half[i], random.in(0.25f, 1.0f));
+    kernel.offsets[2 * i + 1] = scaled_to(-half[i], random.in(0.25f, 1.0f));
+  }
+  for (glm::vec3& mirror : kernel.noise) {
+    glm::vec3 v(0.0f);  // uniform in the ball, so uniform in direction
+    float squared = 0.0f;
+    do {
+      v.x = random.in(-1.0f, 1.0f), v.y = random.in(-1.0f, 1.0f), v.z = random.in(-1.0f, 1.0f);
+      squared = v.x * v.x + v.y * v.y + v.z * v.z;
+    } while (squared > 1.0f || squared < 0.01f);
+    mirror = scaled_to(v, 1.0f);
+  }
+  return kernel;
+}
+
+}  // namespace sinew::viewer

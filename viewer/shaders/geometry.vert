@@ -1,0 +1,46 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Meshes into view space. The prepass and the shading passes use this one module and `invariant`: their depths are equal.
+#include "frame_uniforms.glsl"
+#include "geometry.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec2 texcoord_0;
+layout(location = 4) in vec2 texcoord_1;
+layout(location = 5) in vec4 color;
+
+layout(location = 0) out vec3 view_position;
+layout(location = 1) out vec3 view_normal;
+layout(location = 2) out vec4 view_tangent;
+layout(location = 3) out vec4 texcoords;
+layout(location = 4) out vec4 vertex_color;
+
+invariant gl_Position;
+
+// eq   n' = sign(det M) * cofactor(M) * n: no division, right for mirrored and flattened meshes (N22)
+vec3 transformed_normal(vec3 n) {
+  vec3 a = draw.view_from_mesh[0].xyz, b = draw.view_from_mesh[1].xyz, c = draw.view_from_mesh[2].xyz;
+  vec3 bc = cross(b, c);
+  vec3 turned = vec3(dot(bc, n), dot(cross(c, a), n), dot(cross(a, b), n));
+  if (dot(a, bc) < 0.0) turned = -turned;
+  float length_squared = dot(turned, turned);
+  return length_squared > 0.0 ? turned * inversesqrt(length_squared) : n;
+}
+
+void main() {
+  vec4 local = vec4(position, 1.0);
+  vec3 view = vec3(dot(draw.view_from_mesh[0], local), dot(draw.view_from_mesh[1], local), dot(draw.view_from_mesh[2], local));
+  vec4 direction = vec4(tangent.xyz, 0.0);
+  view_position = view;
+  view_normal = transformed_normal(normal);
+  view_tangent = vec4(dot(draw.view_from_mesh[0], direction), dot(draw.view_from_mesh[1], direction),
+                      dot(draw.view_from_mesh[2], direction), tangent.w);
+  texcoords = vec4(texcoord_0, texcoord_1);
+  vertex_color = color;
+  // y points down in the frame buffer
+  gl_Position = vec4(view.x * frame.projection.x, -view.y * frame.projection.y, frame.projection.z, -view.z);
+  gl_PointSize = draw.point_size;
+}

@@ -1,0 +1,21 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// View-space normals beside the depth; the alpha test of masked materials happens here.
+#include "geometry.glsl"
+#include "material.glsl"
+#include "surface_normal.glsl"
+
+layout(constant_id = 0) const bool kMasked = false;
+
+layout(location = 0) in vec3 view_position;
+layout(location = 1) in vec3 view_normal;
+layout(location = 3) in vec4 texcoords;
+layout(location = 4) in vec4 vertex_color;
+
+layout(location = 0) out vec4 normal;
+
+void main() {
+  normal = vec4(surface_normal(view_normal, view_position), 1.0);
+  if (kMasked && base_color_at(texcoords, vertex_color).a < material.emissive.w) discard;
+}

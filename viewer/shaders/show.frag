@@ -1,0 +1,31 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// One of the buffers that the passes work with, instead of the picture.
+#include "frame_uniforms.glsl"
+#include "encode.glsl"
+#include "view_position.glsl"
+#include "octahedral.glsl"
+#include "same_surface.glsl"
+#include "ambient_access.glsl"
+
+layout(constant_id = 1) const int kShow = 1;   // enum Show
+
+layout(location = 0) out vec4 shown;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float far_p = distance_at(pixel);
+  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+  float covered = far_p > 0.0 ? 1.0 : 0.0;
+  vec3 value;
+  if (kShow == 1) {
+    value = vec3(covered == 0.0 || n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_ray(pixel) * far_p, normalize(n)));
+  } else if (kShow == 2) {
+    value = covered == 0.0 ? vec3(0.5) : n * 0.5 + 0.5;
+  } else {
+    float part = (far_p - frame.output_range.y) / (frame.output_range.z - frame.output_range.y);
+    value = vec3(covered == 0.0 ? 0.0 : 1.0 - clamp(part, 0.0, 1.0));
+  }
+  shown = vec4(displayed_data(value), frame.background.w == 1.0 ? covered : 1.0);
+}

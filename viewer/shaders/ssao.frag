@@ -1,0 +1,55 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Screen-space ambient occlusion at half size. For a surface point p with normal n, 14 points around p are looked up in
+// the depth image; r is the surface seen in their direction.
+// eq   occlusion = sum over samples of fade(distance(p) - distance(r)) * max(n . normalise(r - p), 0) / 14
+//      access    = (1 - occlusion)^power
+// r is the middle of the pixel whose depth was read, not the point looked up: on a plane n . (r - p) is then 0 at any slope,
+// and planes do not darken themselves (N31).
+#include "frame_uniforms.glsl"
+#include "view_position.glsl"
+#include "octahedral.glsl"
+
+layout(location = 0) out vec4 access_distance_normal;
+
+// Linear from 1 at fade start to 0 at fade end; nothing so near that it is the surface itself.
+float fade(float nearer_by) {
+  if (nearer_by <= frame.occlusion.y) return 0.0;
+  return clamp((frame.occlusion.w - nearer_by) / (frame.occlusion.w - frame.occlusion.z), 0.0, 1.0);
+}
+
+float occlusion_of(vec3 sample_point, vec3 p, vec3 n) {
+  if (sample_point.z >= -frame.projection.z) return 0.0;                        // behind the viewer
+  ivec2 size = textureSize(depth_image, 0);
+  vec2 ndc = vec2(sample_point.x * frame.projection.x, -sample_point.y * frame.projection.y) / -sample_point.z;
+  ivec2 pixel = clamp(ivec2(floor((ndc * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
+  float far_r = distance_at(pixel);
+  if (far_r == 0.0) return 0.0;                                                 // nothing drawn: open sky
+  vec3 to_r = view_ray(pixel) * far_r - p;
+  float length_squared = dot(to_r, to_r);
+  if (length_squared == 0.0) return 0.0;                                        // p itself
+  return fade(-p.z - far_r) * max(dot(n, to_r) * inversesqrt(length_squared), 0.0);
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = full_pixel(texel);
+  float far_p = distance_at(pixel);
+  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+  access_distance_normal = vec4(1.0, far_p, pack_normal(n));
+  if (far_p == 0.0 || n == vec3(0.0)) return;
+  n = normalize(n);
+  float radius_pixels = frame.occlusion.x * frame.projection.w / far_p;
+  float resolved = clamp(radius_pixels - 2.0, 0.0, 1.0);                        // too far away to see blockers apart (N32)
+  if (resolved == 0.0) return;
+  vec3 p = view_ray(pixel) * far_p;
+  vec3 mirror = frame.noise[(texel.y & 3) * 4 + (texel.x & 3)].xyz;
+  float sum = 0.0;
+  for (int i = 0; i < 14; ++i) {
+    vec3 offset = reflect(frame.offsets[i].xyz, mirror);
+    if (dot(offset, n) < 0.0) offset = -offset;                                 // into the hemisphere about n
+    sum += occlusion_of(p + frame.occlusion.x * offset, p, n);
+  }
+  access_distance_normal.r = pow(max(1.0 - sum / 14.0 * resolved, 0.0), frame.occlusion_use.x);
+}

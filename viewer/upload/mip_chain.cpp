@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/upload/mip_chain.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace sinew::viewer {
+
+namespace {
+
+/// sRGB both ways by tables: a pow per channel would cost a second for a large texture.
+struct SrgbTables {
+  std::array<float, 256> linear{};         // of each code
+  std::array<float, 256> above{};          // where the next code begins; the last is never reached
+  std::array<std::uint8_t, 1025> guess{};  // a code at or below that of i / 1024
+
+  SrgbTables() {
+    const auto decode = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    for (std::size_t i = 0; i < 256; ++i) {
+      linear[i] = static_cast<float>(decode(static_cast<double>(i) / 255.0));
+      above[i] = static_cast<float>(decode((static_cast<double>(i) + 0.5) / 255.0));
+    }
+    above[255] = 2.0f;
+    std::uint8_t code = 0;
+    for (std::size_t i = 0; i < guess.size(); ++i) {
+      while (static_cast<float>(i) / 1024.0f >= above[code]) ++code;
+      guess[i] = code;
+    }
+  }
+
+  std::uint8_t encode(float value) const noexcept {
+    std::uint8_t code = guess[static_cast<std::size_t>(value * 1024.0f)];
+    while (value >= above[code]) ++code;
+    return code;
+  }
+};
+
+const SrgbTables& srgb_tables() {
+  static const SrgbTables tables;
+  return tables;
+}
+
+MipLevel halved(const MipLevel& from, bool srgb) {
+  const SrgbTables& tables = srgb_tables();
+  MipLevel to;
+  to.width = std::max(from.width / 2, 1u), to.height = std::max(from.height / 2, 1u);
+  to.rgba.resize(std::size_t{4} * to.width * to.height);
+  for (std::uint32_t y = 0; y < to.height; ++y) {
+    const std::size_t y0 = 2 * y, y1 = std::min(2 * y + 1, from.height - 1);
+    for (std::uint32_t x = 0; x < to.width; ++x) {
+      const std::size_t x0 = 2 * x, x1 = std::min(2 * x + 1, from.width - 1);
+      const std::array<std::size_t, 4> texels = {y0 * from.width + x0, y0 * from.width + x1, y1 * from.width + x0,
+                                                 y1 * from.width + x1};
+      for (std::size_t channel = 0; channel < 4; ++channel) {
+        std::uint8_t& out = to.rgba[4 * (std::size_t{y} * to.width + x) + channel];
+        if (srgb && channel < 3) {
+          float sum = 0.0f;
+          for (const std::size_t texel : texels) sum += tables.linear[from.rgba[4 * texel + channel]];
+          out = tables.encode(0.25f * sum);
+        } else {
+          unsigned sum = 2;  // rounds to nearest
+          for (const std::size_t texel : texels) sum += from.rgba[4 * texel + channel];
+          out = static_cast<std::uint8_t>(sum / 4);
+        }
+      }
+    }
+  }
+  return to;
+}
+
+}  // namespace
+
+std::uint32_t mip_count(std::uint32_t width, std::uint32_t height) noexcept {
+  return static_cast<std::uint32_t>(std::bit_width(std::max(width, height)));
+}
+
+std::vector<MipLevel> mip_chain(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,
+                                bool srgb) {
+  std::vector<MipLevel> levels;
+  levels.reserve(mip_count(width, height));
+  levels.push_back({width, height, {rgba.begin(), rgba.end()}});
+  while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back(), srgb));
+  return levels;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/upload/upload_textures.h"
+
+#include <algorithm>
+
+namespace sinew::viewer {
+
+namespace {
+
+constexpr std::uint32_t kWhite = kNone - 1, kPlaceholder = kNone - 2;  // keys that no image of a scene has
+
+VkSamplerAddressMode address_mode(Wrap wrap) noexcept {
+  switch (wrap) {
+    case Wrap::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case Wrap::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    default: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  }
+}
+
+VkFilter filter(Filter wanted) noexcept { return wanted == Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR; }
+
+std::uint32_t key_of(const Sampler& s) noexcept {
+  return static_cast<std::uint32_t>(s.magnify) | static_cast<std::uint32_t>(s.minify) << 1 |
+         static_cast<std::uint32_t>(s.mipmap) << 2 | static_cast<std::uint32_t>(s.use_mipmaps) << 3 |
+         static_cast<std::uint32_t>(s.wrap_u) << 4 | static_cast<std::uint32_t>(s.wrap_v) << 6;
+}
+
+bool readable(const Image& image) noexcept {
+  return image.missing_reason.empty() && image.width > 0 && image.height > 0 &&
+         image.rgba.size() == std::size_t{4} * image.width * image.height;
+}
+
+}  // namespace
+
+MipLevel placeholder_image() {
+  constexpr std::uint32_t size = 64, field = size / 8;
+  MipLevel level{size, size, std::vector<std::uint8_t>(4 * size * size, 0)};
+  for (std::uint32_t y = 0; y < size; ++y)
+    for (std::uint32_t x = 0; x < size; ++x) {
+      std::uint8_t* texel = &level.rgba[4 * (y * size + x)];
+      if ((x / field + y / field) % 2 == 0) texel[0] = texel[2] = 255;
+      texel[3] = 255;
+    }
+  return level;
+}
+
+VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) noexcept {
+  VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  info.magFilter = filter(sampler.magnify);
+  info.minFilter = filter(sampler.minify);
+  info.mipmapMode = sampler.mipmap == Filter::nearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST : VK_SAMPLER_MIPMAP_MODE_LINEAR;
+  info.addressModeU = address_mode(sampler.wrap_u);
+  info.addressModeV = address_mode(sampler.wrap_v);
+  info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  // Without mipmaps only the first level is read; 0.25 instead of 0 keeps magnification and minification apart.
+  info.maxLod = sampler.use_mipmaps ? VK_LOD_CLAMP_NONE : 0.25f;
+  if (!sampler.use_mipmaps) info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  const bool smooth =
+      sampler.magnify == Filter::linear && sampler.minify == Filter::linear && sampler.mipmap == Filter::linear;
+  info.anisotropyEnable = smooth && sampler.use_mipmaps && max_anisotropy > 1.0f;
+  info.maxAnisotropy = info.anisotropyEnable ? std::min(max_anisotropy, 8.0f) : 1.0f;
+  return info;
+}
+
+TextureSet::TextureSet(Device& device) : device_(device) {}
+
+TextureSet::~TextureSet() {
+  for (const auto& [key, sampler] : samplers_) vkDestroySampler(device_.handle(), sampler, nullptr);
+}
+
+VkSampler TextureSet::sampler(const Sampler& wanted) {
+  VkSampler& sampler = samplers_[key_of(wanted)];
+  if (!sampler) {
+    const VkSamplerCreateInfo info = sampler_info(wanted, device_.max_anisotropy());
+    must(vkCreateSampler(device_.handle(), &info, nullptr, &sampler), "vkCreateSampler");
+  }
+  return sampler;
+}
+
+const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, bool srgb, Staging& staging) {
+  const bool special = index == kWhite || index == kPlaceholder;
+  const std::uint32_t limit = device_.limits().maxImageDimension2D;
+  if (!special) {
+    const Image& source = scene.images[index];
+    if (!readable(source) || std::max(source.width, source.height) > limit)
+      return image(scene, kPlaceholder, srgb, staging);
+  }
+  GpuImage& gpu = images_[{index, srgb}];
+  if (gpu) return gpu;
+  std::vector<MipLevel> levels;
+  if (index == kWhite) {
+    levels.push_back({1, 1, {255, 255, 255, 255}});
+  } else if (index == kPlaceholder) {
+    const MipLevel board = placeholder_image();
+    levels = mip_chain(board.rgba, board.width, board.height, srgb);
+  } else {
+    const Image& source = scene.images[index];
+    levels = mip_chain(source.rgba, source.width, source.height, srgb);
+  }
+  gpu = GpuImage(device_, {srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+                           {levels[0].width, levels[0].height},
+                           static_cast<std::uint32_t>(levels.size()),
+                           VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  staging.copy(gpu, levels);
+  return gpu;
+}
+
+VkDescriptorImageInfo TextureSet::use(const Scene& scene, std::uint32_t texture, bool srgb, Staging& staging) {
+  const bool none = texture == kNone;
+  std::uint32_t index = none ? kWhite : scene.textures[texture].image;
+  if (index == kNone) index = kPlaceholder;  // a texture without source
+  const Sampler wanted = none ? Sampler{} : scene.textures[texture].sampler;
+  return {sampler(wanted), image(scene, index, srgb, staging).view(), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+}
+
+}  // namespace sinew::viewer
