@@ -6,6 +6,7 @@
 
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/normal_transform.h"
+#include "runtime/math/perpendicular.h"
 
 namespace sinew {
 namespace {
@@ -66,13 +67,6 @@ Orthogonalised orthogonalise(const Mat& m) noexcept {
   return o;
 }
 
-/// A unit vector perpendicular to unit u, built from the axis that u is farthest from.
-Vec perpendicular(const Vec& u) noexcept {
-  const Vec a(std::abs(u.x), std::abs(u.y), std::abs(u.z));
-  const Vec axis = a.x <= a.y && a.x <= a.z ? Vec(1, 0, 0) : (a.y <= a.z ? Vec(0, 1, 0) : Vec(0, 0, 1));
-  return normalised_or(glm::cross(u, axis), axis);
-}
-
 /// R S = m with singular values below `rounding` times the largest treated as noise.
 PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   PolarT<double> out;
@@ -90,7 +84,7 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   const Vec second = o.columns[1] - u0 * glm::dot(u0, o.columns[1]);
   // A rank of 1 or 0 leaves a choice: the one nearest to no rotation keeps v's second axis.
   const Vec kept = o.v[1] - u0 * glm::dot(u0, o.v[1]);
-  const Vec free_axis = glm::dot(kept, kept) > 0.25 ? normalised_or(kept, kept) : perpendicular(u0);
+  const Vec free_axis = glm::dot(kept, kept) > 0.25 ? normalised_or(kept, kept) : perpendicular_to(u0);
   const bool rank_two = sigma.y > rounding * sigma.x;
   const Vec u1 = rank_two ? normalised_or(second, free_axis) : free_axis;
   const Vec u2 = glm::cross(u0, u1);
@@ -121,9 +115,9 @@ Mat complete_frame(Mat unit, const bool (&known)[3]) noexcept {
   if (count == 0) return Mat(1.0);
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    if (count == 2 && !known[i]) unit[i] = normalised_or(glm::cross(unit[j], unit[k]), perpendicular(unit[j]));
+    if (count == 2 && !known[i]) unit[i] = normalised_or(glm::cross(unit[j], unit[k]), perpendicular_to(unit[j]));
     if (count == 1 && known[i]) {
-      unit[j] = perpendicular(unit[i]);
+      unit[j] = perpendicular_to(unit[i]);
       unit[k] = glm::cross(unit[i], unit[j]);
     }
   }

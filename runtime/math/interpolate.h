@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <limits>
+
 #include "runtime/math/quat_log_exp.h"
 
 namespace sinew {
@@ -35,7 +37,8 @@ Quat<T> slerp_as_given(const Quat<T>& q, const Quat<T>& r, T t) noexcept {
   if (t == T(0)) return q;
   if (t == T(1)) return r;
   const T a = arc_angle(q, r);
-  if (a == T(0)) return q;
+  // Equal keys: a held key keeps its bits; one that is not unit is normalised as every other result is.
+  if (a == T(0)) return std::abs(quat_dot(q, q) - T(1)) <= T(4) * std::numeric_limits<T>::epsilon() ? q : normalised(q);
   const T w0 = std::sin((T(1) - t) * a), w1 = std::sin(t * a);
   const Quat<T> sum = q * w0 + r * w1;
   const T shortest = std::sin(a);

@@ -15,10 +15,19 @@ Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
           T(2) * (xz + wy),        T(2) * (yz - wx),        T(1) - T(2) * (xx + yy)};
 }
 
-/// eq   Real-Time Rendering, eq. 4.45: rotation matrix of a quaternion of any finite length except zero (identity)
+/// eq   Real-Time Rendering, eq. 4.45: rotation matrix of a quaternion of any finite length except zero (identity); the
+///      length enters only as s = 2 / |q|^2, so nothing is rounded by normalising first
 template <class T>
-Mat3<T> matrix_from_quat(const Quat<T>& q) noexcept {
-  return matrix_from_unit_quat(normalised(q));
+Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
+  const Quat<T> q = is_safe_square(square_of(any)) ? any : normalised(any);
+  const T s = T(2) / square_of(q);
+  const Quat<T> p = q * s;
+  const T xx = q.x * p.x, yy = q.y * p.y, zz = q.z * p.z;
+  const T xy = q.x * p.y, xz = q.x * p.z, yz = q.y * p.z;
+  const T wx = q.w * p.x, wy = q.w * p.y, wz = q.w * p.z;
+  return {T(1) - (yy + zz), xy + wz,          xz - wy,  // columns
+          xy - wz,          T(1) - (xx + zz), yz + wx,
+          xz + wy,          yz - wx,          T(1) - (xx + yy)};
 }
 
 /// Unit quaternion of a rotation matrix.

@@ -22,7 +22,7 @@ T quat_dot(const Quat<T>& q, const Quat<T>& r) noexcept {
   return (q.x * r.x + q.y * r.y) + (q.z * r.z + q.w * r.w);
 }
 
-/// Component of largest absolute value; the scale that keeps squares from overflow and underflow.
+/// Component of largest absolute value; the scale that keeps squares from overflow and underflow. May overlook a NaN.
 template <class T>
 T largest_component(const Quat<T>& q) noexcept {
   return std::max(std::max(std::abs(q.x), std::abs(q.y)), std::max(std::abs(q.z), std::abs(q.w)));
@@ -33,35 +33,42 @@ T largest_component(const Vec3<T>& v) noexcept {
   return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
 }
 
-/// Length without overflow or underflow on the way. Works for Vec3 and Quat alike.
+/// Sum of the squares of all components.
 template <class V>
-auto safe_length(const V& v) noexcept {
-  const auto m = largest_component(v);
-  using T = std::remove_const_t<decltype(m)>;
-  if (!(m > T(0)) || !std::isfinite(m)) return m;
-  const V s = v / m;
-  T sum = T(0);
-  for (int i = 0; i < V::length(); ++i) sum += s[i] * s[i];
-  return m * std::sqrt(sum);
+constexpr typename V::value_type square_of(const V& v) noexcept {
+  auto sum = v[0] * v[0];
+  for (int i = 1; i < V::length(); ++i) sum += v[i] * v[i];
+  return sum;
 }
 
-/// Unit vector along v, or `fallback` where v has no direction (zero, infinite or NaN).
+/// True where a sum of squares has lost nothing to underflow and is far from overflow, in float as in double.
 template <class T>
-Vec3<T> normalised_or(const Vec3<T>& v, const Vec3<T>& fallback) noexcept {
+constexpr bool is_safe_square(T sum) noexcept {
+  return sum >= T(1e-20) && sum <= T(1e30);
+}
+
+/// Length without overflow or underflow on the way, NaN if any component is. Works for Vec3 and Quat alike.
+template <class V>
+typename V::value_type safe_length(const V& v) noexcept {
+  using T = typename V::value_type;
+  const T plain = square_of(v);
+  if (is_safe_square(plain)) return std::sqrt(plain);
   const T m = largest_component(v);
-  const Vec3<T> s = v / m;
-  const T sum = s.x * s.x + s.y * s.y + s.z * s.z;
-  return m > T(0) && sum >= T(1) && sum <= T(3) ? s / std::sqrt(sum) : fallback;
+  const bool scalable = m > T(0) && std::isfinite(m);
+  return scalable ? m * std::sqrt(square_of(v / m)) : std::sqrt(plain);
 }
 
-/// Unit quaternion along q, or `fallback` where q has no direction (zero, infinite or NaN).
-/// eq   q / |q|   with q first divided by its largest component, so that any finite length works
-template <class T>
-Quat<T> normalised_or(const Quat<T>& q, const Quat<T>& fallback) noexcept {
-  const T m = largest_component(q);
-  const Quat<T> s = q / m;
-  const T sum = quat_dot(s, s);
-  return m > T(0) && sum >= T(1) && sum <= T(4) ? s / std::sqrt(sum) : fallback;
+/// Unit vector or quaternion along v, or `fallback` where v has no direction (zero, infinite or NaN).
+/// eq   v / |v|;  where |v|^2 would overflow or vanish, v is first divided by its largest component
+template <class V>
+V normalised_or(const V& v, const V& fallback) noexcept {
+  using T = typename V::value_type;
+  const T plain = square_of(v);
+  if (is_safe_square(plain)) return v / std::sqrt(plain);
+  const T m = largest_component(v);
+  const V scaled = v / m;
+  const T sum = square_of(scaled);
+  return m > T(0) && is_safe_square(sum) ? scaled / std::sqrt(sum) : fallback;
 }
 
 /// Unit quaternion along q; the identity where q has no direction (zero, infinite or NaN).

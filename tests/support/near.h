@@ -29,7 +29,8 @@ double distance(const AffineT<T>& a, const AffineT<T>& b) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 4; ++c) {
       const double d = std::abs(static_cast<double>(a.row[r][c]) - static_cast<double>(b.row[r][c]));
-      if (!(d <= worst)) worst = d;
+      if (std::isnan(d)) return d;
+      worst = std::max(worst, d);
     }
   return worst;
 }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/math/perpendicular.h"
+
+namespace sinew {
+
+/// Shortest rotation that turns the direction of s into that of t; opposite vectors: a half turn about some axis square to
+/// s. A vector without direction: the identity.
+/// eq   q = (axis |s - t| / 2, |s + t| / 2) for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58): both
+///      differences are exact where they are small, so neither end cancels (N14). The axis is that of s x t, made from
+///      (s - t) x t or (s + t) x t, the one with the smaller first factor, and then made square to s - t.
+template <class T>
+Quat<T> rotation_between(const Vec3<T>& from, const Vec3<T>& to) noexcept {
+  const Vec3<T> none(T(0)), s = normalised_or(from, none), t = normalised_or(to, none);
+  if (s == none || t == none) return quat_identity<T>();
+  const Vec3<T> difference = s - t, sum = s + t;
+  const T far = safe_length(difference), near = safe_length(sum);
+  if (far == T(0)) return quat_identity<T>();
+  const Vec3<T> along = difference / far;
+  const Vec3<T> raw = near < far ? glm::cross(sum, t) : glm::cross(difference, t);
+  Vec3<T> axis = normalised_or(raw, none);
+  axis = normalised_or(axis - along * glm::dot(axis, along), none);
+  if (!(glm::dot(axis, axis) > T(0.5))) axis = perpendicular_to(along);
+  const Vec3<T> v = axis * far;
+  return normalised(quat_xyzw(v.x, v.y, v.z, near));
+}
+
+}  // namespace sinew

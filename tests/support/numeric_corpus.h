@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace sinew::test {
+
+/// Reference data of the folder numeric/ of the corpus: cases of some kind, each with input, truth and acceptance.
+
+using Json = nlohmann::json;
+
+/// What a kernel answered, by the names that the truth uses: "q", "m", "p", ...
+using Outcome = std::map<std::string, std::vector<double>>;
+
+/// One implementation of a kind in one precision. An empty outcome: this case is not for it.
+struct NumericVariant {
+  std::string name;
+  std::function<Outcome(const Json& in)> run;
+};
+
+/// All cases of the files of `kind`; empty without corpus or without such a file.
+std::vector<Json> numeric_cases(const std::string& kind);
+
+/// Kinds of all files in the folder, sorted, each once.
+std::vector<std::string> numeric_kinds();
+
+/// How a variant did over cases.
+struct NumericReport {
+  int run = 0;
+  int failed = 0;
+  double worst = 0;        ///< largest error in units of the allowed one
+  std::string worst_case;
+  std::string failures;    ///< first few, one a line
+};
+
+/// Runs every case and measures it with numeric_miss (numeric_metrics.h).
+NumericReport run_numeric(const std::vector<Json>& cases, const NumericVariant& variant);
+
+}  // namespace sinew::test
