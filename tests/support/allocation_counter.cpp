@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/allocation_counter.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local std::size_t allocations = 0;
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size != 0 ? size : 1)) return p;
+  throw std::bad_alloc();
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto step = static_cast<std::size_t>(alignment);
+  const std::size_t rounded = (size + step - 1) / step * step;
+  if (void* p = std::aligned_alloc(step, rounded != 0 ? rounded : step)) return p;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+std::size_t sinew::test::allocation_count() noexcept { return allocations; }
+
+// The array and nothrow forms of the standard library call these.
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }

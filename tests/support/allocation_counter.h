@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+
+namespace sinew::test {
+
+/// Number of `operator new` calls of this thread so far, every form counted. Programs that call this have their global
+/// operators replaced (allocation_counter.cpp).
+std::size_t allocation_count() noexcept;
+
+/// Allocations of this thread since construction:  `AllocationCounter c; run(job); EXPECT_EQ(c.count(), 0u);`
+class AllocationCounter {
+ public:
+  AllocationCounter() noexcept : before_(allocation_count()) {}
+  std::size_t count() const noexcept { return allocation_count() - before_; }
+
+ private:
+  std::size_t before_;
+};
+
+}  // namespace sinew::test
