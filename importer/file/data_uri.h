@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sinew {
+
+struct DataUri {
+  std::string mime_type;
+  std::vector<std::byte> bytes;
+};
+
+bool is_data_uri(std::string_view uri) noexcept;
+
+/// Decodes "data:TYPE;base64,..." of any media type (G65). Nothing where the text is not base64, padding included or not.
+/// cost O(text), 3/4 of it allocated
+std::optional<DataUri> decode_data_uri(std::string_view uri);
+
+}  // namespace sinew

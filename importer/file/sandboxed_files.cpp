@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "importer/file/sandboxed_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+namespace sinew {
+namespace fs = std::filesystem;
+namespace {
+
+tl::unexpected<FileFault> fault(FileFault::Kind kind, std::string detail) {
+  return tl::make_unexpected(FileFault{kind, std::move(detail)});
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/// RFC 3986: a letter, then letters, digits, "+", "-" or ".", then ":".
+bool has_scheme(std::string_view uri) {
+  const auto colon = uri.find(':');
+  if (colon == uri.npos || colon == 0 || !std::isalpha(static_cast<unsigned char>(uri.front()))) return false;
+  return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
+  });
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end();
+}
+
+}  // namespace
+
+std::optional<std::string> percent_decode(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      out += text[i];
+      continue;
+    }
+    if (text.size() - i < 3) return std::nullopt;
+    const int high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    out += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return out;
+}
+
+tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) const {
+  using Kind = FileFault::Kind;
+  if (has_scheme(uri)) return fault(Kind::forbidden, "the URI has a scheme");
+  if (!folder_) return fault(Kind::forbidden, "a document in memory has no folder to read from");
+  const auto decoded = percent_decode(uri);
+  if (!decoded) return fault(Kind::forbidden, "the URI has a broken percent escape");
+  if (decoded->empty()) return fault(Kind::forbidden, "the URI is empty");
+  if (decoded->find('\0') != decoded->npos) return fault(Kind::forbidden, "the URI holds a zero byte");
+  if (decoded->front() == '/' || decoded->front() == '\\' || has_scheme(*decoded))
+    return fault(Kind::forbidden, "the URI is not relative");
+  const fs::path relative(std::u8string(decoded->begin(), decoded->end()));
+  if (relative.is_absolute()) return fault(Kind::forbidden, "the URI is not relative");
+  std::error_code error;
+  const fs::path root = fs::canonical(folder_->empty() ? fs::path(".") : *folder_, error);
+  if (error) return fault(Kind::missing, "the folder of the file cannot be opened: " + error.message());
+  // Textually first, so that the answer does not tell what exists outside.
+  const fs::path textual = (root / relative).lexically_normal();
+  if (!lies_below(textual, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder");
+  const fs::path target = fs::canonical(root / relative, error);
+  if (error) return fault(Kind::missing, "\"" + *decoded + "\" cannot be opened: " + error.message());
+  if (!lies_below(target, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder by a link");
+  return target;
+}
+
+bool SandboxedFiles::take(std::uint64_t bytes) noexcept {
+  if (bytes > left_) return false;
+  left_ -= bytes;
+  read_ += bytes;
+  return true;
+}
+
+tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_path(const fs::path& path) {
+  using Kind = FileFault::Kind;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return fault(Kind::missing, error ? error.message() : "not a regular file");
+  const std::uint64_t size = fs::file_size(path, error);
+  if (error) return fault(Kind::missing, error.message());
+  if (!take(size)) return fault(Kind::too_large, std::to_string(size) + " bytes are more than allowed");
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!stream || static_cast<std::uint64_t>(stream.gcount()) != size) return fault(Kind::missing, "the file cannot be read");
+  return bytes;
+}
+
+tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read(std::string_view uri) {
+  const auto path = resolve(uri);
+  if (!path) return tl::make_unexpected(path.error());
+  return read_path(*path);
+}
+
+}  // namespace sinew
