@@ -24,6 +24,7 @@ struct Buffer {
   std::string uri;                        ///< empty = the BIN chunk of a .glb (buffer 0), or a placeholder
   std::uint64_t byte_length = 0;
   bool placeholder = false;               ///< holds no bytes: EXT_meshopt_compression fallback (T6)
+  Json extensions;
   Bytes bytes;                            ///< filled by load_buffers(): byte_length bytes
 };
 
@@ -118,7 +119,7 @@ struct Scene {
 };
 
 struct Document {
-  std::string generator, copyright, version;
+  std::string generator, copyright, version, min_version;
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<Buffer> buffers;
   std::vector<BufferView> buffer_views;

@@ -73,7 +73,7 @@ tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) 
   const fs::path textual = (root / relative).lexically_normal();
   if (!lies_below(textual, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder");
   const fs::path target = fs::canonical(root / relative, error);
-  if (error) return fault(Kind::missing, "\"" + *decoded + "\" cannot be opened: " + error.message());
+  if (error) return fault(Kind::missing, std::string("\"") + *decoded + "\" cannot be opened: " + error.message());
   if (!lies_below(target, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder by a link");
   return target;
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "importer/issue_log.h"
+
+namespace sinew {
+
+/// What one JSON property must look like. Tables of these describe a document (gltf_shape.cpp).
+enum class JsonKind : std::uint8_t { any, boolean, number, integer, string, object, array, index_map };
+
+struct JsonObjectShape;
+
+struct JsonValueShape {
+  JsonKind kind = JsonKind::any;
+  double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();  ///< numbers
+  std::span<const std::string_view> words{};        ///< strings: the allowed ones, empty = any
+  std::span<const std::int64_t> numbers{};          ///< integers: the allowed ones, empty = any
+  const JsonObjectShape* object = nullptr;          ///< of objects, null = any content
+  const JsonValueShape* element = nullptr;          ///< of arrays
+  std::size_t length = 0;                           ///< of arrays, 0 = any
+};
+
+struct JsonProperty {
+  std::string_view name;
+  JsonValueShape value;
+  bool required = false;
+};
+
+/// Properties that the tables do not name are free.
+struct JsonObjectShape {
+  std::span<const JsonProperty> properties;
+};
+
+/// Compares a value with its description and reports every difference with its place.
+/// err  json-type, json-missing;  warning empty-array.   cost O(value)
+void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
+
+}  // namespace sinew
