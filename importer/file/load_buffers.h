@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+
+#include "importer/file/document.h"
+#include "importer/file/sandboxed_files.h"
+#include "importer/issue_log.h"
+
+namespace sinew {
+
+/// Reads the bytes of every buffer (file, data URI or BIN chunk) and points every view into them. Placeholder buffers of
+/// EXT_meshopt_compression stay empty, and so do the views in them: its decoder fills those (T6, G61).
+/// in   references in range
+/// err  uri-forbidden, buffer-missing, buffer-short, file-too-large, buffer-view-range;  warning buffer-longer, buffer-view-empty
+void load_buffers(gltf::Document& document, SandboxedFiles& files, std::optional<gltf::Bytes> bin, IssueLog& log);
+
+/// Fetches the encoded bytes of every image; what cannot be had leaves a reason and a warning (G66).
+/// in   views with their bytes
+/// warning image-missing
+void load_images(gltf::Document& document, SandboxedFiles& files, IssueLog& log);
+
+}  // namespace sinew

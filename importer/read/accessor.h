@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "importer/file/document.h"
+
+namespace sinew {
+
+/// How one element of an accessor lies in memory. Columns of matrices start at multiples of 4 bytes, so the columns of
+/// small matrices are padded (G27).
+struct ElementLayout {
+  std::uint32_t rows = 1, columns = 1;     ///< a vector is one column
+  std::uint32_t component_bytes = 4;
+  std::uint32_t column_bytes = 4;          ///< with padding
+  std::uint32_t element_bytes = 4;         ///< with padding
+
+  std::uint32_t components() const noexcept { return rows * columns; }
+};
+
+ElementLayout element_layout(gltf::ElementType type, gltf::ComponentType component) noexcept;
+inline ElementLayout element_layout(const gltf::Accessor& accessor) noexcept {
+  return element_layout(accessor.type, accessor.component_type);
+}
+std::uint32_t component_bytes(gltf::ComponentType type) noexcept;
+
+/// Bytes from one element to the next: the view's stride, or tight.
+std::uint64_t element_stride(const gltf::Document& document, const gltf::Accessor& accessor) noexcept;
+
+/// All components of all elements as floats, column after column; sparse replacements applied, normalised integers
+/// decoded, no padding. An accessor without a view is zeros (G24, G28). Bytes are copied, never cast (G27).
+/// eq   signed normalised f = max(c / (2^(b-1) - 1), -1), unsigned f = c / (2^b - 1)   (glTF 2.0, "Animations"; G17)
+/// in   an accessor that passed check_accessors
+/// out  [count * components]   cost O(count)
+std::vector<float> read_floats(const gltf::Document& document, std::uint32_t accessor);
+
+/// The same for unsigned integers (indices, joints), never normalised. Other component types give zeros.
+std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);
+
+}  // namespace sinew
