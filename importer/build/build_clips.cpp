@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "importer/build/build_clips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/animations.h"
+#include "importer/read/rotations.h"
+
+namespace sinew {
+namespace {
+
+/// Larger than what normalised bytes and shorts lose.
+constexpr double kUnitTolerance = 0.00769;
+
+Vec3Track vec3_track(SamplerData data) {
+  Vec3Track track{data.interpolation, std::move(data.times_s), std::vector<glm::vec3>(data.values.size() / 3)};
+  if (!track.values.empty()) std::memcpy(track.values.data(), data.values.data(), track.values.size() * sizeof(glm::vec3));
+  return track;
+}
+
+/// Linear and step keys become unit quaternions (G18, G52). Cubic ones stay as stored: they shape the curve together
+/// with their tangents, and the sampled result is normalised (G04, G05).
+QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) {
+  QuatTrack track{data.interpolation, std::move(data.times_s), {}};
+  track.values.reserve(data.values.size() / 4);
+  const bool cubic = data.interpolation == Interpolation::cubic_spline;
+  double worst = 1.0;
+  std::size_t zeros = 0;
+  for (std::size_t i = 0; i + 3 < data.values.size(); i += 4) {
+    const float* q = data.values.data() + i;
+    const UnitRotation unit = unit_rotation(q[0], q[1], q[2], q[3]);
+    const bool is_value = !cubic || i / 4 % 3 == 1;
+    if (is_value && unit.length <= 1e-12) ++zeros;
+    else if (is_value && std::abs(unit.length - 1.0) > std::abs(worst - 1.0)) worst = unit.length;
+    track.values.push_back(cubic ? quat_xyzw(q[0], q[1], q[2], q[3]) : unit.rotation);
+  }
+  if (zeros > 0) log.report(Rule::rotation_zero, place, std::to_string(zeros) + " rotation keys have no length; taken as no rotation");
+  if (std::abs(worst - 1.0) > kUnitTolerance)
+    log.report(Rule::rotation_length, place, "a rotation key has length " + std::to_string(worst) + "; normalised");
+  return track;
+}
+
+class ClipBuilder {
+ public:
+  ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances, IssueLog& log)
+      : document_(document), order_(order), instances_(instances), log_(log) {}
+
+  Animation build(std::uint32_t animation) {
+    index_ = animation;
+    out_ = {};
+    bones_.clear();
+    weights_.clear();
+    targets_.clear();
+    out_.name = document_.animations[animation].name;
+    for (std::uint32_t c = 0; c < document_.animations[animation].channels.size() && log_.ok(); ++c) add_channel(c);
+    for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
+    for (auto& [instance, track] : weights_) out_.weights.push_back({instance, std::move(track)});
+    return std::move(out_);
+  }
+
+ private:
+  void add_channel(std::uint32_t channel) {
+    const auto target = read_channel_target(document_, index_, channel, log_);
+    if (!target) return;
+    const std::string place = pointer("animations", index_, "channels", channel, "target");
+    const auto key = std::pair(static_cast<int>(target->property), target->node != kNone ? target->node : target->mesh + (std::uint64_t{1} << 32));
+    if (!targets_.emplace(key, channel).second)
+      return log_.report(Rule::animation_duplicate, place, "channel " + std::to_string(targets_[key]) + " has the same target; this one is ignored");
+    if (target->property == AnimatedProperty::weights)
+      add_weights(*target, channel, place);
+    else
+      add_bone(*target, channel, place);
+  }
+
+  std::optional<SamplerData> read(std::uint32_t channel, AnimatedProperty property, std::uint32_t components) {
+    const std::uint32_t sampler = document_.animations[index_].channels[channel].sampler;
+    auto data = read_sampler(document_, index_, sampler, property, components, log_);
+    if (data) out_.duration_s = std::max(out_.duration_s, static_cast<double>(data->times_s.back()));
+    return data;
+  }
+
+  void add_bone(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
+    auto data = read(channel, target.property, target.property == AnimatedProperty::rotation ? 4 : 3);
+    if (!data) return;
+    const std::uint32_t joint = order_.joint_of_node[target.node];
+    BoneAnimation& bone = bones_[joint];
+    bone.joint = joint;
+    switch (target.property) {
+      case AnimatedProperty::translation: bone.translation = vec3_track(std::move(*data)); break;
+      case AnimatedProperty::rotation: bone.rotation = quat_track(std::move(*data), place, log_); break;
+      case AnimatedProperty::scale: bone.scale = vec3_track(std::move(*data)); break;
+      case AnimatedProperty::weights: break;
+    }
+  }
+
+  std::vector<std::uint32_t> instances_of(const ChannelTarget& target) const {
+    if (target.node != kNone) {
+      const std::uint32_t instance = instances_.of_node[target.node];
+      return instance == kNone ? std::vector<std::uint32_t>{} : std::vector<std::uint32_t>{instance};
+    }
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < instances_.list.size(); ++i) {
+      const std::uint32_t node = order_.node_of_joint[instances_.list[i].joint];
+      if (instances_.list[i].mesh == target.mesh && document_.nodes[node].weights.empty()) found.push_back(i);
+    }
+    return found;
+  }
+
+  void add_weights(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
+    const auto moved = instances_of(target);
+    const std::size_t count = moved.empty() ? 0 : instances_.list[moved.front()].rest_weights.size();
+    if (count == 0) return log_.report(Rule::animation_no_morphs, place, "nothing with morph targets is there; the channel is ignored");
+    const auto data = read(channel, AnimatedProperty::weights, static_cast<std::uint32_t>(count));
+    if (!data) return;
+    for (const std::uint32_t instance : moved)
+      if (!weights_.contains(instance) || target.node != kNone)
+        weights_[instance] = WeightTrack{data->interpolation, data->times_s, data->values, static_cast<std::uint32_t>(count)};
+  }
+
+  const gltf::Document& document_;
+  const JointOrder& order_;
+  const Instances& instances_;
+  IssueLog& log_;
+  std::uint32_t index_ = 0;
+  Animation out_;
+  std::map<std::uint32_t, BoneAnimation> bones_;
+  std::map<std::uint32_t, WeightTrack> weights_;
+  std::map<std::pair<int, std::uint64_t>, std::uint32_t> targets_;
+};
+
+}  // namespace
+
+std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
+                                   IssueLog& log) {
+  std::vector<Animation> animations;
+  animations.reserve(document.animations.size());
+  ClipBuilder builder(document, order, instances, log);
+  for (std::uint32_t a = 0; a < document.animations.size() && log.ok(); ++a) animations.push_back(builder.build(a));
+  return animations;
+}
+
+}  // namespace sinew

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "importer/build/build_instances.h"
+#include "importer/build/joint_order.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/bone_animation.h"
+
+namespace sinew {
+
+/// The animations in authoring form, keys as the file has them (G23). Of two channels with one target the first counts
+/// (G20). A pointer to the weights of a mesh moves every instance of it whose node has no weights of its own.
+/// err  those of read_channel_target and read_sampler
+/// warning also animation-duplicate, animation-no-morphs, rotation-length, rotation-zero
+std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
+                                   IssueLog& log);
+
+}  // namespace sinew

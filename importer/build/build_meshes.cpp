@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "importer/build/build_meshes.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "importer/build/build_morph_sets.h"
+#include "importer/build/group_vertices.h"
+#include "importer/file/json_pointer.h"
+#include "importer/topology/normals.h"
+#include "importer/topology/tangents.h"
+
+namespace sinew {
+namespace {
+
+/// Joints of the smallest skin that any node uses with each mesh: all its vertices must stay below (G36).
+std::vector<std::uint32_t> joint_limits(const gltf::Document& document) {
+  std::vector<std::uint32_t> limits(document.meshes.size(), 65536);
+  for (const auto& node : document.nodes)
+    if (node.mesh != kNone && node.skin != kNone)
+      limits[node.mesh] = std::min(limits[node.mesh], static_cast<std::uint32_t>(document.skins[node.skin].joints.size()));
+  return limits;
+}
+
+std::size_t target_count(const gltf::Document& document, std::uint32_t mesh, IssueLog& log) {
+  const auto& primitives = document.meshes[mesh].primitives;
+  std::size_t most = 0;
+  for (const auto& primitive : primitives) most = std::max(most, primitive.targets.size());
+  for (std::size_t p = 0; p < primitives.size(); ++p)
+    if (primitives[p].targets.size() != most)
+      log.report(Rule::mesh_target_count, pointer("meshes", mesh, "primitives", p, "targets"),
+                 std::to_string(primitives[p].targets.size()) + " targets, another primitive has " + std::to_string(most) +
+                     "; the missing ones move nothing");
+  return most;
+}
+
+/// Texture coordinates that the normal map of a material uses, kNone without one.
+std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t material) {
+  if (material == kNone) return kNone;
+  const gltf::TextureInfo& info = document.materials[material].normal_texture;
+  if (info.index == kNone) return kNone;
+  if (!info.extensions.is_object()) return info.texcoord;
+  const auto transform = info.extensions.find("KHR_texture_transform");
+  if (transform == info.extensions.end() || !transform->is_object()) return info.texcoord;
+  const auto own = transform->find("texCoord");
+  return own != transform->end() && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
+}
+
+void make_missing(const gltf::Document& document, const ImportOptions& options, Primitive& primitive) {
+  if (primitive.topology != Topology::triangles || primitive.indices.empty()) return;
+  if (options.make_normals && primitive.normals.empty()) make_flat_normals(primitive);
+  const std::uint32_t set = normal_map_texcoord(document, primitive.material);
+  if (options.make_tangents && primitive.tangents.empty() && !primitive.normals.empty() && set < primitive.texcoords.size())
+    make_tangents(primitive, set);
+}
+
+Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t targets,
+                          std::uint32_t joint_limit, const ImportOptions& options, IssueLog& log) {
+  PrimitiveData data = read_primitive(document, mesh, index, log);
+  Primitive& primitive = data.primitive;
+  if (!log.ok()) return std::move(primitive);
+  const std::string place = pointer("meshes", mesh, "primitives", index, "attributes");
+  const auto merged = merge_influences(data.influence_sets, primitive.vertex_count(), joint_limit, place, log);
+  if (!log.ok()) return std::move(primitive);
+  group_vertices(primitive, merged);
+  build_morph_set(document, mesh, index, targets, primitive, log);
+  for (const auto& p : primitive.positions) primitive.bounds.add(p);
+  if (log.ok()) make_missing(document, options, primitive);
+  return std::move(primitive);
+}
+
+std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, std::size_t targets, IssueLog& log) {
+  if (!mesh.weights.empty() && mesh.weights.size() != targets)
+    log.report(Rule::mesh_weights_count, pointer("meshes", index, "weights"), std::to_string(mesh.weights.size()) + " weights for " +
+                   std::to_string(targets) + " targets; cut or filled with zeros");
+  std::vector<float> weights(targets, 0.0f);
+  for (std::size_t t = 0; t < std::min(targets, mesh.weights.size()); ++t) weights[t] = static_cast<float>(mesh.weights[t]);
+  return weights;
+}
+
+}  // namespace
+
+std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptions& options, IssueLog& log) {
+  std::vector<Mesh> meshes;
+  meshes.reserve(document.meshes.size());
+  const auto limits = joint_limits(document);
+  for (std::uint32_t m = 0; m < document.meshes.size() && log.ok(); ++m) {
+    const gltf::Mesh& source = document.meshes[m];
+    Mesh mesh;
+    mesh.name = source.name;
+    const std::size_t targets = target_count(document, m, log);
+    mesh.default_weights = default_weights(source, m, targets, log);
+    if (source.target_names.size() == targets) mesh.target_names = source.target_names;
+    for (std::uint32_t p = 0; p < source.primitives.size() && log.ok(); ++p)
+      mesh.primitives.push_back(build_primitive(document, m, p, targets, limits[m], options, log));
+    meshes.push_back(std::move(mesh));
+    if (options.progress) options.progress("meshes", static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
+  }
+  return meshes;
+}
+
+}  // namespace sinew

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "importer/file/document.h"
+#include "importer/import_gltf.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/mesh.h"
+
+namespace sinew {
+
+/// Every mesh of the document, primitive by primitive: vertices grouped by influence count, morph targets sparse,
+/// missing normals and tangents made where asked for.
+/// err  those of read_primitive, read_morph_target, merge_influences
+/// warning mesh-target-count, mesh-weights-count: short lists are filled with zeros, long ones cut
+std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptions& options, IssueLog& log);
+
+}  // namespace sinew

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/mesh.h"
+
+namespace sinew {
+
+/// Morph targets of a primitive as sparse deltas: vertices that a target does not move have no entry (P10).
+/// in   primitive     its vertices in their final order
+///      target_count  of the mesh; missing targets are empty
+/// out  primitive.morphs.   cost O(targets * V), one dense target at a time
+void build_morph_set(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t target_count,
+                     Primitive& primitive, IssueLog& log);
+
+}  // namespace sinew

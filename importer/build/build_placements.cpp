@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "importer/build/build_placements.h"
+
+#include <cmath>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Json;
+
+Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& log) {
+  Camera camera;
+  camera.name = source.name;
+  camera.perspective = source.perspective;
+  const auto use = [&](double value, float& out, const char* name) {
+    if (value > 0.0) out = static_cast<float>(value);
+    else log.report(Rule::camera_values, pointer("cameras", index), std::string(name) + " is not above 0; " + std::to_string(out) + " is used");
+  };
+  if (source.perspective) {
+    use(source.yfov, camera.fov_y_rad, "yfov");
+    camera.aspect = source.aspect > 0.0 ? static_cast<float>(source.aspect) : 0.0f;
+  } else {
+    use(std::abs(source.xmag), camera.half_width, "xmag");
+    use(std::abs(source.ymag), camera.half_height, "ymag");
+  }
+  if (source.perspective || source.znear > 0.0) use(source.znear, camera.near_m, "znear");
+  else camera.near_m = 0.0f;
+  if (source.zfar > source.znear) camera.far_m = static_cast<float>(source.zfar);
+  else if (source.zfar != 0.0) log.report(Rule::camera_values, pointer("cameras", index), "zfar is not above znear; infinite is used");
+  return camera;
+}
+
+const Json* member(const Json& object, const char* name) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(name);
+  return found == object.end() ? nullptr : &*found;
+}
+
+float number_or(const Json& object, const char* name, float fallback) {
+  const Json* value = member(object, name);
+  return value != nullptr && value->is_number() && std::isfinite(value->get<float>()) ? value->get<float>() : fallback;
+}
+
+Light build_light(const Json& json) {
+  Light light;
+  const Json* type = member(json, "type");
+  const Json* name = member(json, "name");
+  if (name != nullptr && name->is_string()) light.name = name->get<std::string>();
+  const std::string kind = type != nullptr && type->is_string() ? type->get<std::string>() : "";
+  light.kind = kind == "spot" ? Light::Kind::spot : kind == "point" ? Light::Kind::point : Light::Kind::directional;
+  if (const Json* color = member(json, "color"); color != nullptr && color->is_array() && color->size() == 3)
+    for (int c = 0; c < 3; ++c)
+      if (const auto& value = (*color)[static_cast<std::size_t>(c)]; value.is_number()) light.color[c] = value.get<float>();
+  light.intensity = number_or(json, "intensity", light.intensity);
+  light.range_m = number_or(json, "range", light.range_m);
+  if (const Json* spot = member(json, "spot")) {
+    light.inner_cone_rad = number_or(*spot, "innerConeAngle", light.inner_cone_rad);
+    light.outer_cone_rad = number_or(*spot, "outerConeAngle", light.outer_cone_rad);
+  }
+  return light;
+}
+
+void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
+  constexpr const char* kLights = "KHR_lights_punctual";
+  const Json* extension = member(document.extensions, kLights);
+  const Json* list = extension != nullptr ? member(*extension, "lights") : nullptr;
+  for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
+    const Json* use = member(document.nodes[n].extensions, kLights);
+    const Json* index = use != nullptr ? member(*use, "light") : nullptr;
+    if (index == nullptr) continue;
+    const bool known = list != nullptr && list->is_array() && index->is_number_unsigned() && index->get<std::uint64_t>() < list->size();
+    if (!known) {
+      log.report(Rule::light_values, pointer("nodes", n, "extensions", kLights, "light"), "there is no such light; ignored");
+      continue;
+    }
+    scene.lights.push_back(build_light((*list)[index->get<std::size_t>()]));
+    scene.lights.back().joint = order.joint_of_node[n];
+  }
+}
+
+}  // namespace
+
+void build_placements(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
+  for (std::uint32_t c = 0; c < document.cameras.size(); ++c) scene.cameras.push_back(build_camera(document.cameras[c], c, log));
+  for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
+    if (const std::uint32_t camera = document.nodes[n].camera; camera != kNone) {
+      if (scene.cameras[camera].joint == kNone) {
+        scene.cameras[camera].joint = order.joint_of_node[n];
+      } else {
+        scene.cameras.push_back(scene.cameras[camera]);  // one camera on several nodes
+        scene.cameras.back().joint = order.joint_of_node[n];
+      }
+    }
+  build_lights(document, order, scene, log);
+  for (const auto& source : document.scenes) {
+    SceneRoots roots{source.name, {}};
+    for (const std::uint32_t node : source.nodes) roots.joints.push_back(order.joint_of_node[node]);
+    scene.scenes.push_back(std::move(roots));
+  }
+  if (document.scene != kNone) scene.default_scene = document.scene;
+  else if (!document.scenes.empty()) scene.default_scene = 0;
+}
+
+}  // namespace sinew

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "importer/build/joint_order.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/skin.h"
+
+namespace sinew {
+
+/// The skins: joints as skeleton joints in the skin's own order, inverse bind matrices, the skeleton hint (G30..G34).
+/// err  those of read_inverse_bind_matrices;  warning skin-common-root
+std::vector<Skin> build_skins(const gltf::Document& document, const JointOrder& order, IssueLog& log);
+
+}  // namespace sinew

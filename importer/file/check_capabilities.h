@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+
+namespace sinew {
+
+/// Extensions that a file may require: those whose data the importer reads, and those that only change how surfaces
+/// look in ways that may be left out.
+std::span<const std::string_view> supported_extensions() noexcept;
+
+/// What must hold before the rest of a document is worth reading.
+/// in   json with the right shape
+/// err  asset-version, extension-required by name (G57), too-many (G68);  warning asset-minor-version
+void check_capabilities(const gltf::Json& json, std::uint32_t max_nodes, IssueLog& log);
+
+/// Vertices, keys and indices that the document will grow to, before anything grows: many primitives may name one
+/// accessor, and an accessor without a view costs no byte of the file (G68).
+/// in   references in range;  file_bytes  with all buffers
+/// err  memory-budget
+void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, IssueLog& log);
+
+}  // namespace sinew

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "importer/import_gltf.h"
+
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "importer/build/build_clips.h"
+#include "importer/build/build_instances.h"
+#include "importer/build/build_meshes.h"
+#include "importer/build/build_placements.h"
+#include "importer/build/build_skeleton.h"
+#include "importer/build/build_skins.h"
+#include "importer/file/check_capabilities.h"
+#include "importer/file/check_references.h"
+#include "importer/file/glb_container.h"
+#include "importer/file/gltf_shape.h"
+#include "importer/file/load_buffers.h"
+#include "importer/file/parse_json.h"
+#include "importer/file/sandboxed_files.h"
+#include "importer/file/tinygltf_reader.h"
+#include "importer/issue_log.h"
+#include "importer/read/check_accessors.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Bytes;
+using gltf::Document;
+
+/// One import from bytes to scene. Each step may rely on what the steps before it proved, and the import stops after the
+/// first step that reports an error.
+class Import {
+ public:
+  Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log) : files_(files), options_(options), log_(log) {}
+
+  std::optional<ImportedFile> run(Bytes file) {
+    progress("parse", 0.0);
+    if (!parse(file)) return std::nullopt;
+    progress("buffers", 0.1);
+    if (!load()) return std::nullopt;
+    progress("scene", 0.3);
+    ImportedFile out;
+    if (!build(out.scene)) return std::nullopt;
+    progress("clips", 0.9);
+    finish_scene(out.scene);
+    if (const ErrorCode code = check(out.scene); code != ErrorCode::ok) {
+      log_.report(Rule::scene_check, "", std::string(describe(code)));
+      return std::nullopt;
+    }
+    fill_facts(out.facts);
+    out.warnings = log_.take_warnings();
+    progress("done", 1.0);
+    return out;
+  }
+
+ private:
+  bool parse(Bytes file) {
+    Container parts{file, std::nullopt};
+    if (looks_like_glb(file)) {
+      const auto glb = open_glb(file, log_);
+      if (!glb) return false;
+      parts = *glb;
+    }
+    bin_ = parts.bin;
+    const auto json = parse_json(parts.json, log_);
+    if (!json) return false;
+    check_shape(*json, gltf_shape(), "", log_);
+    if (!log_.ok()) return false;
+    check_capabilities(*json, options_.max_nodes, log_);
+    if (!log_.ok()) return false;
+    auto document = read_document(*json, log_);
+    if (!document) return false;
+    document_ = std::move(*document);
+    check_references(document_, log_);
+    return log_.ok();
+  }
+
+  bool load() {
+    load_buffers(document_, files_, bin_, log_);
+    if (!log_.ok()) return false;
+    check_accessors(document_, log_);
+    if (!log_.ok()) return false;
+    check_memory_budget(document_, files_.bytes_read(), log_);
+    if (!log_.ok()) return false;
+    if (options_.decode_images) load_images(document_, files_, log_);
+    return true;
+  }
+
+  bool build(Scene& scene) {
+    const JointOrder order = order_joints(document_);
+    scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
+    scene.skins = build_skins(document_, order, log_);
+    if (!log_.ok()) return false;
+    scene.meshes = build_meshes(document_, options_, log_);
+    if (!log_.ok()) return false;
+    Instances instances = build_instances(document_, order, scene.meshes, log_);
+    scene.animations = build_clips(document_, order, instances, log_);
+    scene.instances = std::move(instances.list);
+    build_placements(document_, order, scene, log_);
+    return log_.ok();
+  }
+
+  void fill_facts(ImportedFile::Facts& facts) {
+    facts.generator = document_.generator;
+    facts.copyright = document_.copyright;
+    facts.version = document_.version;
+    facts.extensions_used = document_.extensions_used;
+    facts.extensions_required = document_.extensions_required;
+    facts.file_bytes = files_.bytes_read();
+  }
+
+  void progress(const char* stage, double done) const {
+    if (options_.progress) options_.progress(stage, done);
+  }
+
+  SandboxedFiles& files_;
+  const ImportOptions& options_;
+  IssueLog& log_;
+  Document document_;
+  std::optional<Bytes> bin_;
+};
+
+/// Runs an import so that nothing but a result leaves: what a library throws becomes an error like any other.
+template <class Run>
+ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
+  try {
+    if (auto out = run()) return std::move(*out);
+  } catch (const std::bad_alloc&) {
+    log.report(Rule::memory_budget, "", "out of memory");
+  } catch (const std::exception& error) {
+    log.report(Rule::internal, "", error.what());
+  }
+  return tl::make_unexpected(log.take_error(name));
+}
+
+}  // namespace
+
+ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options) {
+  IssueLog log;
+  const std::string name = file.string();
+  return guarded(name, log, [&]() -> std::optional<ImportedFile> {
+    SandboxedFiles files(file.parent_path(), options.max_file_bytes);
+    const auto bytes = files.read_path(file);
+    if (!bytes) {
+      const bool large = bytes.error().kind == FileFault::Kind::too_large;
+      log.report(large ? Rule::file_too_large : Rule::file_unreadable, "", bytes.error().detail);
+      return std::nullopt;
+    }
+    return Import(files, options, log).run(*bytes);
+  });
+}
+
+ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const std::string& name, const ImportOptions& options) {
+  IssueLog log;
+  return guarded(name, log, [&]() -> std::optional<ImportedFile> {
+    SandboxedFiles files(std::nullopt, options.max_file_bytes);
+    if (!files.take(bytes.size())) {
+      log.report(Rule::file_too_large, "", std::to_string(bytes.size()) + " bytes are more than allowed");
+      return std::nullopt;
+    }
+    return Import(files, options, log).run(bytes);
+  });
+}
+
+}  // namespace sinew

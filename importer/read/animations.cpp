@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/animations.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/accessor.h"
+
+namespace sinew {
+namespace {
+
+using gltf::ComponentType;
+using gltf::ElementType;
+
+std::optional<AnimatedProperty> property_of(std::string_view path) {
+  if (path == "translation") return AnimatedProperty::translation;
+  if (path == "rotation") return AnimatedProperty::rotation;
+  if (path == "scale") return AnimatedProperty::scale;
+  if (path == "weights") return AnimatedProperty::weights;
+  return std::nullopt;
+}
+
+/// "/nodes/3/scale" into "nodes", 3, "scale".
+struct PointerParts {
+  std::string_view list;
+  std::uint32_t index = kNone;
+  std::string_view property;
+};
+
+std::optional<PointerParts> split_pointer(std::string_view text) {
+  if (text.empty() || text.front() != '/') return std::nullopt;
+  text.remove_prefix(1);
+  const auto first = text.find('/');
+  const auto second = first == text.npos ? first : text.find('/', first + 1);
+  if (second == text.npos) return std::nullopt;
+  PointerParts parts{text.substr(0, first), kNone, text.substr(second + 1)};
+  const auto digits = text.substr(first + 1, second - first - 1);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), parts.index);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return parts;
+}
+
+/// KHR_animation_pointer: pointers to node properties behave as plain channels (G58).
+std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const gltf::AnimationChannel& channel,
+                                          const std::string& place, IssueLog& log) {
+  const auto ignore = [&](const char* why) {
+    log.report(Rule::animation_pointer, place, "\"" + channel.pointer + "\" " + why + "; the channel is ignored");
+    return std::nullopt;
+  };
+  const auto parts = split_pointer(channel.pointer);
+  if (!parts) return ignore("is not a pointer that the runtime animates");
+  const auto property = property_of(parts->property);
+  const bool of_node = parts->list == "nodes" && property;
+  const bool of_mesh = parts->list == "meshes" && property == AnimatedProperty::weights;
+  if (!of_node && !of_mesh) return ignore("is not a property that the runtime animates");
+  if (parts->index >= (of_node ? document.nodes.size() : document.meshes.size())) {
+    log.report(Rule::reference, place, "\"" + channel.pointer + "\" points past the end");
+    return std::nullopt;
+  }
+  return of_node ? ChannelTarget{*property, parts->index, kNone} : ChannelTarget{*property, kNone, parts->index};
+}
+
+Interpolation interpolation_of(const std::string& word, const std::string& place, IssueLog& log) {
+  if (word == "STEP") return Interpolation::step;
+  if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
+  if (word != "LINEAR")
+    log.report(Rule::animation_interpolation, pointer(place, "interpolation"), "\"" + word.substr(0, 40) + "\" is unknown; LINEAR is used");
+  return Interpolation::linear;
+}
+
+/// Translations and scales are floats; rotations and weights may be normalised integers (G17).
+bool output_format_fits(const gltf::Accessor& output, AnimatedProperty property) {
+  constexpr ElementType kTypes[] = {ElementType::vec3, ElementType::vec4, ElementType::vec3, ElementType::scalar};
+  if (output.type != kTypes[static_cast<std::size_t>(property)]) return false;
+  if (output.component_type == ComponentType::f32) return true;
+  const bool may_be_integer = property == AnimatedProperty::rotation || property == AnimatedProperty::weights;
+  return may_be_integer && output.component_type != ComponentType::u32;
+}
+
+class SamplerReader {
+ public:
+  SamplerReader(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler, IssueLog& log)
+      : document_(document), sampler_(document.animations[animation].samplers[sampler]),
+        place_(pointer("animations", animation, "samplers", sampler)), log_(log) {}
+
+  std::optional<SamplerData> read(AnimatedProperty property, std::uint32_t components) {
+    SamplerData data;
+    data.interpolation = interpolation_of(sampler_.interpolation, place_, log_);
+    if (!check_shape(property, components, data.interpolation)) return std::nullopt;
+    warn_stride(sampler_.input, "input"), warn_stride(sampler_.output, "output");
+    data.times_s = read_floats(document_, sampler_.input);
+    if (!check_times(data.times_s)) return std::nullopt;
+    data.values = read_floats(document_, sampler_.output);
+    if (!std::all_of(data.values.begin(), data.values.end(), [](float f) { return std::isfinite(f); })) {
+      log_.report(Rule::animation_values, pointer(place_, "output"), "holds NaN or infinity; channels that use it are left out");
+      return std::nullopt;
+    }
+    return data;
+  }
+
+ private:
+  bool check_shape(AnimatedProperty property, std::uint32_t components, Interpolation interpolation) {
+    const gltf::Accessor &input = document_.accessors[sampler_.input], &output = document_.accessors[sampler_.output];
+    if (input.type != ElementType::scalar || input.component_type != ComponentType::f32) {
+      log_.report(Rule::animation_input, pointer(place_, "input"), "key times are not scalar floats");
+      return false;
+    }
+    if (!output_format_fits(output, property)) {
+      log_.report(Rule::animation_output, pointer(place_, "output"), "has not the type that the animated property needs");
+      return false;
+    }
+    if (input.count == 0) {
+      log_.report(Rule::animation_no_keys, pointer(place_, "input"), "no keys; channels that use it are left out");
+      return false;
+    }
+    const bool cubic = interpolation == Interpolation::cubic_spline;
+    if (cubic && input.count < 2) {
+      log_.report(Rule::animation_cubic_keys, pointer(place_, "input"), "one key for CUBICSPLINE; channels that use it are left out");
+      return false;
+    }
+    const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (property == AnimatedProperty::weights ? components : 1u);
+    if (output.count == input.count * per_key) return true;
+    log_.report(Rule::animation_output, pointer(place_, "output"), std::to_string(output.count) + " values for " +
+                    std::to_string(input.count) + " keys that need " + std::to_string(per_key) + " each");
+    return false;
+  }
+
+  void warn_stride(std::uint32_t accessor, const char* name) {
+    const auto view = document_.accessors[accessor].buffer_view;
+    if (view != kNone && document_.buffer_views[view].byte_stride != 0)
+      log_.report(Rule::animation_stride, pointer(place_, name), "its buffer view has a byteStride; read with it");
+    const auto& bounds = document_.accessors[accessor];
+    if (std::string_view(name) == "input" && (bounds.min.empty() || bounds.max.empty()))
+      log_.report(Rule::animation_bounds, pointer("accessors", accessor), "key times without min and max; taken from the data");
+  }
+
+  bool check_times(const std::vector<float>& times) {
+    bool repeated = false;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const bool good = std::isfinite(times[k]) && times[k] >= 0.0f && (k == 0 || times[k] >= times[k - 1]);
+      if (!good) {
+        log_.report(Rule::animation_times, pointer(place_, "input"), "time of key " + std::to_string(k) +
+                        " is negative, decreasing or not finite; channels that use it are left out");
+        return false;
+      }
+      repeated = repeated || (k > 0 && times[k] == times[k - 1]);
+    }
+    if (repeated)
+      log_.report(Rule::animation_time_repeated, pointer(place_, "input"), "two keys at one time are a jump: the later value holds from there");
+    return true;
+  }
+
+  const gltf::Document& document_;
+  const gltf::AnimationSampler& sampler_;
+  std::string place_;
+  IssueLog& log_;
+};
+
+}  // namespace
+
+std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation, std::uint32_t index,
+                                                 IssueLog& log) {
+  const gltf::AnimationChannel& channel = document.animations[animation].channels[index];
+  const std::string place = pointer("animations", animation, "channels", index, "target");
+  if (channel.path == "pointer") return read_pointer(document, channel, place, log);
+  const auto property = property_of(channel.path);
+  if (!property) {
+    log.report(Rule::animation_path, pointer(place, "path"), "\"" + channel.path.substr(0, 40) + "\" is unknown; the channel is ignored");
+    return std::nullopt;
+  }
+  if (channel.node == kNone) {
+    log.report(Rule::animation_no_target, place, "names no node; the channel is ignored");
+    return std::nullopt;
+  }
+  return ChannelTarget{*property, channel.node, kNone};
+}
+
+std::optional<SamplerData> read_sampler(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler,
+                                        AnimatedProperty property, std::uint32_t components, IssueLog& log) {
+  return SamplerReader(document, animation, sampler, log).read(property, components);
+}
+
+}  // namespace sinew

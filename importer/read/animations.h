@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/track.h"
+
+namespace sinew {
+
+enum class AnimatedProperty : std::uint8_t { translation, rotation, scale, weights };
+
+/// What a channel moves: a property of a node, or the default weights of a mesh (KHR_animation_pointer).
+struct ChannelTarget {
+  AnimatedProperty property = AnimatedProperty::translation;
+  std::uint32_t node = kNone;
+  std::uint32_t mesh = kNone;   ///< only for /meshes/n/weights
+
+  friend bool operator==(const ChannelTarget&, const ChannelTarget&) = default;
+};
+
+/// Nothing where the channel is to be ignored: no node (G21), an unknown path, a pointer to something that the runtime
+/// does not animate.
+/// err  reference (a pointer past the end);  warning animation-no-target, animation-path, animation-pointer
+std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation, std::uint32_t channel,
+                                                 IssueLog& log);
+
+/// Times and values of one sampler as the file has them.
+struct SamplerData {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times_s;
+  std::vector<float> values;    ///< [K * components] or [K * 3 * components] for cubic_spline (G03, G19)
+};
+
+/// Reads the sampler of a channel and holds it to the shape of its property: `components` 3, 4, or the number of morph
+/// targets (G16). Nothing where the channel must be left out; the rest of the animation stays (G08, G09, G13, G14).
+/// err  animation-input, animation-output;  warning animation-interpolation, animation-no-keys, animation-cubic-keys,
+///      animation-times, animation-time-repeated, animation-values
+std::optional<SamplerData> read_sampler(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler,
+                                        AnimatedProperty property, std::uint32_t components, IssueLog& log);
+
+}  // namespace sinew

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/accessor.h"
+#include "importer/read/primitive_indices.h"
+#include "importer/read/vertex_formats.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kUnitTolerance = 0.00674f;  // of an 8-bit normal, as common validators take it
+
+template <class V>
+std::vector<V> as_vectors(const std::vector<float>& numbers) {
+  std::vector<V> out(numbers.size() / static_cast<std::size_t>(V::length()));
+  if (!out.empty()) std::memcpy(out.data(), numbers.data(), out.size() * sizeof(V));
+  return out;
+}
+
+std::vector<glm::vec4> as_colors(const std::vector<float>& numbers, bool with_alpha) {
+  if (with_alpha) return as_vectors<glm::vec4>(numbers);
+  std::vector<glm::vec4> out;
+  out.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) out.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2], 1.0f);
+  return out;
+}
+
+class PrimitiveReader {
+ public:
+  PrimitiveReader(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log)
+      : document_(document), source_(document.meshes[mesh].primitives[primitive]),
+        place_(pointer("meshes", mesh, "primitives", primitive)), log_(log) {}
+
+  PrimitiveData read() {
+    data_.primitive.topology = topology_of(source_.mode);
+    data_.primitive.material = source_.material;
+    const auto position = source_.attributes.find("POSITION");
+    if (position == source_.attributes.end()) {
+      log_.report(Rule::mesh_no_position, pointer(place_, "attributes"), "no POSITION; the primitive is left out");
+      return std::move(data_);
+    }
+    count_ = document_.accessors[position->second].count;
+    for (const auto& [name, accessor] : source_.attributes) read_attribute(name, accessor);
+    collect_texcoords();
+    collect_influences();
+    if (!log_.ok()) return std::move(data_);
+    data_.primitive.indices = read_indices(document_, source_, static_cast<std::uint32_t>(count_), place_, log_);
+    if (!data_.primitive.tangents.empty() && data_.primitive.normals.empty())
+      log_.report(Rule::mesh_tangent_without_normal, pointer(place_, "attributes", "TANGENT"), "tangents without normals are ignored");
+    if (data_.primitive.normals.empty()) data_.primitive.tangents.clear();
+    return std::move(data_);
+  }
+
+ private:
+  void read_attribute(const std::string& name, std::uint32_t accessor) {
+    const auto semantic = parse_semantic(name);
+    const std::string place = pointer(place_, "attributes", pointer_token(name));
+    if (!semantic) {
+      if (!name.starts_with('_')) log_.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
+      return;
+    }
+    if (document_.accessors[accessor].count != count_)
+      return log_.report(Rule::mesh_attribute_count, place, std::to_string(document_.accessors[accessor].count) + " entries for " +
+                                                                std::to_string(count_) + " vertices");
+    if (!check_vertex_format(document_, accessor, semantic->attribute, false, place, log_)) return;
+    if (semantic->attribute == Attribute::joints) {
+      joints_[semantic->set] = read_unsigned(document_, accessor);
+      return;
+    }
+    store(*semantic, accessor, read_finite(document_, accessor, place, log_), place);
+  }
+
+  void store(const Semantic& semantic, std::uint32_t accessor, std::vector<float> numbers, const std::string& place) {
+    auto& primitive = data_.primitive;
+    switch (semantic.attribute) {
+      case Attribute::position: primitive.positions = as_vectors<glm::vec3>(numbers); break;
+      case Attribute::normal:
+        primitive.normals = as_vectors<glm::vec3>(numbers);
+        make_unit(place);
+        break;
+      case Attribute::tangent:
+        primitive.tangents = as_vectors<glm::vec4>(numbers);
+        make_signs(place);
+        break;
+      case Attribute::texcoord: texcoords_[semantic.set] = as_vectors<glm::vec2>(numbers); break;
+      case Attribute::color:
+        if (semantic.set == 0) primitive.colors = as_colors(numbers, document_.accessors[accessor].type == gltf::ElementType::vec4);
+        break;
+      case Attribute::weights: weights_[semantic.set] = std::move(numbers); break;
+      case Attribute::joints: break;
+    }
+  }
+
+  /// Lengths near 1 stay as they are: morphed normals are sums of stored values.
+  void make_unit(const std::string& place) {
+    std::size_t odd = 0;
+    float worst = 1.0f;
+    for (auto& n : data_.primitive.normals) {
+      const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+      if (std::abs(length - 1.0f) <= kUnitTolerance) continue;
+      if (std::abs(length - 1.0f) > std::abs(worst - 1.0f)) worst = length;
+      ++odd;
+      n = length > 1e-20f ? n / length : glm::vec3(0.0f, 0.0f, 1.0f);
+    }
+    if (odd > 0)
+      log_.report(Rule::mesh_normal_length, place, std::to_string(odd) + " normals are not of unit length (one has " +
+                                                       std::to_string(worst) + "); normalised, +Z where there is none");
+  }
+
+  void make_signs(const std::string& place) {
+    std::size_t odd = 0;
+    for (auto& t : data_.primitive.tangents) {
+      if (t.w == 1.0f || t.w == -1.0f) continue;
+      ++odd;
+      t.w = t.w < 0.0f ? -1.0f : 1.0f;
+    }
+    if (odd > 0) log_.report(Rule::mesh_tangent_sign, place, std::to_string(odd) + " handedness values are not +1 or -1; the sign is taken");
+  }
+
+  void collect_texcoords() {
+    for (auto& [set, values] : texcoords_) {
+      if (set != data_.primitive.texcoords.size())
+        return log_.report(Rule::mesh_texcoord_gap, pointer(place_, "attributes"), "TEXCOORD_" + std::to_string(set) +
+                                                                                       " follows a gap; ignored");
+      data_.primitive.texcoords.push_back(std::move(values));
+    }
+  }
+
+  void collect_influences() {
+    for (auto& [set, joints] : joints_) {
+      const auto weights = weights_.find(set);
+      if (weights == weights_.end()) continue;
+      data_.influence_sets.push_back({std::move(joints), std::move(weights->second)});
+    }
+    if (data_.influence_sets.size() != joints_.size() || joints_.size() != weights_.size())
+      log_.report(Rule::mesh_joint_sets, pointer(place_, "attributes"), "JOINTS_n and WEIGHTS_n do not pair up; single ones are ignored");
+  }
+
+  const gltf::Document& document_;
+  const gltf::Primitive& source_;
+  std::string place_;
+  IssueLog& log_;
+  std::uint64_t count_ = 0;
+  PrimitiveData data_;
+  std::map<std::uint32_t, std::vector<glm::vec2>> texcoords_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> joints_;
+  std::map<std::uint32_t, std::vector<float>> weights_;
+};
+
+}  // namespace
+
+std::vector<float> read_finite(const gltf::Document& document, std::uint32_t accessor, const std::string& place, IssueLog& log) {
+  std::vector<float> numbers = read_floats(document, accessor);
+  const auto bad = std::find_if(numbers.begin(), numbers.end(), [](float f) { return !std::isfinite(f); });
+  if (bad == numbers.end()) return numbers;
+  const auto element = static_cast<std::size_t>(bad - numbers.begin()) / element_layout(document.accessors[accessor]).components();
+  log.report(Rule::not_finite, place, "element " + std::to_string(element) + " holds NaN or infinity");
+  return {};
+}
+
+PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log) {
+  return PrimitiveReader(document, mesh, primitive, log).read();
+}
+
+}  // namespace sinew

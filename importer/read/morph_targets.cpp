@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/morph_targets.h"
+
+#include <cstring>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/meshes.h"
+#include "importer/read/vertex_formats.h"
+
+namespace sinew {
+namespace {
+
+template <class V>
+std::vector<V> as_vectors(const std::vector<float>& numbers) {
+  std::vector<V> out(numbers.size() / static_cast<std::size_t>(V::length()));
+  if (!out.empty()) std::memcpy(out.data(), numbers.data(), out.size() * sizeof(V));
+  return out;
+}
+
+std::vector<glm::vec4> as_color_deltas(const std::vector<float>& numbers, bool with_alpha) {
+  if (with_alpha) return as_vectors<glm::vec4>(numbers);
+  std::vector<glm::vec4> out;
+  for (const auto& c : as_vectors<glm::vec3>(numbers)) out.emplace_back(c, 0.0f);
+  return out;
+}
+
+bool base_has(const Primitive& base, const Semantic& semantic) {
+  switch (semantic.attribute) {
+    case Attribute::position: return true;
+    case Attribute::normal: return !base.normals.empty();
+    case Attribute::tangent: return !base.tangents.empty();
+    case Attribute::texcoord: return semantic.set < base.texcoords.size();
+    case Attribute::color: return semantic.set == 0 && !base.colors.empty();
+    case Attribute::joints:
+    case Attribute::weights: break;
+  }
+  return false;
+}
+
+void store(DenseTarget& out, const Semantic& semantic, const std::vector<float>& numbers, bool four_components) {
+  switch (semantic.attribute) {
+    case Attribute::position: out.positions = as_vectors<glm::vec3>(numbers); break;
+    case Attribute::normal: out.normals = as_vectors<glm::vec3>(numbers); break;
+    case Attribute::tangent: out.tangents = as_vectors<glm::vec3>(numbers); break;
+    case Attribute::color: out.colors = as_color_deltas(numbers, four_components); break;
+    case Attribute::texcoord:
+      if (out.texcoords.size() <= semantic.set) out.texcoords.resize(semantic.set + 1);
+      out.texcoords[semantic.set] = as_vectors<glm::vec2>(numbers);
+      break;
+    case Attribute::joints:
+    case Attribute::weights: break;
+  }
+}
+
+}  // namespace
+
+DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t target,
+                              const Primitive& base, IssueLog& log) {
+  DenseTarget out;
+  const auto& attributes = document.meshes[mesh].primitives[primitive].targets[target].attributes;
+  for (const auto& [name, accessor] : attributes) {
+    const std::string place = pointer("meshes", mesh, "primitives", primitive, "targets", target, pointer_token(name));
+    const auto semantic = parse_semantic(name);
+    if (!semantic) {
+      if (!name.starts_with('_')) log.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
+      continue;
+    }
+    if (!base_has(base, *semantic)) {
+      log.report(Rule::morph_no_base, place, "displaces an attribute that the mesh does not have; ignored");
+      continue;
+    }
+    if (document.accessors[accessor].count != base.vertex_count()) {
+      log.report(Rule::mesh_attribute_count, place, std::to_string(document.accessors[accessor].count) + " entries for " +
+                                                        std::to_string(base.vertex_count()) + " vertices");
+      continue;
+    }
+    if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
+    store(out, *semantic, read_finite(document, accessor, place, log), document.accessors[accessor].type == gltf::ElementType::vec4);
+  }
+  return out;
+}
+
+}  // namespace sinew

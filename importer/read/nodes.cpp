@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/nodes.h"
+
+#include <cmath>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/rotations.h"
+#include "runtime/math/decompose.h"
+
+namespace sinew {
+namespace {
+
+constexpr double kUnitTolerance = 5e-5;
+
+glm::vec3 to_vec3(const std::array<double, 3>& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+NodeTransform read_matrix(const gltf::Node& node, const std::string& place, IssueLog& log) {
+  const auto& m = node.matrix;
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
+    log.report(Rule::node_matrix_row, pointer(place, "matrix"), "the fourth row is not 0 0 0 1; taken as such");
+  NodeTransform out;
+  out.is_matrix = true;
+  for (std::size_t row = 0; row < 3; ++row)
+    out.matrix.row[row] = {static_cast<float>(m[row]), static_cast<float>(m[4 + row]), static_cast<float>(m[8 + row]),
+                           static_cast<float>(m[12 + row])};
+  out.transform = decompose_trs(out.matrix).transform;
+  return out;
+}
+
+}  // namespace
+
+NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, IssueLog& log) {
+  const std::string place = pointer("nodes", index);
+  if (node.has_matrix) {
+    if (node.has_trs) log.report(Rule::node_matrix_trs, place, "has a matrix and translation, rotation or scale; the matrix is used");
+    return read_matrix(node, place, log);
+  }
+  const auto& r = node.rotation;
+  const UnitRotation unit = unit_rotation(r[0], r[1], r[2], r[3]);
+  if (unit.length <= 1e-12)
+    log.report(Rule::rotation_zero, pointer(place, "rotation"), "has no length; taken as no rotation");
+  else if (std::abs(unit.length - 1.0) > kUnitTolerance)
+    log.report(Rule::rotation_length, pointer(place, "rotation"), "has length " + std::to_string(unit.length) + "; normalised");
+  NodeTransform out;
+  out.transform = {to_vec3(node.translation), unit.rotation, to_vec3(node.scale)};
+  return out;
+}
+
+}  // namespace sinew

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/skins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/accessor.h"
+
+namespace sinew {
+namespace {
+
+/// Column-major numbers of one matrix; false when the fourth row is not 0 0 0 1.
+bool to_affine(const float* m, Affine& out) {
+  for (std::size_t row = 0; row < 3; ++row) out.row[row] = {m[row], m[4 + row], m[8 + row], m[12 + row]};
+  return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f;
+}
+
+}  // namespace
+
+std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
+  const gltf::Skin& skin = document.skins[index];
+  const std::string place = pointer("skins", index, "inverseBindMatrices");
+  std::vector<Affine> matrices(skin.joints.size());
+  if (skin.joints.empty()) log.report(Rule::skin_no_joints, pointer("skins", index, "joints"), "the skin moves nothing");
+  if (skin.inverse_bind_matrices == kNone) return matrices;
+  const gltf::Accessor& accessor = document.accessors[skin.inverse_bind_matrices];
+  if (accessor.type != gltf::ElementType::mat4 || accessor.component_type != gltf::ComponentType::f32) {
+    log.report(Rule::skin_matrices, place, "are not 4x4 matrices of floats");
+    return matrices;
+  }
+  if (accessor.count < skin.joints.size()) {
+    log.report(Rule::skin_matrices, place, std::to_string(accessor.count) + " matrices for " + std::to_string(skin.joints.size()) + " joints");
+    return matrices;
+  }
+  const std::vector<float> numbers = read_floats(document, skin.inverse_bind_matrices);
+  for (std::size_t j = 0; j < matrices.size(); ++j) {
+    const float* m = numbers.data() + 16 * j;
+    if (!std::all_of(m, m + 16, [](float f) { return std::isfinite(f); })) {
+      log.report(Rule::not_finite, place, "matrix " + std::to_string(j) + " holds NaN or infinity");
+      return matrices;
+    }
+    if (!to_affine(m, matrices[j]))
+      log.report(Rule::skin_matrix_row, place, "the fourth row of matrix " + std::to_string(j) + " is not 0 0 0 1; taken as such");
+  }
+  return matrices;
+}
+
+void check_common_root(const gltf::Document& document, std::uint32_t index, const std::vector<std::uint32_t>& root_of_node,
+                       IssueLog& log) {
+  const auto& joints = document.skins[index].joints;
+  for (std::size_t j = 1; j < joints.size(); ++j)
+    if (root_of_node[joints[j]] != root_of_node[joints[0]])
+      return log.report(Rule::skin_common_root, pointer("skins", index, "joints", j),
+                        "lies under another root than joint 0; each joint's own ancestors are used");
+}
+
+}  // namespace sinew
