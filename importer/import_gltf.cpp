@@ -21,6 +21,7 @@
 #include "importer/file/tinygltf_reader.h"
 #include "importer/issue_log.h"
 #include "importer/read/check_accessors.h"
+#include "importer/read/memory_budget.h"
 
 namespace sinew {
 namespace {

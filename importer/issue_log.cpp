@@ -5,6 +5,14 @@
 
 namespace sinew {
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 80;
+  std::string out(1, '"');
+  out += text.substr(0, kLongest);
+  out += text.size() > kLongest ? "...\"" : "\"";
+  return out;
+}
+
 void IssueLog::report(Rule rule, std::string json_pointer, std::string detail) {
   const RuleText& text = describe(rule);
   if (text.severity == Severity::error) ++error_count_;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "importer/import_error.h"
 #include "importer/rules.h"
 
 namespace sinew {
+
+/// Text of the file for a message: in quotes, cut when long.
+std::string in_quotes(std::string_view text);
 
 /// What one import has found so far. Passes report here and go on while that is safe; the import stops after a pass that
 /// reported an error.

@@ -18,10 +18,4 @@ std::span<const std::string_view> supported_extensions() noexcept;
 /// err  asset-version, extension-required by name (G57), too-many (G68);  warning asset-minor-version
 void check_capabilities(const gltf::Json& json, std::uint32_t max_nodes, IssueLog& log);
 
-/// Vertices, keys and indices that the document will grow to, before anything grows: many primitives may name one
-/// accessor, and an accessor without a view costs no byte of the file (G68).
-/// in   references in range;  file_bytes  with all buffers
-/// err  memory-budget
-void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, IssueLog& log);
-
 }  // namespace sinew

@@ -69,7 +69,7 @@ class Checker {
   void check_word(const Json& value, const JsonValueShape& shape, const std::string& place) {
     const auto& text = value.get_ref<const std::string&>();
     if (!shape.words.empty() && std::find(shape.words.begin(), shape.words.end(), text) == shape.words.end())
-      log_.report(Rule::json_type, place, std::string("\"").append(text, 0, 40) + "\" is none of the words that glTF defines");
+      log_.report(Rule::json_type, place, in_quotes(text) + " is none of the words that glTF defines");
   }
 
   void check_array(const Json& value, const JsonValueShape& shape, const std::string& place) {
@@ -88,7 +88,7 @@ class Checker {
       if (found != value.end())
         check(*found, property.value, pointer(place, property.name));
       else if (property.required)
-        log_.report(Rule::json_missing, place, "has no \"" + std::string(property.name) + "\"");
+        log_.report(Rule::json_missing, place, "has no " + in_quotes(property.name));
     }
   }
 

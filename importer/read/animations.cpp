@@ -46,7 +46,7 @@ std::optional<PointerParts> split_pointer(std::string_view text) {
 std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const gltf::AnimationChannel& channel,
                                           const std::string& place, IssueLog& log) {
   const auto ignore = [&](const char* why) {
-    log.report(Rule::animation_pointer, place, "\"" + channel.pointer + "\" " + why + "; the channel is ignored");
+    log.report(Rule::animation_pointer, place, in_quotes(channel.pointer) + " " + why + "; the channel is ignored");
     return std::nullopt;
   };
   const auto parts = split_pointer(channel.pointer);
@@ -56,7 +56,7 @@ std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const 
   const bool of_mesh = parts->list == "meshes" && property == AnimatedProperty::weights;
   if (!of_node && !of_mesh) return ignore("is not a property that the runtime animates");
   if (parts->index >= (of_node ? document.nodes.size() : document.meshes.size())) {
-    log.report(Rule::reference, place, "\"" + channel.pointer + "\" points past the end");
+    log.report(Rule::reference, place, in_quotes(channel.pointer) + " points past the end");
     return std::nullopt;
   }
   return of_node ? ChannelTarget{*property, parts->index, kNone} : ChannelTarget{*property, kNone, parts->index};
@@ -66,7 +66,7 @@ Interpolation interpolation_of(const std::string& word, const std::string& place
   if (word == "STEP") return Interpolation::step;
   if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
   if (word != "LINEAR")
-    log.report(Rule::animation_interpolation, pointer(place, "interpolation"), "\"" + word.substr(0, 40) + "\" is unknown; LINEAR is used");
+    log.report(Rule::animation_interpolation, pointer(place, "interpolation"), in_quotes(word) + " is unknown; LINEAR is used");
   return Interpolation::linear;
 }
 
@@ -167,7 +167,7 @@ std::optional<ChannelTarget> read_channel_target(const gltf::Document& document,
   if (channel.path == "pointer") return read_pointer(document, channel, place, log);
   const auto property = property_of(channel.path);
   if (!property) {
-    log.report(Rule::animation_path, pointer(place, "path"), "\"" + channel.path.substr(0, 40) + "\" is unknown; the channel is ignored");
+    log.report(Rule::animation_path, pointer(place, "path"), in_quotes(channel.path) + " is unknown; the channel is ignored");
     return std::nullopt;
   }
   if (channel.node == kNone) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/memory_budget.h"
+
+#include <algorithm>
+#include <string>
+
+#include "importer/read/accessor.h"
+
+namespace sinew {
+namespace {
+
+class Budget {
+ public:
+  explicit Budget(const gltf::Document& document) : document_(document) {}
+
+  /// As floats, which is what attributes become.
+  void add(std::uint32_t accessor, std::uint64_t times = 1) {
+    if (accessor == kNone) return;
+    const auto& source = document_.accessors[accessor];
+    const std::uint64_t count = std::min(source.count, kHuge);
+    total_ = std::min(kHuge, total_ + count * element_layout(source).components() * 4 * times);
+  }
+
+  std::uint64_t total() const noexcept { return total_; }
+
+ private:
+  static constexpr std::uint64_t kHuge = std::uint64_t{1} << 48;
+  const gltf::Document& document_;
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace
+
+void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, IssueLog& log) {
+  constexpr std::uint64_t kFree = std::uint64_t{64} << 20;
+  constexpr std::uint64_t kPerByte = 64;
+  Budget budget(document);
+  for (const auto& mesh : document.meshes)
+    for (const auto& primitive : mesh.primitives) {
+      for (const auto& [name, accessor] : primitive.attributes) budget.add(accessor);
+      for (const auto& target : primitive.targets)
+        for (const auto& [name, accessor] : target.attributes) budget.add(accessor);
+      budget.add(primitive.indices, 3);  // a strip unrolls to three times its length
+    }
+  for (const auto& animation : document.animations)
+    for (const auto& channel : animation.channels) {
+      budget.add(animation.samplers[channel.sampler].input);
+      budget.add(animation.samplers[channel.sampler].output);
+    }
+  for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
+  const std::uint64_t allowed = kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40);
+  if (budget.total() > allowed)
+    log.report(Rule::memory_budget, "", "vertices and keys would take " + std::to_string(budget.total()) + " bytes, a file of " +
+                                            std::to_string(file_bytes) + " bytes may take " + std::to_string(allowed));
+}
+
+}  // namespace sinew
