@@ -92,6 +92,7 @@ class Import {
     const JointOrder order = order_joints(document_);
     scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
     scene.skins = build_skins(document_, order, log_);
+    scene.materials.resize(document_.materials.size());
     if (!log_.ok()) return false;
     scene.meshes = build_meshes(document_, options_, log_);
     if (!log_.ok()) return false;
