@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/clip_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+Scene scene_with(std::initializer_list<const char*> names) {
+  Scene scene;
+  for (const char* name : names) scene.animations.emplace_back().name = name;
+  return scene;
+}
+
+TEST(clip_choice, takes_an_index_a_name_or_none) {
+  const Scene scene = scene_with({"Walk", "", "Run", "Run"});
+  EXPECT_EQ(choose_clip(scene, "0"), 0u);
+  EXPECT_EQ(choose_clip(scene, "3"), 3u);
+  EXPECT_EQ(choose_clip(scene, "Run"), 2u);   // the first of that name
+  EXPECT_EQ(choose_clip(scene, "none"), kNone);
+}
+
+TEST(clip_choice, a_name_made_of_digits_is_found_when_no_index_fits) {
+  const Scene scene = scene_with({"1", "007", "9"});
+  EXPECT_EQ(choose_clip(scene, "1"), 1u);
+  EXPECT_EQ(choose_clip(scene, "9"), 2u);
+  EXPECT_EQ(choose_clip(scene, "007"), 1u);   // no clip has index 7
+}
+
+TEST(clip_choice, finds_nothing_for_what_is_not_there) {
+  const Scene scene = scene_with({"Walk"});
+  for (const char* text : {"1", "walk", "-1", "0x0", " 0", "99999999999999999999"})
+    EXPECT_EQ(choose_clip(scene, text), std::nullopt) << text;
+  EXPECT_EQ(choose_clip(Scene{}, "0"), std::nullopt);
+  EXPECT_EQ(choose_clip(Scene{}, "none"), kNone);
+}
+
+TEST(clip_choice, the_message_names_the_clips_that_there_are) {
+  EXPECT_EQ(describe_missing_clip(scene_with({"Walk", ""}), "Fly"), "--clip Fly: no such clip; the scene has 0 \"Walk\", 1 \"\"");
+  EXPECT_EQ(describe_missing_clip(Scene{}, "Fly"), "--clip Fly: no such clip; the scene has none");
+}
+
+TEST(clip_choice, labels_are_never_empty) {
+  const Scene scene = scene_with({"Walk", ""});
+  EXPECT_EQ(clip_label(scene, 0), "Walk");
+  EXPECT_FALSE(clip_label(scene, 1).empty());
+  EXPECT_EQ(clip_label(scene, kNone), "rest pose");
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+using testing::HasSubstr;
+
+std::variant<Options, Leave> parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "sinew-viewer");
+  return parse_options(static_cast<int>(arguments.size()), arguments.data());
+}
+
+Options accepted(std::vector<const char*> arguments) {
+  const auto parsed = parse(std::move(arguments));
+  if (const auto* leave = std::get_if<Leave>(&parsed)) {
+    ADD_FAILURE() << leave->text;
+    return {};
+  }
+  return std::get<Options>(parsed);
+}
+
+TEST(options, without_arguments_open_a_window_on_the_showcase) {
+  const Options options = accepted({});
+  EXPECT_EQ(options.file, "");
+  EXPECT_EQ(options.headless, "");
+  EXPECT_EQ(options.showcase_scene, 0u);
+  EXPECT_EQ(options.width, 1280u);
+  EXPECT_EQ(options.height, 720u);
+  EXPECT_TRUE(options.ambient_occlusion);
+  EXPECT_FALSE(options.camera || options.time_s || options.frames || options.clip || options.fov_y_deg);
+  EXPECT_FALSE(options.exit_after_s || options.validate || options.transparent);
+}
+
+TEST(options, read_everything_that_one_picture_can_have) {
+  const Options options =
+      accepted({"a b.glb", "--headless", "out.PNG", "--time", "0.5", "--clip", "Run", "--size", "640x360", "--skinning",
+                "dual-quaternion", "--show", "normals", "--eye", "-.5,1e1,-2", "--target", "0,0.25,3", "--fov", "30",
+                "--transparent", "--no-ao", "--validate"});
+  EXPECT_EQ(options.file, "a b.glb");
+  EXPECT_EQ(options.headless, "out.PNG");
+  EXPECT_EQ(options.time_s, 0.5);
+  EXPECT_EQ(options.clip, "Run");
+  EXPECT_EQ(options.width, 640u);
+  EXPECT_EQ(options.height, 360u);
+  EXPECT_EQ(options.skinning, Skinning::dual_quaternion);
+  EXPECT_EQ(options.show, Show::normals);
+  ASSERT_TRUE(options.camera);
+  EXPECT_EQ(options.camera->eye, glm::vec3(-0.5f, 10.0f, -2.0f));
+  EXPECT_EQ(options.camera->target, glm::vec3(0.0f, 0.25f, 3.0f));
+  EXPECT_EQ(options.fov_y_deg, 30.0);
+  EXPECT_TRUE(options.transparent);
+  EXPECT_FALSE(options.ambient_occlusion);
+  EXPECT_TRUE(options.validate);
+}
+
+TEST(options, read_a_range_of_pictures) {
+  const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
+  EXPECT_EQ(options.showcase_scene, 2u);
+  ASSERT_TRUE(options.frames);
+  EXPECT_EQ(options.frames->first, 3u);
+  EXPECT_EQ(options.frames->last, 16u);
+  EXPECT_EQ(options.fps, 2.5);
+}
+
+TEST(options, accept_each_word_of_show_and_skinning) {
+  EXPECT_EQ(accepted({"--show", "color"}).show, Show::color);
+  EXPECT_EQ(accepted({"--show", "ao"}).show, Show::ao);
+  EXPECT_EQ(accepted({"--show", "depth"}).show, Show::depth);
+  EXPECT_EQ(accepted({"--skinning", "linear"}).skinning, Skinning::linear);
+}
+
+struct WrongUsage {
+  std::vector<const char*> arguments;
+  const char* says;   // what the message must name, so that the user finds the place
+};
+
+TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
+  const WrongUsage cases[] = {
+      {{"--bogus"}, "--bogus"},
+      {{"a.glb", "b.glb"}, "b.glb"},
+      {{"a.glb", "--scene", "1"}, "--scene"},
+      {{"--scene", "-1"}, "--scene"},
+      {{"--size", "0x5"}, "0x5"},
+      {{"--size", "640"}, "640"},
+      {{"--size", "16385x2"}, "16385x2"},
+      {{"--size", "640x360x"}, "640x360x"},
+      {{"--skinning", "cubic"}, "linear, dual-quaternion"},
+      {{"--show", "colour"}, "color, ao, normals, depth"},
+      {{"--eye", "1,2,3"}, "--target"},
+      {{"--target", "1,2,3"}, "--eye"},
+      {{"--eye", "1,2", "--target", "0,0,0"}, "X,Y,Z"},
+      {{"--eye", "1,2,3,4", "--target", "0,0,0"}, "X,Y,Z"},
+      {{"--eye", "1,2,nan", "--target", "0,0,0"}, "X,Y,Z"},
+      {{"--eye", "1,1,1", "--target", "1,1,1"}, "same point"},
+      {{"--fov", "0"}, "degrees"},
+      {{"--fov", "180"}, "degrees"},
+      {{"--time", "soon"}, "soon"},
+      {{"--time", "inf"}, "inf"},
+      {{"a", "--headless", "d/", "--frames", "0:3", "--time", "1"}, "--time"},
+      {{"a", "--headless", "d/", "--frames", "4:3"}, "4:3"},
+      {{"a", "--headless", "d/", "--frames", "-1:3"}, "-1:3"},
+      {{"a", "--headless", "d/", "--frames", "0:3", "--fps", "0"}, "--fps"},
+      {{"a", "--headless", "d/"}, "--frames"},
+      {{"a", "--headless", "d.png", "--frames", "0:3"}, "folder"},
+      {{"a", "--frames", "0:3"}, "--headless"},
+      {{"a", "--headless", "d.png", "--fps", "3"}, "--frames"},
+      {{"a", "--transparent"}, "--headless"},
+      {{"a", "--headless", "d.png", "--exit-after", "3"}, "--exit-after"},
+      {{"--exit-after", "-1"}, "--exit-after"},
+      {{"--headless"}, "--headless"},
+  };
+  for (const auto& wrong : cases) {
+    std::string line;
+    for (const char* argument : wrong.arguments) line += std::string(argument) + " ";
+    SCOPED_TRACE(line);
+    const auto parsed = parse(wrong.arguments);
+    const auto* leave = std::get_if<Leave>(&parsed);
+    ASSERT_NE(leave, nullptr);
+    EXPECT_EQ(leave->code, 2);
+    EXPECT_THAT(leave->text, HasSubstr(wrong.says));
+    EXPECT_THAT(leave->text, HasSubstr("--help"));
+  }
+}
+
+TEST(options, help_and_version_leave_with_code_0) {
+  const auto help = std::get<Leave>(parse({"--help"}));
+  EXPECT_EQ(help.code, 0);
+  for (const char* word : {"--headless", "--time", "--clip", "--size", "--skinning", "--show", "--eye", "--target", "--fov",
+                           "--transparent", "--frames", "--fps", "--scene", "--no-ao", "--exit-after", "--validate",
+                           "space", "play / pause", "skeleton", "Exit code"})
+    EXPECT_THAT(help.text, HasSubstr(word));
+  const auto version = std::get<Leave>(parse({"--version"}));
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.text, testing::MatchesRegex("sinew-viewer [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+// Where a world point lands: x and y in [-1, 1] inside the picture, z = distance along the line of sight.
+glm::dvec3 picture_of(const View& view, double aspect, const glm::dvec3& point) {
+  const glm::dvec3 p = transform_point(view.view_from_world, point);
+  const double slope = std::tan(0.5 * view.fov_y_rad);
+  return {p.x / (-p.z * slope * aspect), p.y / (-p.z * slope), -p.z};
+}
+
+Aabb box(glm::vec3 lower, glm::vec3 upper) {
+  Aabb b;
+  b.add(lower);
+  b.add(upper);
+  return b;
+}
+
+TEST(orbit_camera, looks_from_the_front_slightly_from_the_right_and_above) {
+  const OrbitCamera camera;
+  EXPECT_GT(camera.eye().z, 0.0);
+  EXPECT_GT(camera.eye().x, 0.0);
+  EXPECT_GT(camera.eye().y, 0.0);
+  EXPECT_NEAR(glm::length(camera.eye() - camera.target), camera.distance_m, 1e-12);
+}
+
+// How far from the middle the outermost corner of the box lands, and how near the nearest one is.
+std::pair<double, double> outermost_and_nearest(const View& view, double aspect, const Aabb& bounds) {
+  double outermost = 0.0, nearest = 1e300;
+  for (int c = 0; c < 8; ++c) {
+    const glm::dvec3 corner((c & 1 ? bounds.upper : bounds.lower).x, (c & 2 ? bounds.upper : bounds.lower).y,
+                            (c & 4 ? bounds.upper : bounds.lower).z);
+    const glm::dvec3 seen = picture_of(view, aspect, corner);
+    outermost = std::max({outermost, std::abs(seen.x), std::abs(seen.y)});
+    nearest = std::min(nearest, seen.z);
+  }
+  return {outermost, nearest};
+}
+
+TEST(orbit_camera, framing_shows_all_corners_and_could_not_be_nearer) {
+  const Aabb boxes[] = {box({-1, -1, -1}, {1, 1, 1}), box({100, 0, -3}, {130, 0.1f, 5}),
+                        box({-1e-3f, 0, 0}, {1e-3f, 4e-3f, 1e-3f}), box({-70, 0, -155}, {70, 79, 5}), box({0, -5, 0}, {0, 5, 0})};
+  for (const auto& bounds : boxes)
+    for (const double aspect : {0.4, 1.0, 16.0 / 9.0})
+      for (const double yaw : {0.0, 0.46, 2.0, -2.9})
+        for (const double fov : {0.2, 0.785, 1.9}) {
+          OrbitCamera camera;
+          camera.yaw_rad = yaw;
+          camera.fov_y_rad = fov;
+          camera.frame(bounds, aspect);
+          const View view = camera.view(bounds);
+          const auto [outermost, nearest] = outermost_and_nearest(view, aspect, bounds);
+          EXPECT_LE(outermost, 1.0);
+          EXPECT_GT(nearest, view.near_m);
+          camera.distance_m /= 1.1;   // more than the margin
+          EXPECT_GT(outermost_and_nearest(camera.view(bounds), aspect, bounds).first, 1.0);
+        }
+}
+
+TEST(orbit_camera, framing_keeps_the_direction_and_survives_boxes_without_extent) {
+  OrbitCamera camera;
+  camera.yaw_rad = 1.0, camera.pitch_rad = -0.4;
+  camera.frame(Aabb{}, 1.5);
+  EXPECT_EQ(camera.target, glm::dvec3(0.0));
+  EXPECT_EQ(camera.yaw_rad, 1.0);
+  EXPECT_EQ(camera.pitch_rad, -0.4);
+  EXPECT_GT(camera.distance_m, 1.0);
+  camera.frame(box({30, 40, 0}, {30, 40, 0}), 1.5);
+  EXPECT_EQ(camera.target, glm::dvec3(30, 40, 0));
+  EXPECT_GT(camera.distance_m, 0.1);
+  EXPECT_LT(camera.distance_m, 10.0);
+}
+
+TEST(orbit_camera, a_drag_over_the_whole_height_turns_half_around) {
+  OrbitCamera camera;
+  camera.yaw_rad = 0.25;
+  const double distance = camera.distance_m;
+  camera.orbit(300.0, 0.0, 600.0);
+  EXPECT_NEAR(camera.yaw_rad, 0.25 - 0.5 * std::numbers::pi, 1e-12);
+  camera.orbit(-300.0, 0.0, 600.0);
+  EXPECT_NEAR(camera.yaw_rad, 0.25, 1e-12);
+  EXPECT_EQ(camera.distance_m, distance);
+}
+
+TEST(orbit_camera, dragging_down_looks_from_above_and_never_tips_over) {
+  OrbitCamera camera;
+  const double before = camera.eye().y;
+  camera.orbit(0.0, 20.0, 600.0);
+  EXPECT_GT(camera.eye().y, before);
+  for (const double drag : {1e5, -1e6}) {
+    camera.orbit(0.0, drag, 600.0);
+    EXPECT_LT(std::abs(camera.pitch_rad), 0.5 * std::numbers::pi);
+    EXPECT_GT(camera.view({}).view_from_world.row[1].y, 0.0);   // up stays up
+  }
+}
+
+TEST(orbit_camera, a_point_stays_under_the_mouse_while_moving) {
+  OrbitCamera camera;
+  camera.frame(box({0, 0, 0}, {3, 2, 1}), 2.0);
+  const glm::dvec3 point = camera.target;   // in the plane that moves with the mouse
+  const double width = 800.0, height = 400.0, dx = 90.0, dy = -35.0;
+  const glm::dvec3 before = picture_of(camera.view({}), width / height, point);
+  camera.pan(dx, dy, height);
+  const glm::dvec3 after = picture_of(camera.view({}), width / height, point);
+  EXPECT_NEAR((after.x - before.x) * 0.5 * width, dx, 1e-9);
+  EXPECT_NEAR((after.y - before.y) * 0.5 * height, -dy, 1e-9);
+}
+
+TEST(orbit_camera, zoom_steps_undo_each_other_and_have_ends) {
+  OrbitCamera camera;
+  camera.frame(box({-1, -1, -1}, {1, 1, 1}), 1.0);
+  const double start = camera.distance_m;
+  camera.zoom(3.0);
+  EXPECT_LT(camera.distance_m, start);
+  camera.zoom(-3.0);
+  EXPECT_NEAR(camera.distance_m, start, 1e-12 * start);
+  camera.zoom(1e6);
+  EXPECT_NEAR(camera.distance_m, start / 1000.0, 1e-9);
+  camera.zoom(-1e6);
+  EXPECT_NEAR(camera.distance_m, start * 1000.0, 1e-6);
+}
+
+TEST(orbit_camera, placing_puts_the_eye_where_it_was_asked_for) {
+  OrbitCamera camera;
+  const glm::dvec3 eye(-3.0, 5.0, -8.0), to(1.0, 1.0, 2.0);
+  camera.place(eye, to);
+  EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
+  EXPECT_EQ(camera.target, to);
+  camera.place(to, to);   // means nothing
+  EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
+  camera.place({0, 10, 0}, {0, 0, 0});   // straight down is as good as it gets
+  EXPECT_NEAR(camera.pitch_rad, OrbitCamera::kSteepest_rad, 1e-12);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

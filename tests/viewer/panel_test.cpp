@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/panel.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+// ImGui without window or device: layouts are made and can be clicked on, nothing is drawn.
+class PanelTest : public testing::Test {
+ protected:
+  PanelTest() : context_(ImGui::CreateContext()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {1280, 720};
+    io.DeltaTime = 1.0f / 60.0f;
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    for (const double duration : {2.0, 3.0}) scene_.animations.emplace_back().duration_s = duration;
+    scene_.skins.emplace_back();
+    plan_.stages = {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
+    facts_.name = "test";
+    facts_.scene = &scene_;
+    facts_.plan = &plan_;
+    facts_.exhibits = names_;
+  }
+  ~PanelTest() override { ImGui::DestroyContext(context_); }
+
+  PanelWishes frame(Playback& playback) {
+    ImGui::NewFrame();
+    const PanelWishes wishes = lay_out_panel(facts_, settings_, playback);
+    ImGui::Render();
+    return wishes;
+  }
+
+  // Presses the item of that label in the panel: true when some frame reported it active.
+  PanelWishes click(const char* label, Playback& playback) {
+    PanelWishes wishes;
+    frame(playback);
+    const ImGuiID id = ImGui::FindWindowByName("sinew (h hides this)")->GetID(label);
+    ImGuiContext& g = *context_;
+    // ImGui of this version has no test hooks: walk the mouse over the panel until the item is hovered.
+    for (float y = 10; y < 700 && g.HoveredId != id; y += 4)
+      for (float x = 20; x < 360 && g.HoveredId != id; x += 6) {
+        ImGui::GetIO().MousePos = {x, y};
+        frame(playback);
+      }
+    EXPECT_EQ(g.HoveredId, id) << label << " is nowhere in the panel";
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      const PanelWishes now = frame(playback);
+      wishes.frame_all |= now.frame_all;
+      if (now.exhibit) wishes.exhibit = now.exhibit;
+    }
+    return wishes;
+  }
+
+  ImGuiContext* context_;
+  Scene scene_;
+  Plan plan_;
+  std::vector<std::string> names_{"first", "second"};
+  PanelFacts facts_;
+  Settings settings_;
+};
+
+TEST_F(PanelTest, draws_something_only_while_it_is_shown) {
+  Playback playback(scene_);
+  frame(playback);
+  frame(playback);
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
+  settings_.panel = false;
+  frame(playback);
+  EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 0);
+}
+
+TEST_F(PanelTest, the_play_button_pauses_and_plays) {
+  Playback playback(scene_);
+  click("pause##play", playback);
+  EXPECT_FALSE(playback.playing());
+  click("play##play", playback);
+  EXPECT_TRUE(playback.playing());
+}
+
+TEST_F(PanelTest, step_buttons_move_by_one_frame) {
+  Playback playback(scene_);
+  click(">##step", playback);
+  EXPECT_NEAR(playback.time_s(), 1.0 / 30.0, 1e-12);
+  click("<##step", playback);
+  EXPECT_EQ(playback.time_s(), 0.0);
+}
+
+TEST_F(PanelTest, the_time_slider_seeks_and_pauses) {
+  Playback playback(scene_);
+  click("time", playback);
+  EXPECT_FALSE(playback.playing());
+  EXPECT_GE(playback.time_s(), 0.0);
+  EXPECT_LE(playback.time_s(), 2.0);
+}
+
+TEST_F(PanelTest, switches_change_the_settings) {
+  Playback playback(scene_);
+  click("dual quaternion", playback);
+  EXPECT_EQ(settings_.skinning, Skinning::dual_quaternion);
+  click("linear blend", playback);
+  EXPECT_EQ(settings_.skinning, Skinning::linear);
+  click("ambient occlusion", playback);
+  EXPECT_FALSE(settings_.ambient_occlusion);
+  click("skeleton", playback);
+  EXPECT_TRUE(settings_.skeleton);
+  click("ao", playback);
+  EXPECT_EQ(settings_.show, Show::ao);
+  EXPECT_TRUE(click("frame all", playback).frame_all);
+}
+
+TEST_F(PanelTest, every_section_opens_without_a_device) {
+  Playback playback(scene_);
+  const PassTime passes[] = {{"ssao", 1.5}};
+  facts_.passes = passes;
+  facts_.note = "a note";
+  facts_.device = "none";
+  const int before = (frame(playback), frame(playback), ImGui::GetDrawData()->TotalVtxCount);
+  for (const char* section : {"plan", "times", "keys"}) click(section, playback);
+  frame(playback);
+  frame(playback);
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 400);   // key table, stages, times
+}
+
+TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {
+  scene_ = Scene{};
+  plan_.stages.clear();
+  names_ = {"only"};
+  facts_.exhibits = names_;
+  Playback playback(scene_);
+  frame(playback);
+  frame(playback);
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 100);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/playback.h"
+
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+Scene scene_with_clips(std::initializer_list<double> durations_s) {
+  Scene scene;
+  for (const double duration : durations_s) scene.animations.emplace_back().duration_s = duration;
+  return scene;
+}
+
+TEST(playback, starts_playing_the_first_clip) {
+  const Scene scene = scene_with_clips({2.0, 3.0});
+  Playback playback(scene);
+  EXPECT_TRUE(playback.playing());
+  EXPECT_EQ(playback.clip(), 0u);
+  EXPECT_EQ(playback.duration_s(), 2.0);
+  playback.advance(0.5);
+  ASSERT_EQ(playback.layers().size(), 1u);
+  EXPECT_EQ(playback.layers()[0].clip, 0u);
+  EXPECT_EQ(playback.layers()[0].time_s, 0.5);
+  EXPECT_EQ(playback.layers()[0].weight, 1.0f);
+}
+
+TEST(playback, a_scene_without_clips_shows_the_rest_pose_and_every_control_is_harmless) {
+  const Scene scene;
+  Playback playback(scene);
+  playback.advance(1.0);
+  playback.step(+1);
+  playback.step(-1);
+  playback.next(+1);
+  playback.next(-1);
+  playback.seek(3.0);
+  playback.choose(7);
+  playback.toggle();
+  playback.next_mode();
+  EXPECT_EQ(playback.clip(), kNone);
+  EXPECT_TRUE(playback.layers().empty());
+  EXPECT_EQ(playback.time_s(), 0.0);
+}
+
+TEST(playback, stands_still_while_paused) {
+  const Scene scene = scene_with_clips({2.0});
+  Playback playback(scene);
+  playback.advance(0.5);
+  playback.toggle();
+  playback.advance(0.7);
+  EXPECT_EQ(playback.time_s(), 0.5);
+  playback.toggle();
+  playback.advance(0.25);
+  EXPECT_EQ(playback.time_s(), 0.75);
+}
+
+TEST(playback, repeats_or_turns_back_or_stops_at_the_end) {
+  const Scene scene = scene_with_clips({2.0});
+  Playback playback(scene);
+  playback.advance(2.5);
+  EXPECT_EQ(playback.time_s(), 0.5);
+  playback.next_mode();
+  EXPECT_EQ(playback.mode(), PlayMode::ping_pong);
+  EXPECT_EQ(playback.time_s(), 0.5);   // changing the mode does not move the pose
+  playback.advance(2.0);
+  EXPECT_NEAR(playback.time_s(), 1.5, 1e-12);
+  playback.next_mode();
+  EXPECT_EQ(playback.mode(), PlayMode::once);
+  playback.advance(9.0);
+  EXPECT_EQ(playback.time_s(), 2.0);
+  playback.toggle();                   // at its end, play means play again
+  EXPECT_TRUE(playback.playing());
+  playback.advance(0.5);
+  EXPECT_EQ(playback.time_s(), 0.5);
+  playback.next_mode();
+  EXPECT_EQ(playback.mode(), PlayMode::loop);
+}
+
+TEST(playback, choosing_a_clip_starts_it_and_keeps_speed_and_mode) {
+  const Scene scene = scene_with_clips({2.0, 3.0});
+  Playback playback(scene);
+  playback.set_speed(2.0);
+  playback.set_mode(PlayMode::ping_pong);
+  playback.advance(0.5);
+  playback.choose(1);
+  EXPECT_EQ(playback.time_s(), 0.0);
+  EXPECT_EQ(playback.duration_s(), 3.0);
+  EXPECT_EQ(playback.speed(), 2.0);
+  EXPECT_EQ(playback.mode(), PlayMode::ping_pong);
+  playback.choose(kNone);
+  EXPECT_TRUE(playback.layers().empty());
+  EXPECT_EQ(playback.duration_s(), 0.0);
+}
+
+TEST(playback, next_and_previous_go_around_the_ends) {
+  const Scene scene = scene_with_clips({1.0, 1.0, 1.0});
+  Playback playback(scene);
+  playback.next(-1);
+  EXPECT_EQ(playback.clip(), 2u);
+  playback.next(+1);
+  EXPECT_EQ(playback.clip(), 0u);
+  playback.next(+1);
+  EXPECT_EQ(playback.clip(), 1u);
+  playback.choose(kNone);
+  playback.next(+1);
+  EXPECT_EQ(playback.clip(), 0u);
+  playback.choose(kNone);
+  playback.next(-1);
+  EXPECT_EQ(playback.clip(), 2u);
+}
+
+TEST(playback, steps_visit_every_frame_once_in_both_directions) {
+  const Scene scene = scene_with_clips({1.0});
+  Playback playback(scene);
+  for (int frame = 1; frame <= 30; ++frame) {
+    playback.step(+1);
+    EXPECT_NEAR(playback.time_s(), frame / 30.0, 1e-12);
+  }
+  EXPECT_FALSE(playback.playing());
+  playback.step(+1);
+  EXPECT_EQ(playback.time_s(), 0.0);
+  playback.step(-1);
+  EXPECT_NEAR(playback.time_s(), 1.0, 1e-12);
+  for (int frame = 29; frame >= 0; --frame) {
+    playback.step(-1);
+    EXPECT_NEAR(playback.time_s(), frame / 30.0, 1e-12);
+  }
+}
+
+TEST(playback, a_step_from_between_two_frames_goes_to_the_next_one) {
+  const Scene scene = scene_with_clips({1.0});
+  Playback playback(scene);
+  playback.seek(10.4 / 30.0);
+  playback.step(+1);
+  EXPECT_NEAR(playback.time_s(), 11.0 / 30.0, 1e-12);
+  playback.seek(10.4 / 30.0);
+  playback.step(-1);
+  EXPECT_NEAR(playback.time_s(), 10.0 / 30.0, 1e-12);
+}
+
+TEST(playback, speeds_have_ends_and_meet_one_again) {
+  const Scene scene = scene_with_clips({1.0});
+  Playback playback(scene);
+  playback.faster();
+  EXPECT_GT(playback.speed(), 1.0);
+  playback.slower();
+  EXPECT_EQ(playback.speed(), 1.0);
+  for (int i = 0; i < 40; ++i) playback.faster();
+  EXPECT_EQ(playback.speed(), Playback::kFastest);
+  for (int i = 0; i < 40; ++i) playback.slower();
+  EXPECT_EQ(playback.speed(), Playback::kSlowest);
+  playback.set_speed(1.2);
+  playback.faster();
+  EXPECT_EQ(playback.speed(), 1.5);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

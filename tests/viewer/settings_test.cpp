@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/settings.h"
+
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+TEST(settings, begin_as_the_command_line_says) {
+  Options options;
+  options.show = Show::depth;
+  options.ambient_occlusion = false;
+  options.skinning = Skinning::dual_quaternion;
+  const Settings settings = settings_from(options);
+  EXPECT_EQ(settings.show, Show::depth);
+  EXPECT_FALSE(settings.ambient_occlusion);
+  EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
+  EXPECT_TRUE(settings.panel);
+}
+
+TEST(settings, ao_only_turns_ao_on_and_goes_back_to_the_lit_picture) {
+  Settings settings;
+  settings.ambient_occlusion = false;
+  toggle_ao_only(settings);
+  EXPECT_EQ(settings.show, Show::ao);
+  EXPECT_TRUE(settings.ambient_occlusion);
+  toggle_ao_only(settings);
+  EXPECT_EQ(settings.show, Show::color);
+}
+
+TEST(settings, show_and_skinning_go_around) {
+  Settings settings;
+  for (const Show expected : {Show::ao, Show::normals, Show::depth, Show::color}) {
+    next_show(settings);
+    EXPECT_EQ(settings.show, expected);
+  }
+  toggle_skinning(settings);
+  EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
+  toggle_skinning(settings);
+  EXPECT_EQ(settings.skinning, Skinning::linear);
+}
+
+TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
+  ClipBounds standing, walking;
+  standing.reached.add({-1, 0, -1}), standing.reached.add({1, 2, 1});
+  standing.largest = walking.largest = standing.reached;
+  walking.reached = standing.reached;
+  walking.reached.add({500, 2, 1});
+  Settings settings;
+  settings.ambient_occlusion = false;
+  settings.show = Show::normals;
+  const auto a = render_options(settings, standing, {0, 1, 8}), b = render_options(settings, walking, {0, 1, 8});
+  EXPECT_EQ(a.ao.radius_m, b.ao.radius_m);
+  EXPECT_GT(a.ao.radius_m, 0.0f);
+  EXPECT_GT(b.depth_range.farthest_m, a.depth_range.farthest_m);
+  EXPECT_FALSE(a.ao.on);
+  EXPECT_EQ(a.show, Show::normals);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/skeleton_lines.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+Affine at(float x, float y, float z) {
+  Affine m;
+  m.row[0].w = x, m.row[1].w = y, m.row[2].w = z;
+  return m;
+}
+
+// root 0 -> 1 -> 2 -> 3, 0 -> 4: a scene root, an armature of 1, 2, 3 and a lamp.
+Scene chain() {
+  Scene scene;
+  scene.skeleton.parents = {kNone, 0, 1, 2, 0};
+  scene.skeleton.rest.resize(5);
+  return scene;
+}
+
+TEST(skeleton_lines, without_a_skin_joins_every_joint_to_its_parent) {
+  SkeletonLines lines(chain());
+  EXPECT_EQ(lines.bone_count(), 4u);
+  const Affine model[] = {at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
+  const auto made = lines.make(model, 0.5f);
+  ASSERT_EQ(made.size(), 2u * 4 + 6u * 5);
+  EXPECT_EQ(made[4].position, glm::vec3(0, 2, 0));   // third bone: 2 -> 3
+  EXPECT_EQ(made[5].position, glm::vec3(0, 2, 5));
+}
+
+TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {
+  Scene scene = chain();
+  scene.skins.emplace_back().joints = {3, 1};   // 2 is between them
+  SkeletonLines lines(scene);
+  EXPECT_EQ(lines.bone_count(), 2u);
+  const Affine model[] = {at(9, 9, 9), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
+  const auto made = lines.make(model, 0.5f);
+  ASSERT_EQ(made.size(), 2u * 2 + 6u * 3);
+  EXPECT_EQ(made[0].position, glm::vec3(0, 1, 0));
+  EXPECT_EQ(made[1].position, glm::vec3(0, 2, 0));
+  EXPECT_EQ(made[3].position, glm::vec3(0, 2, 5));
+}
+
+TEST(skeleton_lines, axes_have_the_asked_length_whatever_the_scale_and_vanish_when_scaled_away) {
+  Scene scene;
+  scene.skeleton.parents = {kNone};
+  SkeletonLines lines(scene);
+  Affine scaled = at(1, 2, 3);
+  scaled.row[0].x = 40.0f, scaled.row[1].y = -0.01f, scaled.row[2].z = 0.0f;
+  const auto made = lines.make({&scaled, 1}, 0.25f);
+  ASSERT_EQ(made.size(), 4u);
+  EXPECT_EQ(made[1].position, glm::vec3(1.25f, 2, 3));
+  EXPECT_EQ(made[3].position, glm::vec3(1, 1.75f, 3));
+  EXPECT_NE(made[1].rgba, made[3].rgba);
+}
+
+TEST(skeleton_lines, bounds_of_joints_hold_every_joint) {
+  const Affine model[] = {at(1, 2, 3), at(-1, 5, 0)};
+  const Aabb box = bounds_of_joints(model);
+  EXPECT_EQ(box.lower, glm::vec3(-1, 2, 0));
+  EXPECT_EQ(box.upper, glm::vec3(1, 5, 3));
+  EXPECT_TRUE(bounds_of_joints({}).empty());
+}
+
+}  // namespace
+}  // namespace sinew::viewer

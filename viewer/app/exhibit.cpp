@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/exhibit.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "importer/import_gltf.h"
+#include "samples/showcase/showcase.h"
+
+namespace sinew::viewer {
+namespace {
+
+std::vector<Exhibit> built_in() {
+  std::vector<Exhibit> exhibits;
+  for (auto& shown : showcase::showcase()) {
+    auto& exhibit = exhibits.emplace_back();
+    exhibit.name = std::move(shown.name);
+    exhibit.note = std::move(shown.what_to_look_at);
+    exhibit.scene = std::move(shown.scene);
+    exhibit.instance_skinning = std::move(shown.needs.instance_skinning);
+    exhibit.camera = PlacedCamera{shown.eye, shown.target};
+    exhibit.fov_y_rad = static_cast<double>(shown.fov_y_rad);
+  }
+  return exhibits;
+}
+
+tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::function<void(const std::string&)>& say,
+                                           const std::function<void(double)>& progress) {
+  ImportOptions how;
+  if (progress) how.progress = [&](const char*, double done) { progress(done); };
+  auto imported = import_gltf(std::filesystem::path(file), how);
+  const auto& warnings = imported ? imported->warnings : imported.error().warnings;
+  for (const auto& warning : warnings) say(describe(file, warning));
+  if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
+  Exhibit exhibit;
+  exhibit.name = std::filesystem::path(file).filename().string();
+  exhibit.scene = std::move(imported->scene);
+  return exhibit;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
+                                                            const std::function<void(const std::string&)>& say,
+                                                            const std::function<void(double)>& progress) {
+  std::vector<Exhibit> exhibits;
+  if (options.file.empty()) {
+    exhibits = built_in();
+    if (options.showcase_scene >= exhibits.size())
+      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.showcase_scene) + ": the built-in scenes are 0 to " +
+                                             std::to_string(exhibits.size() - 1)});
+  } else {
+    auto exhibit = from_file(options.file, say, progress);
+    if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
+    exhibits.push_back(std::move(*exhibit));
+  }
+  return exhibits;
+}
+
+}  // namespace sinew::viewer

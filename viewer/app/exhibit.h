@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/assets/scene.h"
+#include "runtime/plan/needs.h"
+#include "viewer/app/options.h"
+
+namespace sinew::viewer {
+
+/// A scene to be shown: a file, or one of the built-in scenes.
+struct Exhibit {
+  std::string name;                      ///< for the title and the menu
+  std::string note;                      ///< what to look at, may be empty
+  Scene scene;
+  std::vector<Skinning> instance_skinning;   ///< as in Needs: what the scene insists on
+  std::optional<PlacedCamera> camera;    ///< none = frame everything
+  double fov_y_rad = 0.785398163397448;
+};
+
+/// Why there is nothing to show, and how the program ends.
+struct LoadError {
+  int exit_code = 1;
+  std::string message;
+};
+
+/// Reads the file, or makes the built-in scenes when no file is named.
+/// in   say  gets each warning as one line;   progress  part of the work that is done, 0 to 1, may be empty
+/// err  what is wrong with the file and where
+tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
+                                                            const std::function<void(const std::string&)>& say,
+                                                            const std::function<void(double)>& progress);
+
+}  // namespace sinew::viewer

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "viewer/app/panel_backend.h"
+#include "viewer/app/shown_scene.h"
+#include "viewer/device/swapchain.h"
+#include "viewer/passes/frame_renderer.h"
+
+namespace sinew::viewer {
+
+/// Draws the frames of the window: read this to see a whole frame from the newest pose to the screen. Two frames are in
+/// flight, so that the CPU fills one while the GPU draws the other.
+class Frame {
+ public:
+  static constexpr std::uint32_t kSlots = 2;
+
+  Frame(Device& device, Swapchain& swapchain, PanelBackend& panel);
+  ~Frame();                          ///< waits until the device is idle
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  /// One picture: scene, lines over it, panel over all.
+  /// in   lay_out  makes the panel with ImGui calls
+  /// out  false when there was no image to draw to; nothing was done then
+  bool draw(ShownScene& shown, const View& view, const RenderOptions& options, bool skeleton,
+            const std::function<void()>& lay_out);
+
+  /// Of the last picture that the GPU is known to be done with.
+  std::span<const PassTime> pass_times();
+
+ private:
+  struct Slot {
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence done = VK_NULL_HANDLE;
+    VkSemaphore image_ready = VK_NULL_HANDLE;
+  };
+  void begin(const Slot& slot) const;
+  void submit(const Slot& slot, std::uint32_t image) const;
+
+  Device& device_;
+  Swapchain& swapchain_;
+  PanelBackend& panel_;
+  FrameRenderer renderer_;
+  Slot slots_[kSlots];
+  std::uint32_t next_ = 0;
+  std::vector<PassTime> pass_times_;
+};
+
+}  // namespace sinew::viewer

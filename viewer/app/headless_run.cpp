@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/headless_run.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numbers>
+
+#include <unistd.h>
+
+#include "runtime/base/contract.h"
+#include "runtime/plan/run_plan.h"
+#include "viewer/app/headless.h"
+#include "viewer/app/orbit_camera.h"
+#include "viewer/app/settings.h"
+
+namespace sinew::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The pose of the exhibit at any time, evaluated where it is asked for.
+class Poser {
+ public:
+  Poser(const Exhibit& exhibit, Skinning skinning, std::uint32_t clip)
+      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, skinning))), frame_(plan_) {}
+
+  const FrameResult& at(double time_s) {
+    const ClipLayer layer{clip_, time_s, 1.0f};
+    FrameInput input;
+    if (clip_ != kNone) input.layers = {&layer, 1};
+    const ErrorCode code = run_plan(plan_, input, frame_);
+    CONTRACT(code == ErrorCode::ok);   // the clip is in range and the time is finite
+    return frame_.result();
+  }
+
+ private:
+  static Needs needs_of(const Exhibit& exhibit, Skinning skinning) {
+    Needs needs;
+    needs.max_layers = 1;
+    needs.skinning = skinning;
+    needs.instance_skinning = exhibit.instance_skinning;
+    return needs;
+  }
+
+  std::uint32_t clip_;
+  Plan plan_;
+  FrameBuffer frame_;
+};
+
+OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
+  OrbitCamera camera;
+  camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
+  camera.frame(bounds.reached, static_cast<double>(options.width) / options.height);
+  return camera;
+}
+
+// A camera that was placed is taken as it is: an orbit camera cannot look straight down.
+View view_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
+  const OrbitCamera camera = camera_for(options, exhibit, bounds);
+  const auto placed = options.camera ? options.camera : exhibit.camera;
+  if (!placed) return camera.view(bounds.reached);
+  const glm::dvec3 eye(placed->eye);
+  return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
+}
+
+std::string picture_name(std::uint32_t picture) {
+  std::string digits = std::to_string(picture);
+  return std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits + ".png";
+}
+
+void show_progress(std::uint32_t done, std::uint32_t count) {
+  if (count > 1 && isatty(STDERR_FILENO)) std::fprintf(stderr, done < count ? "\rpicture %u of %u" : "\r\033[K", done, count);
+}
+
+}  // namespace
+
+double picture_time_s(std::uint32_t picture, double fps, double duration_s) noexcept {
+  const double time = picture / fps;
+  if (time <= duration_s || duration_s <= 0.0) return time;
+  return std::fmod(time, duration_s);
+}
+
+int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
+  if (options.frames) {
+    std::error_code error;
+    fs::create_directories(options.headless, error);
+    if (error) {
+      std::fprintf(stderr, "sinew-viewer: %s: %s\n", options.headless.c_str(), error.message().c_str());
+      return 3;
+    }
+  }
+  DeviceOptions wanted;
+  wanted.validation = options.validate;
+  Device device(wanted);
+  const ClipBounds bounds = clip_bounds(exhibit.scene, clip);
+  const View view = view_for(options, exhibit, bounds);
+  RenderOptions look = render_options(settings_from(options), bounds, eye_of(view));
+  look.transparent_background = options.transparent;
+
+  Poser poser(exhibit, options.skinning, clip);
+  Headless headless(device, exhibit.scene, options.width, options.height);
+  PngWriter writer;
+  if (options.frames) {
+    const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
+    const auto [first, last] = *options.frames;
+    for (std::uint32_t n = first;; ++n) {
+      const FrameResult& pose = poser.at(picture_time_s(n, options.fps, duration));
+      writer.write(fs::path(options.headless) / picture_name(n), headless.render(pose, view, look));
+      show_progress(n - first + 1, last - first + 1);
+      if (n == last) break;
+    }
+  } else {
+    writer.write(options.headless, headless.render(poser.at(options.time_s.value_or(0.0)), view, look));
+  }
+  const auto failed = writer.finish();
+  for (const auto& file : failed) std::fprintf(stderr, "sinew-viewer: %s\n", file.c_str());
+  return failed.empty() && device.validation_messages() == 0 ? 0 : 3;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/keys.h"
+
+#include <array>
+
+namespace sinew::viewer {
+namespace {
+
+// Key codes as GLFW 3 defines them; glfw3.h itself is for the window's own files only (window_test holds them equal).
+constexpr int kSpace = 32, kEscape = 256, kRight = 262, kLeft = 263, kDown = 264, kUp = 265;
+
+constexpr std::array kBindings{
+    KeyBinding{kSpace, Action::toggle_play, "space", "play / pause"},
+    KeyBinding{kLeft, Action::step_back, "left", "one frame back (pauses)"},
+    KeyBinding{kRight, Action::step_forward, "right", "one frame forward (pauses)"},
+    KeyBinding{kUp, Action::faster, "up", "faster"},
+    KeyBinding{kDown, Action::slower, "down", "slower"},
+    KeyBinding{'L', Action::toggle_loop, "l", "loop: repeat, there and back, once"},
+    KeyBinding{'N', Action::next_clip, "n", "next clip"},
+    KeyBinding{'P', Action::previous_clip, "p", "previous clip"},
+    KeyBinding{'D', Action::toggle_skinning, "d", "skinning: linear / dual quaternion"},
+    KeyBinding{'A', Action::toggle_ao, "a", "ambient occlusion on / off"},
+    KeyBinding{'O', Action::toggle_ao_only, "o", "show ambient occlusion only"},
+    KeyBinding{'V', Action::next_show, "v", "show color, ao, normals, depth in turn"},
+    KeyBinding{'S', Action::toggle_skeleton, "s", "skeleton on / off"},
+    KeyBinding{'F', Action::frame_all, "f", "frame everything"},
+    KeyBinding{258, Action::next_scene, "tab", "next showcase scene"},
+    KeyBinding{'H', Action::toggle_panel, "h", "panel on / off"},
+    KeyBinding{kEscape, Action::quit, "esc", "close"},
+    KeyBinding{'Q', Action::quit, "q", "close"},
+};
+
+}  // namespace
+
+std::span<const KeyBinding> key_bindings() noexcept { return kBindings; }
+
+std::optional<Action> action_of_key(int key) noexcept {
+  for (const auto& binding : kBindings)
+    if (binding.key == key) return binding.action;
+  return std::nullopt;
+}
+
+std::string describe_keys() {
+  std::string text;
+  for (const auto& binding : kBindings) {
+    text += "  " + std::string(binding.name);
+    text.append(10 - binding.name.size(), ' ');
+    text += std::string(binding.meaning) + "\n";
+  }
+  return text +
+         "  drag      left button: turn; right or middle button, or shift + left: move\n"
+         "  wheel     nearer / farther\n";
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// sinew-viewer: shows a glTF file's animations in a window, or writes pictures of them.
+#include <cstdio>
+#include <new>
+
+#include <unistd.h>
+
+#include "viewer/app/clip_choice.h"
+#include "viewer/app/exhibit.h"
+#include "viewer/app/headless_run.h"
+#include "viewer/app/options.h"
+#include "viewer/app/window_loop.h"
+#include "viewer/device/device_error.h"
+
+namespace sinew::viewer {
+namespace {
+
+void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
+
+void show_progress(double done) {
+  std::fprintf(stderr, done < 1.0 ? "\rreading: %3.0f %%" : "\r\033[K", 100.0 * done);
+}
+
+int show(const Options& options) {
+  const auto progress = isatty(STDERR_FILENO) ? std::function<void(double)>(show_progress) : nullptr;
+  const auto exhibits = load_exhibits(options, say, progress);
+  if (progress) show_progress(1.0);
+  if (!exhibits) {
+    say(exhibits.error().message);
+    return exhibits.error().exit_code;
+  }
+  const Scene& scene = (*exhibits)[options.showcase_scene].scene;
+  std::uint32_t clip = scene.animations.empty() ? kNone : 0;
+  if (options.clip) {
+    const auto chosen = choose_clip(scene, *options.clip);
+    if (!chosen) {
+      say(describe_missing_clip(scene, *options.clip));
+      return 2;
+    }
+    clip = *chosen;
+  }
+  if (options.headless.empty()) return run_window(options, *exhibits, clip);
+  return write_pictures(options, (*exhibits)[options.showcase_scene], clip);
+}
+
+}  // namespace
+}  // namespace sinew::viewer
+
+int main(int argc, char** argv) {
+  using namespace sinew::viewer;
+  const auto parsed = parse_options(argc, argv);
+  if (const auto* leave = std::get_if<Leave>(&parsed)) {
+    std::fputs(leave->text.c_str(), leave->code == 0 ? stdout : stderr);
+    return leave->code;
+  }
+  try {
+    return show(std::get<Options>(parsed));
+  } catch (const DeviceError& error) {
+    say(error.what());
+  } catch (const std::bad_alloc&) {
+    say("out of memory");
+  }
+  return 3;
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/options.h"
+
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <memory>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "viewer/app/keys.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr std::uint32_t kLargestSide = 16384;  // what every Vulkan 1.3 device of a desktop can render to
+
+// All of `text` as a number, or nothing.
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if constexpr (std::is_floating_point_v<T>)
+    if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// Two numbers with `separator` between them.
+template <class T>
+std::optional<std::pair<T, T>> two_numbers(std::string_view text, char separator) {
+  const auto at = text.find(separator);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto a = number<T>(text.substr(0, at)), b = number<T>(text.substr(at + 1));
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
+glm::vec3 point(const std::string& text, const char* option) {
+  glm::vec3 p(0.0f);
+  std::string_view rest = text;
+  for (int i = 0; i < 3; ++i) {
+    const auto comma = i < 2 ? rest.find(',') : rest.size();
+    const auto value = comma == std::string_view::npos ? std::nullopt : number<float>(rest.substr(0, comma));
+    if (!value) throw CLI::ValidationError(option, "'" + text + "' is not three numbers X,Y,Z");
+    p[i] = *value;
+    rest.remove_prefix(i < 2 ? comma + 1 : comma);
+  }
+  return p;
+}
+
+void read_size(const std::string& text, Options& options) {
+  const auto size = two_numbers<std::uint32_t>(text, 'x');
+  if (!size || size->first < 1 || size->second < 1 || size->first > kLargestSide || size->second > kLargestSide)
+    throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT with sides of 1 to 16384, such as 1280x720");
+  std::tie(options.width, options.height) = *size;
+}
+
+void read_frames(const std::string& text, Options& options) {
+  const auto range = two_numbers<std::uint32_t>(text, ':');
+  if (!range || range->first > range->second)
+    throw CLI::ValidationError("--frames", "'" + text + "' is not FIRST:LAST with FIRST <= LAST, such as 0:59");
+  options.frames = FrameRange{range->first, range->second};
+}
+
+bool names_png(const std::string& path) {
+  if (path.size() < 4) return false;
+  std::string end = path.substr(path.size() - 4);
+  for (char& c : end) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
+  return end == ".png";
+}
+
+// Rules between options, beyond what CLI11's needs() and excludes() say.
+void check_together(const Options& options) {
+  if (options.camera && options.camera->eye == options.camera->target)
+    throw CLI::ValidationError("--eye", "the camera cannot look at the same point that it is at");
+  if (options.headless.empty()) return;
+  if (options.frames && names_png(options.headless))
+    throw CLI::ValidationError("--headless", "'" + options.headless + "' is one picture, --frames needs a folder: DIR/");
+  if (!options.frames && !names_png(options.headless))
+    throw CLI::ValidationError("--headless", "'" + options.headless +
+                                                 "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
+}
+
+// The value that `text` names, from a short table.
+template <class T>
+T named(const char* option, const std::string& text, std::initializer_list<std::pair<const char*, T>> names) {
+  std::string all;
+  for (const auto& [name, value] : names) {
+    if (text == name) return value;
+    all += (all.empty() ? "" : ", ") + std::string(name);
+  }
+  throw CLI::ValidationError(option, "'" + text + "' is not one of: " + all);
+}
+
+// An option that `read` turns from text into its place in the options.
+template <class Read>
+CLI::Option* text_option(CLI::App& app, const char* name, const char* type, const char* what, Read read) {
+  return app.add_option_function<std::string>(name, read, what)->type_name(type);
+}
+
+void add_picture_options(CLI::App& app, Options& options) {
+  text_option(app, "--size", "WxH", "pixels of picture or window (1280x720)",
+              [&](const std::string& text) { read_size(text, options); });
+  text_option(app, "--skinning", "KIND", "linear or dual-quaternion (linear)", [&](const std::string& text) {
+    options.skinning = named<Skinning>("--skinning", text,
+                                       {{"linear", Skinning::linear}, {"dual-quaternion", Skinning::dual_quaternion}});
+  });
+  text_option(app, "--show", "WHAT", "color, ao, normals or depth (color)", [&](const std::string& text) {
+    options.show = named<Show>("--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals},
+                                                {"depth", Show::depth}});
+  });
+  app.add_flag_callback("--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
+  auto* eye = text_option(app, "--eye", "X,Y,Z", "where the camera is (framing everything)", [&](const std::string& text) {
+    if (!options.camera) options.camera.emplace();
+    options.camera->eye = point(text, "--eye");
+  });
+  auto* target = text_option(app, "--target", "X,Y,Z", "what the camera looks at", [&](const std::string& text) {
+    if (!options.camera) options.camera.emplace();
+    options.camera->target = point(text, "--target");
+  });
+  eye->needs(target);
+  target->needs(eye);
+  text_option(app, "--fov", "DEGREES", "vertical field of view (45)", [&](const std::string& text) {
+    const auto degrees = number<double>(text);
+    if (!degrees || *degrees < 1.0 || *degrees > 170.0)
+      throw CLI::ValidationError("--fov", "'" + text + "' is not an angle of 1 to 170 degrees");
+    options.fov_y_deg = *degrees;
+  });
+}
+
+void add_time_options(CLI::App& app, Options& options) {
+  const auto seconds = [](const char* option, const std::string& text, double least) {
+    const auto value = number<double>(text);
+    if (!value || *value < least) throw CLI::ValidationError(option, "'" + text + "' is not a time in seconds");
+    return *value;
+  };
+  text_option(app, "--clip", "CLIP", "index, name or none (the first clip)",
+              [&](const std::string& text) { options.clip = text; });
+  auto* time = text_option(app, "--time", "T", "seconds into the clip (0)",
+                           [&, seconds](const std::string& text) { options.time_s = seconds("--time", text, -1e9); });
+  auto* headless = app.add_option("--headless", options.headless, "write OUT.png, or numbered pictures into DIR/, without a window")
+                       ->type_name("OUT");
+  auto* frames = text_option(app, "--frames", "A:B", "pictures A to B, both included; picture n shows second n / fps",
+                             [&](const std::string& text) { read_frames(text, options); });
+  auto* fps = text_option(app, "--fps", "N", "pictures a second for --frames (30)", [&](const std::string& text) {
+    const auto value = number<double>(text);
+    if (!value || *value <= 0.0 || *value > 1e6) throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
+    options.fps = *value;
+  });
+  auto* transparent = app.add_flag("--transparent", options.transparent, "alpha 0 where nothing was drawn");
+  auto* exit_after = text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
+                                 [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
+  app.add_flag("--validate", options.validate, "use Vulkan's validation layer; exit code 3 when it complains");
+  frames->needs(headless)->excludes(time);
+  fps->needs(frames);
+  transparent->needs(headless);
+  exit_after->excludes(headless);
+}
+
+// CLI11 writes "Needs:" and "Excludes:" into the option column; a wrong combination says so by itself.
+class ShortFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+};
+
+// "-.5,1,2" starts like a short option; CLI11 takes "-0.5,1,2" for the value that it is.
+std::vector<std::string> arguments(int argc, const char* const* argv) {
+  std::vector<std::string> list(argv + (argc > 0 ? 1 : 0), argv + argc);
+  for (auto& text : list)
+    if (text.size() > 2 && text[0] == '-' && text[1] == '.') text.insert(1, "0");
+  return {list.rbegin(), list.rend()};  // CLI11 takes them last first
+}
+
+}  // namespace
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app{"Plays the animations of a glTF file in a window, or writes pictures of them.\n"
+               "Without FILE it shows the built-in scenes.", "sinew-viewer"};
+  app.formatter(std::make_shared<ShortFormatter>());
+  app.set_version_flag("--version", "sinew-viewer " SINEW_VERSION);
+  app.add_option("FILE", options.file, "a .gltf or .glb file")->type_name("");
+  app.add_option("--scene", options.showcase_scene, "which built-in scene (0)")->type_name("N")->excludes("FILE");
+  add_picture_options(app, options);
+  add_time_options(app, options);
+  app.footer("Keys in the window:\n" + describe_keys() +
+             "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window");
+  try {
+    app.parse(arguments(argc, argv));
+    check_together(options);
+  } catch (const CLI::CallForHelp&) {
+    return Leave{0, app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return Leave{0, std::string(version.what()) + "\n"};
+  } catch (const CLI::ParseError& error) {
+    return Leave{2, "sinew-viewer: " + std::string(error.what()) + "\nsinew-viewer --help lists the options\n"};
+  }
+  return options;
+}
+
+}  // namespace sinew::viewer

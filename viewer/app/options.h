@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <glm/vec3.hpp>
+
+#include "runtime/plan/needs.h"
+#include "viewer/passes/render_options.h"
+
+namespace sinew::viewer {
+
+/// Numbered pictures `first` to `last`, both included; picture n shows time n / fps.
+struct FrameRange {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Where the user puts the camera. Without it the camera frames everything that the clip reaches.
+struct PlacedCamera {
+  glm::vec3 eye{0.0f}, target{0.0f};
+};
+
+/// The command line of sinew-viewer, checked.
+struct Options {
+  std::string file;                          ///< empty = the built-in showcase
+  std::uint32_t showcase_scene = 0;
+  std::string headless;                      ///< OUT.png, or a folder together with `frames`; empty = window
+  std::optional<double> time_s;              ///< unset = 0
+  std::optional<FrameRange> frames;
+  double fps = 30.0;
+  std::optional<std::string> clip;           ///< index, name or "none"; unset = the first
+  std::uint32_t width = 1280, height = 720;
+  Skinning skinning = Skinning::linear;
+  Show show = Show::color;
+  bool ambient_occlusion = true;
+  bool transparent = false;
+  std::optional<PlacedCamera> camera;
+  std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for
+  std::optional<double> exit_after_s;        ///< close the window by itself
+  bool validate = false;                     ///< with Vulkan's validation layer; what it says ends with exit code 3
+};
+
+/// Nothing to do but to print `text` and leave with `code`: help and version (0, stdout) or wrong usage (2, stderr).
+struct Leave {
+  int code = 0;
+  std::string text;
+};
+
+/// Reads the command line. No file is touched.
+/// in   argv[argc] as main gets it
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+
+}  // namespace sinew::viewer

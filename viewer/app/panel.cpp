@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/panel.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <imgui.h>
+
+#include "viewer/app/clip_choice.h"
+#include "viewer/app/keys.h"
+
+namespace sinew::viewer {
+namespace {
+
+void text(std::string_view line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+
+void exhibit_choice(const PanelFacts& facts, PanelWishes& wishes) {
+  if (facts.exhibits.size() >= 2) {
+    if (ImGui::BeginCombo("scene", facts.exhibits[facts.exhibit].c_str())) {
+      for (std::uint32_t i = 0; i < facts.exhibits.size(); ++i)
+        if (ImGui::Selectable(facts.exhibits[i].c_str(), i == facts.exhibit)) wishes.exhibit = i;
+      ImGui::EndCombo();
+    }
+  } else {
+    text(facts.name);
+  }
+  if (facts.note.empty()) return;
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  text(facts.note);
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+void clip_choice(const Scene& scene, Playback& playback) {
+  const std::string current = clip_label(scene, playback.clip());
+  if (!ImGui::BeginCombo("clip", current.c_str())) return;
+  const auto offer = [&](std::uint32_t clip) {
+    ImGui::PushID(static_cast<int>(clip));   // names may repeat
+    if (ImGui::Selectable(clip_label(scene, clip).c_str(), clip == playback.clip())) playback.choose(clip);
+    ImGui::PopID();
+  };
+  for (std::uint32_t clip = 0; clip < scene.animations.size(); ++clip) offer(clip);
+  offer(kNone);
+  ImGui::EndCombo();
+}
+
+void mode_choice(Playback& playback) {
+  static constexpr std::pair<PlayMode, const char*> kModes[] = {
+      {PlayMode::loop, "repeat"}, {PlayMode::ping_pong, "there and back"}, {PlayMode::once, "once"}};
+  const char* current = "hold the end";
+  for (const auto& [mode, name] : kModes)
+    if (mode == playback.mode()) current = name;
+  if (!ImGui::BeginCombo("loop", current)) return;
+  for (const auto& [mode, name] : kModes)
+    if (ImGui::Selectable(name, mode == playback.mode())) playback.set_mode(mode);
+  ImGui::EndCombo();
+}
+
+void time_controls(const Scene& scene, Playback& playback) {
+  if (scene.animations.empty()) {
+    ImGui::TextDisabled("no clips: the rest pose is shown");
+    return;
+  }
+  if (ImGui::Button("<##step")) playback.step(-1);
+  ImGui::SameLine();
+  if (ImGui::Button(playback.playing() ? "pause##play" : "play##play", {ImGui::GetFontSize() * 4.0f, 0.0f})) playback.toggle();
+  ImGui::SameLine();
+  if (ImGui::Button(">##step")) playback.step(+1);
+  ImGui::SameLine();
+  ImGui::Text("%.3f / %.3f s", playback.time_s(), playback.duration_s());
+
+  double time = playback.time_s();
+  const double start = 0.0, end = playback.duration_s();
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("speed  ").x);
+  const bool moved = ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemActive()) playback.pause();   // from the press on, so that the time does not run away under the hand
+  if (moved) playback.seek(time);
+  double speed = playback.speed();
+  const double slowest = -2.0, fastest = 4.0;
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("speed  ").x);
+  if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "x %.2f")) playback.set_speed(speed);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) playback.set_speed(1.0);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("right click: x 1");
+  clip_choice(scene, playback);
+  mode_choice(playback);
+}
+
+void skinning_choice(const PanelFacts& facts, Settings& settings) {
+  if (facts.scene->skins.empty()) return;
+  if (!facts.plan->needs.instance_skinning.empty()) {
+    ImGui::TextDisabled("skinning: the scene chooses for each mesh");
+    return;
+  }
+  if (ImGui::RadioButton("linear blend", settings.skinning == Skinning::linear)) settings.skinning = Skinning::linear;
+  ImGui::SameLine();
+  if (ImGui::RadioButton("dual quaternion", settings.skinning == Skinning::dual_quaternion))
+    settings.skinning = Skinning::dual_quaternion;
+}
+
+void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wishes) {
+  skinning_choice(facts, settings);
+  ImGui::Checkbox("ambient occlusion", &settings.ambient_occlusion);
+  ImGui::SameLine();
+  ImGui::Checkbox("skeleton", &settings.skeleton);
+  int show = static_cast<int>(settings.show);
+  ImGui::RadioButton("color", &show, static_cast<int>(Show::color));
+  ImGui::SameLine();
+  ImGui::RadioButton("ao", &show, static_cast<int>(Show::ao));
+  ImGui::SameLine();
+  ImGui::RadioButton("normals", &show, static_cast<int>(Show::normals));
+  ImGui::SameLine();
+  ImGui::RadioButton("depth", &show, static_cast<int>(Show::depth));
+  settings.show = static_cast<Show>(show);
+  if (ImGui::Button("frame all")) wishes.frame_all = true;
+}
+
+void stages(const Plan& plan) {
+  if (!ImGui::CollapsingHeader("plan")) return;
+  if (!ImGui::BeginTable("stages", 3, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("why", ImGuiTableColumnFlags_WidthStretch);
+  for (const auto& stage : plan.stages) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    stage.runs ? text(stage.stage) : ImGui::TextDisabled("%s", stage.stage.c_str());
+    ImGui::TableNextColumn();
+    if (stage.runs) ImGui::Text("%llu", static_cast<unsigned long long>(stage.count));
+    else ImGui::TextDisabled("-");
+    ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0.0f);
+    stage.runs ? text(stage.reason) : ImGui::TextDisabled("%s", stage.reason.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::EndTable();
+}
+
+void timings(const PanelFacts& facts) {
+  if (!ImGui::CollapsingHeader("times")) return;
+  text(facts.device);
+  ImGui::Text("%.1f ms from picture to picture", facts.frame_ms);
+  for (const auto& pass : facts.passes)
+    ImGui::Text("%7.2f ms  %.*s", pass.milliseconds, static_cast<int>(pass.pass.size()), pass.pass.data());
+}
+
+void key_help() {
+  if (!ImGui::CollapsingHeader("keys")) return;
+  if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const auto& binding : key_bindings()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    text(binding.name);
+    ImGui::TableNextColumn();
+    text(binding.meaning);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback) {
+  PanelWishes wishes;
+  if (!settings.panel) return wishes;
+  const float unit = ImGui::GetFontSize();
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({unit, unit}, ImGuiCond_FirstUseEver);
+  const float width = std::min(unit * 26.0f, std::max(room.x - 2.0f * unit, unit));
+  // As high as its contents, at most as the window; then it scrolls.
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
+  const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+  if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("speed  ").x);
+    exhibit_choice(facts, wishes);
+    ImGui::Separator();
+    time_controls(*facts.scene, playback);
+    ImGui::Separator();
+    look_controls(facts, settings, wishes);
+    stages(*facts.plan);
+    timings(facts);
+    key_help();
+    ImGui::PopItemWidth();
+  }
+  ImGui::End();
+  return wishes;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/settings.h"
+
+namespace sinew::viewer {
+
+Settings settings_from(const Options& options) {
+  Settings settings;
+  settings.show = options.show;
+  settings.ambient_occlusion = options.ambient_occlusion;
+  settings.skinning = options.skinning;
+  return settings;
+}
+
+void toggle_ao_only(Settings& settings) noexcept {
+  settings.show = settings.show == Show::ao ? Show::color : Show::ao;
+  if (settings.show == Show::ao) settings.ambient_occlusion = true;  // else there is nothing to see
+}
+
+void toggle_skinning(Settings& settings) noexcept {
+  settings.skinning = settings.skinning == Skinning::linear ? Skinning::dual_quaternion : Skinning::linear;
+}
+
+void next_show(Settings& settings) noexcept {
+  switch (settings.show) {
+    case Show::color: settings.show = Show::ao; break;
+    case Show::ao: settings.show = Show::normals; break;
+    case Show::normals: settings.show = Show::depth; break;
+    case Show::depth: settings.show = Show::color; break;
+  }
+}
+
+RenderOptions render_options(const Settings& settings, const ClipBounds& bounds, const glm::dvec3& eye) {
+  RenderOptions options = render_options_for(bounds.reached, eye);
+  options.ao = ambient_occlusion_for(bounds.largest);
+  options.ao.on = settings.ambient_occlusion;
+  options.show = settings.show;
+  return options;
+}
+
+}  // namespace sinew::viewer

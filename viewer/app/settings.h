@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/plan/needs.h"
+#include "viewer/app/clip_bounds.h"
+#include "viewer/app/options.h"
+#include "viewer/passes/render_options.h"
+
+namespace sinew::viewer {
+
+/// What the user can switch while looking. Times and clips are in Playback.
+struct Settings {
+  Show show = Show::color;
+  bool ambient_occlusion = true;
+  bool skeleton = false;
+  bool panel = true;
+  Skinning skinning = Skinning::linear;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+Settings settings_from(const Options& options);
+
+/// Turns ambient occlusion only on, and back to the lit picture.
+void toggle_ao_only(Settings& settings) noexcept;
+
+void toggle_skinning(Settings& settings) noexcept;
+
+/// Color, ao, normals, depth, and again.
+void next_show(Settings& settings) noexcept;
+
+/// What the renderer takes for these settings, with lengths that follow the clip's size.
+RenderOptions render_options(const Settings& settings, const ClipBounds& bounds, const glm::dvec3& eye);
+
+}  // namespace sinew::viewer

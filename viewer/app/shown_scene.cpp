@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/shown_scene.h"
+
+#include <glm/geometric.hpp>
+
+#include "runtime/base/contract.h"
+
+namespace sinew::viewer {
+
+namespace {
+constexpr float kAxisPerDiagonal = 0.012f;   // of a joint's axes, in lengths of the scene
+}
+
+ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count)
+    : exhibit_(exhibit),
+      playback_(exhibit.scene),
+      scene_upload_(device, exhibit.scene),
+      frame_upload_(device, exhibit.scene, slot_count),
+      skeleton_(exhibit.scene),
+      bounds_(exhibit.scene.animations.size() + 1) {
+  set_skinning(skinning);
+}
+
+void ShownScene::set_skinning(Skinning skinning) {
+  jobs_.reset();   // before the plan that it runs
+  newest_ = nullptr;
+  Needs needs;
+  needs.max_layers = 1;
+  needs.skinning = skinning;
+  needs.instance_skinning = exhibit_.instance_skinning;
+  plan_ = std::make_unique<Plan>(compile_plan(exhibit_.scene, needs));
+  ++plan_number_;
+  jobs_ = std::make_unique<JobThread>();
+  character_ = jobs_->add_character(*plan_);
+  ready_seen_ = false;
+  FrameInput input;
+  input.layers = playback_.layers();
+  const auto ticket = jobs_->submit({&input, 1});
+  CONTRACT(ticket.has_value());   // nothing else was submitted
+  ticket_ = *ticket;
+  asked_ = current();
+  jobs_->wait(ticket_);
+  newest();
+  CONTRACT(newest_ != nullptr);
+}
+
+void ShownScene::submit() {
+  if (asked_ == current()) return;
+  FrameInput input;
+  input.layers = playback_.layers();
+  const auto ticket = jobs_->submit({&input, 1});
+  if (!ticket) return;   // busy: the next frame asks again
+  ticket_ = *ticket;
+  asked_ = current();
+  ready_seen_ = false;
+}
+
+const FrameResult& ShownScene::newest() {
+  const bool ready = jobs_->done(ticket_);
+  newest_ = jobs_->latest(character_);
+  ready_seen_ = ready_seen_ || ready;
+  return *newest_;
+}
+
+bool ShownScene::settled() const noexcept { return ready_seen_ && asked_ == current(); }
+
+DrawnScene ShownScene::upload(std::uint32_t slot) {
+  frame_upload_.update(slot, newest(), plan_number_);
+  return {&scene_upload_, &frame_upload_};
+}
+
+std::span<const LineVertex> ShownScene::skeleton_lines() {
+  const Aabb& box = bounds().largest;
+  const float diagonal = box.empty() ? 1.0f : glm::length(box.upper - box.lower);
+  return skeleton_.make(newest_->model, kAxisPerDiagonal * diagonal);
+}
+
+const ClipBounds& ShownScene::bounds() {
+  const std::uint32_t clip = playback_.clip();
+  auto& known = clip < exhibit_.scene.animations.size() ? bounds_[clip] : bounds_.back();
+  if (!known) known = clip_bounds(exhibit_.scene, clip);
+  return *known;
+}
+
+}  // namespace sinew::viewer

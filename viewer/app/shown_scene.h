@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/plan/job_thread.h"
+#include "viewer/app/clip_bounds.h"
+#include "viewer/app/exhibit.h"
+#include "viewer/app/playback.h"
+#include "viewer/app/skeleton_lines.h"
+#include "viewer/passes/frame_renderer.h"
+
+namespace sinew::viewer {
+
+/// One exhibit being played in the window: its evaluation on the job thread, its place on the GPU, its clock.
+class ShownScene {
+ public:
+  ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count);
+
+  const Exhibit& exhibit() const noexcept { return exhibit_; }
+  const Plan& plan() const noexcept { return *plan_; }
+  Playback& playback() noexcept { return playback_; }
+
+  /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
+  void set_skinning(Skinning skinning);
+
+  /// Asks for the pose at the playback's time, unless the worker still has one waiting or has that pose already.
+  void submit();
+
+  /// The newest pose that is ready, never null.
+  const FrameResult& newest();
+
+  /// The newest pose is the one asked for last, and is the current one.
+  bool settled() const noexcept;
+
+  /// Fills the slot with the newest pose.
+  DrawnScene upload(std::uint32_t slot);
+
+  std::span<const LineVertex> skeleton_lines();
+
+  /// Of the clip that plays now; worked out once for each clip.
+  const ClipBounds& bounds();
+
+  ErrorCode last_error() const noexcept { return jobs_->last_error(); }
+
+ private:
+  struct Asked {
+    std::uint32_t clip = kNone;
+    double time_s = 0.0;
+    friend bool operator==(const Asked&, const Asked&) = default;
+  };
+  Asked current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
+
+  const Exhibit& exhibit_;
+  Playback playback_;
+  std::unique_ptr<Plan> plan_;
+  std::unique_ptr<JobThread> jobs_;
+  JobThread::Character character_ = 0;
+  Ticket ticket_ = 0;
+  Asked asked_;
+  bool ready_seen_ = false;          ///< newest() was called after ticket_ was done
+  const FrameResult* newest_ = nullptr;
+  std::uint64_t plan_number_ = 0;    ///< tells the frames of one plan from those of the last
+  SceneUpload scene_upload_;
+  FrameUpload frame_upload_;
+  SkeletonLines skeleton_;
+  std::vector<std::optional<ClipBounds>> bounds_;   ///< [clips + 1], the last is the rest pose
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "runtime/assets/scene.h"
+#include "runtime/math/affine.h"
+#include "viewer/passes/frame_renderer.h"
+
+namespace sinew::viewer {
+
+/// The joints that a person means by "the skeleton": those of the skins and every joint between two of them, or all joints
+/// with a parent when the scene has no skin.
+class SkeletonLines {
+ public:
+  explicit SkeletonLines(const Scene& scene);
+
+  /// One line from each joint's parent to the joint, dark at the parent and bright at the joint, and from each joint its
+  /// own x, y and z axis in red, green and blue.
+  /// in   model[J]  world matrices;   axis_m  length of an axis
+  /// out  stays valid until the next call
+  std::span<const LineVertex> make(std::span<const Affine> model, float axis_m);
+
+  std::size_t bone_count() const noexcept { return bones_.size(); }
+
+ private:
+  struct Bone { std::uint32_t parent, joint; };
+  std::vector<Bone> bones_;
+  std::vector<std::uint32_t> joints_;
+  std::vector<LineVertex> lines_;     ///< kept, so that frames do not allocate
+};
+
+/// Box of the joints' positions, for scenes that draw nothing else.
+Aabb bounds_of_joints(std::span<const Affine> model) noexcept;
+
+}  // namespace sinew::viewer

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <vulkan/vulkan.h>
+
+struct GLFWwindow;
+
+namespace sinew::viewer {
+
+/// What the user did since the last look.
+struct Input {
+  std::vector<int> keys;                  ///< pressed or repeated, key codes of keys.h
+  double moved_x = 0.0, moved_y = 0.0;    ///< of the mouse, framebuffer pixels, y down
+  double wheel = 0.0;
+  bool turn_held = false, move_held = false;  ///< the drag that the mouse buttons mean
+  bool any = false;                       ///< something happened, perhaps none of the above
+};
+
+/// A window of the desktop. The only file that knows GLFW, besides the panel's backend.
+class Window {
+ public:
+  /// err  DeviceError when there is no display or the display cannot do Vulkan
+  Window(std::uint32_t width, std::uint32_t height, const std::string& title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  std::vector<const char*> instance_extensions() const;
+  VkSurfaceKHR make_surface(VkInstance instance) const;
+
+  VkExtent2D framebuffer_size() const;    ///< 0 x 0 while minimised
+  bool should_close() const;
+  void close();
+  void set_title(const std::string& title);
+
+  /// Handles what the desktop sent; waits for something up to `wait_s` (0 = does not wait).
+  Input poll(double wait_s);
+
+  GLFWwindow* handle() const noexcept { return window_; }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<Input> input_;          ///< callbacks keep its address
+  double mouse_x_ = 0.0, mouse_y_ = 0.0;
+};
+
+}  // namespace sinew::viewer

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/window_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <thread>
+
+#include "viewer/app/frame.h"
+#include "viewer/app/keys.h"
+#include "viewer/app/orbit_camera.h"
+#include "viewer/app/panel.h"
+#include "viewer/app/window.h"
+
+namespace sinew::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFramePeriod_s = 1.0 / 60.0;  // some drivers do not wait for the display
+constexpr double kIdleLook_s = 0.1;            // how long to rest when nothing moves and nothing happens
+constexpr double kLongestStep_s = 0.25;        // after a pause of the whole machine the animation goes on, it does not leap
+constexpr int kFramesAfterChange = 4;          // ImGui reacts to input over a few frames
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+DeviceOptions device_options(const Options& options, const Window& window) {
+  DeviceOptions wanted;
+  wanted.validation = options.validate;
+  wanted.instance_extensions = window.instance_extensions();
+  wanted.make_surface = [&window](VkInstance instance) { return window.make_surface(instance); };
+  return wanted;
+}
+
+class WindowLoop {
+ public:
+  WindowLoop(const Options& options, const std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip)
+      : options_(options),
+        exhibits_(exhibits),
+        window_(options.width, options.height, "sinew"),
+        device_(device_options(options, window_)),
+        swapchain_(device_, window_.framebuffer_size()),
+        panel_(device_, swapchain_, window_.handle()),
+        frame_(device_, swapchain_, panel_),
+        settings_(settings_from(options)) {
+    for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
+    show_exhibit(options.file.empty() ? options.showcase_scene : 0, clip);
+    if (options.time_s) shown_->playback().seek(*options.time_s);
+  }
+
+  int run();
+
+ private:
+  void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
+  void place_camera();
+  void frame_all() { camera_.frame(shown_->bounds().reached, aspect()); }
+  double aspect() const;
+  void react(const Input& input);
+  void act(Action action);
+  bool act_on_look(Action action);
+  bool fit_swapchain();
+  void grant_wishes();
+  PanelFacts facts();
+  void draw();
+  void keep_pace();
+
+  const Options& options_;
+  const std::vector<Exhibit>& exhibits_;
+  std::vector<std::string> names_;
+  Window window_;
+  Device device_;
+  Swapchain swapchain_;
+  PanelBackend panel_;
+  Frame frame_;
+  std::unique_ptr<ShownScene> shown_;
+  std::uint32_t exhibit_ = 0;
+  OrbitCamera camera_;
+  Settings settings_;
+  std::optional<std::uint32_t> wished_exhibit_;
+  int frames_to_draw_ = kFramesAfterChange;   // until the loop rests, when nothing moves
+  double frame_ms_ = 0.0;
+  Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
+};
+
+void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip) {
+  device_.wait_idle();
+  exhibit_ = index;
+  shown_.reset();   // its memory first
+  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.skinning, Frame::kSlots);
+  if (clip) shown_->playback().choose(*clip);
+  window_.set_title(exhibits_[index].name + " - sinew");
+  place_camera();
+}
+
+void WindowLoop::place_camera() {
+  const Exhibit& exhibit = exhibits_[exhibit_];
+  const auto placed = options_.camera ? options_.camera : exhibit.camera;
+  camera_ = OrbitCamera();
+  camera_.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
+  if (placed) camera_.place(placed->eye, placed->target);
+  else frame_all();
+}
+
+double WindowLoop::aspect() const {
+  const VkExtent2D size = swapchain_.extent();
+  return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
+}
+
+void WindowLoop::react(const Input& input) {
+  if (input.any) frames_to_draw_ = kFramesAfterChange;
+  if (!panel_.wants_keys())
+    for (const int key : input.keys)
+      if (const auto action = action_of_key(key)) act(*action);
+  if (panel_.wants_mouse()) return;
+  const double height = swapchain_.extent().height;
+  if (input.turn_held) camera_.orbit(input.moved_x, input.moved_y, height);
+  if (input.move_held) camera_.pan(input.moved_x, input.moved_y, height);
+  if (input.wheel != 0.0) camera_.zoom(input.wheel);
+}
+
+void WindowLoop::act(Action action) {
+  if (act_on_look(action)) return;
+  Playback& playback = shown_->playback();
+  switch (action) {
+    case Action::toggle_play: playback.toggle(); break;
+    case Action::step_back: playback.step(-1); break;
+    case Action::step_forward: playback.step(+1); break;
+    case Action::faster: playback.faster(); break;
+    case Action::slower: playback.slower(); break;
+    case Action::toggle_loop: playback.next_mode(); break;
+    case Action::next_clip: playback.next(+1); break;
+    case Action::previous_clip: playback.next(-1); break;
+    case Action::next_scene: wished_exhibit_ = (exhibit_ + 1) % static_cast<std::uint32_t>(exhibits_.size()); break;
+    case Action::quit: window_.close(); break;
+    default: break;
+  }
+}
+
+bool WindowLoop::act_on_look(Action action) {
+  switch (action) {
+    case Action::toggle_ao: settings_.ambient_occlusion = !settings_.ambient_occlusion; return true;
+    case Action::toggle_ao_only: toggle_ao_only(settings_); return true;
+    case Action::next_show: next_show(settings_); return true;
+    case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
+    case Action::toggle_skinning: toggle_skinning(settings_); return true;
+    case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
+    case Action::frame_all: frame_all(); return true;
+    default: return false;
+  }
+}
+
+// False while the window has no area.
+bool WindowLoop::fit_swapchain() {
+  const VkExtent2D size = window_.framebuffer_size();
+  if (size.width == 0 || size.height == 0) return false;
+  if (!swapchain_.fits(size)) {
+    swapchain_.remake(size);
+    panel_.follow(swapchain_);
+    frames_to_draw_ = kFramesAfterChange;
+  }
+  return swapchain_.image_count() != 0;
+}
+
+PanelFacts WindowLoop::facts() {
+  const Exhibit& exhibit = exhibits_[exhibit_];
+  PanelFacts facts;
+  facts.name = exhibit.name;
+  facts.note = exhibit.note;
+  facts.device = device_.name();
+  facts.scene = &exhibit.scene;
+  facts.plan = &shown_->plan();
+  facts.passes = frame_.pass_times();
+  facts.frame_ms = frame_ms_;
+  facts.exhibits = names_;
+  facts.exhibit = exhibit_;
+  return facts;
+}
+
+void WindowLoop::draw() {
+  const ClipBounds& bounds = shown_->bounds();
+  const View view = camera_.view(bounds.reached);
+  const RenderOptions look = render_options(settings_, bounds, camera_.eye());
+  const bool drawn = frame_.draw(*shown_, view, look, settings_.skeleton, [&] {
+    const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
+    if (wishes.frame_all) frame_all();
+    if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
+  });
+  if (!drawn) return;
+  --frames_to_draw_;
+  const double passed_ms = 1000.0 * seconds_since(last_picture_);
+  last_picture_ = Clock::now();
+  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) * (passed_ms - frame_ms_);   // a rest is not a slow frame
+}
+
+// What the last frame's panel or a key asked for and the frame itself could not do.
+void WindowLoop::grant_wishes() {
+  if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
+  wished_exhibit_.reset();
+  if (settings_.skinning != shown_->plan().needs.skinning) shown_->set_skinning(settings_.skinning);
+}
+
+void WindowLoop::keep_pace() {
+  next_frame_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kFramePeriod_s));
+  const auto now = Clock::now();
+  if (next_frame_ > now) std::this_thread::sleep_until(next_frame_);
+  else next_frame_ = now;
+}
+
+int WindowLoop::run() {
+  const auto start = Clock::now();
+  while (!window_.should_close()) {
+    react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleLook_s));
+    if (options_.exit_after_s && seconds_since(start) >= *options_.exit_after_s) break;
+    shown_->playback().advance(std::min(seconds_since(last_look_), kLongestStep_s));
+    last_look_ = Clock::now();
+    grant_wishes();
+    if (!fit_swapchain()) {
+      frames_to_draw_ = 0;   // minimised: look again when something happens
+      continue;
+    }
+    shown_->submit();
+    if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
+    if (frames_to_draw_ <= 0) continue;
+    draw();
+    keep_pace();
+  }
+  device_.wait_idle();
+  if (device_.validation_messages() == 0) return 0;
+  std::fprintf(stderr, "sinew-viewer: %llu validation messages\n",
+               static_cast<unsigned long long>(device_.validation_messages()));
+  return 3;
+}
+
+}  // namespace
+
+int run_window(const Options& options, const std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip) {
+  WindowLoop loop(options, exhibits, clip);
+  return loop.run();
+}
+
+}  // namespace sinew::viewer

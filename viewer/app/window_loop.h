@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewer/app/exhibit.h"
+#include "viewer/app/options.h"
+
+namespace sinew::viewer {
+
+/// Opens the window and plays until the user closes it.
+/// in   clip  to begin with; nothing = the first one
+/// out  exit code of the program: 0, or 3 when Options::validate and the validation layer complained
+/// err  DeviceError when there is no display or no device
+int run_window(const Options& options, const std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip);
+
+}  // namespace sinew::viewer
