@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <limits>
+#include <optional>
+
+#include "runtime/math/normal_transform.h"
+#include "runtime/math/transform.h"
+
+namespace sinew {
+
+/// Inverses by structure: take the cheapest that the matrix allows, it is also the most accurate   (Real-Time Rendering, 4.1.8)
+
+/// Inverse of a rotation and translation.
+/// eq   (T(t) R)^-1 = R^T T(-t) = [R^T | -R^T t]   (Real-Time Rendering, eq. 4.17)
+template <class T>
+AffineT<T> inverse_rigid(const AffineT<T>& m) noexcept {
+  const Mat3<T> transposed = glm::transpose(linear_part(m));
+  return affine_from(transposed, -(transposed * translation_of(m)));
+}
+
+/// Inverse of translation * rotation * scale, as a matrix: with uneven scale it is not of that form itself.
+/// eq   S^-1 R^T T(-t);  nothing where a scale is zero
+template <class T>
+std::optional<AffineT<T>> inverse_of(const TransformT<T>& local) noexcept {
+  const Vec3<T>& s = local.scale;
+  if (s.x == T(0) || s.y == T(0) || s.z == T(0)) return std::nullopt;
+  TransformT<T> rigid = local;
+  rigid.scale = Vec3<T>(T(1));
+  AffineT<T> out = inverse_rigid(affine_from_transform(rigid));
+  for (int r = 0; r < 3; ++r) out.row[r] /= s[r];
+  return out;
+}
+
+/// Inverse of any affine matrix; nothing where its linear part is singular within rounding or not finite.
+/// eq   M^-1 = cof(M)^T / det M   (Real-Time Rendering, section 4.1.8), after each column was divided by its largest entry, so
+///      that scales of any size neither overflow nor look singular
+template <class T>
+std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
+  Mat3<T> scaled = linear_part(m);
+  Vec3<T> scale;
+  for (int c = 0; c < 3; ++c) {
+    scale[c] = largest_component(scaled[c]);
+    if (!(scale[c] > T(0)) || !std::isfinite(scale[c])) return std::nullopt;
+    scaled[c] /= scale[c];
+  }
+  const Mat3<T> cof = cofactor(scaled);
+  const T det = glm::dot(scaled[0], cof[0]);
+  if (!(std::abs(det) > T(8) * std::numeric_limits<T>::epsilon())) return std::nullopt;
+  const Mat3<T> inverse = glm::transpose(Mat3<T>(cof[0] / det / scale.x, cof[1] / det / scale.y, cof[2] / det / scale.z));
+  return affine_from(inverse, -(inverse * translation_of(m)));
+}
+
+}  // namespace sinew

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "runtime/math/affine.h"
+#include "runtime/math/approximate_slerp.h"
+#include "runtime/math/dual_quaternion.h"
+#include "runtime/math/rotation_between.h"
+#include "runtime/math/squad.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
+
+namespace rc {
+
+/// Uniform rotations and motions: RapidCheck draws the seed, so a failing case is shrunk to a small seed and repeatable.
+template <>
+struct Arbitrary<sinew::Quat<double>> {
+  static Gen<sinew::Quat<double>> arbitrary() {
+    return gen::map(gen::arbitrary<std::uint64_t>(), [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).rotation<double>(); });
+  }
+};
+
+template <>
+struct Arbitrary<sinew::Vec3<double>> {
+  static Gen<sinew::Vec3<double>> arbitrary() {
+    return gen::map(gen::arbitrary<std::uint64_t>(), [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).vec3<double>(-2, 2); });
+  }
+};
+
+}  // namespace rc
+
+namespace sinew {
+namespace {
+
+using Q = Quat<double>;
+using V = Vec3<double>;
+
+double difference(const Q& a, const Q& b) { return safe_length(a - b); }
+
+/// A parameter strictly between the keys.
+double inner(std::uint32_t bits) { return (static_cast<double>(bits % 997) + 1) / 999; }
+
+bool unique_arc(const Q& q, const Q& r) { return std::abs(quat_dot(q, r)) > 1e-6; }
+
+RC_GTEST_PROP(quaternion_algebra, product_is_associative, (Q a, Q b, Q c)) {
+  RC_ASSERT(difference((a * b) * c, a * (b * c)) < 1e-15 * 4);
+}
+
+RC_GTEST_PROP(quaternion_algebra, length_of_a_product_is_the_product_of_lengths, (Q a, Q b)) {
+  RC_ASSERT(std::abs(safe_length(a * 3.0 * b) - 3.0) < 1e-14);
+}
+
+RC_GTEST_PROP(quaternion_algebra, conjugate_turns_products_round, (Q a, Q b)) {
+  RC_ASSERT(difference(quat_conjugate(a * b), quat_conjugate(b) * quat_conjugate(a)) < 1e-15);
+}
+
+RC_GTEST_PROP(quaternion_algebra, q_and_minus_q_rotate_alike, (Q q, V p)) {
+  RC_ASSERT(test::distance(rotate_vector(q, p), rotate_vector(-q, p)) == 0);
+}
+
+RC_GTEST_PROP(quaternion_algebra, rotation_keeps_lengths_and_products, (Q q, V a, V b)) {
+  RC_ASSERT(std::abs(glm::dot(rotate_vector(q, a), rotate_vector(q, b)) - glm::dot(a, b)) < 1e-14);
+  RC_ASSERT(test::distance(rotate_vector(q, glm::cross(a, b)), glm::cross(rotate_vector(q, a), rotate_vector(q, b))) < 1e-13);
+}
+
+RC_GTEST_PROP(slerp, is_symmetric_in_its_ends, (Q q, Q r, std::uint32_t bits)) {
+  RC_PRE(unique_arc(q, r));
+  const double t = inner(bits);
+  RC_ASSERT(test::angle_between(slerp_short_arc(q, r, t), slerp_short_arc(r, q, 1 - t)) < 1e-14);
+}
+
+RC_GTEST_PROP(slerp, runs_at_constant_speed, (Q q, Q r, std::uint32_t bits)) {
+  const double t = inner(bits) * 0.9, whole = test::angle_between(q, r);
+  RC_ASSERT(std::abs(test::angle_between(slerp_short_arc(q, r, t), slerp_short_arc(q, r, t + 0.1)) - 0.1 * whole) < 1e-14);
+}
+
+RC_GTEST_PROP(slerp, commutes_with_a_rotation_from_either_side, (Q q, Q r, Q turn, std::uint32_t bits)) {
+  RC_PRE(unique_arc(q, r));
+  const double t = inner(bits);
+  RC_ASSERT(test::angle_between(turn * slerp_short_arc(q, r, t), slerp_short_arc(turn * q, turn * r, t)) < 2e-14);
+  RC_ASSERT(test::angle_between(slerp_short_arc(q, r, t) * turn, slerp_short_arc(q * turn, r * turn, t)) < 2e-14);
+}
+
+RC_GTEST_PROP(slerp, nlerp_and_polynomial_share_its_path, (Q q, Q r, std::uint32_t bits)) {
+  RC_PRE(unique_arc(q, r));
+  const double t = inner(bits), whole = test::angle_between(q, r);
+  const Q n = nlerp_short_arc(q, r, t);
+  RC_ASSERT(std::abs(test::angle_between(q, n) + test::angle_between(n, r) - whole) < 1e-7);
+  RC_ASSERT(test::angle_between(polynomial_slerp(q, r, t), slerp_short_arc(q, r, t)) < 1e-8);
+}
+
+RC_GTEST_PROP(slerp, is_the_power_form, (Q q, Q r, std::uint32_t bits)) {
+  RC_PRE(unique_arc(q, r));
+  const double t = inner(bits);
+  const Q power = quat_pow(aligned_with(q, r) * quat_conjugate(q), t) * q;  // eq. 4.52
+  RC_ASSERT(test::angle_between(power, slerp_short_arc(q, r, t)) < 1e-13);
+}
+
+RC_GTEST_PROP(squad_curve, is_unit_everywhere, (Q a, Q b, Q c, Q d, std::uint32_t bits)) {
+  const Q b1 = aligned_with(a, b), c1 = aligned_with(b1, c), d1 = aligned_with(c1, d);
+  RC_ASSERT(std::abs(safe_length(squad(b1, squad_control(a, b1, c1), squad_control(b1, c1, d1), c1, inner(bits))) - 1) < 1e-14);
+}
+
+RC_GTEST_PROP(dual_quaternion_algebra, product_is_associative_and_moves_as_the_matrices_do, (Q a, V t, Q b, V u, V p)) {
+  const auto x = dual_quat_from(a, t), y = dual_quat_from(b, u), z = dual_quat_from(a * b, u - t);
+  RC_ASSERT(test::distance(affine_from_dual_quat((x * y) * z), affine_from_dual_quat(x * (y * z))) < 1e-13);
+  RC_ASSERT(test::distance(affine_from_dual_quat(x * y), affine_from_dual_quat(x) * affine_from_dual_quat(y)) < 1e-13);
+  RC_ASSERT(test::distance(transform_point(dual_quat_conjugate(x), transform_point(x, p)), p) < 1e-13);
+}
+
+RC_GTEST_PROP(rotation_between_vectors, back_is_the_inverse, (V s, V t)) {
+  RC_PRE(safe_length(s) > 1e-3 && safe_length(t) > 1e-3);
+  RC_PRE(safe_length(glm::cross(s, t)) > 1e-6 || glm::dot(s, t) > 0);
+  RC_ASSERT(test::angle_between(rotation_between(s, t), quat_conjugate(rotation_between(t, s))) < 1e-9);
+}
+
+}  // namespace
+}  // namespace sinew
