@@ -20,7 +20,9 @@ class BlockLayout {
     return at;
   }
   template <class T>
-  std::size_t take_array(std::size_t count) noexcept { return take(count * sizeof(T)); }
+  std::size_t take_array(std::size_t count) noexcept {
+    return take(count * sizeof(T));
+  }
   std::size_t size() const noexcept { return end_; }
 
  private:
@@ -45,7 +47,7 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
   return moved;
 }
 
-/// Morph and skin touch an attribute only when it is there, someone asks for it, and something moves it (P10, P11, P13).
+/// Morph and skin touch an attribute only where it is, someone asks for it, and something moves it (P10, P11, P13).
 PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning skinning, const Needs& needs) {
   PrimitivePlan plan;
   plan.skinning = skinning;
@@ -58,7 +60,7 @@ PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning
                                needs.tangents && !primitive.tangents.empty()};
   plan.morph = {wanted.positions && moved.set.positions, wanted.normals && moved.set.normals,
                 wanted.tangents && moved.set.tangents};
-  plan.morph.positions |= plan.morph.any();   // jobs always write positions
+  plan.morph.positions |= plan.morph.any();  // jobs always write positions
   plan.morph_colors = needs.vertices() && moved.colors && !primitive.colors.empty();
   if (skinned) plan.skin = wanted;
   plan.skin.positions |= plan.skin.any();
@@ -146,7 +148,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
     const Clip::Counts counts = clip.counts();
     plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights});
   }
-  plan.local_to_model = scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
+  plan.local_to_model =
+      scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
   plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0);
   plan.blend = plan.sample && needs.max_layers > 1;
   plan.bounds = needs.bounds && !scene.instances.empty();

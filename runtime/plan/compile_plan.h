@@ -12,7 +12,7 @@ namespace sinew {
 
 /// One stage of the evaluation, run or left out, with the reason in words a person understands.
 struct PlanStage {
-  std::string stage;        ///< "sample", "blend", "local_to_model", "palette", "split_palette", "morph", "skin_linear", ...
+  std::string stage;        ///< "sample", "blend", "local_to_model", "palette", ...: describe_stages has all
   bool runs = false;
   std::string reason;
   std::uint64_t count = 0;  ///< what the stage touches per frame: tracks, joints, entries, vertices
@@ -44,7 +44,7 @@ struct ClipTracks {
 };
 
 /// The evaluation of one scene for given needs: which stages run, and where in one block of frame memory each of them
-/// writes. Immutable; shared by all characters that show the scene. Keeps a pointer to the scene, which must outlive it.
+/// writes. Immutable; shared by all characters that show the scene. Keeps a pointer to the scene: that must outlive it.
 struct Plan {
   const Scene* scene = nullptr;
   Needs needs;

@@ -26,7 +26,8 @@ struct ActiveDeltas {
   std::uint64_t shape = 0, colors = 0;
 };
 
-ActiveDeltas active_deltas(const MorphSet& morphs, std::span<const float> weights, const PrimitivePlan& planned) noexcept {
+ActiveDeltas active_deltas(const MorphSet& morphs, std::span<const float> weights,
+                           const PrimitivePlan& planned) noexcept {
   ActiveDeltas active;
   if (!planned.morph.any() && !planned.morph_colors) return active;
   for (std::size_t t = 0; t < morphs.targets.size(); ++t) {
@@ -52,9 +53,10 @@ struct Deformation {
   void morph(std::span<const float> weights) noexcept {
     const std::size_t count = primitive.vertex_count();
     const bool in_between = planned.skin.any();
-    const VertexOutput out = output_at(memory, planned.morph, in_between ? plan.morphed_positions_at : planned.positions_at,
-                                       in_between ? plan.morphed_normals_at : planned.normals_at,
-                                       in_between ? plan.morphed_tangents_at : planned.tangents_at, count);
+    const VertexOutput out =
+        output_at(memory, planned.morph, in_between ? plan.morphed_positions_at : planned.positions_at,
+                  in_between ? plan.morphed_normals_at : planned.normals_at,
+                  in_between ? plan.morphed_tangents_at : planned.tangents_at, count);
     const MorphVerticesJob job{.morphs = &primitive.morphs,
                                .weights = weights,
                                .vertices = now,
@@ -70,8 +72,8 @@ struct Deformation {
   void skin() noexcept {
     const std::uint32_t skin = plan.scene->instances[planned.instance].skin;
     const std::size_t joints = plan.scene->skins[skin].joints.size();
-    const VertexOutput out =
-        output_at(memory, planned.skin, planned.positions_at, planned.normals_at, planned.tangents_at, primitive.vertex_count());
+    const VertexOutput out = output_at(memory, planned.skin, planned.positions_at, planned.normals_at,
+                                       planned.tangents_at, primitive.vertex_count());
     if (planned.skinning == Skinning::dual_quaternion) {
       const SkinDualQuaternionJob job{.influences = &primitive.influences,
                                       .split = memory.array<RigidStretch>(plan.split_at[skin], joints),
@@ -94,7 +96,8 @@ struct Deformation {
     replace(out);
   }
 
-  /// Whether this primitive's smooth normals would keep to the outside where its skin mirrors; the other rules follow the winding.
+  /// Whether this primitive's smooth normals would keep to the outside where its skin mirrors; the other rules follow
+  /// the winding.
   bool keeps_outside_out() const noexcept {
     return planned.skin.any() && planned.skinning == Skinning::linear && plan.needs.normal_rule == NormalRule::linear;
   }
@@ -123,7 +126,8 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
   const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
                                  planned.morph.normals || planned.skin.normals || planned.flat_normals,
                                  planned.morph.tangents || planned.skin.tangents};
-  Deformation stages{plan, planned, primitive, memory, work, {.positions = primitive.positions, .normals = {}, .tangents = {}}};
+  Deformation stages{plan,   planned, primitive,
+                     memory, work,    {.positions = primitive.positions, .normals = {}, .tangents = {}}};
   if (deformed.normals) stages.now.normals = primitive.normals;
   if (deformed.tangents) stages.now.tangents = primitive.tangents;
 
@@ -133,8 +137,12 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
   if (skins) stages.skin();
   if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && stages.keeps_outside_out());
 
-  DeformedPrimitive result{.instance = planned.instance, .primitive = planned.primitive, .positions = {}, .normals = {},
-                           .tangents = {}, .colors = {}};
+  DeformedPrimitive result{.instance = planned.instance,
+                           .primitive = planned.primitive,
+                           .positions = {},
+                           .normals = {},
+                           .tangents = {},
+                           .colors = {}};
   if (deformed.positions) result.positions = stages.now.positions;
   if (deformed.normals) result.normals = stages.now.normals;
   if (deformed.tangents) result.tangents = stages.now.tangents;

@@ -9,8 +9,8 @@ namespace sinew {
 
 /// Stages morph, skin and flat normals for one primitive of one mesh instance.
 /// in   weights[T]  of the instance;   mirrored  as in InstanceResult
-/// out  views of the frame's memory, or of the primitive's own arrays where a planned attribute rests this frame; positions
-///      are there whenever some stage needs them
+/// out  views of the frame's memory, or of the primitive's own arrays where a planned attribute rests in this frame;
+///      positions are there whenever some stage needs them
 /// cost O(V * influences + active deltas), no allocation
 DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
                                    bool mirrored, FrameMemory memory, WorkCounters& work) noexcept;

@@ -24,7 +24,8 @@ LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t inde
   return {memory.pose(pose_at, joints), memory.array<float>(weights_at, weights)};
 }
 
-void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights, WorkCounters& work) noexcept {
+void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights,
+            WorkCounters& work) noexcept {
   const SampleClipJob job{.clip = &plan.scene->clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = place.pose,
@@ -49,8 +50,10 @@ PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory me
     sample(plan, layer, place, own_weights, work);
     layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = {}};
   }
-  if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), first.weights.begin());
-  else if (count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
+  if (!own_weights)
+    std::copy(input.weights.begin(), input.weights.end(), first.weights.begin());
+  else if (count == 0)
+    std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
   if (count == 0) return rest;
   if (count == 1 && layers[0].weight >= 1.0f) return first.pose;
 
@@ -60,7 +63,8 @@ PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory me
   work.poses_blended += count;
   const std::size_t others = (count - 1) * first.weights.size();
   if (own_weights)
-    blend_weights(layers.first(count), plan.rest_weights, first.weights, memory.array<float>(plan.layer_weights_at, others));
+    blend_weights(layers.first(count), plan.rest_weights, first.weights,
+                  memory.array<float>(plan.layer_weights_at, others));
   return first.pose;
 }
 

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Stages sample and blend: the local pose and the morph weights of one frame. A single layer of full weight goes straight
-/// into the pose: the bits are those of sample_clip.
+/// Stages sample and blend: the local pose and the morph weights of one frame. A single layer of full weight goes
+/// straight into the pose: the bits are those of sample_clip.
 /// in   input          checked;   layers[max_layers]  room for the blend's table
 /// out  pose           view of the frame's memory; the plan's weights are filled in the frame's memory
 /// cost O(layers * tracks), no allocation

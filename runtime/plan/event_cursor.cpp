@@ -17,10 +17,10 @@ EventCursor::EventCursor(const PlaybackStep& step, std::span<const double> event
     : step_(step), times_s_(event_times_s), turn_(step.from_turns) {
   forward_ = !before(step.to_turns, step.to_s, step.from_turns, step.from_s);
   slots_ = step.mode == PlayMode::ping_pong ? 2 * times_s_.size() : times_s_.size();
-  first_on_seam_ = static_cast<std::size_t>(
-      std::lower_bound(times_s_.begin(), times_s_.end(), step.duration_s) - times_s_.begin());
+  first_on_seam_ =
+      static_cast<std::size_t>(std::lower_bound(times_s_.begin(), times_s_.end(), step.duration_s) - times_s_.begin());
   constexpr double kMostRounds = 9.0e15;
-  const double rounds = std::fabs(step.to_turns - step.from_turns) + 1.0;   // both ends included
+  const double rounds = std::fabs(step.to_turns - step.from_turns) + 1.0;  // both ends included
   rounds_left_ = slots_ == 0 ? 0 : static_cast<std::uint64_t>(std::min(rounds, kMostRounds));
 }
 

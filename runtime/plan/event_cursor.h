@@ -12,9 +12,9 @@ namespace sinew {
 /// Goes through the events that a step of a clock crosses, in the order of play, once per crossing:
 ///     for (EventCursor crossed(clock.advance(dt), times); auto i = crossed.next();) fire(*i);
 ///
-/// Every crossing belongs to exactly one step: a step owns the place where it ends, not the one where it starts (the first
-/// step after a start or seek owns both). When looping, events at the last key's time and at 0 share the seam, and both
-/// are crossed there; ping-pong crosses an event at either end once per turn and others once each way.
+/// Every crossing belongs to exactly one step: a step owns the place where it ends, not the one where it starts (the
+/// first step after a start or seek owns both). When looping, events at the last key's time and at 0 share the
+/// seam, and both are crossed there; ping-pong crosses an event at either end once per turn and others once each way.
 /// in   event_times_s[E]  rising, in [0, duration]; must outlive the cursor
 /// cost O(E) per round of the step, no allocation
 class EventCursor {

@@ -8,7 +8,8 @@ namespace sinew {
 namespace {
 
 /// The cross product in double, so that neither tiny nor huge triangles lose their normal.
-glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, double sign, bool& has_area) noexcept {
+glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, double sign,
+                      bool& has_area) noexcept {
   const Vec3<double> u = Vec3<double>(b) - Vec3<double>(a), v = Vec3<double>(c) - Vec3<double>(a);
   const Vec3<double> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);

@@ -23,12 +23,12 @@ struct DeformedPrimitive {
 
 /// One mesh instance in this frame.
 struct InstanceResult {
-  Affine world_from_mesh;                 ///< identity for skinned meshes: their vertices are in world space already (G29)
-  std::uint32_t first_primitive = 0;      ///< into FrameResult::primitives: one entry per primitive of its mesh
-  bool mirrored = false;                  ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
-                                          ///< negative, for a skinned mesh that of the first joint's skinning matrix
-  Aabb bounds;                            ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
-                                          ///< vertices; rigid ones: the box of their moved rest box, which holds them (G54)
+  Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already (G29)
+  std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
+  bool mirrored = false;              ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
+                                      ///< negative, for a skinned mesh that of the first joint's skinning matrix
+  Aabb bounds;                        ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
+                                      ///< vertices; rigid ones: the box of their moved rest box, which holds it (G54)
 };
 
 /// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until that

@@ -17,9 +17,9 @@ void grow_bounds(Aabb& bounds, std::span<const glm::vec3> points, const Affine& 
 void grow_bounds(Aabb& bounds, const Aabb& box, const Affine& world_from_mesh) noexcept {
   if (box.empty()) return;
   for (int corner = 0; corner < 8; ++corner)
-    bounds.add(transform_point(world_from_mesh, glm::vec3(corner & 1 ? box.upper.x : box.lower.x,
-                                                          corner & 2 ? box.upper.y : box.lower.y,
-                                                          corner & 4 ? box.upper.z : box.lower.z)));
+    bounds.add(transform_point(world_from_mesh,
+                               glm::vec3(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                                         corner & 4 ? box.upper.z : box.lower.z)));
 }
 
 }  // namespace sinew

@@ -25,7 +25,8 @@ PlanStage describe_sample(const Plan& plan) {
   if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
   std::uint32_t tracks = 0;
   for (const ClipTracks& clip : plan.clip_tracks) tracks = std::max(tracks, clip.joints + clip.weights);
-  return {"sample", true, counted(clips, "clip", "clips") + "; the count is of the one with most tracks", tracks, pose_bytes(plan)};
+  return {"sample", true, counted(clips, "clip", "clips") + "; the count is of the one with most tracks", tracks,
+          pose_bytes(plan)};
 }
 
 PlanStage describe_blend(const Plan& plan) {
@@ -52,13 +53,14 @@ PlanStage describe_skins(const Plan& plan, std::string stage, const std::vector<
     if (used[s]) ++skins, entries += plan.scene->skins[s].joints.size();
   if (skins == 0) return {std::move(stage), false, std::move(why_not), 0, 0};
   return {std::move(stage), true,
-          std::to_string(skins) + " of " + counted(used.size(), "skin", "skins") + " called for by mesh instances", entries,
-          entries * entry_bytes};
+          std::to_string(skins) + " of " + counted(used.size(), "skin", "skins") + " called for by mesh instances",
+          entries, entries * entry_bytes};
 }
 
 std::string why_no_skinning(const Plan& plan) {
   if (!plan.needs.vertices()) return "no vertices are asked for";
-  const bool any = std::find(plan.instance_skinned.begin(), plan.instance_skinned.end(), true) != plan.instance_skinned.end();
+  const bool any =
+      std::find(plan.instance_skinned.begin(), plan.instance_skinned.end(), true) != plan.instance_skinned.end();
   return any ? "no attribute that is asked for is skinned" : "no mesh instance is skinned";
 }
 
@@ -80,10 +82,14 @@ PlanStage describe_morph(const Plan& plan) {
     stage.bytes += attribute_bytes(p.morph, vertices) + (p.morph_colors ? vertices * sizeof(glm::vec4) : 0);
   }
   stage.runs = morphed > 0;
-  if (stage.runs) stage.reason = primitives(morphed) + " with targets that move something; targets of weight 0 cost nothing";
-  else if (!targets) stage.reason = "no mesh instance has morph targets";
-  else if (!plan.needs.vertices()) stage.reason = "no vertices are asked for";
-  else stage.reason = "no target moves an attribute that is asked for";
+  if (stage.runs)
+    stage.reason = primitives(morphed) + " with targets that move something; targets of weight 0 cost nothing";
+  else if (!targets)
+    stage.reason = "no mesh instance has morph targets";
+  else if (!plan.needs.vertices())
+    stage.reason = "no vertices are asked for";
+  else
+    stage.reason = "no target moves an attribute that is asked for";
   return stage;
 }
 
@@ -101,9 +107,12 @@ PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
     stage.bytes += attribute_bytes(p.skin, primitive_of(plan, p).vertex_count());
   }
   stage.runs = skinned > 0;
-  if (stage.runs) stage.reason = primitives(skinned) + " with joints and weights";
-  else if (skinned_otherwise > 0) stage.reason = "all skinned primitives use the other kind of skinning";
-  else stage.reason = why_no_skinning(plan);
+  if (stage.runs)
+    stage.reason = primitives(skinned) + " with joints and weights";
+  else if (skinned_otherwise > 0)
+    stage.reason = "all skinned primitives use the other kind of skinning";
+  else
+    stage.reason = why_no_skinning(plan);
   return stage;
 }
 
@@ -117,8 +126,10 @@ PlanStage describe_flat_normals(const Plan& plan) {
     stage.bytes += primitive_of(plan, p).vertex_count() * sizeof(glm::vec3);
   }
   stage.runs = flat > 0;
-  if (stage.runs) stage.reason = primitives(flat) + " without normals in the file, deformed: faces stay flat";
-  else stage.reason = plan.needs.normals ? "no deformed primitive lacks normals in the file" : "normals are not asked for";
+  if (stage.runs)
+    stage.reason = primitives(flat) + " without normals in the file, deformed: faces stay flat";
+  else
+    stage.reason = plan.needs.normals ? "no deformed primitive lacks normals in the file" : "normals are not asked for";
   return stage;
 }
 

@@ -34,9 +34,12 @@ PlaybackStep PlaybackClock::advance(double dt_s) noexcept {
   const ExactSum moved = add(phase_s_, delta_s);
   const ExactSum tidy = add(moved.sum, moved.error + phase_rest_s_ + std::fma(speed_, dt_s, -delta_s));
   phase_s_ = tidy.sum, phase_rest_s_ = tidy.error;
-  if (mode_ == PlayMode::loop) wrap_around(duration_s_);
-  else if (mode_ == PlayMode::ping_pong) wrap_around(2.0 * duration_s_);
-  else stop_at_ends(delta_s);
+  if (mode_ == PlayMode::loop)
+    wrap_around(duration_s_);
+  else if (mode_ == PlayMode::ping_pong)
+    wrap_around(2.0 * duration_s_);
+  else
+    stop_at_ends(delta_s);
   fresh_ = false;
   step.to_turns = turns_, step.to_s = phase_s_;
   return step;
@@ -51,11 +54,11 @@ void PlaybackClock::wrap_around(double period_s) noexcept {
   double phase_s = std::fmod(total_s, period_s);
   if (phase_s < 0.0) {
     const ExactSum lifted = add(phase_s, period_s);
-    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;   // a hair before the seam rounds onto it
+    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it
     phase_rest_s_ += lifted.sum < period_s ? lifted.error : lifted.error + (lifted.sum - period_s);
   }
   turns_ += std::nearbyint((total_s - phase_s) / period_s);
-  phase_s_ = phase_s + 0.0;   // no negative zero
+  phase_s_ = phase_s + 0.0;  // no negative zero
 }
 
 void PlaybackClock::stop_at_ends(double direction) noexcept {

@@ -86,7 +86,8 @@ InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<
 }
 
 /// A primitive that rests this frame moves the box of its rest pose, a deformed one looks at its vertices.
-void bound(InstanceResult& placed, const Primitive& primitive, const DeformedPrimitive& shape, WorkCounters& work) noexcept {
+void bound(InstanceResult& placed, const Primitive& primitive, const DeformedPrimitive& shape,
+           WorkCounters& work) noexcept {
   if (shape.positions.empty() || shape.positions.data() == primitive.positions.data())
     return grow_bounds(placed.bounds, primitive.bounds, placed.world_from_mesh);
   grow_bounds(placed.bounds, shape.positions, placed.world_from_mesh);
@@ -134,8 +135,12 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
       if (!plan.needs.positions) shape.positions = {};
     }
   }
-  frame.result_ = {.frame = frame.result_.frame + 1, .model = plan.needs.joints ? model : std::span<const Affine>{},
-                   .weights = weights, .instances = frame.instances_, .primitives = frame.primitives_, .work = work};
+  frame.result_ = {.frame = frame.result_.frame + 1,
+                   .model = plan.needs.joints ? model : std::span<const Affine>{},
+                   .weights = weights,
+                   .instances = frame.instances_,
+                   .primitives = frame.primitives_,
+                   .work = work};
   return ErrorCode::ok;
 }
 

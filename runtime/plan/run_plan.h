@@ -20,8 +20,8 @@ struct ClipLayer {
   float weight = 1.0f;
 };
 
-/// What to evaluate. No layers = rest pose (also when the scene has no clips at all). Layers are averaged by weight, where
-/// the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent.
+/// What to evaluate. No layers = rest pose (also when the scene has no clips at all). Layers are averaged by weight,
+/// where the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent.
 struct FrameInput {
   std::span<const ClipLayer> layers;
   std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest
@@ -53,9 +53,9 @@ class FrameBuffer {
 };
 
 /// Runs every stage of the plan for one character; afterwards `frame.result()` holds the outcome.
-/// err  index_out_of_range (clip); size_mismatch (weights, more layers than Needs::max_layers, or a frame buffer of another
-///      plan); not_finite (layer time or weight, morph weight); unsupported (a layer of negative weight, or of weight
-///      below 1 in a plan without blending). After an error the frame buffer still holds its last good frame.
+/// err  index_out_of_range (clip); size_mismatch (weights, more layers than Needs::max_layers, or a frame buffer of
+///      another plan); not_finite (layer time or weight, morph weight); unsupported (a layer of negative weight, or of
+///      weight below 1 in a plan without blending). After an error the frame buffer still holds its last good frame.
 /// cost the sum of the plan's stages, no allocation; the same input gives the same bits
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 

@@ -79,13 +79,14 @@ TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
   needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::linear};
   const Plan mixed = compile_plan(scene, needs);
   EXPECT_EQ(stage(mixed, "split_palette").count, scene.skins[1].joints.size());
-  EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count, stage(linear, "skin_linear").count);
+  EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count,
+            stage(linear, "skin_linear").count);
 }
 
 TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
   RandomSceneOptions options;
   options.skins = 5;
-  options.instances = 3;   // instances 0 and 2 use skins 0 and 1
+  options.instances = 3;  // instances 0 and 2 use skins 0 and 1
   const Scene scene = random_scene(2, options);
   const Plan plan = compile_plan(scene, {});
   EXPECT_EQ(stage(plan, "palette").count, scene.skins[0].joints.size() + scene.skins[1].joints.size());
@@ -102,7 +103,8 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
   const Plan positions = compile_plan(scene, needs);
   EXPECT_LT(fewer.frame_bytes, all.frame_bytes);
   EXPECT_LT(positions.frame_bytes, fewer.frame_bytes);
-  for (const PrimitivePlan& p : positions.primitives) EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
+  for (const PrimitivePlan& p : positions.primitives)
+    EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
 }
 
 TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
@@ -130,7 +132,8 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
 TEST(compile_plan, every_stage_says_why) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = seed % 2, options.flat_normals = seed % 5 == 0;
+    options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = seed % 2,
+    options.flat_normals = seed % 5 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs;
     needs.bounds = seed % 2 == 0, needs.normals = seed % 4 != 0;
@@ -147,7 +150,9 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   const Scene scene = random_scene(5, options);
   const Plan plan = compile_plan(scene, {});
   std::vector<std::pair<std::size_t, std::size_t>> places;
-  const auto take = [&](std::size_t at, std::size_t bytes) { if (bytes > 0) places.emplace_back(at, at + bytes); };
+  const auto take = [&](std::size_t at, std::size_t bytes) {
+    if (bytes > 0) places.emplace_back(at, at + bytes);
+  };
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   take(plan.rest_pose_at, pose_bytes), take(plan.pose_at, pose_bytes), take(plan.layer_poses_at, 3 * pose_bytes);
   take(plan.weights_at, 4 * scene.weight_count()), take(plan.layer_weights_at, 3 * 4 * scene.weight_count());

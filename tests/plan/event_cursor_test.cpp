@@ -102,7 +102,7 @@ TEST_P(CutPlay, steps_of_any_length_see_what_one_long_step_sees) {
     PlaybackClock whole(1.0, GetParam(), sign), cut(1.0, GetParam(), sign);
     Indices seen;
     double total_s = 0.0;
-    while (total_s < 5.0) {   // multiples of 1/16: every sum is exact and many steps end on an event
+    while (total_s < 5.0) {  // multiples of 1/16: every sum is exact and many steps end on an event
       const double dt_s = static_cast<double>(random() % 24) / 16.0;
       total_s += dt_s;
       for (const std::size_t event : crossed(cut.advance(dt_s), times)) seen.push_back(event);

@@ -136,7 +136,8 @@ TEST(playback_clock, N24_a_day_of_frames_does_not_drift) {
     PlaybackClock clock(duration_s, PlayMode::loop, speed);
     const std::int64_t frames = 24LL * 3600 * 60;
     for (std::int64_t f = 0; f < frames; ++f) clock.advance(kFrame);
-    const long double total_s = static_cast<long double>(frames) * static_cast<long double>(kFrame) * static_cast<long double>(speed);
+    const long double total_s =
+        static_cast<long double>(frames) * static_cast<long double>(kFrame) * static_cast<long double>(speed);
     const long double played_s = static_cast<long double>(clock.rounds()) * static_cast<long double>(duration_s) +
                                  static_cast<long double>(clock.time_s());
     EXPECT_NEAR(static_cast<double>(played_s - total_s), 0.0, 1e-13) << speed;
@@ -155,7 +156,9 @@ TEST(playback_clock, N24_plain_double_sums_do_drift) {
   }
   const long double played_s =
       static_cast<long double>(rounds) * static_cast<long double>(duration_s) + static_cast<long double>(phase_s);
-  EXPECT_GT(std::fabs(static_cast<double>(played_s - static_cast<long double>(frames) * static_cast<long double>(kFrame))), 1e-11);
+  EXPECT_GT(
+      std::fabs(static_cast<double>(played_s - static_cast<long double>(frames) * static_cast<long double>(kFrame))),
+      1e-11);
 }
 
 TEST(playback_clock, G12_sixty_frames_of_a_sixtieth_meet_the_seam_of_a_second_each_time) {

@@ -54,11 +54,12 @@ TEST(run_plan, G29_an_arm_bends_in_world_space_wherever_its_node_is) {
   ASSERT_EQ(positions.size(), 4u);
   EXPECT_TRUE(is_near(positions[0], glm::vec3(0, 0, 10), 1e-6));
   EXPECT_TRUE(is_near(positions[1], glm::vec3(-1, 1, 10), 1e-6));
-  EXPECT_TRUE(is_near(positions[2], glm::vec3(0.125f, 1.125f, 10), 1e-6));   // half of (.25 1), half of (0 1.25)
+  EXPECT_TRUE(is_near(positions[2], glm::vec3(0.125f, 1.125f, 10), 1e-6));  // half of (.25 1), half of (0 1.25)
   EXPECT_TRUE(is_near(positions[3], glm::vec3(-0.125f, 0.875f, 10), 1e-6));
   EXPECT_EQ(frame.result().instances[0].world_from_mesh, Affine{});
-  EXPECT_EQ(frame.result().work, (WorkCounters{.tracks_sampled = 1, .joints_composed = 3, .palette_entries = 2,
-                                               .vertices_skinned_linear = 4}));
+  EXPECT_EQ(
+      frame.result().work,
+      (WorkCounters{.tracks_sampled = 1, .joints_composed = 3, .palette_entries = 2, .vertices_skinned_linear = 4}));
 }
 
 TEST(run_plan, dual_quaternions_keep_the_radius_where_linear_blending_cuts_the_corner) {
@@ -68,7 +69,7 @@ TEST(run_plan, dual_quaternions_keep_the_radius_where_linear_blending_cuts_the_c
   needs.skinning = Skinning::dual_quaternion;
   const Frame frame(scene, needs, {.layers = {&layer, 1}, .weights = {}, .root = {}});
   const glm::vec3 p = frame.result().primitives[0].positions[2];
-  const float r = 0.25f * std::sqrt(0.5f);   // 45 degrees around (0 1)
+  const float r = 0.25f * std::sqrt(0.5f);  // 45 degrees around (0 1)
   EXPECT_TRUE(is_near(p, glm::vec3(r, 1 + r, 0), 1e-6));
   EXPECT_EQ(frame.result().work.vertices_skinned_dual_quaternion, 4u);
   EXPECT_EQ(frame.result().work.palette_entries_split, 2u);
@@ -84,7 +85,7 @@ TEST(run_plan, G43_weights_come_from_the_clip_else_from_rest_and_the_caller_over
   EXPECT_EQ(weights(frame.run({.layers = {&layer, 1}, .weights = {}, .root = {}})), (std::vector<float>{0.5f, 1.0f}));
   const std::vector<float> own = {-1.0f, 3.0f};
   EXPECT_EQ(weights(frame.run({.layers = {&layer, 1}, .weights = own, .root = {}})), own);
-  EXPECT_EQ(frame.result().work.tracks_sampled, 0u);   // the clip has nothing but weights, and they are not wanted
+  EXPECT_EQ(frame.result().work.tracks_sampled, 0u);  // the clip has nothing but weights, and they are not wanted
 }
 
 TEST(run_plan, morph_weights_below_zero_and_above_one_are_legal) {
@@ -131,7 +132,7 @@ TEST(run_plan, N26_weights_too_small_to_see_count_as_zero) {
 TEST(run_plan, P06_one_layer_of_full_weight_has_the_bits_of_sample_clip) {
   const Scene scene = random_scene(11);
   for (const double time_s : {0.0, 0.37, 1.1, 2.0, 9.0}) {
-    const ClipLayer layers[] = {{1, 0.3, 0.0f}, {0, time_s, 1.0f}};   // a layer of weight 0 is as good as absent
+    const ClipLayer layers[] = {{1, 0.3, 0.0f}, {0, time_s, 1.0f}};  // a layer of weight 0 is as good as absent
     const Frame frame(scene, {}, {.layers = layers, .weights = {}, .root = {}});
     std::vector<float> weights(scene.weight_count());
     alignas(64) float memory[PoseSpan::floats_for(16)];
@@ -152,7 +153,7 @@ TEST(run_plan, layers_that_do_not_fill_up_to_one_leave_the_rest_to_the_rest_pose
   const ClipLayer half{0, 1.0, 0.5f};
   const Frame frame(scene, {}, {.layers = {&half, 1}, .weights = {}, .root = {}});
   ASSERT_EQ(frame.error, ErrorCode::ok);
-  const float c = std::sqrt(0.5f);   // half of 90 degrees: the tip stands at 45
+  const float c = std::sqrt(0.5f);  // half of 90 degrees: the tip stands at 45
   EXPECT_TRUE(is_near(frame.result().primitives[0].positions[1], glm::vec3(-c, 1 + c, 0), 1e-6));
   EXPECT_EQ(frame.result().work.poses_blended, 1u);
 }
@@ -160,11 +161,11 @@ TEST(run_plan, layers_that_do_not_fill_up_to_one_leave_the_rest_to_the_rest_pose
 TEST(run_plan, morph_weights_blend_like_poses) {
   const Scene scene = face_scene();
   Frame frame(scene, {});
-  const ClipLayer layers[] = {{0, 0.0, 0.5f}, {0, 1.0, 0.25f}};   // (0 0), (1 2), rest (0.25 0) with weight 0.25
+  const ClipLayer layers[] = {{0, 0.0, 0.5f}, {0, 1.0, 0.25f}};  // (0 0), (1 2), rest (0.25 0) with weight 0.25
   frame.run({.layers = layers, .weights = {}, .root = {}});
   EXPECT_FLOAT_EQ(frame.result().weights[0], 0.3125f);
   EXPECT_FLOAT_EQ(frame.result().weights[1], 0.5f);
-  const ClipLayer heavy[] = {{0, 0.0, 3.0f}, {0, 1.0, 1.0f}};     // normalised: 3/4 and 1/4
+  const ClipLayer heavy[] = {{0, 0.0, 3.0f}, {0, 1.0, 1.0f}};  // normalised: 3/4 and 1/4
   frame.run({.layers = heavy, .weights = {}, .root = {}});
   EXPECT_FLOAT_EQ(frame.result().weights[0], 0.25f);
   EXPECT_FLOAT_EQ(frame.result().weights[1], 0.5f);
@@ -194,16 +195,16 @@ TEST(run_plan, G48_mirrored_follows_the_sign_of_the_determinant_every_frame) {
     return frame.run({.layers = {&layer, 1}, .weights = {}, .root = root}).instances[0].mirrored;
   };
   EXPECT_FALSE(mirrored_at(0.25, {}));
-  EXPECT_FALSE(mirrored_at(0.5, {}));    // scale 0: no side is the front
+  EXPECT_FALSE(mirrored_at(0.5, {}));  // scale 0: no side is the front
   EXPECT_TRUE(mirrored_at(0.75, {}));
-  Affine small = {{{-1e-15f, 0, 0, 0}, {0, 1e-15f, 0, 0}, {0, 0, 1e-15f, 0}}};   // the product underflows in float
+  Affine small = {{{-1e-15f, 0, 0, 0}, {0, 1e-15f, 0, 0}, {0, 0, 1e-15f, 0}}};  // the product underflows in float
   EXPECT_TRUE(mirrored_at(0.25, small));
   EXPECT_FALSE(mirrored_at(0.75, small));
 }
 
 TEST(run_plan, G48_a_skinned_mesh_is_mirrored_with_the_first_joint_of_its_skin) {
   Scene scene = arm_scene();
-  scene.skeleton.rest[1].scale.x = -1.0f;   // the node that carries the mesh: of no effect
+  scene.skeleton.rest[1].scale.x = -1.0f;  // the node that carries the mesh: of no effect
   finish_scene(scene);
   EXPECT_FALSE(Frame(scene, {}, {}).result().instances[0].mirrored);
   scene.skeleton.rest[0].scale.z = -1.0f;
@@ -227,15 +228,18 @@ TEST(run_plan, rejects_what_it_cannot_show_and_keeps_the_last_good_frame) {
   Frame frame(scene, needs, {});
   const std::vector<float> one = {1.0f}, bad = {1.0f, kNan};
   const double inf = std::numeric_limits<double>::infinity();
-  const struct { std::vector<ClipLayer> layers; std::vector<float> weights; ErrorCode error; } cases[] = {
-      {{{1, 0.0, 1.0f}}, {}, ErrorCode::index_out_of_range},
-      {{{kNone, 0.0, 0.0f}}, {}, ErrorCode::index_out_of_range},
-      {{{0, inf, 1.0f}}, {}, ErrorCode::not_finite},
-      {{{0, 0.0, kNan}}, {}, ErrorCode::not_finite},
-      {{{0, 0.0, -0.5f}}, {}, ErrorCode::unsupported},
-      {{{0, 0.0, 1.0f}, {0, 0.0, 1.0f}, {0, 0.0, 1.0f}}, {}, ErrorCode::size_mismatch},
-      {{}, one, ErrorCode::size_mismatch},
-      {{}, bad, ErrorCode::not_finite}};
+  const struct {
+    std::vector<ClipLayer> layers;
+    std::vector<float> weights;
+    ErrorCode error;
+  } cases[] = {{{{1, 0.0, 1.0f}}, {}, ErrorCode::index_out_of_range},
+               {{{kNone, 0.0, 0.0f}}, {}, ErrorCode::index_out_of_range},
+               {{{0, inf, 1.0f}}, {}, ErrorCode::not_finite},
+               {{{0, 0.0, kNan}}, {}, ErrorCode::not_finite},
+               {{{0, 0.0, -0.5f}}, {}, ErrorCode::unsupported},
+               {{{0, 0.0, 1.0f}, {0, 0.0, 1.0f}, {0, 0.0, 1.0f}}, {}, ErrorCode::size_mismatch},
+               {{}, one, ErrorCode::size_mismatch},
+               {{}, bad, ErrorCode::not_finite}};
   for (const auto& c : cases) {
     EXPECT_EQ(frame.run({.layers = c.layers, .weights = c.weights, .root = {}}).frame, 1u);
     EXPECT_EQ(frame.error, c.error);

@@ -7,8 +7,8 @@ namespace sinew::test {
 /// One triangle (0 0 0) (1 0 0) (0 1 0), normals +z, on one root joint. Nothing moves.
 Scene prop_scene();
 
-/// Joints 0 `upper` and 2 `lower`, `lower` one metre above `upper`, and a flat arm of two triangles in the plane z = 0 skinned to both; the
-/// clip "bend" turns `lower` by 90 degrees about +z in one second. Vertices:
+/// Joints 0 `upper` and 2 `lower`, one metre above it, and a flat arm of two triangles in the plane z = 0 skinned to both;
+/// the clip "bend" turns `lower` by 90 degrees about +z in one second. Vertices:
 ///   0 (0 0 0) upper;  1 (0 2 0) lower;  2 (0.25 1 0) both, half and half;  3 (-0.25 1 0) both
 /// The joint "holder" is an unmoved node, on which the mesh hangs five metres aside (G29: of no effect).
 Scene arm_scene();

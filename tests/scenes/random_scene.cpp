@@ -63,7 +63,8 @@ class Maker {
   Mesh make_mesh() {
     Mesh mesh;
     for (int p = 0; p < 2; ++p) mesh.primitives.push_back(make_primitive(options_.flat_normals && p == 1));
-    for (std::uint32_t t = 0; t < options_.targets; ++t) mesh.default_weights.push_back(static_cast<float>(random_.in(-0.5, 1.5)));
+    for (std::uint32_t t = 0; t < options_.targets; ++t)
+      mesh.default_weights.push_back(static_cast<float>(random_.in(-0.5, 1.5)));
     return mesh;
   }
 
@@ -89,8 +90,10 @@ class Maker {
     const std::uint32_t joints = std::max(1u, options_.joints / 2), most = std::min(joints, options_.most_influences);
     for (std::uint32_t first = 0, n = 1; first < vertex_count; ++n) {
       const bool last = n >= most;
-      const std::uint32_t vertices = last ? vertex_count - first : std::min(vertex_count - first, 1 + random_.below(17));
-      influences.groups.push_back({first, vertices, std::min(n, most), static_cast<std::uint32_t>(influences.joints.size())});
+      const std::uint32_t vertices =
+          last ? vertex_count - first : std::min(vertex_count - first, 1 + random_.below(17));
+      influences.groups.push_back(
+          {first, vertices, std::min(n, most), static_cast<std::uint32_t>(influences.joints.size())});
       for (std::uint32_t v = 0; v < vertices; ++v) add_vertex(influences, std::min(n, most), joints);
       first += vertices;
     }
@@ -146,8 +149,10 @@ class Maker {
       BoneAnimation bone;
       bone.joint = j;
       const Transform& rest = scene_.skeleton.rest[j];
-      if (j % 2 == 0) bone.translation = make_track<Vec3Track>([&] { return rest.translation + random_.vec3(-0.2, 0.2); });
-      bone.rotation = make_track<QuatTrack>([&] { return normalised(rest.rotation * random_.rotation_by(random_.in(0, 0.5))); });
+      if (j % 2 == 0)
+        bone.translation = make_track<Vec3Track>([&] { return rest.translation + random_.vec3(-0.2, 0.2); });
+      bone.rotation =
+          make_track<QuatTrack>([&] { return normalised(rest.rotation * random_.rotation_by(random_.in(0, 0.5))); });
       if (j % 3 == 0) bone.scale = make_track<Vec3Track>([&] { return rest.scale * random_.vec3(0.8, 1.25); });
       animation.bones.push_back(std::move(bone));
     }
@@ -172,8 +177,10 @@ class Maker {
     const auto none = value() * 0.0f;
     for (std::size_t k = 0; k < track.times_s.size(); ++k) {
       const auto v = value();
-      if (track.interpolation == Interpolation::cubic_spline) track.values.insert(track.values.end(), {none, v, v * 0.1f});
-      else track.values.push_back(v);
+      if (track.interpolation == Interpolation::cubic_spline)
+        track.values.insert(track.values.end(), {none, v, v * 0.1f});
+      else
+        track.values.push_back(v);
     }
     return track;
   }
@@ -184,7 +191,8 @@ class Maker {
     track.interpolation = static_cast<Interpolation>(kind_++ % 3);
     track.target_count = options_.targets;
     const std::size_t rows = track.times_s.size() * (track.interpolation == Interpolation::cubic_spline ? 3 : 1);
-    for (std::size_t i = 0; i < rows * options_.targets; ++i) track.values.push_back(static_cast<float>(random_.in(-1, 2)));
+    for (std::size_t i = 0; i < rows * options_.targets; ++i)
+      track.values.push_back(static_cast<float>(random_.in(-1, 2)));
     return track;
   }
 

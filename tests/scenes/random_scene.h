@@ -10,14 +10,14 @@ namespace sinew::test {
 struct RandomSceneOptions {
   std::uint32_t joints = 14;
   std::uint32_t clips = 2;
-  std::uint32_t skins = 2;            ///< 0 = no mesh is skinned
-  std::uint32_t targets = 3;          ///< morph targets of each mesh, 0 = none
+  std::uint32_t skins = 2;    ///< 0 = no mesh is skinned
+  std::uint32_t targets = 3;  ///< morph targets of each mesh, 0 = none
   std::uint32_t meshes = 2;
-  std::uint32_t instances = 4;        ///< every other one is skinned, if there are skins
-  std::uint32_t triangles = 40;       ///< of each primitive
+  std::uint32_t instances = 4;   ///< every other one is skinned, if there are skins
+  std::uint32_t triangles = 40;  ///< of each primitive
   std::uint32_t most_influences = 6;
   bool normals = true, tangents = true, colors = true;
-  bool flat_normals = false;          ///< every second primitive
+  bool flat_normals = false;  ///< every second primitive
   bool mirrored_joints = false;
 };
 

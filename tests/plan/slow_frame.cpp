@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "tests/plan/slow_frame.h"
+
+#include <algorithm>
+
+#include "runtime/assets/track_sample.h"
+#include "runtime/math/decompose.h"
+#include "tests/reference/skinning.h"
+
+namespace sinew::test {
+namespace {
+
+using Vec3d = Vec3<double>;
+
+Transformd to_double(const Transform& t) {
+  return {Vec3d(t.translation), quat_cast<double>(t.rotation), Vec3d(t.scale)};
+}
+
+Transformd joint_at(const Scene& scene, const ClipLayer& layer, std::uint32_t joint) {
+  const Transformd rest = to_double(scene.skeleton.rest[joint]);
+  for (const BoneAnimation& bone : scene.animations[layer.clip].bones)
+    if (bone.joint == joint) return bone.interpolate<double>(layer.time_s, rest);
+  return rest;
+}
+
+double total_weight(const FrameInput& input) {
+  double total = 0.0;
+  for (const ClipLayer& layer : input.layers) total += static_cast<double>(layer.weight);
+  return total;
+}
+
+/// eq   mean over the layers, the rest pose with weight max(0, 1 - total); rotations by normalised sum, aligned to the
+/// rest
+Transformd blended_joint(const Scene& scene, const FrameInput& input, std::uint32_t joint) {
+  const Transformd rest = to_double(scene.skeleton.rest[joint]);
+  const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
+  if (input.layers.size() == 1 && total >= 1.0) return joint_at(scene, input.layers[0], joint);
+  Transformd sum{rest.translation * fill, rest.rotation * fill, rest.scale * fill};
+  for (const ClipLayer& layer : input.layers) {
+    const double w = static_cast<double>(layer.weight);
+    const Transformd pose = joint_at(scene, layer, joint);
+    sum.translation += pose.translation * w;
+    sum.rotation = sum.rotation + aligned_with(rest.rotation, pose.rotation) * w;
+    sum.scale += pose.scale * w;
+  }
+  const double share = 1.0 / (total + fill);
+  return {sum.translation * share, normalised(sum.rotation), sum.scale * share};
+}
+
+std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const std::vector<double>& rest) {
+  std::vector<double> weights = rest;
+  for (const WeightAnimation& animated : scene.animations[layer.clip].weights) {
+    const std::span<double> own(weights.data() + scene.first_weight[animated.instance], animated.weights.target_count);
+    sample_track(animated.weights, layer.time_s, own);
+  }
+  return weights;
+}
+
+std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
+  if (!input.weights.empty()) return {input.weights.begin(), input.weights.end()};
+  std::vector<double> rest;
+  for (const MeshInstance& instance : scene.instances)
+    rest.insert(rest.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
+  std::vector<double> sum(rest.size());
+  for (std::size_t i = 0; i < rest.size(); ++i) sum[i] = fill * rest[i];
+  for (const ClipLayer& layer : input.layers) {
+    const std::vector<double> weights = weights_at(scene, layer, rest);
+    for (std::size_t i = 0; i < rest.size(); ++i) sum[i] += static_cast<double>(layer.weight) * weights[i];
+  }
+  for (double& w : sum) w /= total + fill;
+  return sum;
+}
+
+std::vector<Affined> world_matrices(const Scene& scene, const FrameInput& input) {
+  std::vector<Affined> model;
+  const Skeleton& skeleton = scene.skeleton;
+  for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
+    const Affined above = skeleton.parents[j] == kNone ? affine_cast<double>(input.root) : model[skeleton.parents[j]];
+    const std::uint32_t fixed = skeleton.fixed_matrix_of[j];
+    model.push_back(above * (fixed == kNone ? affine_from_transform(blended_joint(scene, input, j))
+                                            : affine_cast<double>(skeleton.fixed_matrices[fixed])));
+  }
+  return model;
+}
+
+template <class To, class V>
+void add_deltas(std::vector<To>& sums, const SparseDeltas<V>& sparse, double weight) {
+  for (std::size_t i = 0; i < sparse.vertices.size(); ++i) sums[sparse.vertices[i]] += weight * To(sparse.deltas[i]);
+}
+
+/// eq   v' = v + sum(w delta); not normalised yet
+SlowPrimitive morphed(const Primitive& primitive, std::span<const double> weights) {
+  SlowPrimitive out{{primitive.positions.begin(), primitive.positions.end()},
+                    {primitive.normals.begin(), primitive.normals.end()},
+                    {},
+                    {primitive.colors.begin(), primitive.colors.end()}};
+  for (const glm::vec4& t : primitive.tangents) out.tangents.emplace_back(t.x, t.y, t.z);
+  for (std::size_t t = 0; t < primitive.morphs.targets.size(); ++t) {
+    const MorphTarget& target = primitive.morphs.targets[t];
+    add_deltas(out.positions, target.positions, weights[t]);
+    add_deltas(out.normals, target.normals, weights[t]);
+    add_deltas(out.tangents, target.tangents, weights[t]);
+    add_deltas(out.colors, target.colors, weights[t]);
+  }
+  for (auto& color : out.colors) color = glm::clamp(color, 0.0, 1.0);
+  return out;
+}
+
+struct VertexJoint {
+  std::vector<Affined> matrices;
+  std::vector<double> weights;
+};
+
+VertexJoint joints_of(const VertexInfluences& influences, const std::vector<Affined>& palette, std::uint32_t vertex) {
+  VertexJoint out;
+  for (const InfluenceGroup& group : influences.groups) {
+    if (vertex < group.first_vertex || vertex >= group.first_vertex + group.vertex_count) continue;
+    const std::size_t at = group.first_influence + std::size_t{vertex - group.first_vertex} * group.influence_count;
+    for (std::uint32_t i = 0; i < group.influence_count; ++i) {
+      out.matrices.push_back(palette[influences.joints[at + i]]);
+      out.weights.push_back(static_cast<double>(influences.weights[at + i]));
+    }
+  }
+  return out;
+}
+
+void skin_linear(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, NormalRule rule) {
+  const Affined m = reference::blend_matrices<double>(joint.matrices, joint.weights);
+  shape.positions[v] = transform_point(m, shape.positions[v]);
+  if (!shape.normals.empty())
+    shape.normals[v] = rule == NormalRule::cofactor ? cofactor(linear_part(m)) * shape.normals[v]
+                                                    : transform_vector(m, shape.normals[v]);
+  if (!shape.tangents.empty()) shape.tangents[v] = transform_vector(m, shape.tangents[v]);
+}
+
+void skin_dual_quaternion(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint) {
+  std::vector<DualQuatd> motions;
+  std::vector<Mat3<double>> stretches;
+  for (const Affined& m : joint.matrices) {
+    const auto polar = decompose_polar(linear_part(m));
+    motions.push_back(dual_quat_from(polar.quat, translation_of(m)));
+    stretches.push_back(matrix_from_stretch(polar.stretch));
+  }
+  const Vec3d normal = shape.normals.empty() ? Vec3d(0, 1, 0) : shape.normals[v];
+  const auto skinned =
+      reference::skin_dual_quaternion<double>(motions, stretches, joint.weights, shape.positions[v], normal);
+  shape.positions[v] = skinned.position;
+  if (!shape.normals.empty()) shape.normals[v] = skinned.normal;
+  if (!shape.tangents.empty())
+    shape.tangents[v] = rotate_vector(skinned.rotation,
+                                      reference::blend_stretches<double>(stretches, joint.weights) * shape.tangents[v]);
+}
+
+/// eq   n = (b - a) x (c - a), on the side where the smooth normal of the same rule would be
+void flatten(SlowPrimitive& shape, const Primitive& primitive, double sign) {
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1], c = primitive.indices[i + 2];
+    const Vec3d n = sign * glm::cross(shape.positions[b] - shape.positions[a], shape.positions[c] - shape.positions[a]);
+    shape.normals[a] = shape.normals[b] = shape.normals[c] = n;
+  }
+}
+
+SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, const Primitive& primitive,
+                       const SlowFrame& frame) {
+  const MeshInstance& instance = scene.instances[i];
+  SlowPrimitive shape =
+      morphed(primitive, std::span(frame.weights).subspan(scene.first_weight[i], instance.rest_weights.size()));
+  const bool skinned = instance.skin != kNone && !primitive.influences.empty();
+  const bool dual = needs.skinning_of(i) == Skinning::dual_quaternion;
+  if (skinned) {
+    const Skin& skin = scene.skins[instance.skin];
+    std::vector<Affined> palette;
+    for (std::size_t k = 0; k < skin.joints.size(); ++k)
+      palette.push_back(frame.model[skin.joints[k]] * affine_cast<double>(skin.inverse_bind[k]));
+    for (std::uint32_t v = 0; v < primitive.vertex_count(); ++v) {
+      const VertexJoint joint = joints_of(primitive.influences, palette, v);
+      if (dual)
+        skin_dual_quaternion(shape, v, joint);
+      else
+        skin_linear(shape, v, joint, needs.normal_rule);
+    }
+  }
+  const bool moved =
+      skinned || std::any_of(frame.weights.begin(), frame.weights.end(), [](double w) { return w != 0.0; });
+  if (primitive.flat_normals && moved)
+    flatten(shape, primitive,
+            skinned && !dual && needs.normal_rule == NormalRule::linear && frame.mirrored[i] ? -1.0 : 1.0);
+  for (Vec3d& n : shape.normals) n = normalised_or(n, n);
+  for (Vec3d& t : shape.tangents) t = normalised_or(t, t);
+  return shape;
+}
+
+}  // namespace
+
+SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input) {
+  SlowFrame frame;
+  frame.model = world_matrices(scene, input);
+  frame.weights = all_weights(scene, input);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const MeshInstance& instance = scene.instances[i];
+    Affined placed = frame.model[instance.joint];
+    if (instance.skin != kNone) {
+      const Skin& skin = scene.skins[instance.skin];
+      placed = frame.model[skin.joints[0]] * affine_cast<double>(skin.inverse_bind[0]);
+    }
+    frame.mirrored.push_back(determinant(placed) < 0.0);
+    for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
+      frame.primitives.push_back(deformed(scene, needs, i, primitive, frame));
+  }
+  return frame;
+}
+
+}  // namespace sinew::test

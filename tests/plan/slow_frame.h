@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::test {
+
+struct SlowPrimitive {
+  std::vector<Vec3<double>> positions, normals, tangents;
+  std::vector<Vec4<double>> colors;
+};
+
+/// One frame in double precision by plain loops over the authoring form, without plan, clip or jobs: the truth that
+/// run_plan is held to. Vertices of skinned instances are in world space, others in mesh space.
+struct SlowFrame {
+  std::vector<Affined> model;
+  std::vector<double> weights;
+  std::vector<SlowPrimitive> primitives;  ///< all instances in order
+  std::vector<bool> mirrored;             ///< [instances]
+};
+
+SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input);
+
+}  // namespace sinew::test
