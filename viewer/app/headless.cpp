@@ -5,6 +5,7 @@
 
 #include "viewer/device/buffer.h"
 #include "viewer/device/image.h"
+#include "viewer/device/read_back.h"
 
 namespace sinew::viewer {
 
@@ -53,20 +54,7 @@ Picture Headless::render(const FrameResult& frame, const View& view, const Rende
   s.device.run_now([&](VkCommandBuffer commands) {
     s.renderer.record(commands, {s.image.handle(), s.image.view(), s.extent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
                       inputs);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {s.extent.width, s.extent.height, 1};
-    vkCmdCopyImageToBuffer(commands, s.image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, s.pixels.handle(), 1,
-                           &region);
-    VkMemoryBarrier2 to_host{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    to_host.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    to_host.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    to_host.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    to_host.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &to_host;
-    vkCmdPipelineBarrier2(commands, &dependency);
+    read_back(commands, s.image.handle(), s.extent, s.pixels.handle());
   });
   Picture picture{s.extent.width, s.extent.height, {}};
   picture.rgba.resize(s.pixels.size());

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "tests/reference/shade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace sinew::reference {
+
+glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::dvec3& irradiance) {
+  const double n_l = glm::dot(s.normal, to_light), n_v = std::max(glm::dot(s.normal, s.to_viewer), 1e-4);
+  if (n_l <= 0.0) return glm::dvec3(0.0);
+  const glm::dvec3 h = glm::normalize(to_light + s.to_viewer);
+  const double n_h = glm::dot(s.normal, h), v_h = glm::dot(s.to_viewer, h);
+  const double a2 = std::pow(s.roughness, 4.0);
+  const double distribution = a2 / (std::numbers::pi * std::pow(n_h * n_h * (a2 - 1.0) + 1.0, 2.0));
+  const double visibility =
+      0.5 / (n_l * std::sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
+  const double edge = std::pow(1.0 - v_h, 5.0);
+  const glm::dvec3 diffuse = s.base_color / std::numbers::pi;
+  const double specular = distribution * visibility;
+  const double dielectric_fresnel = 0.04 + 0.96 * edge;
+  const glm::dvec3 dielectric = diffuse * (1.0 - dielectric_fresnel) + glm::dvec3(specular * dielectric_fresnel);
+  const glm::dvec3 metal = specular * (s.base_color + (glm::dvec3(1.0) - s.base_color) * edge);
+  return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * n_l * irradiance;
+}
+
+glm::dvec3 ambient(const ShadedPoint& s, const glm::dvec3& up, const glm::dvec3& sky, const glm::dvec3& ground) {
+  const auto from = [&](const glm::dvec3& d) {
+    const double t = 0.5 + 0.5 * glm::dot(d, up);
+    return ground * (1.0 - t) + sky * t;
+  };
+  const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0), r = s.roughness;
+  const double a004 = std::min((1.0 - r) * (1.0 - r), std::exp2(-9.28 * n_v)) * (1.0 - r) + (0.0425 - 0.0275 * r);
+  const double scale = -1.04 * a004 + (1.04 - 0.572 * r), bias = 1.04 * a004 + (-0.04 + 0.022 * r);
+  const glm::dvec3 f0 = glm::dvec3(0.04) * (1.0 - s.metallic) + s.base_color * s.metallic;
+  const glm::dvec3 mirrored = 2.0 * glm::dot(s.normal, s.to_viewer) * s.normal - s.to_viewer;
+  return from(s.normal) * s.base_color * (1.0 - s.metallic) * 0.96 + from(mirrored) * (f0 * scale + glm::dvec3(bias));
+}
+
+glm::dvec3 tone_mapped(const glm::dvec3& color) {
+  const double x = std::min({color.r, color.g, color.b});
+  const glm::dvec3 shifted = color - glm::dvec3(x < 0.08 ? x - 6.25 * x * x : 0.04);
+  const double peak = std::max({shifted.r, shifted.g, shifted.b});
+  if (peak <= 0.76) return shifted;
+  const double compressed = 1.0 - 0.24 * 0.24 / (peak - 0.76 + 0.24);
+  const double to_white = 1.0 - 1.0 / (0.15 * (peak - compressed) + 1.0);
+  return shifted * (compressed / peak) * (1.0 - to_white) + glm::dvec3(compressed) * to_white;
+}
+
+double srgb_encoded(double linear) {
+  const double c = std::clamp(linear, 0.0, 1.0);
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+}
+
+}  // namespace sinew::reference

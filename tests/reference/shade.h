@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/vec3.hpp>
+
+namespace sinew::reference {
+
+/// A point of a metallic-roughness surface; directions are unit vectors in one space.
+struct ShadedPoint {
+  glm::dvec3 base_color{1.0};
+  double metallic = 0.0, roughness = 1.0;
+  glm::dvec3 normal{0.0, 1.0, 0.0}, to_viewer{0.0, 1.0, 0.0};
+};
+
+/// Radiance towards the viewer from light of one direction.
+/// eq   glTF 2.0, Appendix B.3: mix(mix(diffuse, specular, 0.04 + 0.96 * (1 - v.h)^5), metal, metallic) with GGX and
+///      height-correlated Smith visibility
+glm::dvec3 direct(const ShadedPoint& point, const glm::dvec3& to_light, const glm::dvec3& irradiance);
+
+/// Ambient light of a sky above and a ground below; Karis' fit of the environment term.
+glm::dvec3 ambient(const ShadedPoint& point, const glm::dvec3& up, const glm::dvec3& sky, const glm::dvec3& ground);
+
+/// Khronos PBR Neutral tone mapping.
+glm::dvec3 tone_mapped(const glm::dvec3& color);
+
+/// IEC 61966-2-1, per component.
+double srgb_encoded(double linear);
+
+}  // namespace sinew::reference

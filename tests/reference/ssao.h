@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace sinew::reference {
+
+/// What ambient occlusion is computed from: distance along the line of sight and view-space unit normal per pixel, rows
+/// from the top. Distance 0 = nothing there; a zero normal = a surface without one.
+struct DepthAndNormals {
+  int width = 0, height = 0;
+  std::vector<double> distance;
+  std::vector<glm::dvec3> normals;
+  double cot_x = 1.0, cot_y = 1.0;  ///< clip = x * cot_x, y * cot_y over distance
+  double near_m = 0.01;
+
+  /// The point that a pixel's middle sees.
+  glm::dvec3 point(int x, int y) const;
+};
+
+struct SsaoSettings {
+  double radius = 0.5, epsilon = 0.01, fade_start = 0.2, fade_end = 1.0, power = 2.0;
+  std::span<const glm::vec3> offsets;  ///< [14]
+  std::span<const glm::vec3> noise;    ///< [16] a tile of 4 x 4
+};
+
+/// Ambient access of every second pixel.
+struct HalfAccess {
+  int width = 0, height = 0;
+  std::vector<double> access;
+};
+
+/// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / 14)^power, r = surface seen in the direction of p
+/// + radius * offset;
+///      offsets are mirrored at the noise vector and flipped into the hemisphere of n
+HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);
+
+/// One direction of the blur: weights 1/2 1 1 1 1/2 over texels of the same surface.
+HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half, bool vertical);
+
+/// Every pixel's access from the half-size texels around it that lie on its surface; 1 where nothing was drawn.
+std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
+
+}  // namespace sinew::reference

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "tests/viewer/float_picture.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <glm/geometric.hpp>
+
+#include "viewer/device/buffer.h"
+#include "viewer/device/image.h"
+#include "viewer/device/read_back.h"
+
+namespace sinew::viewer {
+
+namespace {
+
+struct TestDevice {
+  std::unique_ptr<Device> device;
+  std::string reason;
+
+  TestDevice() {
+    try {
+      device = std::make_unique<Device>(DeviceOptions{.validation = true});
+    } catch (const DeviceError& error) {
+      reason = error.what();
+    }
+  }
+};
+
+TestDevice& only() {
+  static TestDevice device;
+  return device;
+}
+
+}  // namespace
+
+Device* test_device() { return only().device.get(); }
+const std::string& no_device_reason() { return only().reason; }
+
+FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view, const RenderOptions& options,
+                          const FrameInputs& extras) {
+  constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
+  Device& device = *test_device();
+  const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  const SceneUpload scene(device, built.scene);
+  FrameUpload frame(device, built.scene, 1);
+  frame.update(0, built.frame());
+  FrameRenderer renderer(device, format, 1);
+  const GpuImage image(device, {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::read_back);
+  const DrawnScene drawn{&scene, &frame};
+  FrameInputs inputs = extras;
+  inputs.scenes = {&drawn, 1};
+  inputs.view = view;
+  inputs.options = options;
+  device.run_now([&](VkCommandBuffer commands) {
+    renderer.record(commands, {image.handle(), image.view(), extent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}, inputs);
+    read_back(commands, image.handle(), extent, pixels.handle());
+  });
+  FloatPicture picture{width, height, std::vector<glm::vec4>(extent.width * extent.height)};
+  std::memcpy(picture.pixels.data(), pixels.mapped(), picture.pixels.size() * sizeof(glm::vec4));
+  return picture;
+}
+
+reference::DepthAndNormals empty_image(int width, int height, const View& view) {
+  reference::DepthAndNormals image;
+  image.width = width, image.height = height;
+  image.cot_y = 1.0 / std::tan(0.5 * view.fov_y_rad);
+  image.cot_x = image.cot_y * height / width;
+  image.near_m = view.near_m;
+  return image;
+}
+
+reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view, RenderOptions options) {
+  options.transparent_background = true;   // alpha tells what was drawn
+  options.depth_range = {0.0f, 64.0f};
+  options.show = Show::depth;
+  const FloatPicture depth = render_float(built, width, height, view, options);
+  options.show = Show::normals;
+  const FloatPicture normals = render_float(built, width, height, view, options);
+  reference::DepthAndNormals image = empty_image(width, height, view);
+  for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
+    const bool drawn = depth.pixels[i].a > 0.0f;
+    const glm::dvec3 n = glm::dvec3(normals.pixels[i]) * 2.0 - 1.0;
+    image.distance.push_back(drawn ? (1.0 - static_cast<double>(depth.pixels[i].r)) * 64.0 : 0.0);
+    image.normals.push_back(drawn && glm::length(n) > 0.5 ? glm::normalize(n) : glm::dvec3(0.0));
+  }
+  return image;
+}
+
+}  // namespace sinew::viewer

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/reference/ssao.h"
+#include "tests/viewer/built_scenes.h"
+#include "viewer/passes/frame_renderer.h"
+
+namespace sinew::viewer {
+
+/// A device for tests, made once with validation where it is installed; null and a reason when the machine has none.
+Device* test_device();
+const std::string& no_device_reason();
+
+/// Pixels as the last pass wrote them, not rounded to 8 bits: the target is a float image.
+struct FloatPicture {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> pixels;
+
+  const glm::vec4& at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+};
+
+FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view, const RenderOptions& options,
+                          const FrameInputs& extras = {});
+
+/// Distances and normals as the GPU drew them, by way of Show::depth and Show::normals.
+reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
+                                                 RenderOptions options);
+
+/// The same camera, for the reference.
+reference::DepthAndNormals empty_image(int width, int height, const View& view);
+
+}  // namespace sinew::viewer

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/frame_graph.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace sinew::viewer {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<Pass> passes(const FrameNeeds& needs) {
+  const FrameGraph graph(needs);
+  return {graph.begin(), graph.end()};
+}
+
+TEST(frame_graph, runs_every_pass_in_order_when_everything_is_needed) {
+  EXPECT_THAT(passes({.opaque = true, .blended = true, .overlay = true}),
+              ElementsAre(Pass::normal_depth, Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical, Pass::opaque,
+                          Pass::transparent, Pass::tonemap, Pass::overlay));
+}
+
+TEST(frame_graph, has_no_occlusion_passes_or_images_when_occlusion_is_off_or_there_is_no_ambient_light) {
+  for (const FrameNeeds& needs :
+       {FrameNeeds{.opaque = true, .occlusion = false}, FrameNeeds{.opaque = true, .ambient = false}}) {
+    const FrameGraph graph(needs);
+    EXPECT_THAT(passes(needs), ElementsAre(Pass::opaque, Pass::tonemap));
+    EXPECT_FALSE(graph.access_image || graph.access_between || graph.normal_image);
+    EXPECT_TRUE(graph.depth_image && graph.color_image);
+  }
+}
+
+TEST(frame_graph, has_no_occlusion_without_opaque_surfaces) {
+  EXPECT_THAT(passes({.opaque = false, .blended = true}), ElementsAre(Pass::opaque, Pass::transparent, Pass::tonemap));
+}
+
+TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {
+  EXPECT_FALSE(FrameGraph({.opaque = true}).has(Pass::transparent));
+  EXPECT_TRUE(FrameGraph({.opaque = true, .blended = true}).has(Pass::transparent));
+}
+
+TEST(frame_graph, leaves_the_blur_and_its_image_out_when_it_is_off) {
+  const FrameGraph graph({.opaque = true, .blur = false});
+  EXPECT_TRUE(graph.has(Pass::ssao) && graph.access_image);
+  EXPECT_FALSE(graph.has(Pass::blur_horizontal) || graph.has(Pass::blur_vertical) || graph.access_between);
+}
+
+TEST(frame_graph, shows_a_buffer_without_shading_anything) {
+  EXPECT_THAT(passes({.opaque = true, .blended = true, .show = Show::normals}),
+              ElementsAre(Pass::normal_depth, Pass::show));
+  EXPECT_THAT(passes({.opaque = true, .show = Show::depth}), ElementsAre(Pass::normal_depth, Pass::show));
+  EXPECT_THAT(passes({.opaque = true, .ambient = false, .show = Show::ao}),
+              ElementsAre(Pass::normal_depth, Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical, Pass::show));
+  EXPECT_FALSE(FrameGraph({.opaque = true, .show = Show::depth}).color_image);
+}
+
+TEST(frame_graph, names_every_pass) {
+  EXPECT_EQ(name_of(Pass::normal_depth), "normal_depth");
+  EXPECT_EQ(name_of(Pass::overlay), "overlay");
+}
+
+}  // namespace
+}  // namespace sinew::viewer

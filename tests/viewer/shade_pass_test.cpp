@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Prepass and shading against a ray caster and plain double-precision light, pixel by pixel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/reference/ray_cast.h"
+#include "tests/reference/shade.h"
+#include "tests/viewer/float_picture.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 48;
+
+class shade_pass : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test_device()) GTEST_SKIP() << no_device_reason();
+  }
+};
+
+View the_view() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
+
+std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built, const View& view) {
+  std::vector<reference::RayTriangle> triangles;
+  const FrameResult frame = built.frame();
+  for (std::size_t i = 0; i < frame.instances.size(); ++i) {
+    const Primitive& primitive = built.scene.meshes[built.scene.instances[i].mesh].primitives[0];
+    const Affined m = view.view_from_world * affine_cast<double>(frame.instances[i].world_from_mesh);
+    for (std::size_t k = 0; k < primitive.indices.size(); k += 3) {
+      reference::RayTriangle& triangle = triangles.emplace_back();
+      triangle.material = primitive.material;
+      for (std::size_t c = 0; c < 3; ++c) {
+        triangle.corners[c] = transform_point(m, glm::dvec3(primitive.positions[primitive.indices[k + c]]));
+        triangle.normals[c] = transform_vector(m, glm::dvec3(primitive.normals[primitive.indices[k + c]]));
+      }
+    }
+  }
+  return triangles;
+}
+
+/// The reference picture; pixels whose neighbours show another surface are left out of comparisons, because which of
+/// two triangles covers the middle of a pixel on their border is rounding.
+struct Seen {
+  std::vector<std::optional<reference::RayHit>> hits;
+  std::vector<glm::dvec3> points;
+  std::vector<bool> inner;
+};
+
+Seen look(const BuiltScene& built, const View& view) {
+  Seen seen;
+  reference::DepthAndNormals image = empty_image(kWidth, kHeight, view);
+  image.distance.assign(kWidth * kHeight, 1.0);
+  const auto triangles = triangles_of(built, view);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const glm::dvec3 ray = image.point(x, y);
+      const auto hit = reference::cast(triangles, glm::dvec3(0.0), ray);
+      seen.points.push_back(hit ? ray * hit->t : glm::dvec3(0.0));
+      seen.hits.push_back(hit);
+    }
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      bool inner = x > 0 && y > 0 && x < kWidth - 1 && y < kHeight - 1;
+      for (int dy = -1; dy <= 1 && inner; ++dy)
+        for (int dx = -1; dx <= 1 && inner; ++dx) {
+          const auto &a = seen.hits[static_cast<std::size_t>(y * kWidth + x)],
+                     &b = seen.hits[static_cast<std::size_t>((y + dy) * kWidth + x + dx)];
+          inner = a.has_value() == b.has_value() &&
+                  (!a || (a->material == b->material && glm::dot(a->normal, b->normal) > 0.5));
+        }
+      seen.inner.push_back(inner);
+    }
+  return seen;
+}
+
+TEST_F(shade_pass, N30_depth_and_normals_of_the_prepass_are_those_of_a_ray_caster) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  const Seen seen = look(built, the_view());
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, the_view(), {});
+  int compared = 0;
+  for (std::size_t i = 0; i < seen.hits.size(); ++i) {
+    if (!seen.inner[i]) continue;
+    ++compared;
+    ASSERT_EQ(seen.hits[i].has_value(), image.distance[i] > 0.0) << i;
+    if (!seen.hits[i]) continue;
+    EXPECT_NEAR(image.distance[i], -seen.points[i].z, 3e-5) << i;
+    EXPECT_LT(glm::length(image.normals[i] - seen.hits[i]->normal), 2e-3) << i;  // stored as half floats
+  }
+  EXPECT_GT(compared, kWidth * kHeight / 2);
+}
+
+struct Sun {
+  glm::dvec3 to_light, irradiance;
+};
+
+glm::dvec3 expected_color(const Material& material, const glm::dvec3& p, const glm::dvec3& n, const View& view,
+                          const Lighting& lighting, double access, const Sun& sun) {
+  reference::ShadedPoint point{glm::dvec3(material.base_color), static_cast<double>(material.metallic),
+                               static_cast<double>(material.roughness), n, -glm::normalize(p)};
+  const glm::dvec3 up = transform_vector(view.view_from_world, glm::dvec3(0.0, 1.0, 0.0));
+  const glm::dvec3 light =
+      reference::direct(point, sun.to_light, sun.irradiance) + glm::dvec3(material.emissive) +
+      access * reference::ambient(point, up, glm::dvec3(lighting.sky), glm::dvec3(lighting.ground));
+  const glm::dvec3 mapped = reference::tone_mapped(light * static_cast<double>(lighting.exposure));
+  return {reference::srgb_encoded(mapped.r), reference::srgb_encoded(mapped.g), reference::srgb_encoded(mapped.b)};
+}
+
+void expect_shaded(const BuiltScene& built, const RenderOptions& options, const std::vector<double>& access,
+                   const Sun& sun) {
+  const View view = the_view();
+  const Seen seen = look(built, view);
+  const FloatPicture picture = render_float(built, kWidth, kHeight, view, options);
+  double mean = 0.0;
+  int compared = 0;
+  for (std::size_t i = 0; i < seen.hits.size(); ++i) {
+    if (!seen.inner[i] || !seen.hits[i]) continue;
+    const Material& material = built.scene.materials[seen.hits[i]->material];
+    const glm::dvec3 expected =
+        expected_color(material, seen.points[i], seen.hits[i]->normal, view, options.lighting, access[i], sun);
+    const double error = glm::length(glm::dvec3(picture.pixels[i]) - expected);
+    // Scene light is stored as half floats (2^-11); the narrow highlight of a smooth metal amplifies rounding of the
+    // normal.
+    EXPECT_LT(error, 0.01) << i;
+    mean += error;
+    ++compared;
+  }
+  ASSERT_GT(compared, kWidth * kHeight / 3);
+  EXPECT_LT(mean / compared, 1.5e-3);
+}
+
+BuiltScene shiny_scene() {
+  BuiltScene built = box_and_sphere_on_floor();
+  built.scene.materials[1].metallic = 1.0f;
+  built.scene.materials[1].roughness = 0.35f;
+  built.scene.materials[2].metallic = 0.3f;
+  built.scene.materials[2].roughness = 0.5f;
+  built.scene.materials[2].emissive = {0.1f, 0.0f, 0.05f};
+  return built;
+}
+
+Sun sun_of(const Lighting& lighting) {
+  return {glm::normalize(transform_vector(the_view().view_from_world, glm::dvec3(lighting.to_key))),
+          glm::dvec3(lighting.key)};
+}
+
+TEST_F(shade_pass, agrees_with_the_reference_without_occlusion) {
+  RenderOptions options;
+  options.ao.on = false;
+  expect_shaded(shiny_scene(), options, std::vector<double>(kWidth * kHeight, 1.0), sun_of(options.lighting));
+}
+
+TEST_F(shade_pass, occlusion_scales_the_ambient_term_only) {
+  RenderOptions options;
+  options.ao.radius_m = 0.8f;
+  options.ao.fade_start_m = 0.4f;
+  options.ao.fade_end_m = 1.6f;
+  RenderOptions access_only = options;
+  access_only.show = Show::ao;
+  const FloatPicture picture = render_float(shiny_scene(), kWidth, kHeight, the_view(), access_only);
+  std::vector<double> access;
+  double darkest = 1.0;
+  for (const glm::vec4& pixel : picture.pixels)
+    access.push_back(static_cast<double>(pixel.r)), darkest = std::min(darkest, access.back());
+  ASSERT_LT(darkest, 0.8);
+  expect_shaded(shiny_scene(), options, access, sun_of(options.lighting));
+}
+
+TEST_F(shade_pass, a_directional_light_of_the_file_replaces_the_key_light) {
+  BuiltScene built = shiny_scene();
+  Light light;
+  light.color = {1.0f, 0.8f, 0.6f};
+  light.intensity = 2.5f;
+  built.add_light(light,
+                  {{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}}});  // turned about y by 90 degrees: shines along -x
+  RenderOptions options;
+  options.ao.on = false;
+  const Sun sun{transform_vector(the_view().view_from_world, glm::dvec3(1.0, 0.0, 0.0)), glm::dvec3(light.color) * 2.5};
+  expect_shaded(built, options, std::vector<double>(kWidth * kHeight, 1.0), sun);
+  options.lighting.scene_lights = false;
+  expect_shaded(built, options, std::vector<double>(kWidth * kHeight, 1.0), sun_of(options.lighting));
+}
+
+TEST_F(shade_pass, leaves_out_the_prepass_without_changing_the_picture) {
+  RenderOptions with, without;
+  with.ao.power = 0.0f;  // occlusion that darkens nothing
+  without.ao.on = false;
+  const FloatPicture a = render_float(shiny_scene(), kWidth, kHeight, the_view(), with);
+  const FloatPicture b = render_float(shiny_scene(), kWidth, kHeight, the_view(), without);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) EXPECT_LT(glm::length(a.pixels[i] - b.pixels[i]), 1e-3f) << i;
+}
+
+TEST_F(shade_pass, draws_without_any_validation_message) { EXPECT_EQ(test_device()->validation_messages(), 0u); }
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The passes from depth to ambient access against plain double precision, on the depth and normals that the GPU itself
+// drew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/reference/ray_cast.h"
+#include "tests/viewer/float_picture.h"
+#include "viewer/passes/ssao_kernel.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr int kWidth = 63, kHeight = 48;  // odd: the last column of half-size texels is clamped
+
+class ssao_pass : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test_device()) GTEST_SKIP() << no_device_reason();
+  }
+};
+
+RenderOptions options_with(float radius) {
+  RenderOptions options;
+  options.show = Show::ao;
+  options.ao.radius_m = radius;
+  options.ao.surface_epsilon_m = 0.02f * radius;
+  options.ao.fade_start_m = 0.4f * radius;
+  options.ao.fade_end_m = 2.0f * radius;
+  return options;
+}
+
+View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
+
+reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel) {
+  const AmbientOcclusion& ao = options.ao;
+  return {static_cast<double>(ao.radius_m),
+          static_cast<double>(ao.surface_epsilon_m),
+          static_cast<double>(ao.fade_start_m),
+          static_cast<double>(ao.fade_end_m),
+          static_cast<double>(ao.power),
+          kernel.offsets,
+          kernel.noise};
+}
+
+std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options) {
+  const SsaoKernel kernel = make_ssao_kernel();
+  const reference::SsaoSettings settings = settings_of(options, kernel);
+  reference::HalfAccess half = reference::ssao(image, settings);
+  if (options.ao.blur) {
+    half = reference::blurred(image, settings, half, false);
+    half = reference::blurred(image, settings, half, true);
+  }
+  return reference::full_size(image, settings, half);
+}
+
+struct Difference {
+  double mean = 0.0, worst = 0.0, spread = 0.0;  ///< spread: of the reference, so that agreement means something
+};
+
+Difference compare(const FloatPicture& picture, const std::vector<double>& expected) {
+  Difference d;
+  double lowest = 1.0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double error = std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
+    d.mean += error / static_cast<double>(expected.size());
+    d.worst = std::max(d.worst, error);
+    lowest = std::min(lowest, expected[i]);
+  }
+  d.spread = 1.0 - lowest;
+  return d;
+}
+
+TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  for (const bool blur : {false, true}) {
+    RenderOptions options = options_with(0.6f);
+    options.ao.blur = blur;
+    const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
+    const Difference d =
+        compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
+    EXPECT_GT(d.spread, 0.3) << "nothing is occluded: the comparison is empty";
+    // A sample on the border between two pixels can fall to either side in float: one of 14 samples, rarely.
+    EXPECT_LT(d.mean, 5e-4) << "blur " << blur;
+    EXPECT_LT(d.worst, 0.12) << "blur " << blur;
+  }
+}
+
+TEST_F(ssao_pass, agrees_with_the_reference_for_other_radii_fades_and_powers) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  for (const float radius : {0.35f, 1.5f}) {
+    RenderOptions options = options_with(radius);
+    options.ao.power = 3.5f;
+    options.ao.fade_end_m = radius;
+    options.ao.surface_epsilon_m = 0.1f * radius;
+    const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
+    const Difference d =
+        compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
+    EXPECT_GT(d.spread, 0.05);
+    EXPECT_LT(d.mean, 1e-3) << radius;
+  }
+}
+
+TEST_F(ssao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
+  for (const double height : {8.0, 2.0, 0.3}) {
+    BuiltScene built;
+    built.add(square(30.0f), built.add_material(matte({1, 1, 1})));
+    RenderOptions options = options_with(0.5f);
+    options.ao.surface_epsilon_m = 0.0f;  // the epsilon must not be what saves it
+    options.ao.blur = false;
+    const View view = look_at({0.0, height, 6.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+    const FloatPicture picture = render_float(built, 96, 64, view, options);
+    for (const glm::vec4& pixel : picture.pixels) EXPECT_GT(pixel.r, 0.995f) << "eye at height " << height;
+  }
+}
+
+TEST_F(ssao_pass, N32_a_blocker_far_in_front_leaves_no_halo) {
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  built.add(square(30.0f), white);
+  built.add(showcase::box({0.0f, 5.0f, 0.0f}, {0.5f, 0.1f, 0.5f}), white);  // 5 m over the floor, seen from above
+  RenderOptions options = options_with(0.5f);
+  const View view = look_at({0.0, 9.0, 0.01}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+  const FloatPicture picture = render_float(built, 64, 64, view, options);
+  for (const glm::vec4& pixel : picture.pixels) EXPECT_GT(pixel.r, 0.999f);
+}
+
+TEST_F(ssao_pass, N32_occlusion_fades_out_when_its_radius_is_below_three_pixels) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  RenderOptions options = options_with(0.6f);
+  const auto darkest = [&](double distance) {
+    const View view = look_at(distance * glm::normalize(glm::dvec3(2.5, 2.2, 4.0)), {0.0, 0.4, 0.0}, 0.8, 0.05);
+    const FloatPicture picture = render_float(built, kWidth, kHeight, view, options);
+    float lowest = 1.0f;
+    for (const glm::vec4& pixel : picture.pixels) lowest = std::min(lowest, pixel.r);
+    return lowest;
+  };
+  EXPECT_LT(darkest(5.0), 0.7f);
+  EXPECT_EQ(darkest(0.6 * 0.5 / std::tan(0.4) * kHeight / 1.2), 1.0f);  // radius = 1.2 pixels at the target
+}
+
+TEST_F(ssao_pass, N33_the_blur_does_not_carry_occlusion_over_a_silhouette) {
+  // Two parallel squares, 1 m apart in height: the lower one is occluded along the edge of the upper one, the upper one
+  // nowhere.
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  built.add(square(4.0f), white);
+  built.add(showcase::box({0.0f, 0.2f, 0.0f}, {1.0f, 0.2f, 1.0f}), white);
+  const RenderOptions options = options_with(0.6f);
+  const View view = look_at({0.0, 6.0, 0.01}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+  const FloatPicture picture = render_float(built, 96, 96, view, options);
+  const auto image = gpu_depth_and_normals(built, 96, 96, view, options);
+  float darkest_floor = 1.0f, darkest_top = 1.0f;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const bool top = image.distance[i] > 0.0 && image.distance[i] < 5.75;
+    float& darkest = top ? darkest_top : darkest_floor;
+    darkest = std::min(darkest, picture.pixels[i].r);
+  }
+  EXPECT_LT(darkest_floor, 0.9f);
+  EXPECT_GT(darkest_top, 0.999f);
+}
+
+TEST_F(ssao_pass, N34_is_nearer_to_ray_cast_truth_than_no_occlusion_and_steady_between_runs) {
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  const Primitive box = showcase::box({0.0f, 0.6f, 0.0f}, glm::vec3(0.6f));
+  built.add(square(4.0f), white);
+  built.add(box, white);
+  const RenderOptions options = options_with(0.6f);
+  const FloatPicture picture = render_float(built, kWidth, kHeight, view_of_floor(), options);
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
+
+  std::vector<reference::RayTriangle> triangles;
+  const View view = view_of_floor();
+  for (const Primitive& primitive : {square(4.0f), box})
+    for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
+      reference::RayTriangle& triangle = triangles.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) {
+        triangle.corners[c] =
+            transform_point(view.view_from_world, glm::dvec3(primitive.positions[primitive.indices[i + c]]));
+        triangle.normals[c] =
+            transform_vector(view.view_from_world, glm::dvec3(primitive.normals[primitive.indices[i + c]]));
+      }
+    }
+  std::mt19937 random(7);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0; };
+  double with = 0.0, without = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto i = static_cast<std::size_t>(y * kWidth + x);
+      if (image.distance[i] == 0.0) continue;
+      const glm::dvec3 n = image.normals[i], p = image.point(x, y) + 1e-4 * n;
+      double open = 0.0;
+      for (int ray = 0; ray < 64; ++ray) {
+        glm::dvec3 ball;  // uniform on the sphere, plus n: cosine-weighted about n
+        do ball = {uniform(), uniform(), uniform()};
+        while (glm::dot(ball, ball) > 1.0 || glm::dot(ball, ball) < 1e-3);
+        const glm::dvec3 direction = glm::normalize(n + 0.9999 * glm::normalize(ball));
+        // Rays that leave a box start inside no other: back faces need no test.
+        if (!reference::cast(triangles, p, direction, static_cast<double>(options.ao.radius_m))) open += 1.0 / 64.0;
+      }
+      with += std::pow(open - static_cast<double>(picture.pixels[i].r), 2.0);
+      without += std::pow(open - 1.0, 2.0);
+    }
+  EXPECT_LT(std::sqrt(with), 0.75 * std::sqrt(without));
+  const FloatPicture again = render_float(built, kWidth, kHeight, view_of_floor(), options);
+  EXPECT_EQ(picture.pixels, again.pixels);
+}
+
+TEST_F(ssao_pass, draws_without_any_validation_message) { EXPECT_EQ(test_device()->validation_messages(), 0u); }
+
+}  // namespace
+}  // namespace sinew::viewer
