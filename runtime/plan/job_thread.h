@@ -11,11 +11,12 @@
 
 namespace sinew {
 
-/// Names one submitted frame; rises by one per submit.
+/// Names one submitted frame: 1 for the first, rising by one per submit; also FrameResult::frame of its results.
 using Ticket = std::uint64_t;
 
 /// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its own
-/// job system here. Which thread runs which i must not matter: results are the same bits (style: same input, same bits).
+/// job system here; it must call each i exactly once and not throw. Which thread runs which i does not matter: results
+/// are the same bits.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
@@ -51,7 +52,8 @@ class JobThread {
   /// Null before the first frame is done.
   const FrameResult* latest(Character character) noexcept;
 
-  /// First error of the last finished frame, ok if none.
+  /// First error of the last finished frame in the order of characters, ok if none. A character that failed keeps showing
+  /// its last good frame.
   ErrorCode last_error() const noexcept;
 
  private:

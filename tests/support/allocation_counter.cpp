@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/allocation_counter.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
 thread_local std::size_t allocations = 0;
+std::atomic<std::size_t> allocations_of_all{0};
+
+void count() noexcept {
+  ++allocations;
+  allocations_of_all.fetch_add(1, std::memory_order_relaxed);
+}
 
 void* allocate(std::size_t size) {
-  ++allocations;
+  count();
   if (void* p = std::malloc(size != 0 ? size : 1)) return p;
   throw std::bad_alloc();
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
+  count();
   const auto step = static_cast<std::size_t>(alignment);
   const std::size_t rounded = (size + step - 1) / step * step;
   if (void* p = std::aligned_alloc(step, rounded != 0 ? rounded : step)) return p;
@@ -25,6 +32,7 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
 }  // namespace
 
 std::size_t sinew::test::allocation_count() noexcept { return allocations; }
+std::size_t sinew::test::allocation_count_of_all_threads() noexcept { return allocations_of_all.load(); }
 
 // The array and nothrow forms of the standard library call these.
 void* operator new(std::size_t size) { return allocate(size); }

@@ -8,6 +8,9 @@ namespace sinew::test {
 /// operators replaced (allocation_counter.cpp).
 std::size_t allocation_count() noexcept;
 
+/// The same for all threads together.
+std::size_t allocation_count_of_all_threads() noexcept;
+
 /// Allocations of this thread since construction:  `AllocationCounter c; run(job); EXPECT_EQ(c.count(), 0u);`
 class AllocationCounter {
  public:

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/job_thread.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "runtime/base/contract.h"
+#include "runtime/plan/triple_slots.h"
+
+namespace sinew {
+namespace {
+
+void run_with_tbb(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+/// A FrameInput that owns what it shows. Buffers keep their capacity from frame to frame.
+struct OwnInput {
+  std::vector<ClipLayer> layers;
+  std::vector<float> weights;
+  Affine root;
+
+  void reserve(const Plan& plan) {
+    layers.reserve(plan.needs.max_layers);
+    weights.reserve(plan.rest_weights.size());
+  }
+  void assign(const FrameInput& input) {
+    layers.assign(input.layers.begin(), input.layers.end());
+    weights.assign(input.weights.begin(), input.weights.end());
+    root = input.root;
+  }
+  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root}; }
+};
+
+struct Batch {
+  std::vector<OwnInput> inputs;
+  Ticket ticket = 0;
+};
+
+struct CharacterState {
+  explicit CharacterState(const Plan& shown)
+      : plan(&shown), buffers{FrameBuffer(shown), FrameBuffer(shown), FrameBuffer(shown)} {}
+
+  const Plan* plan;
+  std::array<FrameBuffer, 3> buffers;
+  TripleSlots slots;
+  ErrorCode error = ErrorCode::ok;  // of the frame that has just run
+};
+
+}  // namespace
+
+struct JobThread::State {
+  explicit State(JobThreadOptions given) : options(std::move(given)) {
+    if (!options.executor) options.executor = run_with_tbb;
+    run_one = [this](std::size_t c) { run_character(c); };
+    worker = std::thread([this]() noexcept { work(); });
+  }
+
+  void work() noexcept;
+  void run_batch();
+  void run_character(std::size_t c) noexcept;
+  void publish() noexcept;
+  bool idle() const noexcept { return !has_queued && !in_flight; }
+
+  JobThreadOptions options;
+  std::function<void(std::size_t)> run_one;
+  std::vector<std::unique_ptr<CharacterState>> characters;
+
+  mutable std::mutex mutex;
+  mutable std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
+  Batch queued;                             // guarded by mutex
+  bool has_queued = false, in_flight = false, stop = false;
+  Ticket last_submitted = 0;
+
+  Batch running;  // the worker's while in_flight
+  // What one thread writes before the executor and other threads after it must be visible whatever the executor does to
+  // order them, and an executor that leaves out or repeats a character must be noticed.
+  std::atomic<Ticket> started{0};
+  std::atomic<std::size_t> characters_run{0};
+  std::atomic<Ticket> finished{0};
+  std::atomic<ErrorCode> error{ErrorCode::ok};
+  std::thread worker;
+};
+
+void JobThread::State::work() noexcept {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [this] { return stop || has_queued; });
+    if (stop) return;
+    std::swap(queued, running);
+    has_queued = false, in_flight = true;
+    lock.unlock();
+    run_batch();
+    lock.lock();
+    in_flight = false;
+    finished.store(running.ticket, std::memory_order_release);
+    changed.notify_all();
+  }
+}
+
+void JobThread::State::run_batch() {
+  const std::size_t count = characters.size();
+  characters_run.store(0, std::memory_order_relaxed);
+  started.store(running.ticket, std::memory_order_release);
+  if (count < options.inline_below)
+    for (std::size_t c = 0; c < count; ++c) run_character(c);
+  else
+    options.executor(count, run_one);
+  CONTRACT(characters_run.load(std::memory_order_acquire) == count);
+  publish();
+}
+
+void JobThread::State::run_character(std::size_t c) noexcept {
+  const Ticket ticket = started.load(std::memory_order_acquire);
+  CharacterState& character = *characters[c];
+  FrameBuffer& buffer = character.buffers[character.slots.writing()];
+  buffer.count_from(ticket - 1);
+  character.error = run_plan(*character.plan, running.inputs[c].view(), buffer);
+  characters_run.fetch_add(1, std::memory_order_acq_rel);
+}
+
+/// All characters of a frame appear together, in order; one that failed keeps its last good frame.
+void JobThread::State::publish() noexcept {
+  ErrorCode first = ErrorCode::ok;
+  for (const auto& character : characters) {
+    if (character->error == ErrorCode::ok)
+      character->slots.publish();
+    else if (first == ErrorCode::ok)
+      first = character->error;
+  }
+  error.store(first, std::memory_order_release);
+}
+
+JobThread::JobThread(JobThreadOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+
+JobThread::~JobThread() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stop = true;
+  }
+  state_->changed.notify_all();
+  state_->worker.join();
+}
+
+JobThread::Character JobThread::add_character(const Plan& plan) {
+  auto character = std::make_unique<CharacterState>(plan);
+  std::unique_lock lock(state_->mutex);
+  state_->changed.wait(lock, [this] { return state_->idle(); });
+  state_->characters.push_back(std::move(character));
+  for (Batch* batch : {&state_->queued, &state_->running}) batch->inputs.emplace_back().reserve(plan);
+  return static_cast<Character>(state_->characters.size() - 1);
+}
+
+std::size_t JobThread::character_count() const noexcept { return state_->characters.size(); }
+
+Result<Ticket> JobThread::submit(std::span<const FrameInput> inputs) {
+  if (inputs.size() != state_->characters.size()) return tl::unexpected(ErrorCode::size_mismatch);
+  Ticket ticket = 0;
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (state_->has_queued) return tl::unexpected(ErrorCode::busy);
+    for (std::size_t c = 0; c < inputs.size(); ++c) state_->queued.inputs[c].assign(inputs[c]);
+    ticket = state_->queued.ticket = ++state_->last_submitted;
+    state_->has_queued = true;
+  }
+  state_->changed.notify_all();
+  return ticket;
+}
+
+bool JobThread::done(Ticket ticket) const noexcept {
+  return state_->finished.load(std::memory_order_acquire) >= ticket;
+}
+
+void JobThread::wait(Ticket ticket) const {
+  std::unique_lock lock(state_->mutex);
+  CONTRACT(ticket <= state_->last_submitted);
+  state_->changed.wait(lock, [&] { return done(ticket); });
+}
+
+const FrameResult* JobThread::latest(Character character) noexcept {
+  CharacterState& shown = *state_->characters[character];
+  shown.slots.take_newest();
+  return shown.slots.ever_read() ? &shown.buffers[shown.slots.reading()].result() : nullptr;
+}
+
+ErrorCode JobThread::last_error() const noexcept { return state_->error.load(std::memory_order_acquire); }
+
+}  // namespace sinew
