@@ -28,9 +28,6 @@ if(SINEW_IMPORTER)
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer)
   install(TARGETS sinew)
 endif()
-if(TARGET sinew-viewer)
-  install(TARGETS sinew-viewer)
-endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/runtime/sinew-config.cmake.in
   ${PROJECT_BINARY_DIR}/package/sinew-config.cmake INSTALL_DESTINATION ${sinew_package_dir})
