@@ -21,6 +21,9 @@
 #include "importer/file/tinygltf_reader.h"
 #include "importer/issue_log.h"
 #include "importer/read/check_accessors.h"
+#include "importer/read/images.h"
+#include "importer/read/materials.h"
+#include "importer/read/textures.h"
 #include "importer/read/memory_budget.h"
 
 namespace sinew {
@@ -92,7 +95,8 @@ class Import {
     const JointOrder order = order_joints(document_);
     scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
     scene.skins = build_skins(document_, order, log_);
-    scene.materials.resize(document_.materials.size());
+    scene.materials = read_materials(document_, log_);
+    scene.textures = read_textures(document_, log_);
     if (!log_.ok()) return false;
     scene.meshes = build_meshes(document_, options_, log_);
     if (!log_.ok()) return false;
@@ -100,6 +104,8 @@ class Import {
     scene.animations = build_clips(document_, order, instances, log_);
     scene.instances = std::move(instances.list);
     build_placements(document_, order, scene, log_);
+    progress("images", 0.7);
+    scene.images = read_images(document_, options_, log_);
     return log_.ok();
   }
 

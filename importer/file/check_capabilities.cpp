@@ -14,8 +14,14 @@ namespace {
 using gltf::Json;
 
 constexpr std::string_view kSupported[] = {
-    "KHR_animation_pointer", "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform",
+    "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
+    "KHR_mesh_quantization",      "KHR_texture_transform",       "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",        "KHR_materials_pbrSpecularGlossiness",
+    // read past: these only refine how a surface reflects light
+    "KHR_materials_anisotropy",   "KHR_materials_clearcoat",     "KHR_materials_dispersion",
+    "KHR_materials_ior",          "KHR_materials_iridescence",   "KHR_materials_sheen",
+    "KHR_materials_specular",     "KHR_materials_transmission",  "KHR_materials_variants",
+    "KHR_materials_volume",
 };
 
 struct Version {

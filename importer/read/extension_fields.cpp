@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/extension_fields.h"
+
+#include "importer/file/json_pointer.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Json;
+
+const Json* member(const Json* object, const char* name) {
+  if (object == nullptr || !object->is_object()) return nullptr;
+  const auto found = object->find(name);
+  return found == object->end() ? nullptr : &*found;
+}
+
+/// NaN is never in range.
+bool in_range(const Json& value, double lower, double upper) {
+  return value.is_number() && value.get<double>() >= lower && value.get<double>() <= upper;
+}
+
+std::string range_text(double lower, double upper) {
+  const bool below = lower > -ExtensionFields::kAny, above = upper < ExtensionFields::kAny;
+  std::string text;
+  if (below) text += " from " + std::to_string(lower);
+  if (above) text += " to " + std::to_string(upper);
+  return text;
+}
+
+}  // namespace
+
+ExtensionFields::ExtensionFields(const Json& extensions, const std::string& place, const char* name, IssueLog& log)
+    : object_(member(&extensions, name)), place_(pointer(place, "extensions", name)), log_(log) {
+  if (object_ == nullptr || object_->is_object()) return;
+  log_.report(Rule::extension_value, place_, "is no object; ignored");
+  object_ = nullptr;
+}
+
+const Json* ExtensionFields::find(const char* field) const { return member(object_, field); }
+
+bool ExtensionFields::has(const char* field) const { return find(field) != nullptr; }
+
+void ExtensionFields::complain(const char* field, const std::string& needed) const {
+  log_.report(Rule::extension_value, pointer(place_, field), "is no " + needed + "; the default is used");
+}
+
+ExtensionFields ExtensionFields::object(const char* field) const {
+  const Json* value = find(field);
+  if (value != nullptr && !value->is_object()) complain(field, "object"), value = nullptr;
+  return {value, pointer(place_, field), log_};
+}
+
+double ExtensionFields::number(const char* field, double fallback, double lower, double upper) const {
+  const Json* value = find(field);
+  if (value == nullptr) return fallback;
+  if (in_range(*value, lower, upper)) return value->get<double>();
+  complain(field, "number" + range_text(lower, upper));
+  return fallback;
+}
+
+void ExtensionFields::numbers(const char* field, float* out, std::size_t count, double lower, double upper) const {
+  const Json* value = find(field);
+  if (value == nullptr) return;
+  bool good = value->is_array() && value->size() == count;
+  for (std::size_t i = 0; good && i < count; ++i) good = in_range((*value)[i], lower, upper);
+  if (!good) return complain(field, "array of " + std::to_string(count) + " numbers" + range_text(lower, upper));
+  for (std::size_t i = 0; i < count; ++i) out[i] = (*value)[i].get<float>();
+}
+
+std::uint32_t ExtensionFields::index(const char* field, std::size_t limit) const {
+  const Json* value = find(field);
+  if (value == nullptr) return kNone;
+  if (value->is_number_unsigned() && value->get<std::uint64_t>() < limit) return value->get<std::uint32_t>();
+  complain(field, "index below " + std::to_string(limit));
+  return kNone;
+}
+
+const Json& ExtensionFields::extensions() const {
+  static const Json kAbsent;
+  const Json* value = find("extensions");
+  return value == nullptr ? kAbsent : *value;
+}
+
+}  // namespace sinew

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "importer/file/document_materials.h"
+#include "importer/issue_log.h"
+
+namespace sinew {
+
+/// The object of one extension, read field by field. A field with the wrong type or outside its range is reported
+/// (extension-value) and taken as absent; the tables of gltf_shape.h do not reach into extensions.
+class ExtensionFields {
+ public:
+  /// The extension `name` of an object's `extensions` at `place`; converts to false where there is none.
+  ExtensionFields(const gltf::Json& extensions, const std::string& place, const char* name, IssueLog& log);
+
+  explicit operator bool() const noexcept { return object_ != nullptr; }
+  bool has(const char* field) const;
+
+  /// An object within this one, for example a texture.
+  ExtensionFields object(const char* field) const;
+
+  double number(const char* field, double fallback, double lower = -kAny, double upper = kAny) const;
+
+  /// Fills `count` numbers, or leaves them all as they are.
+  void numbers(const char* field, float* out, std::size_t count, double lower = -kAny, double upper = kAny) const;
+
+  /// An index below `limit`, kNone where absent or wrong.
+  std::uint32_t index(const char* field, std::size_t limit) const;
+
+  const gltf::Json& extensions() const;
+  const std::string& place() const noexcept { return place_; }
+
+  static constexpr double kAny = std::numeric_limits<float>::max();
+
+ private:
+  ExtensionFields(const gltf::Json* object, std::string place, IssueLog& log)
+      : object_(object), place_(std::move(place)), log_(log) {}
+  const gltf::Json* find(const char* field) const;
+  void complain(const char* field, const std::string& needed) const;
+
+  const gltf::Json* object_ = nullptr;
+  std::string place_;
+  IssueLog& log_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/image_codec.h"
+
+#include <webp/decode.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+// The one place that has stb_image, as a private copy of the functions used here.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 65536
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace sinew {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+const unsigned char* data_of(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
+
+std::optional<ImageSize> webp_size(Bytes encoded) {
+  int width = 0, height = 0;
+  if (WebPGetInfo(data_of(encoded), encoded.size(), &width, &height) == 0) return std::nullopt;
+  return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+std::optional<ImageSize> png_or_jpeg_size(Bytes encoded) {
+  if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  int width = 0, height = 0, channels = 0;
+  if (stbi_info_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels) == 0)
+    return std::nullopt;
+  return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+}  // namespace
+
+tl::expected<ImageSize, std::string> probe_image(Bytes encoded) {
+  auto size = png_or_jpeg_size(encoded);
+  if (!size) size = webp_size(encoded);
+  if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
+  if (size->pixels() == 0) return tl::make_unexpected("has no pixels");
+  return *size;
+}
+
+tl::expected<std::vector<std::uint8_t>, std::string> decode_image(Bytes encoded) {
+  if (const auto size = webp_size(encoded)) {
+    std::vector<std::uint8_t> rgba(4 * size->pixels());
+    if (WebPDecodeRGBAInto(data_of(encoded), encoded.size(), rgba.data(), rgba.size(),
+                           static_cast<int>(4 * size->width)) == nullptr)
+      return tl::make_unexpected("its WebP data is damaged");
+    return rgba;
+  }
+  const auto size = png_or_jpeg_size(encoded);
+  if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels, 4),
+      stbi_image_free);
+  if (!pixels) return tl::make_unexpected(std::string("cannot be decoded: ") + stbi_failure_reason());
+  return std::vector<std::uint8_t>(pixels.get(), pixels.get() + 4 * size->pixels());
+}
+
+}  // namespace sinew

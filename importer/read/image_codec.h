@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace sinew {
+
+struct ImageSize {
+  std::uint32_t width = 0, height = 0;
+
+  std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
+};
+
+/// Size of an encoded image from its first bytes, without decoding. Told apart by content, not by name: PNG, JPEG,
+/// WebP. err  a sentence for people.   cost O(header)
+tl::expected<ImageSize, std::string> probe_image(std::span<const std::byte> encoded);
+
+/// Pixels as RGBA, 8 bits each, rows from the top; 16-bit channels are reduced, missing ones filled (grey, opaque).
+/// in   encoded     one that probe_image accepts
+/// out  [4 * width * height]
+/// err  a sentence for people.   cost O(pixels)
+tl::expected<std::vector<std::uint8_t>, std::string> decode_image(std::span<const std::byte> encoded);
+
+}  // namespace sinew

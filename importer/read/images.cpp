@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/images.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/image_codec.h"
+
+namespace sinew {
+namespace {
+
+/// No codec packs more: deflate reaches 1032 bytes a byte, and a byte holds 8 pixels at most. Lossless WebP can, for
+/// pictures of one colour, which are let through up to a common texture size.
+constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
+constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
+
+/// Takes an image's pixels out of the allowance, or says why not.
+std::string admit(gltf::Bytes encoded, std::uint64_t& pixels_left, Image& image) {
+  const auto size = probe_image(encoded);
+  if (!size) return size.error();
+  const std::string dimensions = std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels";
+  if (size->pixels() > std::max(kAlwaysPlausible, kMaxPixelsPerByte * encoded.size()))
+    return "claims " + dimensions + " in " + std::to_string(encoded.size()) + " bytes";
+  if (size->pixels() > pixels_left) return dimensions + " exceed the pixels allowed for all images";
+  pixels_left -= size->pixels();
+  image.width = size->width;
+  image.height = size->height;
+  return {};
+}
+
+void decode(gltf::Bytes encoded, Image& image) {
+  auto pixels = decode_image(encoded);
+  if (pixels) {
+    image.rgba = std::move(*pixels);
+    return;
+  }
+  image.width = image.height = 0;
+  image.missing_reason = pixels.error();
+}
+
+}  // namespace
+
+std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options, IssueLog& log) {
+  const std::size_t count = document.images.size();
+  std::vector<Image> images(count);
+  for (std::size_t i = 0; i < count; ++i) images[i].name = document.images[i].name;
+  if (!options.decode_images) return images;
+
+  std::uint64_t pixels_left = options.max_image_pixels;
+  for (std::size_t i = 0; i < count; ++i) {
+    const gltf::Image& source = document.images[i];
+    images[i].missing_reason =
+        source.encoded.empty() ? source.missing_reason : admit(source.encoded, pixels_left, images[i]);
+  }
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    if (images[i].missing_reason.empty()) decode(document.images[i].encoded, images[i]);
+  });
+  // What could not even be fetched has been reported where that was found out.
+  for (std::size_t i = 0; i < count; ++i)
+    if (!images[i].missing_reason.empty() && document.images[i].missing_reason.empty())
+      log.report(Rule::image_missing, pointer("images", i), images[i].missing_reason + "; a placeholder is shown");
+  return images;
+}
+
+}  // namespace sinew

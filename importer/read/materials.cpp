@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/materials.h"
+
+#include <algorithm>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/extension_fields.h"
+#include "importer/read/specular_glossiness.h"
+#include "importer/read/textures.h"
+
+namespace sinew {
+namespace {
+
+class MaterialReader {
+ public:
+  MaterialReader(const gltf::Document& document, std::size_t index, IssueLog& log)
+      : document_(document), source_(document.materials[index]), place_(pointer("materials", index)), log_(log) {}
+
+  Material read() {
+    out_.name = source_.name;
+    read_metallic_roughness();
+    read_surface();
+    read_alpha();
+    read_emission();
+    read_specular_glossiness();
+    out_.unlit = static_cast<bool>(ExtensionFields(source_.extensions, place_, "KHR_materials_unlit", log_));
+    return std::move(out_);
+  }
+
+ private:
+  void read_metallic_roughness() {
+    const std::string place = pointer(place_, "pbrMetallicRoughness");
+    for (int c = 0; c < 4; ++c)
+      out_.base_color[c] = clamped(source_.base_color[static_cast<std::size_t>(c)], place, "baseColorFactor");
+    out_.metallic = clamped(source_.metallic, place, "metallicFactor");
+    out_.roughness = clamped(source_.roughness, place, "roughnessFactor");
+    out_.base_color_texture = read_texture_use(source_.base_color_texture, pointer(place, "baseColorTexture"), log_);
+    out_.metallic_roughness_texture =
+        read_texture_use(source_.metallic_roughness_texture, pointer(place, "metallicRoughnessTexture"), log_);
+  }
+
+  void read_surface() {
+    out_.normal_texture = read_texture_use(source_.normal_texture, pointer(place_, "normalTexture"), log_);
+    out_.normal_scale = static_cast<float>(source_.normal_scale);
+    out_.occlusion_texture = read_texture_use(source_.occlusion_texture, pointer(place_, "occlusionTexture"), log_);
+    out_.occlusion_strength = clamped(source_.occlusion_strength, pointer(place_, "occlusionTexture"), "strength");
+    out_.double_sided = source_.double_sided;
+  }
+
+  void read_alpha() {
+    const std::string& mode = source_.alpha_mode;
+    out_.alpha_mode = mode == "MASK" ? AlphaMode::mask : mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+    if (out_.alpha_mode == AlphaMode::opaque && mode != "OPAQUE")
+      log_.report(Rule::material_values, pointer(place_, "alphaMode"), '"' + mode + "\" is none; OPAQUE is used");
+    out_.alpha_cutoff = static_cast<float>(source_.alpha_cutoff);
+    if (source_.alpha_cutoff < 0.0) {
+      log_.report(Rule::material_values, pointer(place_, "alphaCutoff"),
+                  std::to_string(source_.alpha_cutoff) + "; 0 is used");
+      out_.alpha_cutoff = 0.0f;
+    }
+  }
+
+  void read_emission() {
+    const ExtensionFields extension(source_.extensions, place_, "KHR_materials_emissive_strength", log_);
+    const auto strength = static_cast<float>(extension.number("emissiveStrength", 1.0, 0.0));
+    for (int c = 0; c < 3; ++c)
+      out_.emissive[c] = strength * clamped(source_.emissive[static_cast<std::size_t>(c)], place_, "emissiveFactor");
+    out_.emissive_texture = read_texture_use(source_.emissive_texture, pointer(place_, "emissiveTexture"), log_);
+  }
+
+  bool has_metallic_roughness() const {
+    const gltf::Material plain;
+    return source_.base_color != plain.base_color || source_.metallic != plain.metallic ||
+           source_.roughness != plain.roughness || source_.base_color_texture.index != kNone ||
+           source_.metallic_roughness_texture.index != kNone;
+  }
+
+  void read_specular_glossiness() {
+    const ExtensionFields extension(source_.extensions, place_, "KHR_materials_pbrSpecularGlossiness", log_);
+    if (!extension) return;
+    if (has_metallic_roughness()) return;
+    glm::vec4 diffuse(1.0f);
+    glm::vec3 specular(1.0f);
+    extension.numbers("diffuseFactor", &diffuse.x, 4, 0.0, 1.0);
+    extension.numbers("specularFactor", &specular.x, 3, 0.0, 1.0);
+    const double glossiness = extension.number("glossinessFactor", 1.0, 0.0, 1.0);
+    out_.base_color_texture = texture_of(extension, "diffuseTexture");
+
+    const bool textured_specular = extension.has("specularGlossinessTexture");
+    const MetallicRoughness surface = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), glossiness});
+    // The factors alone say nothing of a surface whose specular colour is in a texture: most such surfaces are no
+    // metals.
+    out_.base_color = textured_specular ? diffuse : glm::vec4(glm::vec3(surface.base_color), diffuse.a);
+    out_.metallic = textured_specular ? 0.0f : static_cast<float>(surface.metallic);
+    out_.roughness = static_cast<float>(surface.roughness);
+    log_.report(Rule::material_approximated, extension.place(),
+                textured_specular ? "its specular-glossiness texture is left out" : "converted by its factors");
+  }
+
+  TextureUse texture_of(const ExtensionFields& parent, const char* name) {
+    const ExtensionFields field = parent.object(name);
+    gltf::TextureInfo info;
+    info.index = field.index("index", document_.textures.size());
+    if (const std::uint32_t set = field.index("texCoord", kNone); set != kNone) info.texcoord = set;
+    info.extensions = field.extensions();
+    return read_texture_use(info, field.place(), log_);
+  }
+
+  float clamped(double value, const std::string& place, const char* name) {
+    const double inside = std::clamp(value, 0.0, 1.0);
+    if (inside != value)
+      log_.report(Rule::material_values, pointer(place, name),
+                  std::to_string(value) + "; " + std::to_string(inside) + " is used");
+    return static_cast<float>(inside);
+  }
+
+  const gltf::Document& document_;
+  const gltf::Material& source_;
+  std::string place_;
+  IssueLog& log_;
+  Material out_;
+};
+
+}  // namespace
+
+std::vector<Material> read_materials(const gltf::Document& document, IssueLog& log) {
+  std::vector<Material> materials;
+  materials.reserve(document.materials.size());
+  for (std::size_t m = 0; m < document.materials.size(); ++m)
+    materials.push_back(MaterialReader(document, m, log).read());
+  return materials;
+}
+
+}  // namespace sinew

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/textures.h"
+
+#include <optional>
+#include <string>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/extension_fields.h"
+
+namespace sinew {
+namespace {
+
+// Numbers of OpenGL, which glTF uses.
+constexpr int kNearest = 9728, kLinear = 9729;
+constexpr int kNearestMipmapNearest = 9984, kLinearMipmapNearest = 9985, kNearestMipmapLinear = 9986,
+              kLinearMipmapLinear = 9987;
+constexpr int kRepeat = 10497, kClampToEdge = 33071, kMirroredRepeat = 33648;
+constexpr int kAbsent = -1;
+
+std::optional<Wrap> wrap_of(int number) {
+  switch (number) {
+    case kRepeat: return Wrap::repeat;
+    case kClampToEdge: return Wrap::clamp_to_edge;
+    case kMirroredRepeat: return Wrap::mirrored_repeat;
+    default: return std::nullopt;
+  }
+}
+
+bool set_magnify(Sampler& sampler, int number) {
+  sampler.magnify = number == kNearest ? Filter::nearest : Filter::linear;
+  return number == kNearest || number == kLinear || number == kAbsent;
+}
+
+bool set_minify(Sampler& sampler, int number) {
+  const auto set = [&](Filter minify, Filter mipmap, bool use_mipmaps) {
+    sampler.minify = minify, sampler.mipmap = mipmap, sampler.use_mipmaps = use_mipmaps;
+    return true;
+  };
+  switch (number) {
+    case kNearest: return set(Filter::nearest, Filter::nearest, false);
+    case kLinear: return set(Filter::linear, Filter::nearest, false);
+    case kNearestMipmapNearest: return set(Filter::nearest, Filter::nearest, true);
+    case kLinearMipmapNearest: return set(Filter::linear, Filter::nearest, true);
+    case kNearestMipmapLinear: return set(Filter::nearest, Filter::linear, true);
+    case kLinearMipmapLinear: return set(Filter::linear, Filter::linear, true);
+    default: return number == kAbsent;
+  }
+}
+
+Sampler read_sampler(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
+  Sampler sampler;
+  if (index == kNone) return sampler;
+  const gltf::TextureSampler& source = document.samplers[index];
+  const auto complain = [&](const char* field, int number) {
+    log.report(Rule::sampler_values, pointer("samplers", index, field),
+               std::to_string(number) + "; the default is used");
+  };
+  if (!set_magnify(sampler, source.mag_filter)) complain("magFilter", source.mag_filter);
+  if (!set_minify(sampler, source.min_filter)) complain("minFilter", source.min_filter);
+  const auto wrap_u = wrap_of(source.wrap_s), wrap_v = wrap_of(source.wrap_t);
+  if (!wrap_u) complain("wrapS", source.wrap_s);
+  if (!wrap_v) complain("wrapT", source.wrap_t);
+  sampler.wrap_u = wrap_u.value_or(Wrap::repeat);
+  sampler.wrap_v = wrap_v.value_or(Wrap::repeat);
+  return sampler;
+}
+
+}  // namespace
+
+std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log) {
+  std::vector<Texture> textures;
+  textures.reserve(document.textures.size());
+  for (std::size_t t = 0; t < document.textures.size(); ++t) {
+    const gltf::Texture& source = document.textures[t];
+    const ExtensionFields webp(source.extensions, pointer("textures", t), "EXT_texture_webp", log);
+    const std::uint32_t webp_image = webp.index("source", document.images.size());
+    textures.push_back({webp_image != kNone ? webp_image : source.source, read_sampler(document, source.sampler, log)});
+  }
+  return textures;
+}
+
+TextureUse read_texture_use(const gltf::TextureInfo& info, const std::string& place, IssueLog& log) {
+  TextureUse use;
+  use.texture = info.index;
+  use.texcoord = info.texcoord;
+  const ExtensionFields transform(info.extensions, place, "KHR_texture_transform", log);
+  transform.numbers("offset", &use.offset.x, 2);
+  use.rotation_rad = static_cast<float>(transform.number("rotation", 0.0));
+  transform.numbers("scale", &use.scale.x, 2);
+  if (const std::uint32_t own = transform.index("texCoord", kNone); own != kNone) use.texcoord = own;
+  return use;
+}
+
+}  // namespace sinew

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/images.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "importer/read/image_codec.h"
+#include "tests/importer/encoded_images.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::vector<std::uint8_t> kFourPixels{255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 0, 10, 20, 30, 40};
+
+/// A document of images that are already fetched; it owns their bytes.
+gltf::Document document_of(const std::vector<std::vector<std::byte>>& files) {
+  gltf::Document document;
+  for (const auto& file : files) {
+    document.storage.push_back(file);
+    gltf::Image image;
+    image.encoded = document.storage.back();
+    if (file.empty()) image.missing_reason = "not there";
+    document.images.push_back(image);
+  }
+  return document;
+}
+
+void expect_missing(const std::vector<std::byte>& file, const std::string& reason, const ImportOptions& options = {}) {
+  IssueLog log;
+  const auto images = read_images(document_of({file}), options, log);
+  ASSERT_THAT(images, SizeIs(1));
+  EXPECT_THAT(images[0].missing_reason, HasSubstr(reason));
+  EXPECT_THAT(images[0].rgba, IsEmpty());
+  EXPECT_EQ(images[0].width, 0u);
+  EXPECT_TRUE(log.ok());
+  const auto warnings = log.take_warnings();
+  ASSERT_THAT(warnings, SizeIs(1));
+  EXPECT_EQ(warnings[0].rule, "image-missing");
+  EXPECT_EQ(warnings[0].json_pointer, "/images/0");
+}
+
+TEST(read_images, give_the_pixels_of_a_png) {
+  IssueLog log;
+  const auto images = read_images(document_of({test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
+  ASSERT_THAT(images, SizeIs(1));
+  EXPECT_EQ(images[0].width, 2u);
+  EXPECT_EQ(images[0].height, 2u);
+  EXPECT_EQ(images[0].rgba, kFourPixels);
+  EXPECT_THAT(images[0].missing_reason, IsEmpty());
+  EXPECT_THAT(log.take_warnings(), IsEmpty());
+}
+
+TEST(read_images, give_the_pixels_of_a_lossless_webp) {
+  IssueLog log;
+  std::vector<std::uint8_t> opaque = kFourPixels;
+  for (std::size_t i = 3; i < opaque.size(); i += 4) opaque[i] = 255;
+  const auto images = read_images(document_of({test::encode_webp(2, 2, opaque)}), {}, log);
+  EXPECT_EQ(images[0].rgba, opaque);
+}
+
+TEST(read_images, spread_grey_over_colours_and_make_it_opaque) {
+  IssueLog log;
+  const auto images = read_images(document_of({test::encode_png(2, 1, 1, {7, 200})}), {}, log);
+  EXPECT_EQ(images[0].rgba, (std::vector<std::uint8_t>{7, 7, 7, 255, 200, 200, 200, 255}));
+}
+
+TEST(read_images, decode_jpeg_close_to_its_source) {
+  IssueLog log;
+  const std::vector<std::uint8_t> flat(16 * 16 * 3, 100);
+  const auto images = read_images(document_of({test::encode_jpeg(16, 16, 3, flat)}), {}, log);
+  ASSERT_THAT(images[0].rgba, SizeIs(4 * 16 * 16));
+  for (std::size_t i = 0; i < images[0].rgba.size(); ++i)
+    EXPECT_NEAR(images[0].rgba[i], i % 4 == 3 ? 255 : 100, i % 4 == 3 ? 0 : 2);
+}
+
+TEST(read_images, G66_an_image_that_was_not_found_keeps_its_reason_and_the_others_load) {
+  IssueLog log;
+  const auto images = read_images(document_of({{}, test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
+  EXPECT_EQ(images[0].missing_reason, "not there");
+  EXPECT_EQ(images[1].rgba, kFourPixels);
+  EXPECT_THAT(log.take_warnings(), IsEmpty()) << "who looked for it has warned";
+}
+
+TEST(read_images, G66_an_unknown_format_is_missing) {
+  expect_missing(std::vector<std::byte>(100, std::byte{'x'}), "neither PNG, JPEG nor WebP");
+}
+
+TEST(read_images, G66_a_truncated_png_is_missing) {
+  test::FixedRandom random(1);
+  std::vector<std::uint8_t> noise(4 * 64 * 64);
+  for (auto& byte : noise) byte = static_cast<std::uint8_t>(random.below(256));
+  auto file = test::encode_png(64, 64, 4, noise);
+  file.resize(file.size() / 2);
+  expect_missing(file, "cannot be decoded");
+}
+
+TEST(read_images, G66_a_truncated_webp_is_missing) {
+  auto file = test::encode_webp(2, 2, kFourPixels);
+  file.resize(file.size() - 8);
+  expect_missing(file, "WebP");
+}
+
+TEST(read_images, G68_few_bytes_cannot_claim_a_huge_picture) {
+  auto file = test::encode_png(2, 2, 4, kFourPixels);
+  file[17] = std::byte{0x01};  // width 2 + 65536
+  file[21] = std::byte{0x01};  // the same for the height
+  expect_missing(file, "is neither");
+  file[17] = file[21] = std::byte{0};
+  file[18] = file[22] = std::byte{0x38};  // 14338 x 14338
+  expect_missing(file, "14338 x 14338 pixels in ");
+}
+
+TEST(read_images, G68_all_images_together_stay_below_the_pixels_allowed) {
+  IssueLog log;
+  const auto file = test::encode_png(2, 2, 4, kFourPixels);
+  ImportOptions options;
+  options.max_image_pixels = 9;
+  const auto images = read_images(document_of({file, file, file}), options, log);
+  EXPECT_THAT(images[0].missing_reason, IsEmpty());
+  EXPECT_THAT(images[1].missing_reason, IsEmpty());
+  EXPECT_THAT(images[2].missing_reason, HasSubstr("exceed the pixels allowed"));
+  EXPECT_EQ(log.take_warnings().at(0).json_pointer, "/images/2");
+}
+
+TEST(read_images, are_empty_without_a_reason_when_not_asked_for) {
+  IssueLog log;
+  ImportOptions options;
+  options.decode_images = false;
+  const auto images = read_images(document_of({test::encode_png(2, 2, 4, kFourPixels)}), options, log);
+  ASSERT_THAT(images, SizeIs(1));
+  EXPECT_THAT(images[0].rgba, IsEmpty());
+  EXPECT_THAT(images[0].missing_reason, IsEmpty());
+}
+
+TEST(image_codec, survives_any_byte_changed) {
+  test::FixedRandom random(2);
+  std::vector<std::uint8_t> noise(4 * 9 * 7);
+  for (auto& byte : noise) byte = static_cast<std::uint8_t>(random.below(256));
+  for (const auto& file :
+       {test::encode_png(9, 7, 4, noise), test::encode_jpeg(9, 7, 4, noise), test::encode_webp(9, 7, noise)})
+    for (std::size_t i = 0; i < file.size(); ++i) {
+      auto damaged = file;
+      damaged[i] = static_cast<std::byte>(random.below(256));
+      const auto size = probe_image(damaged);
+      if (!size || size->pixels() > 100'000) continue;
+      const auto pixels = decode_image(damaged);
+      if (pixels) {
+        EXPECT_EQ(pixels->size(), 4 * size->pixels());
+      }
+    }
+}
+
+}  // namespace
+}  // namespace sinew

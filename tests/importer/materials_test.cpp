@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/materials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "importer/read/specular_glossiness.h"
+#include "importer/read/textures.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Json;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Reads one material, and answers its warnings as "rule at place".
+struct Reading {
+  Material material;
+  std::vector<std::string> warnings;
+};
+
+Reading read_one(const gltf::Material& source, std::size_t texture_count = 0) {
+  gltf::Document document;
+  document.materials = {source};
+  document.textures.resize(texture_count);
+  IssueLog log;
+  Reading out;
+  out.material = read_materials(document, log).at(0);
+  for (const auto& warning : log.take_warnings()) out.warnings.push_back(warning.rule + " at " + warning.json_pointer);
+  return out;
+}
+
+TEST(read_materials, keep_every_value_of_a_full_material) {
+  gltf::Material source;
+  source.name = "steel";
+  source.base_color = {0.1, 0.2, 0.3, 0.4};
+  source.metallic = 0.5, source.roughness = 0.6, source.normal_scale = -2.0, source.occlusion_strength = 0.7;
+  source.alpha_cutoff = 0.25, source.alpha_mode = "MASK", source.double_sided = true;
+  source.emissive = {0.25, 0.5, 1.0};
+  source.base_color_texture = {0, 1, {}};
+  source.metallic_roughness_texture = {1, 2, {}};
+  source.normal_texture = {2, 3, {}};
+  source.occlusion_texture = {3, 4, {}};
+  source.emissive_texture = {4, 5, {}};
+  const auto [m, warnings] = read_one(source, 5);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.name, "steel");
+  EXPECT_EQ(m.base_color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(m.metallic, 0.5f);
+  EXPECT_EQ(m.roughness, 0.6f);
+  EXPECT_EQ(m.normal_scale, -2.0f);
+  EXPECT_EQ(m.occlusion_strength, 0.7f);
+  EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(m.alpha_cutoff, 0.25f);
+  EXPECT_TRUE(m.double_sided);
+  EXPECT_FALSE(m.unlit);
+  EXPECT_EQ(m.emissive, glm::vec3(0.25f, 0.5f, 1.0f));
+  const TextureUse* uses[] = {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                              &m.occlusion_texture, &m.emissive_texture};
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(uses[i]->texture, i);
+    EXPECT_EQ(uses[i]->texcoord, i + 1);
+  }
+}
+
+TEST(read_materials, of_an_empty_material_are_the_defaults_of_the_specification) {
+  const auto [m, warnings] = read_one({});
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.base_color, glm::vec4(1));
+  EXPECT_EQ(m.metallic, 1.0f);
+  EXPECT_EQ(m.roughness, 1.0f);
+  EXPECT_EQ(m.emissive, glm::vec3(0));
+  EXPECT_EQ(m.alpha_mode, AlphaMode::opaque);
+  EXPECT_EQ(m.alpha_cutoff, 0.5f);
+  EXPECT_FALSE(m.base_color_texture.used());
+}
+
+TEST(read_materials, clamp_factors_and_say_so) {
+  gltf::Material source;
+  source.base_color = {2, 0, 0, 1};
+  source.metallic = -1, source.roughness = 1.5, source.occlusion_strength = 3, source.alpha_cutoff = -1;
+  source.emissive = {0, 0, 7};
+  source.alpha_mode = "GLASS";
+  const auto [m, warnings] = read_one(source);
+  EXPECT_EQ(m.base_color.r, 1.0f);
+  EXPECT_EQ(m.metallic, 0.0f);
+  EXPECT_EQ(m.roughness, 1.0f);
+  EXPECT_EQ(m.occlusion_strength, 1.0f);
+  EXPECT_EQ(m.alpha_cutoff, 0.0f);
+  EXPECT_EQ(m.emissive.b, 1.0f);
+  EXPECT_EQ(m.alpha_mode, AlphaMode::opaque);
+  EXPECT_THAT(warnings, testing::UnorderedElementsAre(
+                            "material-values at /materials/0/pbrMetallicRoughness/baseColorFactor",
+                            "material-values at /materials/0/pbrMetallicRoughness/metallicFactor",
+                            "material-values at /materials/0/pbrMetallicRoughness/roughnessFactor",
+                            "material-values at /materials/0/occlusionTexture/strength",
+                            "material-values at /materials/0/alphaCutoff", "material-values at /materials/0/alphaMode",
+                            "material-values at /materials/0/emissiveFactor"));
+}
+
+TEST(read_materials, G60_texture_transform_has_its_own_texcoord_and_keeps_defaults) {
+  gltf::Material source;
+  source.base_color_texture = {0, 0, Json::parse(R"({"KHR_texture_transform":
+      {"offset": [0.5, -1], "rotation": 1.5, "scale": [2, 3], "texCoord": 1}})")};
+  source.normal_texture = {0, 2, Json::parse(R"({"KHR_texture_transform": {"rotation": -0.5}})")};
+  const auto [m, warnings] = read_one(source, 1);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.base_color_texture.offset, glm::vec2(0.5f, -1.0f));
+  EXPECT_EQ(m.base_color_texture.rotation_rad, 1.5f);
+  EXPECT_EQ(m.base_color_texture.scale, glm::vec2(2, 3));
+  EXPECT_EQ(m.base_color_texture.texcoord, 1u);
+  EXPECT_EQ(m.normal_texture.offset, glm::vec2(0));
+  EXPECT_EQ(m.normal_texture.rotation_rad, -0.5f);
+  EXPECT_EQ(m.normal_texture.scale, glm::vec2(1));
+  EXPECT_EQ(m.normal_texture.texcoord, 2u);
+}
+
+TEST(read_materials, take_wrong_extension_fields_as_absent) {
+  gltf::Material source;
+  source.extensions = Json::parse(R"({"KHR_materials_emissive_strength": {"emissiveStrength": "much"},
+                                      "KHR_materials_unlit": 3})");
+  source.emissive = {1, 1, 1};
+  source.base_color_texture = {0, 0, Json::parse(R"({"KHR_texture_transform":
+      {"offset": [1], "rotation": null, "scale": [1, "x"], "texCoord": -1}})")};
+  const auto [m, warnings] = read_one(source, 1);
+  EXPECT_EQ(m.emissive, glm::vec3(1));
+  EXPECT_FALSE(m.unlit);
+  EXPECT_EQ(m.base_color_texture.offset, glm::vec2(0));
+  EXPECT_EQ(m.base_color_texture.texcoord, 0u);
+  const std::string texture =
+      "extension-value at /materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/";
+  EXPECT_THAT(warnings,
+              testing::UnorderedElementsAre(
+                  texture + "offset", texture + "rotation", texture + "scale", texture + "texCoord",
+                  "extension-value at /materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength",
+                  "extension-value at /materials/0/extensions/KHR_materials_unlit"));
+}
+
+TEST(read_materials, multiply_emission_by_its_strength) {
+  gltf::Material source;
+  source.emissive = {0.5, 1, 0};
+  source.extensions =
+      Json::parse(R"({"KHR_materials_emissive_strength": {"emissiveStrength": 8}, "KHR_materials_unlit": {}})");
+  const auto [m, warnings] = read_one(source);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.emissive, glm::vec3(4, 8, 0));
+  EXPECT_TRUE(m.unlit);
+}
+
+TEST(read_materials, approximate_specular_glossiness_with_a_warning) {
+  gltf::Material source;
+  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 0.125, 0.75],
+      "specularFactor": [0.04, 0.04, 0.04], "glossinessFactor": 0.75, "diffuseTexture": {"index": 1, "texCoord": 2}}})");
+  const auto [m, warnings] = read_one(source, 2);
+  EXPECT_THAT(warnings, testing::ElementsAre(
+                            "material-approximated at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness"));
+  EXPECT_NEAR(m.metallic, 0.0f, 1e-6f);
+  EXPECT_EQ(m.roughness, 0.25f);
+  EXPECT_NEAR(m.base_color.r, 0.5f, 1e-6f);
+  EXPECT_NEAR(m.base_color.b, 0.125f, 1e-6f);
+  EXPECT_EQ(m.base_color.a, 0.75f);
+  EXPECT_EQ(m.base_color_texture.texture, 1u);
+  EXPECT_EQ(m.base_color_texture.texcoord, 2u);
+}
+
+TEST(read_materials, prefer_the_files_own_metallic_roughness_version) {
+  gltf::Material source;
+  source.roughness = 0.5;
+  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.1}})");
+  const auto [m, warnings] = read_one(source);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_EQ(m.roughness, 0.5f);
+}
+
+TEST(read_materials, refuse_a_specular_glossiness_texture_that_is_not_there) {
+  gltf::Material source;
+  source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"diffuseTexture": {"index": 9}}})");
+  const auto [m, warnings] = read_one(source, 2);
+  EXPECT_FALSE(m.base_color_texture.used());
+  EXPECT_THAT(
+      warnings,
+      testing::Contains(
+          "extension-value at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"));
+}
+
+/// Forward: what a grey metallic-roughness surface is in the other form; the way back must find it again.
+TEST(to_metallic_roughness, finds_grey_surfaces_again) {
+  for (const double grey : {0.2, 0.5, 0.9})
+    for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
+      const double specular = 0.04 + (grey - 0.04) * metallic;
+      const double diffuse = grey * 0.96 * (1 - metallic) / (1 - specular);
+      const auto out = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), 0.3});
+      EXPECT_NEAR(out.metallic, metallic, 1e-9) << grey;
+      EXPECT_NEAR(out.base_color.g, grey, 1e-6) << metallic;
+      EXPECT_NEAR(out.roughness, 0.7, 1e-12);
+    }
+}
+
+TEST(to_metallic_roughness, stays_in_range_at_the_corners) {
+  for (const double d : {0.0, 1.0})
+    for (const double s : {0.0, 0.04, 1.0}) {
+      const auto out = to_metallic_roughness({glm::dvec3(d), glm::dvec3(s), 1.0});
+      EXPECT_TRUE(out.metallic >= 0 && out.metallic <= 1);
+      for (int c = 0; c < 3; ++c) EXPECT_TRUE(out.base_color[c] >= 0 && out.base_color[c] <= 1);
+    }
+}
+
+TEST(read_textures, have_the_samplers_of_the_file_and_defaults_elsewhere) {
+  gltf::Document document;
+  document.images.resize(2);
+  document.samplers = {{9728, 9984, 33071, 33648}, {-1, 9729, 10497, 10497}, {7, 8, 9, 10}};
+  document.textures = {{"", 0, kNone, {}}, {"", 1, 0, {}}, {"", 1, 1, {}}, {"", 1, 2, {}}};
+  IssueLog log;
+  const auto textures = read_textures(document, log);
+  ASSERT_THAT(textures, SizeIs(4));
+  EXPECT_EQ(textures[0].image, 0u);
+  EXPECT_EQ(textures[0].sampler.wrap_u, Wrap::repeat);
+  EXPECT_TRUE(textures[0].sampler.use_mipmaps);
+  EXPECT_EQ(textures[1].sampler.magnify, Filter::nearest);
+  EXPECT_EQ(textures[1].sampler.minify, Filter::nearest);
+  EXPECT_EQ(textures[1].sampler.mipmap, Filter::nearest);
+  EXPECT_EQ(textures[1].sampler.wrap_u, Wrap::clamp_to_edge);
+  EXPECT_EQ(textures[1].sampler.wrap_v, Wrap::mirrored_repeat);
+  EXPECT_FALSE(textures[2].sampler.use_mipmaps);
+  EXPECT_EQ(textures[2].sampler.magnify, Filter::linear);
+  EXPECT_EQ(textures[3].sampler.minify, Filter::linear);
+  std::vector<std::string> places;
+  for (const auto& warning : log.take_warnings()) places.push_back(warning.json_pointer);
+  EXPECT_THAT(places, testing::UnorderedElementsAre("/samplers/2/magFilter", "/samplers/2/minFilter",
+                                                    "/samplers/2/wrapS", "/samplers/2/wrapT"));
+}
+
+TEST(read_textures, prefer_the_webp_image) {
+  gltf::Document document;
+  document.images.resize(2);
+  document.textures = {{"", 0, kNone, Json::parse(R"({"EXT_texture_webp": {"source": 1}})")},
+                       {"", 0, kNone, Json::parse(R"({"EXT_texture_webp": {"source": 2}})")}};
+  IssueLog log;
+  const auto textures = read_textures(document, log);
+  EXPECT_EQ(textures[0].image, 1u);
+  EXPECT_EQ(textures[1].image, 0u);
+  EXPECT_EQ(log.take_warnings().at(0).json_pointer, "/textures/1/extensions/EXT_texture_webp/source");
+}
+
+}  // namespace
+}  // namespace sinew
