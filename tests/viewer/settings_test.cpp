@@ -7,16 +7,23 @@ namespace sinew::viewer {
 namespace {
 
 TEST(settings, begin_as_the_command_line_says) {
+  Scene scene;
+  scene.instances.emplace_back();
   Options options;
   options.show = Show::depth;
   options.ambient_occlusion = false;
   options.skinning = Skinning::dual_quaternion;
-  const Settings settings = settings_from(options);
+  const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
   EXPECT_TRUE(settings.panel);
+  EXPECT_FALSE(settings.skeleton);
+  options.skeleton = true;
+  EXPECT_TRUE(settings_from(options, scene).skeleton);
 }
+
+TEST(settings, a_scene_without_meshes_shows_its_skeleton) { EXPECT_TRUE(settings_from({}, Scene{}).skeleton); }
 
 TEST(settings, ao_only_turns_ao_on_and_goes_back_to_the_lit_picture) {
   Settings settings;

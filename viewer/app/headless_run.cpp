@@ -13,6 +13,8 @@
 #include "viewer/app/headless.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/settings.h"
+#include "viewer/app/skeleton_lines.h"
+#include "viewer/app/validation_outcome.h"
 
 namespace sinew::viewer {
 namespace {
@@ -64,8 +66,39 @@ View view_for(const Options& options, const Exhibit& exhibit, const ClipBounds& 
   return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
 }
 
+// Pose, view and look of one command line, and the pictures of any time.
+class PictureMaker {
+ public:
+  PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
+      : bounds_(clip_bounds(exhibit.scene, clip)),
+        view_(view_for(options, exhibit, bounds_)),
+        settings_(settings_from(options, exhibit.scene)),
+        look_(render_options(settings_, bounds_, eye_of(view_))),
+        poser_(exhibit, options.skinning, clip),
+        skeleton_(exhibit.scene),
+        headless_(device, exhibit.scene, options.width, options.height) {
+    look_.transparent_background = options.transparent;
+  }
+
+  Picture at(double time_s) {
+    const FrameResult& pose = poser_.at(time_s);
+    std::span<const LineVertex> lines;
+    if (settings_.skeleton) lines = skeleton_.make(pose.model, SkeletonLines::axis_length_m(bounds_.largest));
+    return headless_.render(pose, view_, look_, lines);
+  }
+
+ private:
+  ClipBounds bounds_;
+  View view_;
+  Settings settings_;
+  RenderOptions look_;
+  Poser poser_;
+  SkeletonLines skeleton_;
+  Headless headless_;
+};
+
 std::string picture_name(std::uint32_t picture) {
-  std::string digits = std::to_string(picture);
+  const std::string digits = std::to_string(picture);
   return std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits + ".png";
 }
 
@@ -93,29 +126,22 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
   DeviceOptions wanted;
   wanted.validation = options.validate;
   Device device(wanted);
-  const ClipBounds bounds = clip_bounds(exhibit.scene, clip);
-  const View view = view_for(options, exhibit, bounds);
-  RenderOptions look = render_options(settings_from(options), bounds, eye_of(view));
-  look.transparent_background = options.transparent;
-
-  Poser poser(exhibit, options.skinning, clip);
-  Headless headless(device, exhibit.scene, options.width, options.height);
+  PictureMaker maker(device, options, exhibit, clip);
   PngWriter writer;
   if (options.frames) {
     const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
     const auto [first, last] = *options.frames;
     for (std::uint32_t n = first;; ++n) {
-      const FrameResult& pose = poser.at(picture_time_s(n, options.fps, duration));
-      writer.write(fs::path(options.headless) / picture_name(n), headless.render(pose, view, look));
+      writer.write(fs::path(options.headless) / picture_name(n), maker.at(picture_time_s(n, options.fps, duration)));
       show_progress(n - first + 1, last - first + 1);
       if (n == last) break;
     }
   } else {
-    writer.write(options.headless, headless.render(poser.at(options.time_s.value_or(0.0)), view, look));
+    writer.write(options.headless, maker.at(options.time_s.value_or(0.0)));
   }
   const auto failed = writer.finish();
   for (const auto& file : failed) std::fprintf(stderr, "sinew-viewer: %s\n", file.c_str());
-  return failed.empty() && device.validation_messages() == 0 ? 0 : 3;
+  return failed.empty() ? exit_code_after_validation(options, device) : 3;
 }
 
 }  // namespace sinew::viewer

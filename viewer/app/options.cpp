@@ -115,6 +115,7 @@ void add_picture_options(CLI::App& app, Options& options) {
                                                 {"depth", Show::depth}});
   });
   app.add_flag_callback("--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
+  app.add_flag("--skeleton", options.skeleton, "draw the skeleton over the picture");
   auto* eye = text_option(app, "--eye", "X,Y,Z", "where the camera is (framing everything)", [&](const std::string& text) {
     if (!options.camera) options.camera.emplace();
     options.camera->eye = point(text, "--eye");

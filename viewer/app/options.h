@@ -35,6 +35,7 @@ struct Options {
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
   bool ambient_occlusion = true;
+  bool skeleton = false;                     ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for

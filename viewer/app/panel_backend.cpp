@@ -19,6 +19,7 @@ void set_style(GLFWwindow* window) {
   style.WindowRounding = style.FrameRounding = style.GrabRounding = 4.0f;
   style.WindowBorderSize = 0.0f;
   style.Colors[ImGuiCol_WindowBg].w = 0.85f;
+  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_TitleBg];  // there is only one
   float scale = 1.0f, vertical = 1.0f;
   glfwGetWindowContentScale(window, &scale, &vertical);
   style.ScaleAllSizes(scale);

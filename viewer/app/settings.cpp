@@ -3,11 +3,12 @@
 
 namespace sinew::viewer {
 
-Settings settings_from(const Options& options) {
+Settings settings_from(const Options& options, const Scene& scene) {
   Settings settings;
   settings.show = options.show;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.skinning = options.skinning;
+  settings.skeleton = options.skeleton || scene.instances.empty();
   return settings;
 }
 

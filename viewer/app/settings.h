@@ -18,7 +18,8 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-Settings settings_from(const Options& options);
+/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see.
+Settings settings_from(const Options& options, const Scene& scene);
 
 /// Turns ambient occlusion only on, and back to the lit picture.
 void toggle_ao_only(Settings& settings) noexcept;

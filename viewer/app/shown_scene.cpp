@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/shown_scene.h"
 
-#include <glm/geometric.hpp>
-
 #include "runtime/base/contract.h"
 
 namespace sinew::viewer {
-
-namespace {
-constexpr float kAxisPerDiagonal = 0.012f;   // of a joint's axes, in lengths of the scene
-}
 
 ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count)
     : exhibit_(exhibit),
@@ -70,9 +64,7 @@ DrawnScene ShownScene::upload(std::uint32_t slot) {
 }
 
 std::span<const LineVertex> ShownScene::skeleton_lines() {
-  const Aabb& box = bounds().largest;
-  const float diagonal = box.empty() ? 1.0f : glm::length(box.upper - box.lower);
-  return skeleton_.make(newest_->model, kAxisPerDiagonal * diagonal);
+  return skeleton_.make(newest_->model, SkeletonLines::axis_length_m(bounds().largest));
 }
 
 const ClipBounds& ShownScene::bounds() {

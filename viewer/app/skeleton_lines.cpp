@@ -6,6 +6,7 @@
 namespace sinew::viewer {
 namespace {
 
+constexpr float kAxisPerDiagonal = 0.012f;
 constexpr std::uint32_t kParentEnd = 0xff6b4a2au, kJointEnd = 0xff5fd7ffu;            // dark blue to yellow
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};     // x red, y green, z blue
 
@@ -56,6 +57,10 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
     }
   }
   return lines_;
+}
+
+float SkeletonLines::axis_length_m(const Aabb& shown) noexcept {
+  return kAxisPerDiagonal * (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
 }
 
 Aabb bounds_of_joints(std::span<const Affine> model) noexcept {

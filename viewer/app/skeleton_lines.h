@@ -17,9 +17,12 @@ class SkeletonLines {
 
   /// One line from each joint's parent to the joint, dark at the parent and bright at the joint, and from each joint its
   /// own x, y and z axis in red, green and blue.
-  /// in   model[J]  world matrices;   axis_m  length of an axis
+  /// in   model[J]  world matrices;   axis_m  length of an axis: axis_length_m()
   /// out  stays valid until the next call
   std::span<const LineVertex> make(std::span<const Affine> model, float axis_m);
+
+  /// Small beside what is shown, so that axes do not hide bones.
+  static float axis_length_m(const Aabb& shown) noexcept;
 
   std::size_t bone_count() const noexcept { return bones_.size(); }
 

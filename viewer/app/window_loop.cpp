@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -13,6 +12,7 @@
 #include "viewer/app/keys.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/panel.h"
+#include "viewer/app/validation_outcome.h"
 #include "viewer/app/window.h"
 
 namespace sinew::viewer {
@@ -45,9 +45,9 @@ class WindowLoop {
         swapchain_(device_, window_.framebuffer_size()),
         panel_(device_, swapchain_, window_.handle()),
         frame_(device_, swapchain_, panel_),
-        settings_(settings_from(options)) {
+        settings_(settings_from(options, exhibits[options.showcase_scene].scene)) {
     for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
-    show_exhibit(options.file.empty() ? options.showcase_scene : 0, clip);
+    show_exhibit(options.showcase_scene, clip);
     if (options.time_s) shown_->playback().seek(*options.time_s);
   }
 
@@ -228,10 +228,7 @@ int WindowLoop::run() {
     keep_pace();
   }
   device_.wait_idle();
-  if (device_.validation_messages() == 0) return 0;
-  std::fprintf(stderr, "sinew-viewer: %llu validation messages\n",
-               static_cast<unsigned long long>(device_.validation_messages()));
-  return 3;
+  return exit_code_after_validation(options_, device_);
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Runs the viewer as a program without a display: exit codes, messages and the pictures that it writes.
+# usage: program_test.sh SINEW-VIEWER;   exit code 77 = skipped, because a tool is missing
+set -uo pipefail
+
+viewer=$1
+for tool in convert identify; do
+  command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+unset DISPLAY WAYLAND_DISPLAY
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+complain() {
+  echo "FAILED: $*"
+  sed 's/^/    /' err
+  failures=$((failures + 1))
+}
+
+# ends CODE TEXT ARGUMENTS...: the exit code, and what standard error must contain ("" = nothing at all)
+ends() {
+  local code=$1 text=$2 got
+  shift 2
+  "$viewer" "$@" > out 2> err
+  got=$?
+  if [ "$got" != "$code" ]; then complain "$* ends with $got, not $code"
+  elif [ -z "$text" ] && [ -s err ]; then complain "$* complains"
+  elif [ -n "$text" ] && ! grep -qiF -- "$text" err; then complain "$* does not say '$text'"
+  else echo "ok: $* -> $code $text"; fi
+}
+
+# holds WHAT EXPRESSION PICTURE: an ImageMagick expression that must be 1
+holds() {
+  if [ "$(convert "$3" -format "%[fx:$2]" info: 2>&1)" = 1 ]; then echo "ok: $1"; else complain "$1"; fi
+}
+
+printf 'glTF\2\0\0\0' > short.glb
+printf '{"asset":{"version":"2.0"},' > broken.gltf
+printf '{"asset":{"version":"2.0"}}' > empty.gltf
+printf '{"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"translation":[0,1,0]}],"scenes":[{"nodes":[0]}],"scene":0}' > bones.gltf
+
+ends 0 '' --help
+grep -q -- '--headless' out || complain "--help is on standard output"
+ends 0 '' --version
+ends 2 --bogus --bogus
+ends 2 'built-in scenes' --scene 99 --headless a.png
+ends 2 'no such clip' --clip Fly --headless a.png
+ends 1 missing.glb missing.glb --headless a.png
+ends 1 short.glb short.glb --headless a.png
+ends 1 broken.gltf broken.gltf --headless a.png
+ends 3 a.png --headless no/such/folder/a.png --size 32x32
+touch file
+ends 3 file --headless file/ --frames 0:1 --size 32x32
+ends 3 --headless
+
+ends 0 '' --headless a.png --size 320x180 --time 1 --validate
+ends 0 '' --headless b.png --size 320x180 --time 1
+if cmp -s a.png b.png; then echo "ok: the same picture twice is the same bytes"; else complain "the same picture twice differs"; fi
+holds "the picture has the size that was asked for" 'w==320&&h==180' a.png
+holds "and shows something" 'standard_deviation>0.05' a.png
+ends 0 '' --headless c.png --size 320x180 --time 3
+cmp -s a.png c.png && complain "another time shows the same pose"
+ends 0 '' --headless none.png --size 320x180 --clip none
+cmp -s a.png none.png && complain "the rest pose looks like the clip"
+ends 0 '' --headless ao.png --size 320x180 --time 1 --show ao
+[ "$(convert ao.png -colorspace HSL -channel G -separate -format '%[fx:maxima<0.01]' info:)" = 1 ] || complain "--show ao is not grey"
+ends 0 '' --headless flat.png --size 320x180 --time 1 --no-ao
+cmp -s a.png flat.png && complain "--no-ao changes nothing"
+ends 0 '' --headless clear.png --size 320x180 --time 1 --transparent
+holds "--transparent leaves the background clear" 'minima.a==0&&maxima.a==1' clear.png
+ends 0 '' --headless sky.png --size 64x64 --transparent --eye 0,50,0 --target 0,60,0
+holds "a camera that looks away sees nothing" 'maxima.a==0' sky.png
+ends 0 '' --scene 1 --headless lbs.png --size 320x180 --time 3 --skinning linear
+
+ends 0 '' --headless frames/ --size 64x36 --frames 3:6 --fps 2 --scene 2
+if [ "$(ls frames)" = "$(printf '%05d.png\n' 3 4 5 6)" ]; then echo "ok: frames 3 to 6 are numbered"; else complain "frames: $(ls frames)"; fi
+ends 0 '' --headless one.png --size 64x36 --time 1.5 --scene 2
+if cmp -s one.png frames/00003.png; then echo "ok: frame 3 at 2 a second is second 1.5"; else complain "frame 3 is not second 1.5"; fi
+
+ends 0 '' empty.gltf --headless nothing.png --size 64x64
+ends 0 '' bones.gltf --headless bones.png --size 64x64 --transparent
+holds "a file of bones shows its skeleton" 'maxima.a==1' bones.png
+ends 0 '' --headless lines.png --size 320x180 --time 1 --skeleton
+cmp -s a.png lines.png && complain "--skeleton draws nothing"
+
+[ "$failures" = 0 ]

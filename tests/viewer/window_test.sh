@@ -1,0 +1,156 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Opens the viewer's window on a virtual display and uses it as a person would: usage: window_test.sh SINEW-VIEWER
+# Exit code 77 = skipped, because a tool is missing.
+set -uo pipefail
+
+viewer=$1
+for tool in Xvfb xvfb-run xdotool import compare convert; do
+  command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+if [ "${2:-}" != inside ]; then
+  exec xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" "$0" "$viewer" inside
+fi
+
+pictures=$(mktemp -d)
+pid=
+finish() {
+  [ -z "$pid" ] || kill "$pid" 2> /dev/null
+  rm -rf "$pictures"
+}
+trap finish EXIT
+
+fail() {
+  echo "FAILED: $*"
+  echo "--- what the viewer wrote:"
+  cat "$pictures/messages"
+  if [ -n "${WINDOW_TEST_KEEP:-}" ]; then cp -r "$pictures" "$WINDOW_TEST_KEEP"; fi
+  exit 1
+}
+
+passed() { echo "ok: $*"; }
+
+# Tries a command for up to 20 seconds: machines differ in speed.
+eventually() {
+  local what=$1 i
+  shift
+  for ((i = 0; i < 200; i++)); do
+    kill -0 "$pid" 2> /dev/null || fail "the viewer ended by itself before: $what"
+    if "$@"; then passed "$what"; return; fi
+    sleep 0.1
+  done
+  fail "$what"
+}
+
+shot() { import -silent -window "$window" "$pictures/$1.ppm" 2> /dev/null; }
+same() { cmp -s "$pictures/$1.ppm" "$pictures/$2.ppm"; }
+press() { xdotool key --clearmodifiers "$@"; }
+differs_now() { shot now && ! same now "$1"; }
+equals_now() { shot now && same now "$1"; }
+
+# Two pictures a moment apart are the same, and become NAME.
+still() {
+  shot before || return 1
+  sleep 0.25
+  shot "$1" && same before "$1"
+}
+
+find_window() {
+  window=$(xdotool search --onlyvisible --name 'sinew$' 2> /dev/null | head -1)
+  [ -n "$window" ]
+}
+colors() { convert "$pictures/now.ppm" -format %k info:; }
+has_picture() { shot now && [ "$(colors)" -gt 500 ]; }
+size_is() { [ "$(convert "$pictures/now.ppm" -format %wx%h info:)" = "$1" ]; }
+# The corner farthest from the origin was drawn to: outside of what is drawn, the display is black.
+corner_is_drawn() { shot now && size_is "$1" && [ "$(convert "$pictures/now.ppm" -gravity SouthEast -crop 8x8+2+2 -format '%[fx:minima>0.05]' info:)" = 1 ]; }
+is_grey() { shot now && [ "$(convert "$pictures/now.ppm" -colorspace HSL -channel G -separate -format '%[fx:mean<0.02]' info:)" = 1 ]; }
+
+: > "$pictures/messages"
+"$viewer" --validate --size 640x400 --scene 0 2> "$pictures/messages" &
+pid=$!
+eventually "the window opens" find_window
+xdotool windowfocus "$window"
+eventually "it shows a picture that is not blank" has_picture
+shot first
+eventually "the picture moves" differs_now first
+
+press space
+eventually "space holds the picture" still paused
+press h
+eventually "h hides the panel" differs_now paused
+eventually "nothing moves without the panel" still bare
+press h
+eventually "h brings the very same picture back" equals_now paused
+press h
+eventually "and hides it again" equals_now bare
+
+press Right
+eventually "right steps to another pose" differs_now bare
+eventually "which stands still" still stepped
+press Right
+eventually "right steps on" differs_now stepped
+press Left
+eventually "left steps back to the very same picture" equals_now stepped
+
+press s
+eventually "s shows the skeleton" differs_now stepped
+press s
+eventually "s hides it" equals_now stepped
+press a
+eventually "a turns ambient occlusion off" differs_now stepped
+press a
+eventually "a turns it on" equals_now stepped
+press o
+eventually "o shows ambient occlusion only, in grey" is_grey
+press o
+eventually "o goes back" equals_now stepped
+
+xdotool mousemove --window "$window" 320 200 mousedown 1
+sleep 0.3
+xdotool mousemove --window "$window" 400 200
+sleep 0.3
+xdotool mouseup 1
+eventually "dragging turns the camera" differs_now stepped
+eventually "and it stays there" still turned
+xdotool click 4
+eventually "the wheel goes nearer" differs_now turned
+press f
+eventually "f frames everything" differs_now turned
+
+xdotool windowsize "$window" 900 600
+eventually "a larger window is filled" corner_is_drawn 900x600
+xdotool windowsize "$window" 320 260
+eventually "a smaller window is filled" corner_is_drawn 320x260
+xdotool windowunmap "$window"
+sleep 0.5
+xdotool windowmap "$window"
+xdotool windowsize "$window" 640 400
+eventually "a window that was hidden is filled again" corner_is_drawn 640x400
+xdotool windowfocus "$window"
+shot before_tab
+press Tab
+eventually "tab shows the next scene" differs_now before_tab
+press d n p l Up Down v space
+
+sleep 0.3
+press q
+for ((i = 0; i < 200; i++)); do kill -0 "$pid" 2> /dev/null || break; sleep 0.1; done
+kill -0 "$pid" 2> /dev/null && fail "q closes the window"
+wait "$pid"
+code=$?
+pid=
+[ "$code" = 0 ] || fail "the exit code after q is 0, was $code"
+passed "q closes the window with exit code 0"
+[ ! -s "$pictures/messages" ] || fail "the viewer and Vulkan's validation layer have nothing to say"
+passed "validation was silent"
+
+timeout 60 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"
+code=$?
+[ "$code" = 0 ] || fail "--exit-after closes with exit code 0, was $code"
+passed "--exit-after closes the window"
+
+env -u DISPLAY -u WAYLAND_DISPLAY "$viewer" 2> "$pictures/messages"
+code=$?
+[ "$code" = 3 ] && grep -q -- '--headless' "$pictures/messages" || fail "without a display: exit code 3 and what to do instead, was $code"
+passed "without a display it says what to do instead"
