@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 
 std::string text_of(const Json& value) { return value.get<std::string>(); }
 
+/// A name of the file, with quotes and control characters escaped: terminals obey what they are shown.
+std::string quoted(const Json& name) { return name.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 /// "a: 1, b: 2" of an object with numbers.
 std::string pairs(const Json& object, const char* separator) {
   std::string out;
@@ -68,14 +71,14 @@ class InfoText {
     line("meshes: {}, shown {} times", info_["meshes"].size(), info_["mesh_instances"].size());
     for (std::size_t i = 0; i < info_["meshes"].size(); ++i) {
       const Json& mesh = info_["meshes"][i];
-      line("  {} \"{}\": {} vertices, {} triangles, {} primitives", i, text_of(mesh["name"]), mesh["vertices"].dump(),
+      line("  {} {}: {} vertices, {} triangles, {} primitives", i, quoted(mesh["name"]), mesh["vertices"].dump(),
            mesh["triangles"].dump(), mesh["primitives"].size());
       if (!mesh["influences"].empty())
         line("    vertices by number of influences: {}", pairs(mesh["influences"], ": "));
       if (!mesh.contains("morph_targets")) continue;
       line("    morph targets: {}", mesh["morph_targets"].size());
       for (std::size_t t = 0; t < mesh["morph_targets"].size(); ++t)
-        line("      {} \"{}\": {} non-zero deltas", t, text_of(mesh["morph_targets"][t]["name"]),
+        line("      {} {}: {} non-zero deltas", t, quoted(mesh["morph_targets"][t]["name"]),
              mesh["morph_targets"][t]["non_zero_deltas"].dump());
     }
   }
@@ -83,14 +86,14 @@ class InfoText {
   void skins() {
     line("skins: {}", info_["skins"].size());
     for (std::size_t i = 0; i < info_["skins"].size(); ++i)
-      line("  {} \"{}\": {} joints", i, text_of(info_["skins"][i]["name"]), info_["skins"][i]["joints"].dump());
+      line("  {} {}: {} joints", i, quoted(info_["skins"][i]["name"]), info_["skins"][i]["joints"].dump());
   }
 
   void clips() {
     line("clips: {}", info_["clips"].size());
     for (std::size_t i = 0; i < info_["clips"].size(); ++i) {
       const Json& clip = info_["clips"][i];
-      line("  {} \"{}\": {:.6g} s, {} channels ({}), {} keys, modes: {}", i, text_of(clip["name"]),
+      line("  {} {}: {:.6g} s, {} channels ({}), {} keys, modes: {}", i, quoted(clip["name"]),
            clip["duration_s"].get<double>(), clip["channels"].dump(), pairs(clip["channels_by_property"], ": "),
            clip["keys"].dump(), pairs(clip["modes"], ": "));
       line("    compiled: {} bytes, {} tracks folded away, {} key searches a sample", clip["bytes"].dump(),
@@ -112,7 +115,7 @@ class InfoText {
   void named(const char* key, const Describe& describe) {
     line("{}: {}", key, info_[key].size());
     for (std::size_t i = 0; i < info_[key].size(); ++i)
-      line("  {} \"{}\": {}", i, text_of(info_[key][i]["name"]), describe(info_[key][i]));
+      line("  {} {}: {}", i, quoted(info_[key][i]["name"]), describe(info_[key][i]));
   }
 
   const Json& info_;

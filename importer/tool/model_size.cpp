@@ -10,12 +10,12 @@ namespace sinew::tool {
 
 double model_size_m(const Scene& scene) {
   PoseSampler sampler(scene, {.linear = true, .dual_quaternion = false, .vertices_per_primitive = kAllVertices});
-  const auto rest = sampler.sample(kNone, 0.0);
-  if (!rest) return kSizeWithoutVertices;
+  if (sampler.run(kNone, 0.0) != ErrorCode::ok) return kSizeWithoutVertices;
   double lower[3], upper[3];
   std::fill_n(lower, 3, std::numeric_limits<double>::infinity());
   std::fill_n(upper, 3, -std::numeric_limits<double>::infinity());
-  for (const PrimitivePose& primitive : rest->primitives) {
+  for (std::size_t p = 0; p < sampler.primitive_count(); ++p) {
+    const PrimitivePose primitive = sampler.primitive(p);
     const std::vector<double>& positions = primitive.of(VertexKind::positions);
     for (std::size_t i = 0; i < positions.size(); ++i) {
       lower[i % 3] = std::min(lower[i % 3], positions[i]);

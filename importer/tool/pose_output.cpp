@@ -60,15 +60,16 @@ void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
   first_sample_ = true;
 }
 
-void PoseOutput::add(const Pose& pose) {
+void PoseOutput::begin_sample(const Pose& pose) {
   put(text_, "{}   {{\"time\": {},\n    \"nodes\": [", first_sample_ ? "\n" : ",\n", pose.time_s);
   first_sample_ = false;
   add_nodes(pose);
   put(text_, "],\n    \"skinned\": [");
-  for (std::size_t i = 0; i < pose.primitives.size(); ++i) {
-    put(text_, "{}", i ? ",\n     " : "\n     ");
-    add_primitive(pose.primitives[i]);
-  }
+  first_primitive_ = true;
+  for (const PrimitivePose& primitive : pose.primitives) add(primitive);
+}
+
+void PoseOutput::end_sample() {
   put(text_, "]}}");
   flush();
 }
@@ -87,9 +88,11 @@ void PoseOutput::add_nodes(const Pose& pose) {
   }
 }
 
-void PoseOutput::add_primitive(const PrimitivePose& primitive) {
-  put(text_, "{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]", primitive.node,
-      primitive.mesh, primitive.primitive, fmt::join(primitive.vertices, ", "));
+void PoseOutput::add(const PrimitivePose& primitive) {
+  put(text_, "{}{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]",
+      first_primitive_ ? "\n     " : ",\n     ", primitive.node, primitive.mesh, primitive.primitive,
+      fmt::join(primitive.vertices, ", "));
+  first_primitive_ = false;
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind) {
     const std::vector<double>& values = primitive.values[kind];
     if (values.empty()) continue;

@@ -25,18 +25,19 @@ class PoseOutput {
   bool opened() const noexcept { return file_ != nullptr; }
   void begin(std::string_view model, double extent);
   void begin_clip(std::uint32_t clip, std::string_view name);  ///< kNone = rest pose
-  void add(const Pose& pose);
+  void begin_sample(const Pose& pose);                         ///< its primitives as well, if it has any
+  void add(const PrimitivePose& primitive);
+  void end_sample();
   void end_clip();
   bool end();  ///< false: something could not be written
 
  private:
   void add_nodes(const Pose& pose);
-  void add_primitive(const PrimitivePose& primitive);
   void flush();
 
   void* file_ = nullptr;  // gzFile
   fmt::memory_buffer text_;
-  bool first_clip_ = true, first_sample_ = true, failed_ = false;
+  bool first_clip_ = true, first_sample_ = true, first_primitive_ = true, failed_ = false;
 };
 
 }  // namespace sinew::tool

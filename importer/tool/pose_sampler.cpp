@@ -68,26 +68,42 @@ PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene) {
   if (content.linear || !content.dual_quaternion) linear_ = std::make_unique<Method>(scene, Skinning::linear);
   if (content.dual_quaternion) dual_quaternion_ = std::make_unique<Method>(scene, Skinning::dual_quaternion);
+  std::vector<std::size_t> first_choice;
+  for (const Mesh& mesh : scene.meshes) {
+    first_choice.push_back(choices_.size());
+    for (const Primitive& primitive : mesh.primitives)
+      choices_.push_back(choose_vertices(primitive, content.vertices_per_primitive));
+  }
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
-    for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p)
-      drawn_.push_back({i, p, choose_vertices(mesh.primitives[p], content.vertices_per_primitive)});
+    const std::uint32_t mesh = scene.instances[i].mesh;
+    for (std::uint32_t p = 0; p < scene.meshes[mesh].primitives.size(); ++p)
+      drawn_.push_back({i, p, first_choice[mesh] + p});
   }
 }
 
 const FrameResult& PoseSampler::any_frame() const { return (linear_ ? linear_ : dual_quaternion_)->frame.result(); }
 
-Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
+ErrorCode PoseSampler::run(std::uint32_t clip, double time_s) {
   const ClipLayer layer{clip, time_s, 1.0f};
   const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}};
+  time_s_ = time_s;
   for (Method* method : {linear_.get(), dual_quaternion_.get()})
     if (method)
-      if (const ErrorCode code = run_plan(method->plan, input, method->frame); code != ErrorCode::ok)
-        return tl::unexpected(code);
+      if (const ErrorCode code = run_plan(method->plan, input, method->frame); code != ErrorCode::ok) return code;
+  return ErrorCode::ok;
+}
 
+Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
+  if (const ErrorCode code = run(clip, time_s); code != ErrorCode::ok) return tl::unexpected(code);
+  Pose out = pose();
+  for (std::size_t i = 0; i < drawn_.size(); ++i) out.primitives.push_back(primitive(i));
+  return out;
+}
+
+Pose PoseSampler::pose() const {
   const FrameResult& frame = any_frame();
   Pose pose;
-  pose.time_s = time_s;
+  pose.time_s = time_s_;
   pose.nodes.resize(frame.model.size());
   for (std::uint32_t n = 0; n < pose.nodes.size(); ++n) {
     pose.nodes[n].node = n;
@@ -102,18 +118,18 @@ Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
       pose.weights.push_back(
           {scene_.skeleton.node_of_joint[scene_.instances[i].joint], {weights.begin(), weights.end()}});
   }
-  for (const Drawn& drawn : drawn_) pose.primitives.push_back(primitive_pose(drawn));
   return pose;
 }
 
-PrimitivePose PoseSampler::primitive_pose(const Drawn& drawn) const {
+PrimitivePose PoseSampler::primitive(std::size_t i) const {
+  const Drawn& drawn = drawn_[i];
   const MeshInstance& instance = scene_.instances[drawn.instance];
   PrimitivePose out;
   out.node = scene_.skeleton.node_of_joint[instance.joint];
   out.mesh = instance.mesh;
   out.primitive = drawn.primitive;
-  out.vertices = drawn.choice.in_file;
-  const bool skinned = instance.skin != kNone && !drawn.choice.influences.empty();
+  out.vertices = choice_of(drawn).in_file;
+  const bool skinned = instance.skin != kNone && !choice_of(drawn).influences.empty();
   if (!skinned) add_rigid(drawn, out);
   if (skinned && linear_) add_linear(drawn, out);
   if (skinned && dual_quaternion_) add_dual_quaternion(drawn, out);
@@ -132,7 +148,7 @@ void PoseSampler::add_rigid(const Drawn& drawn, PrimitivePose& out) const {
   const auto tangents = deformed_or_own(deformed.tangents, own.tangents);
   const Affined world = affine_cast<double>(frame.model[instance.joint]);
   const Mat3<double> world_normal = normal_matrix(world);
-  for (const std::uint32_t v : drawn.choice.in_primitive) {
+  for (const std::uint32_t v : choice_of(drawn).in_primitive) {
     append(out.of(VertexKind::positions), transform_point(world, Vec3d(positions[v])));
     if (!normals.empty() && !own.flat_normals) {
       const Vec3d n(normals[v]);
@@ -151,9 +167,10 @@ void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
   const DeformedPrimitive& deformed =
       frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const bool flat = scene_.meshes[out.mesh].primitives[out.primitive].flat_normals;
-  append_chosen(out.of(VertexKind::positions), drawn.choice, deformed.positions);
-  if (!deformed.normals.empty() && !flat) append_chosen(out.of(VertexKind::normals), drawn.choice, deformed.normals);
-  if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), drawn.choice, deformed.tangents);
+  append_chosen(out.of(VertexKind::positions), choice_of(drawn), deformed.positions);
+  if (!deformed.normals.empty() && !flat)
+    append_chosen(out.of(VertexKind::normals), choice_of(drawn), deformed.normals);
+  if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), choice_of(drawn), deformed.tangents);
 }
 
 void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const {
@@ -164,11 +181,11 @@ void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) co
       frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const auto broken = entries_without_rotation(scene_.skins[instance.skin], frame.model);
   const bool with_normals = !deformed.normals.empty() && !own.flat_normals;
-  for (std::size_t i = 0; i < drawn.choice.in_primitive.size(); ++i) {
-    const auto [first, count] = drawn.choice.influences[i];
+  for (std::size_t i = 0; i < choice_of(drawn).in_primitive.size(); ++i) {
+    const auto [first, count] = choice_of(drawn).influences[i];
     bool usable = true;
     for (std::uint32_t k = first; k < first + count; ++k) usable = usable && !broken[own.influences.joints[k]];
-    const std::uint32_t v = drawn.choice.in_primitive[i];
+    const std::uint32_t v = choice_of(drawn).in_primitive[i];
     append(out.of(VertexKind::dqs), usable ? Vec3d(deformed.positions[v]) : Vec3d(kNoValue));
     if (with_normals) append(out.of(VertexKind::dqs_normals), usable ? Vec3d(deformed.normals[v]) : Vec3d(kNoValue));
   }

@@ -25,8 +25,16 @@ class PoseSampler {
   /// The scene must outlive the sampler.
   PoseSampler(const Scene& scene, const PoseContent& content);
 
+  /// Evaluates one pose; what follows reads it, until the next call.
   /// in   clip  index, or kNone for the rest pose
   /// err  as run_plan
+  ErrorCode run(std::uint32_t clip, double time_s);
+
+  Pose pose() const;  ///< nodes and weights, without primitives
+  std::size_t primitive_count() const noexcept { return drawn_.size(); }
+  PrimitivePose primitive(std::size_t i) const;  ///< one at a time: all of them may not fit into memory
+
+  /// All of it at once.
   Result<Pose> sample(std::uint32_t clip, double time_s);
 
  private:
@@ -37,10 +45,10 @@ class PoseSampler {
   };
   struct Drawn {  ///< one primitive of one mesh instance
     std::uint32_t instance = 0, primitive = 0;
-    VertexChoice choice;
+    std::size_t choice = 0;  ///< shared by all instances of the mesh
   };
 
-  PrimitivePose primitive_pose(const Drawn& drawn) const;
+  const VertexChoice& choice_of(const Drawn& drawn) const { return choices_[drawn.choice]; }
   void add_rigid(const Drawn& drawn, PrimitivePose& out) const;
   void add_linear(const Drawn& drawn, PrimitivePose& out) const;
   void add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const;
@@ -49,6 +57,8 @@ class PoseSampler {
   const Scene& scene_;
   std::unique_ptr<Method> linear_;
   std::unique_ptr<Method> dual_quaternion_;
+  double time_s_ = 0.0;
+  std::vector<VertexChoice> choices_;  // of each primitive of each mesh
   std::vector<Drawn> drawn_;
 };
 

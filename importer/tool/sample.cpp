@@ -89,10 +89,11 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
     for (std::size_t k = 0; k < times_s.size(); ++k) {
       const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
       progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
-      const auto pose = sampler.sample(clip, times_s[k]);
-      if (!pose)
-        return say_error(fmt::format("{}: {}", options.file, describe(pose.error()))), ExitCode::input_at_fault;
-      out.add(*pose);
+      if (const ErrorCode code = sampler.run(clip, times_s[k]); code != ErrorCode::ok)
+        return say_error(fmt::format("{}: {}", options.file, describe(code))), ExitCode::input_at_fault;
+      out.begin_sample(sampler.pose());
+      for (std::size_t p = 0; p < sampler.primitive_count(); ++p) out.add(sampler.primitive(p));
+      out.end_sample();
     }
     out.end_clip();
   }
