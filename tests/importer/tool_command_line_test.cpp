@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// The command line as other programs meet it: exit status, stdout, stderr.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/importer/tool_model.h"
+
+namespace sinew::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::MatchesRegex;
+using testing::Not;
+
+TEST(command_line, help_and_version_are_results) {
+  const CommandOutcome help = run_tool({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* command : {"info", "sample", "verify", "check", "plan"}) EXPECT_THAT(help.out, HasSubstr(command));
+  EXPECT_THAT(help.out, Not(HasSubstr("cost")));
+  const CommandOutcome version = run_tool({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.out, MatchesRegex("sinew [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_EQ(run_tool({"sample", "--help"}).status, 0);
+}
+
+TEST(command_line, wrong_usage_is_2_with_a_message_and_no_result) {
+  const ToolModelFile model;
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"paint"},
+      {"info"},
+      {"info", model.path(), "--colour"},
+      {"sample", model.path(), "--clip", "jump"},
+      {"sample", model.path(), "--clip", "2"},
+      {"sample", model.path(), "--times", "soon"},
+      {"sample", model.path(), "--fps", "0"},
+      {"sample", model.path(), "--fps", "1e9"},
+      {"sample", model.path(), "--fps", "30", "--times", "1"},
+      {"sample", model.path(), "--skinning", "center-of-rotation"},
+      {"sample", model.path(), "--vertices", "many"},
+      {"sample", model.path(), "-o", "/no such folder/out.json"},
+      {"verify", model.path()},
+      {"verify", model.path(), model.path(), "--tolerance", "-1"},
+      {"plan", model.path(), "--needs", "joints,smell"},
+  };
+  for (const auto& arguments : wrong) {
+    const CommandOutcome outcome = run_tool(arguments);
+    EXPECT_EQ(outcome.status, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.err, testing::StartsWith("sinew: ")) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.out, IsEmpty()) << testing::PrintToString(arguments);
+  }
+}
+
+TEST(command_line, a_file_at_fault_is_1_and_named_on_stderr) {
+  const ToolModelFile model;
+  const std::string broken = model.beside("broken.gltf");
+  std::ofstream(broken) << R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 5}]})";
+  for (const char* command : {"info", "sample", "plan"}) {
+    const CommandOutcome outcome = run_tool({command, broken});
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("sinew: " + broken + ": /nodes/0/mesh: ")) << command;
+    EXPECT_THAT(outcome.out, IsEmpty()) << command;
+    EXPECT_EQ(run_tool({command, model.beside("missing.glb")}).status, 1) << command;
+  }
+}
+
+TEST(command_line, check_lists_broken_rules_on_stdout) {
+  const ToolModelFile model;
+  EXPECT_EQ(run_tool({"check", model.path()}).status, 0);
+  const std::string broken = model.beside("broken.gltf");
+  std::ofstream(broken) << R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 5}]})";
+  EXPECT_THAT(run_tool({"check", broken}).out, HasSubstr(broken + ": /nodes/0/mesh: "));
+  const CommandOutcome outcome = run_tool({"check", broken, "--json"});
+  EXPECT_EQ(outcome.status, 1);
+  const json report = json::parse(outcome.out);
+  EXPECT_GE(report["errors"], 1);
+  EXPECT_EQ(report["issues"][0]["severity"], "error");
+  EXPECT_EQ(report["issues"][0]["pointer"], "/nodes/0/mesh");
+  EXPECT_FALSE(report["issues"][0]["rule"].get<std::string>().empty());
+}
+
+TEST(command_line, info_tells_what_is_inside) {
+  const ToolModelFile model;
+  const CommandOutcome outcome = run_tool({"info", model.path(), "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json info = json::parse(outcome.out);
+  EXPECT_EQ(info["nodes"]["count"], 4);
+  EXPECT_EQ(info["nodes"]["depth"], 2);
+  EXPECT_EQ(info["generator"], "sinew tests");
+  EXPECT_EQ(info["meshes"][0]["vertices"], 4);
+  EXPECT_EQ(info["meshes"][0]["influences"], (json{{"1", 3}, {"2", 1}}));
+  EXPECT_EQ(info["meshes"][1]["triangles"], 1);
+  EXPECT_EQ(info["meshes"][1]["morph_targets"].size(), 2u);
+  EXPECT_EQ(info["meshes"][1]["morph_targets"][1]["non_zero_deltas"], 1);
+  EXPECT_EQ(info["skins"][0]["joints"], 2);
+  EXPECT_EQ(info["clips"][0]["name"], "bend");
+  EXPECT_EQ(info["clips"][0]["duration_s"], 1.0);
+  EXPECT_EQ(info["clips"][0]["channels_by_property"], (json{{"rotation", 1}}));
+  EXPECT_EQ(info["clips"][1]["keys"], 2);
+  EXPECT_EQ(info["clips"][1]["modes"], (json{{"linear", 1}}));
+  const CommandOutcome text = run_tool({"info", model.path()});
+  EXPECT_EQ(text.status, 0);
+  for (const char* words : {"nodes: 4", "\"bend\": 1 s", "1: 3, 2: 1", "morph targets: 2", "skins: 1", "warnings: 0"})
+    EXPECT_THAT(text.out, HasSubstr(words));
+}
+
+TEST(command_line, sample_writes_to_stdout_or_a_file_what_was_asked_for) {
+  const ToolModelFile model;
+  const CommandOutcome outcome =
+      run_tool({"sample", model.path(), "--clip", "bend", "--times", "0,1", "--vertices", "2"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json poses = json::parse(outcome.out);
+  ASSERT_EQ(poses["clips"].size(), 1u);
+  EXPECT_EQ(poses["clips"][0]["index"], 0);
+  ASSERT_EQ(poses["clips"][0]["samples"].size(), 2u);
+  EXPECT_EQ(poses["clips"][0]["samples"][0]["skinned"][0]["vertices"], (json{0, 3}));
+  const std::string file = model.beside("poses.json");
+  EXPECT_EQ(run_tool({"sample", model.path(), "-o", file, "--fps", "2"}).status, 0);
+  const json all = json::parse(std::ifstream(file));
+  ASSERT_EQ(all["clips"].size(), 3u);
+  EXPECT_TRUE(all["clips"][0]["clip"].is_null());
+  EXPECT_EQ(all["clips"][2]["samples"].size(), 5u);
+}
+
+TEST(command_line, verify_holds_for_what_sample_wrote_and_falls_when_the_file_changes) {
+  const ToolModelFile model;
+  for (const char* golden : {"golden.json", "golden.json.gz"}) {
+    const std::string file = model.beside(golden);
+    ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "all", "-o", file}).status, 0);
+    EXPECT_EQ(run_tool({"verify", model.path(), file}).status, 0);
+    EXPECT_EQ(run_tool({"verify", model.path(), file, "--tolerance", "0"}).status, 0);
+  }
+  std::string text = tool_model();
+  text.replace(text.find("\"scale\": [1, 2, 1]"), 18, "\"scale\": [1, 3, 1]");
+  std::ofstream(model.path(), std::ios::binary) << text;
+  const CommandOutcome outcome = run_tool({"verify", model.path(), model.beside("golden.json")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("clip 1, 2 s, node 3, primitive 0, vertex 2, positions: off by 3 m"));
+  EXPECT_THAT(outcome.err, HasSubstr("poses differ"));
+  EXPECT_EQ(run_tool({"verify", model.path(), model.beside("golden.json"), "--tolerance", "10"}).status, 0);
+}
+
+TEST(command_line, verify_refuses_a_golden_file_that_is_none) {
+  const ToolModelFile model;
+  const std::string empty = model.beside("empty.json");
+  std::ofstream(empty) << R"({"clips": []})";
+  for (const std::string& golden : {empty, model.path(), model.beside("missing.json")}) {
+    const CommandOutcome outcome = run_tool({"verify", model.path(), golden});
+    EXPECT_EQ(outcome.status, 1) << golden;
+    EXPECT_THAT(outcome.err, HasSubstr("sinew: " + golden)) << golden;
+  }
+}
+
+TEST(command_line, plan_names_each_stage_with_its_reason) {
+  const ToolModelFile model;
+  const json plan = json::parse(run_tool({"plan", model.path(), "--clip", "0", "--json"}).out);
+  const auto stage = [](const json& report, const std::string& name) {
+    for (const json& entry : report["stages"])
+      if (entry["stage"] == name) return entry;
+    return json();
+  };
+  ASSERT_TRUE(stage(plan, "skin_linear").is_object());
+  EXPECT_EQ(stage(plan, "skin_linear")["runs"], true);
+  EXPECT_EQ(stage(plan, "skin_linear")["count"], 4);
+  for (const json& entry : plan["stages"]) {
+    EXPECT_FALSE(entry["reason"].get<std::string>().empty()) << entry["stage"];
+    EXPECT_TRUE(entry["count"].is_number_unsigned() && entry["bytes"].is_number_unsigned());
+  }
+  EXPECT_EQ(plan["work"]["vertices_skinned_linear"], 4);
+  EXPECT_EQ(plan["work"]["vertices_skinned_dual_quaternion"], 0);
+  const json joints = json::parse(run_tool({"plan", model.path(), "--needs", "joints", "--clip", "0", "--json"}).out);
+  EXPECT_EQ(stage(joints, "skin_linear")["runs"], false);
+  EXPECT_EQ(joints["work"]["vertices_skinned_linear"], 0);
+  EXPECT_THAT(run_tool({"plan", model.path()}).out, HasSubstr("left out"));
+}
+
+}  // namespace
+}  // namespace sinew::test

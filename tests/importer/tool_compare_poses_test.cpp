@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "importer/tool/compare_poses.h"
+
+namespace sinew::tool {
+namespace {
+
+Pose simple_pose() {
+  Pose pose;
+  pose.time_s = 1.5;
+  pose.nodes = {{0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 0, 0, 1}}};
+  pose.weights = {{0, {0.5, 4.0}}};
+  PrimitivePose primitive{.node = 0, .mesh = 0, .primitive = 1, .vertices = {2, 9}, .values = {}};
+  primitive.of(VertexKind::positions) = {0, 0, 0, 1, 1, 1};
+  primitive.of(VertexKind::normals) = {0, 0, 1, 0, 1, 0};
+  primitive.of(VertexKind::dqs) = {0, 0, 0, NAN, NAN, NAN};
+  pose.primitives = {primitive};
+  return pose;
+}
+
+/// Compares the simple pose with what `change` made of it.
+template <class Change>
+PoseComparison after(const Change& change, PoseTolerance tolerance = {.distance_m = 0.01, .model_size_m = 2.0}) {
+  Pose golden = simple_pose(), pose = simple_pose();
+  change(golden, pose);
+  PoseComparison comparison(tolerance, 3);
+  comparison.compare(4, golden, pose);
+  return comparison;
+}
+
+TEST(compare_poses, an_unchanged_pose_has_no_deviation_at_all) {
+  const auto same = after([](Pose&, Pose&) {}, {.distance_m = 0.0, .direction = 0.0, .weight = 0.0});
+  EXPECT_EQ(same.failed(), 0u);
+  EXPECT_EQ(same.compared(), 2u + 1u + 2u + 2u + 1u);  // null entries are passed over
+  EXPECT_EQ(same.largest_m(), 0.0);
+}
+
+TEST(compare_poses, a_moved_vertex_is_named_with_its_distance) {
+  const auto moved = after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::positions)[4] += 0.02; });
+  ASSERT_EQ(moved.failed(), 1u);
+  EXPECT_EQ(moved.worst()[0].where, "clip 4, 1.5 s, node 0, primitive 1, vertex 9, positions");
+  EXPECT_NEAR(moved.worst()[0].amount, 0.02, 1e-12);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::positions)[4] += 0.009; }).failed(), 0u);
+}
+
+TEST(compare_poses, a_turned_node_counts_by_what_it_moves_at_the_models_size) {
+  const auto turn = [](double by) { return [by](Pose&, Pose& pose) { pose.nodes[0].world[1] = by; }; };
+  EXPECT_EQ(after(turn(0.006)).failed(), 1u);  // 0.006 * 2 m > 0.01 m
+  EXPECT_EQ(after(turn(0.004)).failed(), 0u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.nodes[0].world[12] += 0.011; }).failed(), 1u);
+}
+
+TEST(compare_poses, without_a_distance_values_count_relative_to_their_size) {
+  const PoseTolerance relative{.distance_m = {}, .model_size_m = 2.0};
+  const auto shift = [](double by) { return [by](Pose&, Pose& pose) { pose.nodes[0].world[12] += by; }; };
+  EXPECT_EQ(after(shift(0.0009), relative).failed(), 0u);  // 1e-4 of 10 m
+  EXPECT_EQ(after(shift(0.0011), relative).failed(), 1u);
+}
+
+TEST(compare_poses, weights_beyond_one_count_relative_and_directions_absolute) {
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.weights[0].weights[1] += 3e-4; }).failed(), 0u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.weights[0].weights[1] += 5e-4; }).failed(), 1u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::normals)[0] = 9e-4; }).failed(), 0u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::normals)[0] = 2e-3; }).failed(), 1u);
+}
+
+TEST(compare_poses, what_is_missing_fails_and_what_is_more_does_not) {
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.nodes.clear(); }).failed(), 2u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.weights[0].weights.pop_back(); }).failed(), 1u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives.clear(); }).failed(), 5u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].vertices[1] = 8; }).failed(), 2u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::dqs)[0] = NAN; }).failed(), 1u);
+  EXPECT_EQ(after([](Pose& golden, Pose&) { golden.primitives.clear(), golden.nodes.clear(); }).failed(), 0u);
+}
+
+TEST(compare_poses, rotations_that_are_not_unit_in_the_golden_sample_widen_the_tolerance) {
+  const auto change = [](Pose& golden, Pose& pose) {
+    golden.non_unit = 0.01;
+    pose.primitives[0].of(VertexKind::positions)[4] += 0.035;  // 0.01 + 1.5 * 0.01 * 2 m = 0.04 m
+  };
+  EXPECT_EQ(after(change).failed(), 0u);
+}
+
+TEST(compare_poses, keeps_the_worst_in_order) {
+  const auto many = after([](Pose&, Pose& pose) {
+    pose.primitives[0].of(VertexKind::positions) = {0.05, 0, 0, 1, 1, 1.5};
+    pose.nodes[0].world[13] = 0.2;
+    pose.primitives[0].of(VertexKind::dqs)[2] = 0.02;
+  });
+  EXPECT_EQ(many.failed(), 4u);
+  ASSERT_EQ(many.worst().size(), 3u);
+  EXPECT_NEAR(many.worst()[0].amount, 0.5, 1e-12);
+  EXPECT_NEAR(many.worst()[1].amount, 0.2, 1e-12);
+  EXPECT_NEAR(many.worst()[2].amount, 0.05, 1e-12);
+}
+
+}  // namespace
+}  // namespace sinew::tool

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "importer/tool/pose_input.h"
+#include "importer/tool/pose_output.h"
+
+namespace sinew::tool {
+namespace {
+
+std::string temporary(const char* name) {
+  return (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + name)).string();
+}
+
+Pose pose_with_odd_numbers() {
+  Pose pose;
+  pose.time_s = 0.10339999943971634;  // a float32, with all its digits
+  pose.nodes = {
+      {7, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, static_cast<double>(0.1f), -0.0, static_cast<double>(1e-30f), 1}}};
+  pose.weights = {{7, {static_cast<double>(1.0f / 3.0f), -2.5}}};
+  PrimitivePose primitive{.node = 7, .mesh = 1, .primitive = 2, .vertices = {0, 5}, .values = {}};
+  primitive.of(VertexKind::positions) = {static_cast<double>(16777217.0f), 0, 0, 1, 2, 3};
+  primitive.of(VertexKind::dqs) = {NAN, NAN, NAN, 4, 5, 6};
+  primitive.of(VertexKind::tangents) = {1, 0, 0, -1, 0, 1, 0, 1};
+  pose.primitives = {primitive};
+  return pose;
+}
+
+void write(const std::string& file, const Pose& pose) {
+  PoseOutput out(file);
+  ASSERT_TRUE(out.opened());
+  out.begin("models/a \"quoted\" name.glb", 2.5);
+  out.begin_clip(kNone, "");
+  out.begin_sample(pose);
+  out.end_sample();
+  out.end_clip();
+  out.begin_clip(3, "wa\tlk");
+  out.begin_sample(pose);
+  out.end_sample();
+  out.begin_sample(pose);
+  out.end_sample();
+  out.end_clip();
+  ASSERT_TRUE(out.end());
+}
+
+class pose_file : public testing::TestWithParam<const char*> {};
+
+TEST_P(pose_file, what_was_written_is_read_back_bit_for_bit) {
+  const std::string file = temporary(GetParam());
+  const Pose pose = pose_with_odd_numbers();
+  write(file, pose);
+  const auto read = read_poses(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(read) << read.error().json_pointer << read.error().detail;
+  EXPECT_EQ(read->extent, 2.5);
+  ASSERT_EQ(read->clips.size(), 2u);
+  EXPECT_EQ(read->clips[0].clip, kNone);
+  EXPECT_EQ(read->clips[1].clip, 3u);
+  ASSERT_EQ(read->clips[1].samples.size(), 2u);
+  const Pose& back = read->clips[1].samples[1];
+  EXPECT_EQ(back.time_s, pose.time_s);
+  EXPECT_EQ(back.nodes[0].node, 7u);
+  EXPECT_EQ(back.nodes[0].world, pose.nodes[0].world);
+  EXPECT_EQ(back.weights[0].weights, pose.weights[0].weights);
+  EXPECT_EQ(back.primitives[0].vertices, pose.primitives[0].vertices);
+  EXPECT_EQ(back.primitives[0].primitive, 2u);
+  EXPECT_EQ(back.primitives[0].of(VertexKind::positions), pose.primitives[0].of(VertexKind::positions));
+  EXPECT_EQ(back.primitives[0].of(VertexKind::tangents), pose.primitives[0].of(VertexKind::tangents));
+  EXPECT_TRUE(back.primitives[0].of(VertexKind::normals).empty());
+  EXPECT_TRUE(std::isnan(back.primitives[0].of(VertexKind::dqs)[0]));
+  EXPECT_EQ(back.primitives[0].of(VertexKind::dqs)[3], 4.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(plain_and_compressed, pose_file, testing::Values("poses.json", "poses.json.gz"),
+                         [](const auto& parameter) {
+                           return std::string(parameter.param).ends_with("gz") ? "compressed" : "plain";
+                         });
+
+TEST(pose_output, numbers_that_json_has_no_word_for_become_null) {
+  const std::string file = temporary("nan.json");
+  Pose pose = pose_with_odd_numbers();
+  pose.primitives[0].of(VertexKind::positions)[4] = std::numeric_limits<double>::infinity();
+  write(file, pose);
+  const auto read = read_poses(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(read);
+  const auto& positions = read->clips[0].samples[0].primitives[0].of(VertexKind::positions);
+  EXPECT_EQ(positions[0], 16777216.0);
+  EXPECT_TRUE(std::isnan(positions[3]) && std::isnan(positions[5]));
+}
+
+TEST(pose_output, a_folder_that_is_not_there_cannot_be_written) {
+  EXPECT_FALSE(PoseOutput("/no such folder/poses.json").opened());
+}
+
+struct Refused {
+  const char* text;
+  const char* rule;
+  const char* pointer;
+};
+
+TEST(pose_input, names_the_place_of_what_it_refuses) {
+  const std::string head = R"({"clips": [{"clip": 0, "samples": [{"time": 0, "weights": [], )";
+  const Refused cases[] = {
+      {"{", "pose-file", ""},
+      {"[]", "pose-format", ""},
+      {"{}", "pose-format", "/clips"},
+      {R"({"extent": "big", "clips": []})", "pose-format", "/extent"},
+      {R"({"clips": [{}]})", "pose-format", "/clips/0/clip"},
+      {R"({"clips": [{"clip": -1, "samples": []}]})", "pose-format", "/clips/0/clip"},
+      {R"({"clips": [{"clip": null}]})", "pose-format", "/clips/0/samples"},
+      {R"({"clips": [{"clip": null, "samples": [{"nodes": []}]}]})", "pose-format", "/clips/0/samples/0/time"},
+      {R"("nodes": [{"node": 0, "world": [1, 2]}], "skinned": []}]}]})", "pose-format",
+       "/clips/0/samples/0/nodes/0/world"},
+      {R"("nodes": [], "skinned": [{"node": 0, "primitive": 0, "vertices": [0], "positions": [[1, 2]]}]}]}]})",
+       "pose-format", "/clips/0/samples/0/skinned/0/positions/0"},
+      {R"("nodes": [], "skinned": [{"node": 0, "primitive": 0, "vertices": [0, 1], "normals": [[1, 2, 3]]}]}]}]})",
+       "pose-format", "/clips/0/samples/0/skinned/0/normals"},
+  };
+  for (const auto& [text, rule, pointer] : cases) {
+    const auto read = parse_poses(*text == '"' ? head + text : text);
+    ASSERT_FALSE(read) << text;
+    EXPECT_EQ(read.error().rule, rule) << text;
+    EXPECT_EQ(read.error().json_pointer, pointer) << text;
+  }
+}
+
+TEST(pose_input, refuses_a_compressed_file_that_is_cut_short_or_missing) {
+  const std::string file = temporary("cut.json.gz");
+  write(file, pose_with_odd_numbers());
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 20);
+  const auto cut = read_poses(file);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(cut.error().rule, "pose-file");
+  ASSERT_FALSE(read_poses(file));
+}
+
+}  // namespace
+}  // namespace sinew::tool
