@@ -21,14 +21,26 @@ Scene chain() {
   return scene;
 }
 
+// The outline touches both ends four times, and everything else lies nearer to the parent.
+void expect_bone(std::span<const LineVertex> lines, const glm::vec3& from, const glm::vec3& to) {
+  int at_parent = 0, at_joint = 0, nearer_to_parent = 0;
+  for (const auto& vertex : lines.first(SkeletonLines::kVerticesPerBone)) {
+    if (vertex.position == from) ++at_parent;
+    else if (vertex.position == to) ++at_joint;
+    else if (glm::distance(vertex.position, from) < 0.5f * glm::distance(vertex.position, to)) ++nearer_to_parent;
+  }
+  EXPECT_EQ(at_parent, 4);
+  EXPECT_EQ(at_joint, 4);
+  EXPECT_EQ(nearer_to_parent, 16);
+}
+
 TEST(skeleton_lines, without_a_skin_joins_every_joint_to_its_parent) {
   SkeletonLines lines(chain());
   EXPECT_EQ(lines.bone_count(), 4u);
   const Affine model[] = {at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
   const auto made = lines.make(model, 0.5f);
-  ASSERT_EQ(made.size(), 2u * 4 + 6u * 5);
-  EXPECT_EQ(made[4].position, glm::vec3(0, 2, 0));   // third bone: 2 -> 3
-  EXPECT_EQ(made[5].position, glm::vec3(0, 2, 5));
+  ASSERT_EQ(made.size(), SkeletonLines::kVerticesPerBone * 4 + 6u * 5);
+  expect_bone(made.subspan(2 * SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});   // third bone: 2 -> 3
 }
 
 TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {
@@ -38,10 +50,17 @@ TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {
   EXPECT_EQ(lines.bone_count(), 2u);
   const Affine model[] = {at(9, 9, 9), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
   const auto made = lines.make(model, 0.5f);
-  ASSERT_EQ(made.size(), 2u * 2 + 6u * 3);
-  EXPECT_EQ(made[0].position, glm::vec3(0, 1, 0));
-  EXPECT_EQ(made[1].position, glm::vec3(0, 2, 0));
-  EXPECT_EQ(made[3].position, glm::vec3(0, 2, 5));
+  ASSERT_EQ(made.size(), SkeletonLines::kVerticesPerBone * 2 + 6u * 3);
+  expect_bone(made, {0, 1, 0}, {0, 2, 0});
+  expect_bone(made.subspan(SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});
+}
+
+TEST(skeleton_lines, a_bone_without_length_has_no_outline) {
+  Scene scene;
+  scene.skeleton.parents = {kNone, 0};
+  SkeletonLines lines(scene);
+  const Affine model[] = {at(1, 1, 1), at(1, 1, 1)};
+  EXPECT_EQ(lines.make(model, 0.5f).size(), 6u * 2);
 }
 
 TEST(skeleton_lines, axes_have_the_asked_length_whatever_the_scale_and_vanish_when_scaled_away) {

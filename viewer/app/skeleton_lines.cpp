@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/skeleton_lines.h"
 
+#include <cmath>
+#include <utility>
+
 #include <glm/geometric.hpp>
 
 namespace sinew::viewer {
 namespace {
 
 constexpr float kAxisPerDiagonal = 0.012f;
-constexpr std::uint32_t kParentEnd = 0xff6b4a2au, kJointEnd = 0xff5fd7ffu;            // dark blue to yellow
+constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                     // yellow
+constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                                 // of a bone, in bone lengths
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};     // x red, y green, z blue
+
+// The outline of a long octahedron: thick at the parent, pointed at the joint, so that one sees which end is which.
+void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 along = to - from;
+  const float length = glm::length(along);
+  if (length <= 0.0f) return;
+  const glm::vec3 aside = std::abs(along.y) < 0.9f * length ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 u = glm::normalize(glm::cross(along, aside)) * (kRingRadius * length);
+  const glm::vec3 v = glm::cross(along, u) / length;
+  const glm::vec3 middle = from + kRingAt * along;
+  const glm::vec3 ring[4] = {middle + u, middle + v, middle - u, middle - v};
+  for (int i = 0; i < 4; ++i)
+    for (const auto& [a, b] : {std::pair(from, ring[i]), std::pair(ring[i], to), std::pair(ring[i], ring[(i + 1) % 4])}) {
+      lines.push_back({a, kBoneColor});
+      lines.push_back({b, kBoneColor});
+    }
+}
 
 // Joints of the skins, and every joint on the way from one of them up to another.
 std::vector<bool> skin_joints(const Scene& scene) {
@@ -36,15 +57,13 @@ SkeletonLines::SkeletonLines(const Scene& scene) {
     joints_.push_back(j);
     if (parents[j] != kNone && shown[parents[j]]) bones_.push_back({parents[j], j});
   }
-  lines_.reserve(2 * bones_.size() + 6 * joints_.size());
+  lines_.reserve(kVerticesPerBone * bones_.size() + 6 * joints_.size());
 }
 
 std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, float axis_m) {
   lines_.clear();
-  for (const auto [parent, joint] : bones_) {
-    lines_.push_back({translation_of(model[parent]), kParentEnd});
-    lines_.push_back({translation_of(model[joint]), kJointEnd});
-  }
+  for (const auto [parent, joint] : bones_)
+    add_bone(lines_, translation_of(model[parent]), translation_of(model[joint]));
   for (const auto joint : joints_) {
     const glm::vec3 at = translation_of(model[joint]);
     const auto& m = model[joint];

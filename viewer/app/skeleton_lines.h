@@ -15,8 +15,10 @@ class SkeletonLines {
  public:
   explicit SkeletonLines(const Scene& scene);
 
-  /// One line from each joint's parent to the joint, dark at the parent and bright at the joint, and from each joint its
-  /// own x, y and z axis in red, green and blue.
+  static constexpr std::size_t kVerticesPerBone = 24;
+
+  /// For each joint the outline of a long octahedron from its parent, thick end at the parent, and the joint's own x, y and
+  /// z axis in red, green and blue. A bone without length has no outline.
   /// in   model[J]  world matrices;   axis_m  length of an axis: axis_length_m()
   /// out  stays valid until the next call
   std::span<const LineVertex> make(std::span<const Affine> model, float axis_m);
