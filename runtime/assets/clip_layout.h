@@ -56,6 +56,7 @@ struct TrackBlock {
   std::uint32_t plane_count = 0;       ///< planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight; increasing
+  bool targets_adjoin = false;         ///< targets[i] = targets[0] + i: whole vectors may be stored
   std::vector<float> rows;             ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {

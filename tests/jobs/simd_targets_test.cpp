@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+
+#include "runtime/jobs/blend_poses.h"
+#include "runtime/jobs/sample_clip.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+/// Keeps the jobs to one instruction set while it lives.
+class OnlyTarget {
+ public:
+  explicit OnlyTarget(std::int64_t target) { choose(target); }
+  ~OnlyTarget() { choose(0); }
+
+ private:
+  static void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+constexpr std::uint32_t kJoints = 53;  // not a multiple of any vector length
+
+/// Poses of a clip with all kinds of tracks, and their blends, as bytes.
+std::vector<float> results() {
+  test::FixedRandom random(27);
+  std::vector<std::vector<float>> times{test::random_times(random, 12), test::random_times(random, 9)};
+  std::vector<BoneAnimation> bones(kJoints);
+  for (std::uint32_t j = 0; j < kJoints; ++j) {
+    const bool cubic = random.below(3) == 0;
+    bones[j].joint = j;
+    bones[j].rotation = test::random_rotations(random, cubic ? Interpolation::cubic_spline : Interpolation::linear, times[j % 7 == 0]);
+    bones[j].translation = test::random_vectors(random, cubic ? Interpolation::linear : Interpolation::cubic_spline, times[j % 5 == 0]);
+  }
+  const Clip clip = test::clip_of(test::animation_of(std::move(bones)), test::chain_skeleton(kJoints));
+  test::PoseBuffer a(kJoints), b(kJoints), rest(kJoints), out(kJoints);
+  std::vector<float> mask(kJoints);
+  for (float& m : mask) m = static_cast<float>(random.unit());
+  std::vector<float> numbers;
+  for (int i = 0; i < 50; ++i) {
+    run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = a.span(), .weights = {}});
+    run(SampleClipJob{.clip = &clip, .time_s = random.in(0, clip.duration_s()), .pose = b.span(), .weights = {}});
+    const BlendLayer layers[] = {{a.span(), 0.4f, {}}, {b.span(), 0.7f, mask}};
+    run(BlendPosesJob{layers, rest.span(), out.span()});
+    for (const PoseSpan& pose : {a.span(), out.span()})
+      for (std::size_t p = 0; p < PoseSpan::plane_count; ++p)
+        numbers.insert(numbers.end(), pose.plane(PoseSpan::Plane(p)), pose.plane(PoseSpan::Plane(p)) + kJoints);
+  }
+  return numbers;
+}
+
+TEST(simd_targets, N27_N28_every_instruction_set_gives_the_same_bits) {
+  const std::vector<float> expected = results();
+  int compared = 0;
+  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+    const std::int64_t target = targets & -targets;
+    const OnlyTarget only(target);
+    const std::vector<float> found = results();
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof(float)), 0) << hwy::TargetName(target);
+    ++compared;
+  }
+  EXPECT_GE(compared, 1);
+}
+
+}  // namespace
+}  // namespace sinew
