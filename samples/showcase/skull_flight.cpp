@@ -37,14 +37,14 @@ glm::vec3 skull_surface(const glm::vec3& direction) {
   return p;
 }
 
+/// Two rows of boxes that sit on the surface of the jaw.
 Primitive teeth() {
   Primitive all;
-  for (int row = 0; row < 2; ++row)
-    for (int i = -4; i <= 4; ++i) {
-      const float angle = 0.15f * static_cast<float>(i);
-      const float y = row == 0 ? -0.52f : -0.66f;
-      append(all, box(kSkullRadius * glm::vec3(0.80f * std::sin(angle), y, 0.80f * std::cos(angle) - 0.02f),
-                      kSkullRadius * glm::vec3(0.046f, 0.058f, 0.05f)));
+  for (const float y : {-0.50f, -0.62f})
+    for (int i = -3; i <= 3; ++i) {
+      const float angle = 0.14f * static_cast<float>(i);
+      const glm::vec3 on_jaw = skull_surface(glm::normalize(glm::vec3(std::sin(angle), y, std::cos(angle))));
+      append(all, box(kSkullRadius * on_jaw, kSkullRadius * glm::vec3(0.040f, 0.050f, 0.035f)));
     }
   return all;
 }
@@ -92,7 +92,7 @@ Primitive columns() {
     return 0.6f + 0.35f * (foot + head);
   };
   for (const float x : {-11.0f, 11.0f})
-    for (int i = -2; i <= 2; ++i) append(all, lathe({x, kFloorY, 6.0f * static_cast<float>(i)}, 4.0f, profile, 24, 30));
+    for (int i = -2; i <= 2; ++i) append(all, lathe({x, kFloorY - 0.05f, 6.0f * static_cast<float>(i)}, 4.05f, profile, 24, 30));
   return all;
 }
 

@@ -15,6 +15,7 @@ namespace {
 constexpr float kLength = 4.0f;       // shoulder to finger tips
 constexpr float kElbow = 1.4f, kWrist = 3.0f;
 constexpr float kSpacing = 1.6f;      // half the distance between the two arms
+constexpr float kFloorY = 0.08f;      // the arms stand a little in the floor, which hides their lower rim
 
 /// Radius of the arm along its length, v in [0, 1]: upper arm, elbow, forearm, wrist, fist.
 float arm_radius(float v) {
@@ -105,7 +106,7 @@ ShowcaseScene twisted_arms() {
   SceneBuilder builder;
   const std::uint32_t skin_paint = builder.add_material("skin", glm::vec3(1.0f), 0.55f);
   const std::uint32_t stone = builder.add_material("stone", {0.55f, 0.56f, 0.60f}, 0.9f);
-  builder.add_prop("floor", grid([](float u, float v) { return glm::vec3(14.0f * (u - 0.5f), 0.0f, 14.0f * (0.5f - v)); }, 4, 4), stone);
+  builder.add_prop("floor", grid([](float u, float v) { return glm::vec3(14.0f * (u - 0.5f), kFloorY, 14.0f * (0.5f - v)); }, 4, 4), stone);
 
   const char* const names[] = {"linear blend", "dual quaternion"};
   std::uint32_t shoulders[2], wrists[2];

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "runtime/assets/material.h"
+
+namespace sinew::write {
+
+/// The image as an 8-bit RGBA PNG file, lossless.
+std::vector<std::byte> encode_png(const Image& image);
+
+}  // namespace sinew::write

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <string>
+
+#include "importer/write/write_scene.h"
+
+namespace sinew::write {
+namespace {
+
+const char* name_of(Interpolation interpolation) {
+  switch (interpolation) {
+    case Interpolation::step: return "STEP";
+    case Interpolation::linear: return "LINEAR";
+    case Interpolation::cubic_spline: return "CUBICSPLINE";
+    case Interpolation::squad: break;
+  }
+  return nullptr;
+}
+
+/// Writes the channels of one animation; key times that several tracks share are written once.
+class AnimationWriter {
+ public:
+  explicit AnimationWriter(GlbBuffer& buffer) : buffer_(buffer) {}
+
+  bool add(int node, const char* path, Interpolation interpolation, const std::vector<float>& times_s, int values) {
+    const char* name = name_of(interpolation);
+    if (!name) return false;
+    auto [found, is_new] = times_.try_emplace(times_s, -1);
+    if (is_new) found->second = buffer_.add(std::span<const float>(times_s), true);
+    tinygltf::AnimationSampler sampler;
+    sampler.input = found->second;
+    sampler.output = values;
+    sampler.interpolation = name;
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(out.samplers.size());
+    channel.target_node = node;
+    channel.target_path = path;
+    out.samplers.push_back(std::move(sampler));
+    out.channels.push_back(std::move(channel));
+    return true;
+  }
+
+  tinygltf::Animation out;
+
+ private:
+  GlbBuffer& buffer_;
+  std::map<std::vector<float>, int> times_;
+};
+
+bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbBuffer& buffer) {
+  bool ok = true;
+  if (const auto& t = bone.translation; !t.empty())
+    ok &= writer.add(node, "translation", t.interpolation, t.times_s, buffer.add(std::span<const glm::vec3>(t.values), false, ViewUse::other));
+  if (const auto& r = bone.rotation; !r.empty())
+    ok &= writer.add(node, "rotation", r.interpolation, r.times_s, buffer.add_rotations(r.values));
+  if (const auto& s = bone.scale; !s.empty())
+    ok &= writer.add(node, "scale", s.interpolation, s.times_s, buffer.add(std::span<const glm::vec3>(s.values), false, ViewUse::other));
+  return ok;
+}
+
+}  // namespace
+
+std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance, tinygltf::Model& model,
+                                            GlbBuffer& buffer) {
+  for (std::size_t a = 0; a < scene.animations.size(); ++a) {
+    const auto& animation = scene.animations[a];
+    AnimationWriter writer(buffer);
+    writer.out.name = animation.name;
+    bool ok = true;
+    for (const auto& bone : animation.bones)
+      ok &= add_bone(bone, static_cast<int>(scene.skeleton.node_of_joint[bone.joint]), writer, buffer);
+    for (const auto& w : animation.weights)
+      ok &= writer.add(node_of_instance[w.instance], "weights", w.weights.interpolation, w.weights.times_s,
+                       buffer.add(std::span<const float>(w.weights.values)));
+    if (!ok)
+      return ImportIssue{Severity::error, "squad-in-gltf", "/animations/" + std::to_string(a),
+                         "glTF has no squad interpolation; resample the track to LINEAR keys first"};
+    model.animations.push_back(std::move(writer.out));
+  }
+  return std::nullopt;
+}
+
+}  // namespace sinew::write

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "importer/write/encode_png.h"
+#include "importer/write/write_scene.h"
+
+namespace sinew::write {
+namespace {
+
+using Object = tinygltf::Value::Object;
+using Array = tinygltf::Value::Array;
+
+bool has_transform(const TextureUse& use) {
+  return use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
+}
+
+tinygltf::Value pair(const glm::vec2& v) {
+  return tinygltf::Value(Array{tinygltf::Value(static_cast<double>(v.x)), tinygltf::Value(static_cast<double>(v.y))});
+}
+
+/// Fills the fields that every kind of texture reference has.
+template <class Info>
+void reference(const TextureUse& use, tinygltf::Model& model, Info& info) {
+  if (!use.used()) return;
+  info.index = static_cast<int>(use.texture);
+  info.texCoord = static_cast<int>(use.texcoord);
+  if (!has_transform(use)) return;
+  info.extensions["KHR_texture_transform"] = tinygltf::Value(Object{{"offset", pair(use.offset)},
+                                                                    {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
+                                                                    {"scale", pair(use.scale)}});
+  for (const auto& name : model.extensionsUsed)
+    if (name == "KHR_texture_transform") return;
+  model.extensionsUsed.emplace_back("KHR_texture_transform");
+}
+
+const char* name_of(AlphaMode mode) {
+  switch (mode) {
+    case AlphaMode::mask: return "MASK";
+    case AlphaMode::blend: return "BLEND";
+    case AlphaMode::opaque: break;
+  }
+  return "OPAQUE";
+}
+
+tinygltf::Material written(const Material& material, tinygltf::Model& model) {
+  tinygltf::Material out;
+  out.name = material.name;
+  const auto& c = material.base_color;
+  out.pbrMetallicRoughness.baseColorFactor = {c.x, c.y, c.z, c.w};
+  out.pbrMetallicRoughness.metallicFactor = material.metallic;
+  out.pbrMetallicRoughness.roughnessFactor = material.roughness;
+  reference(material.base_color_texture, model, out.pbrMetallicRoughness.baseColorTexture);
+  reference(material.metallic_roughness_texture, model, out.pbrMetallicRoughness.metallicRoughnessTexture);
+  reference(material.normal_texture, model, out.normalTexture);
+  out.normalTexture.scale = material.normal_scale;
+  reference(material.occlusion_texture, model, out.occlusionTexture);
+  out.occlusionTexture.strength = material.occlusion_strength;
+  reference(material.emissive_texture, model, out.emissiveTexture);
+  // Above 1 the factor needs KHR_materials_emissive_strength: the largest component becomes the strength.
+  const auto& e = material.emissive;
+  const float strength = std::max({1.0f, e.x, e.y, e.z});
+  out.emissiveFactor = {e.x / strength, e.y / strength, e.z / strength};
+  if (strength > 1.0f) {
+    out.extensions["KHR_materials_emissive_strength"] =
+        tinygltf::Value(Object{{"emissiveStrength", tinygltf::Value(static_cast<double>(strength))}});
+    model.extensionsUsed.emplace_back("KHR_materials_emissive_strength");
+  }
+  if (material.unlit) {
+    out.extensions["KHR_materials_unlit"] = tinygltf::Value(Object{});
+    model.extensionsUsed.emplace_back("KHR_materials_unlit");
+  }
+  out.alphaMode = name_of(material.alpha_mode);
+  out.alphaCutoff = material.alpha_cutoff;
+  out.doubleSided = material.double_sided;
+  return out;
+}
+
+int minify_filter(const Sampler& sampler) {
+  const bool linear = sampler.minify == Filter::linear;
+  if (!sampler.use_mipmaps) return linear ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_NEAREST;
+  if (sampler.mipmap == Filter::linear)
+    return linear ? TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR : TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+  return linear ? TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST : TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST;
+}
+
+int wrap_of(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::clamp_to_edge: return TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    case Wrap::mirrored_repeat: return TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
+    case Wrap::repeat: break;
+  }
+  return TINYGLTF_TEXTURE_WRAP_REPEAT;
+}
+
+}  // namespace
+
+void write_materials(const Scene& scene, tinygltf::Model& model) {
+  for (const auto& material : scene.materials) model.materials.push_back(written(material, model));
+}
+
+void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
+  for (const auto& image : scene.images) {
+    tinygltf::Image out;
+    out.name = image.name;
+    out.mimeType = "image/png";
+    const Image placeholder{"", 1, 1, {255, 0, 255, 255}, ""};  // an image that was missing stays visible as such
+    out.bufferView = buffer.add_view(encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
+    model.images.push_back(std::move(out));
+  }
+  for (const auto& texture : scene.textures) {
+    tinygltf::Sampler sampler;
+    sampler.magFilter = texture.sampler.magnify == Filter::linear ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_NEAREST;
+    sampler.minFilter = minify_filter(texture.sampler);
+    sampler.wrapS = wrap_of(texture.sampler.wrap_u);
+    sampler.wrapT = wrap_of(texture.sampler.wrap_v);
+    tinygltf::Texture out;
+    out.sampler = static_cast<int>(model.samplers.size());
+    if (texture.image != kNone) out.source = static_cast<int>(texture.image);
+    model.samplers.push_back(std::move(sampler));
+    model.textures.push_back(std::move(out));
+  }
+}
+
+void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
+  for (const auto& camera : scene.cameras) {
+    tinygltf::Camera out;
+    out.name = camera.name;
+    out.type = camera.perspective ? "perspective" : "orthographic";
+    out.perspective = {};
+    out.perspective.yfov = camera.fov_y_rad, out.perspective.aspectRatio = camera.aspect;
+    out.perspective.znear = camera.near_m, out.perspective.zfar = camera.far_m;
+    out.orthographic.xmag = camera.half_width, out.orthographic.ymag = camera.half_height;
+    out.orthographic.znear = camera.near_m, out.orthographic.zfar = camera.far_m;
+    model.cameras.push_back(std::move(out));
+  }
+  for (const auto& light : scene.lights) {
+    const char* const types[] = {"directional", "point", "spot"};
+    tinygltf::Light out;
+    out.name = light.name;
+    out.type = types[static_cast<int>(light.kind)];
+    out.color = {light.color.x, light.color.y, light.color.z};
+    out.intensity = light.intensity;
+    out.range = light.range_m;
+    out.spot.innerConeAngle = light.inner_cone_rad, out.spot.outerConeAngle = light.outer_cone_rad;
+    model.lights.push_back(std::move(out));
+  }
+}
+
+}  // namespace sinew::write

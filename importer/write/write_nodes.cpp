@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "importer/write/write_scene.h"
+
+namespace sinew::write {
+namespace {
+
+void write_local(const Skeleton& skeleton, std::size_t joint, tinygltf::Node& node) {
+  if (skeleton.fixed_matrix_of[joint] != kNone) {
+    const glm::mat4 m = mat4_from_affine(skeleton.fixed_matrices[skeleton.fixed_matrix_of[joint]]);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r) node.matrix.push_back(m[c][r]);
+    return;
+  }
+  const Transform& rest = skeleton.rest[joint];
+  const auto &t = rest.translation, &s = rest.scale;
+  const auto& q = rest.rotation;
+  if (t != glm::vec3(0.0f)) node.translation = {t.x, t.y, t.z};
+  if (q != glm::quat(1.0f, 0.0f, 0.0f, 0.0f)) node.rotation = {q.x, q.y, q.z, q.w};
+  if (s != glm::vec3(1.0f)) node.scale = {s.x, s.y, s.z};
+}
+
+void attach(const MeshInstance& instance, const Scene& scene, tinygltf::Node& node) {
+  node.mesh = static_cast<int>(instance.mesh);
+  if (instance.skin != kNone) node.skin = static_cast<int>(instance.skin);
+  if (instance.rest_weights != scene.meshes[instance.mesh].default_weights)
+    node.weights.assign(instance.rest_weights.begin(), instance.rest_weights.end());
+}
+
+std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model) {
+  std::vector<int> node_of_instance;
+  for (const auto& instance : scene.instances) {
+    int node = static_cast<int>(scene.skeleton.node_of_joint[instance.joint]);
+    if (model.nodes[static_cast<std::size_t>(node)].mesh >= 0) {
+      const int child = static_cast<int>(model.nodes.size());
+      model.nodes[static_cast<std::size_t>(node)].children.push_back(child);
+      model.nodes.emplace_back();
+      node = child;
+    }
+    attach(instance, scene, model.nodes[static_cast<std::size_t>(node)]);
+    node_of_instance.push_back(node);
+  }
+  return node_of_instance;
+}
+
+void write_skins(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
+  for (const auto& skin : scene.skins) {
+    tinygltf::Skin out;
+    out.name = skin.name;
+    for (const std::uint32_t joint : skin.joints) out.joints.push_back(static_cast<int>(scene.skeleton.node_of_joint[joint]));
+    out.inverseBindMatrices = buffer.add_matrices(skin.inverse_bind);
+    if (skin.skeleton_root != kNone) out.skeleton = static_cast<int>(scene.skeleton.node_of_joint[skin.skeleton_root]);
+    model.skins.push_back(std::move(out));
+  }
+}
+
+}  // namespace
+
+std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
+  const Skeleton& skeleton = scene.skeleton;
+  model.nodes.resize(skeleton.joint_count());
+  for (std::size_t j = 0; j < skeleton.joint_count(); ++j) {
+    const auto index = skeleton.node_of_joint[j];
+    auto& node = model.nodes[index];
+    node.name = skeleton.names[j];
+    write_local(skeleton, j, node);
+    if (skeleton.parents[j] != kNone)
+      model.nodes[skeleton.node_of_joint[skeleton.parents[j]]].children.push_back(static_cast<int>(index));
+  }
+  write_skins(scene, model, buffer);
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    if (scene.cameras[i].joint != kNone) model.nodes[skeleton.node_of_joint[scene.cameras[i].joint]].camera = static_cast<int>(i);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (scene.lights[i].joint != kNone)
+      model.nodes[skeleton.node_of_joint[scene.lights[i].joint]].extensions["KHR_lights_punctual"] =
+          tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(static_cast<int>(i))}});
+  for (const auto& roots : scene.scenes) {
+    tinygltf::Scene out;
+    out.name = roots.name;
+    for (const std::uint32_t joint : roots.joints) out.nodes.push_back(static_cast<int>(skeleton.node_of_joint[joint]));
+    model.scenes.push_back(std::move(out));
+  }
+  if (scene.default_scene != kNone) model.defaultScene = static_cast<int>(scene.default_scene);
+  return write_instances(scene, model);
+}
+
+}  // namespace sinew::write

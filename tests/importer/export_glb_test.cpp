@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "importer/export_glb.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "importer/import_gltf.h"
+#include "samples/showcase/showcase.h"
+#include "tests/support/scene_equality.h"
+
+namespace sinew {
+namespace {
+
+ImportedFile round_trip(const Scene& scene) {
+  const auto bytes = export_glb(scene);
+  if (!bytes) throw std::runtime_error(describe("scene", bytes.error().issue));
+  auto file = import_gltf(*bytes, "round-trip.glb");
+  if (!file) throw std::runtime_error(describe("round-trip.glb", file.error().issue));
+  return *std::move(file);
+}
+
+class ExportedShowcase : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ExportedShowcase, comes_back_bit_equal) {
+  const auto scenes = showcase::showcase();
+  const Scene& before = scenes[GetParam()].scene;
+  const ImportedFile after = round_trip(before);
+  for (const auto& warning : after.warnings) ADD_FAILURE() << describe("round-trip.glb", warning);
+  test::expect_equal(before, after.scene);
+}
+
+TEST_P(ExportedShowcase, second_trip_writes_the_same_bytes) {
+  const auto scenes = showcase::showcase();
+  const auto once = export_glb(round_trip(scenes[GetParam()].scene).scene);
+  const auto twice = export_glb(round_trip(round_trip(scenes[GetParam()].scene).scene).scene);
+  ASSERT_TRUE(once && twice);
+  EXPECT_TRUE(*once == *twice);
+}
+
+INSTANTIATE_TEST_SUITE_P(scenes, ExportedShowcase, testing::Range<std::size_t>(0, 3));
+
+/// A joint with everything that a node can carry, and a material with all its parts.
+Scene rich_scene() {
+  auto scenes = showcase::showcase();
+  Scene scene = std::move(scenes[1].scene);
+  Image image{"checker", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 128, 9, 8, 7, 6}, ""};
+  scene.images.push_back(image);
+  scene.textures.push_back({0, {Filter::nearest, Filter::linear, Filter::nearest, true, Wrap::clamp_to_edge, Wrap::mirrored_repeat}});
+  Material& material = scene.materials[0];
+  material.base_color_texture.texture = 0;
+  material.base_color_texture.offset = {0.25f, 0.5f};
+  material.base_color_texture.rotation_rad = 0.125f;
+  material.base_color_texture.scale = {2.0f, 3.0f};
+  material.alpha_mode = AlphaMode::mask;
+  material.alpha_cutoff = 0.25f;
+  material.double_sided = true;
+  material.emissive = {2.0f, 1.0f, 0.5f};
+  Primitive& floor = scene.meshes[0].primitives[0];
+  floor.texcoords.emplace_back(floor.vertex_count(), glm::vec2(0.5f, 0.25f));
+  Camera camera;
+  camera.name = "eye", camera.joint = 0, camera.fov_y_rad = 0.5f, camera.aspect = 1.5f, camera.near_m = 0.25f, camera.far_m = 64.0f;
+  scene.cameras.push_back(camera);
+  Light light;
+  light.name = "sun", light.kind = Light::Kind::spot, light.joint = 1, light.intensity = 4.0f, light.range_m = 8.0f;
+  light.inner_cone_rad = 0.25f, light.outer_cone_rad = 0.5f;
+  scene.lights.push_back(light);
+  finish_scene(scene);
+  return scene;
+}
+
+TEST(export_glb, keeps_materials_images_cameras_and_lights) {
+  const Scene before = rich_scene();
+  const ImportedFile after = round_trip(before);
+  test::expect_equal(before, after.scene);
+}
+
+TEST(export_glb, refuses_squad_which_gltf_cannot_say) {
+  auto scenes = showcase::showcase();
+  scenes[0].scene.animations[0].bones[0].rotation.interpolation = Interpolation::squad;
+  const auto bytes = export_glb(scenes[0].scene);
+  ASSERT_FALSE(bytes.has_value());
+  EXPECT_EQ(bytes.error().issue.rule, "squad-in-gltf");
+  EXPECT_EQ(bytes.error().issue.json_pointer, "/animations/0");
+}
+
+TEST(export_glb, says_when_the_file_cannot_be_written) {
+  const auto scenes = showcase::showcase();
+  const auto written = export_glb(scenes[0].scene, "/nonexistent-folder/out.glb");
+  ASSERT_FALSE(written.has_value());
+  EXPECT_EQ(written.error().issue.rule, "write-file");
+}
+
+TEST(export_glb, G24_writes_few_displacements_sparse) {
+  const auto scenes = showcase::showcase();
+  const auto bytes = export_glb(scenes[2].scene);
+  ASSERT_TRUE(bytes.has_value());
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  EXPECT_NE(text.find("\"sparse\""), std::string_view::npos);
+}
+
+}  // namespace
+}  // namespace sinew
