@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/plan/job_thread.h"
 
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <atomic>
 #include <condition_variable>
@@ -12,14 +10,11 @@
 #include <vector>
 
 #include "runtime/base/contract.h"
+#include "runtime/plan/tbb_executor.h"
 #include "runtime/plan/triple_slots.h"
 
 namespace sinew {
 namespace {
-
-void run_with_tbb(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, body);
-}
 
 /// A FrameInput that owns what it shows. Buffers keep their capacity from frame to frame.
 struct OwnInput {
