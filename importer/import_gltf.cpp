@@ -11,6 +11,8 @@
 #include "importer/build/build_placements.h"
 #include "importer/build/build_skeleton.h"
 #include "importer/build/build_skins.h"
+#include "importer/decode/decode_draco.h"
+#include "importer/decode/decode_meshopt.h"
 #include "importer/file/check_capabilities.h"
 #include "importer/file/check_references.h"
 #include "importer/file/glb_container.h"
@@ -82,6 +84,11 @@ class Import {
 
   bool load() {
     load_buffers(document_, files_, bin_, log_);
+    if (!log_.ok()) return false;
+    DecodeBudget budget(files_.bytes_read());
+    decode_meshopt(document_, budget, log_);
+    if (!log_.ok()) return false;
+    decode_draco(document_, budget, log_);
     if (!log_.ok()) return false;
     check_accessors(document_, log_);
     if (!log_.ok()) return false;

@@ -3,20 +3,17 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "importer/file/data_uri.h"
 #include "importer/file/json_pointer.h"
+#include "importer/file/meshopt_extension.h"
 
 namespace sinew {
 namespace {
 
 using gltf::Bytes;
 using gltf::Document;
-using gltf::Json;
-
-constexpr const char* kMeshopt = "EXT_meshopt_compression";
-
-bool has_extension(const Json& extensions, const char* name) { return extensions.is_object() && extensions.contains(name); }
 
 Bytes keep(Document& document, std::vector<std::byte> bytes) {
   document.storage.push_back(std::move(bytes));
@@ -41,29 +38,34 @@ Rule rule_of(FileFault::Kind kind) {
   return Rule::buffer_missing;
 }
 
-/// A buffer without bytes of its own is a placeholder when it says so, or when all its views are compressed.
-bool is_placeholder(const Document& document, std::uint32_t index) {
-  if (has_extension(document.buffers[index].extensions, kMeshopt)) return true;
-  bool any = false;
+/// Per buffer: it has views, and all of them are compressed. Nothing reads its bytes.
+std::vector<bool> find_unread_buffers(const Document& document) {
+  std::vector<bool> used(document.buffers.size(), false), read = used;
   for (const auto& view : document.buffer_views) {
-    if (view.buffer != index) continue;
-    if (!has_extension(view.extensions, kMeshopt)) return false;
-    any = true;
+    used[view.buffer] = true;
+    if (!meshopt_extension(view.extensions)) read[view.buffer] = true;
   }
-  return any;
+  for (std::size_t i = 0; i < used.size(); ++i) used[i] = used[i] && !read[i];
+  return used;
 }
 
-void load_buffer(Document& document, std::uint32_t index, SandboxedFiles& files, std::optional<Bytes> bin, IssueLog& log) {
+void load_buffer(Document& document, std::uint32_t index, bool unread, SandboxedFiles& files, std::optional<Bytes> bin,
+                 IssueLog& log) {
   auto& buffer = document.buffers[index];
   const std::string place = pointer("buffers", index);
+  const bool says_so = static_cast<bool>(meshopt_extension(buffer.extensions));
   Bytes bytes;
+  if (says_so && unread) {
+    buffer.placeholder = true;
+    return;
+  }
   if (!buffer.uri.empty()) {
     auto read = fetch(buffer.uri, files, nullptr);
     if (!read) return log.report(rule_of(read.error().kind), pointer(place, "uri"), read.error().detail);
     bytes = keep(document, std::move(*read));
   } else if (index == 0 && bin) {
     bytes = *bin;
-  } else if (is_placeholder(document, index)) {
+  } else if (says_so || unread) {
     buffer.placeholder = true;
     return;
   } else {
@@ -88,14 +90,15 @@ void point_view(Document& document, std::size_t index, IssueLog& log) {
                           " leave the " + std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
   if (!buffer.placeholder)
     view.bytes = buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
-  else if (!has_extension(view.extensions, kMeshopt))
+  else if (!meshopt_extension(view.extensions))
     log.report(Rule::buffer_missing, pointer(place, "buffer"), "is a placeholder, and the view is not compressed");
 }
 
 }  // namespace
 
 void load_buffers(Document& document, SandboxedFiles& files, std::optional<Bytes> bin, IssueLog& log) {
-  for (std::uint32_t i = 0; i < document.buffers.size(); ++i) load_buffer(document, i, files, bin, log);
+  const std::vector<bool> unread = find_unread_buffers(document);
+  for (std::uint32_t i = 0; i < document.buffers.size(); ++i) load_buffer(document, i, unread[i], files, bin, log);
   if (!log.ok()) return;
   for (std::size_t i = 0; i < document.buffer_views.size(); ++i) point_view(document, i, log);
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+namespace sinew {
+
+/// How many bytes decompression may produce in all: a fixed amount, and a multiple of the file that good compression
+/// does not reach. Taken before anything is allocated, so that few bytes cannot ask for gigabytes (G68).
+class DecodeBudget {
+ public:
+  explicit DecodeBudget(std::uint64_t file_bytes)
+      : left_(kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40)) {}
+
+  bool take(std::uint64_t bytes) noexcept {
+    if (bytes > left_) return false;
+    left_ -= bytes;
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t kFree = std::uint64_t{64} << 20;
+  static constexpr std::uint64_t kPerByte = 64;
+  std::uint64_t left_ = 0;
+};
+
+}  // namespace sinew

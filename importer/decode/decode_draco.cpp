@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "importer/decode/decode_draco.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <draco/mesh/mesh.h>
+#pragma GCC diagnostic pop
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "importer/decode/draco_stream.h"
+#include "importer/file/json_pointer.h"
+#include "importer/file/json_shape.h"
+#include "importer/read/accessor.h"
+
+namespace sinew {
+namespace {
+
+constexpr const char* kName = "KHR_draco_mesh_compression";
+constexpr JsonValueShape kIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
+constexpr JsonProperty kProperties[] = {{"bufferView", kIndex, true},
+                                        {"attributes", {.kind = JsonKind::index_map, .element = &kIndex}, true}};
+constexpr JsonObjectShape kObject{kProperties};
+constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
+
+template <class T>
+bool copy_values(const draco::Mesh& mesh, const draco::PointAttribute& attribute, std::vector<std::byte>& out) {
+  const std::size_t components = attribute.num_components();
+  std::vector<T> value(components);
+  std::byte* to = out.data();
+  for (std::uint32_t p = 0; p < mesh.num_points(); ++p, to += components * sizeof(T)) {
+    if (!attribute.ConvertValue(attribute.mapped_index(draco::PointIndex(p)), value.data())) return false;
+    std::memcpy(to, value.data(), components * sizeof(T));
+  }
+  return true;
+}
+
+bool copy_values(gltf::ComponentType type, const draco::Mesh& mesh, const draco::PointAttribute& attribute,
+                 std::vector<std::byte>& out) {
+  switch (type) {
+    case gltf::ComponentType::i8: return copy_values<std::int8_t>(mesh, attribute, out);
+    case gltf::ComponentType::u8: return copy_values<std::uint8_t>(mesh, attribute, out);
+    case gltf::ComponentType::i16: return copy_values<std::int16_t>(mesh, attribute, out);
+    case gltf::ComponentType::u16: return copy_values<std::uint16_t>(mesh, attribute, out);
+    case gltf::ComponentType::u32: return copy_values<std::uint32_t>(mesh, attribute, out);
+    case gltf::ComponentType::f32: return copy_values<float>(mesh, attribute, out);
+  }
+  return false;
+}
+
+class DracoDecoder {
+ public:
+  DracoDecoder(gltf::Document& document, DecodeBudget& budget, IssueLog& log)
+      : document_(document), budget_(budget), log_(log) {}
+
+  void decode(gltf::Primitive& primitive, const std::string& primitive_place) {
+    const gltf::Json& extension = primitive.extensions[kName];
+    place_ = pointer(primitive_place, "extensions", kName);
+    check_shape(extension, kShape, place_, log_);
+    if (!log_.ok()) return;
+    const bool strip = primitive.mode == gltf::PrimitiveMode::triangle_strip;
+    if (!strip && primitive.mode != gltf::PrimitiveMode::triangles)
+      return fail("only triangles and strips can be compressed");
+    if (primitive.indices == kNone) return fail("the primitive has no indices");
+    const auto mesh = mesh_of(static_cast<std::uint32_t>(extension["bufferView"].get<double>()));
+    if (mesh == nullptr) return;
+
+    auto& indices = document_.accessors[primitive.indices];
+    primitive.mode = gltf::PrimitiveMode::triangles;  // what the decoder gives, whatever went in
+    if (strip) indices.count = 3 * std::uint64_t{mesh->num_faces()};
+    fill_indices(*mesh, indices);
+    for (const auto& [semantic, id] : extension["attributes"].items()) {
+      if (!log_.ok()) return;
+      const auto found = primitive.attributes.find(semantic);
+      if (found == primitive.attributes.end()) return fail(semantic + " is no attribute of the primitive");
+      fill_attribute(*mesh, static_cast<std::uint32_t>(id.get<double>()), semantic, document_.accessors[found->second]);
+    }
+  }
+
+ private:
+  /// Primitives may share a stream: it is decoded once.
+  std::shared_ptr<const draco::Mesh> mesh_of(std::uint32_t view) {
+    if (view >= document_.buffer_views.size()) {
+      log_.report(
+          Rule::reference, pointer(place_, "bufferView"),
+          "index " + std::to_string(view) + " of " + std::to_string(document_.buffer_views.size()) + " entries");
+      return nullptr;
+    }
+    auto& known = meshes_[view];
+    if (known != nullptr) return known;
+    const gltf::Bytes stream = document_.buffer_views[view].bytes;
+    const auto size = probe_draco(stream);
+    if (!size) return fail(size.error()), nullptr;
+    if (!budget_.take(12 * std::uint64_t{size->faces} + 32 * std::uint64_t{size->vertices}))
+      return over_budget(), nullptr;
+    auto mesh = decode_draco_stream(stream);
+    if (!mesh) return fail(mesh.error()), nullptr;
+    return known = *mesh;
+  }
+
+  void fill_indices(const draco::Mesh& mesh, gltf::Accessor& accessor) {
+    if (accessor.count != 3 * std::uint64_t{mesh.num_faces()})
+      return fail(std::to_string(mesh.num_faces()) + " faces are not the " + std::to_string(accessor.count) +
+                  " indices of the accessor");
+    std::vector<std::byte> bytes;
+    if (!allocate(4 * accessor.count, bytes)) return;
+    std::byte* to = bytes.data();
+    for (std::uint32_t f = 0; f < mesh.num_faces(); ++f)
+      for (int k = 0; k < 3; ++k, to += 4) {
+        const std::uint32_t index = mesh.face(draco::FaceIndex(f))[static_cast<std::size_t>(k)].value();
+        if (index >= mesh.num_points()) return fail("a face of the Draco stream leaves its vertices");
+        std::memcpy(to, &index, 4);
+      }
+    accessor.component_type = gltf::ComponentType::u32;
+    accessor.type = gltf::ElementType::scalar;
+    attach(std::move(bytes), accessor);
+  }
+
+  void fill_attribute(const draco::Mesh& mesh, std::uint32_t id, const std::string& semantic,
+                      gltf::Accessor& accessor) {
+    const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id);
+    if (attribute == nullptr)
+      return fail("the Draco stream has no attribute " + std::to_string(id) + " for " + semantic);
+    const ElementLayout layout = element_layout(accessor);
+    if (layout.columns != 1 || attribute->num_components() != layout.rows)
+      return fail(semantic + " has " + std::to_string(attribute->num_components()) + " components in the Draco stream");
+    if (accessor.count != mesh.num_points())
+      return fail(std::to_string(mesh.num_points()) + " vertices are not the " + std::to_string(accessor.count) +
+                  " of " + semantic);
+    std::vector<std::byte> bytes;
+    if (!allocate(accessor.count * layout.element_bytes, bytes)) return;
+    if (!copy_values(accessor.component_type, mesh, *attribute, bytes))
+      return fail(semantic + " does not fit the accessor's type");
+    attach(std::move(bytes), accessor);
+  }
+
+  bool allocate(std::uint64_t size, std::vector<std::byte>& bytes) {
+    if (!budget_.take(size)) return over_budget(), false;
+    bytes.resize(static_cast<std::size_t>(size));
+    return true;
+  }
+
+  void attach(std::vector<std::byte> bytes, gltf::Accessor& accessor) {
+    document_.storage.push_back(std::move(bytes));
+    gltf::BufferView view;
+    view.bytes = document_.storage.back();
+    view.byte_length = view.bytes.size();
+    accessor.buffer_view = static_cast<std::uint32_t>(document_.buffer_views.size());
+    accessor.byte_offset = 0;
+    document_.buffer_views.push_back(std::move(view));
+  }
+
+  void fail(const std::string& detail) { log_.report(Rule::decode_failed, place_, detail); }
+  void over_budget() {
+    log_.report(Rule::memory_budget, place_, "decoding would take more memory than a file of this size may");
+  }
+
+  gltf::Document& document_;
+  DecodeBudget& budget_;
+  IssueLog& log_;
+  std::string place_;
+  std::map<std::uint32_t, std::shared_ptr<const draco::Mesh>> meshes_;
+};
+
+}  // namespace
+
+void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log) {
+  DracoDecoder decoder(document, budget, log);
+  for (std::size_t m = 0; m < document.meshes.size(); ++m)
+    for (std::size_t p = 0; p < document.meshes[m].primitives.size() && log.ok(); ++p) {
+      auto& primitive = document.meshes[m].primitives[p];
+      if (primitive.extensions.is_object() && primitive.extensions.contains(kName))
+        decoder.decode(primitive, pointer("meshes", m, "primitives", p));
+    }
+}
+
+}  // namespace sinew

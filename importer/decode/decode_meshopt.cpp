@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "importer/decode/decode_meshopt.h"
+
+#include <meshoptimizer.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "importer/file/json_pointer.h"
+#include "importer/file/json_shape.h"
+#include "importer/file/meshopt_extension.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Json;
+
+constexpr JsonValueShape kIndex{.kind = JsonKind::integer, .lower = 0, .upper = 2147483646.0};
+constexpr JsonValueShape kSize{.kind = JsonKind::integer, .lower = 0, .upper = 9007199254740991.0};
+constexpr JsonValueShape kCount{.kind = JsonKind::integer, .lower = 1, .upper = 4294967295.0};
+constexpr JsonValueShape kStride{.kind = JsonKind::integer, .lower = 2, .upper = 256};
+constexpr std::string_view kModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::string_view kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
+                                        {"byteOffset", kSize},
+                                        {"byteLength", kSize, true},
+                                        {"byteStride", kStride, true},
+                                        {"count", kCount, true},
+                                        {"mode", {.kind = JsonKind::string, .words = kModes}, true},
+                                        {"filter", {.kind = JsonKind::string, .words = kFilters}}};
+constexpr JsonObjectShape kObject{kProperties};
+constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
+
+/// The vertex codec spends 2 bits on 16 equal bytes, which no other mode comes near.
+constexpr std::uint64_t kMaxRatio = 64;
+
+struct Stream {
+  std::uint64_t offset = 0, length = 0, count = 0, stride = 0;
+  std::uint32_t buffer = 0;
+  std::string mode, filter;
+
+  std::uint64_t decoded_bytes() const noexcept { return count * stride; }
+};
+
+Stream read_stream(const Json& json) {
+  const auto size = [&](const char* name) { return static_cast<std::uint64_t>(json.value(name, 0.0)); };
+  return {size("byteOffset"),
+          size("byteLength"),
+          size("count"),
+          size("byteStride"),
+          static_cast<std::uint32_t>(size("buffer")),
+          json["mode"].get<std::string>(),
+          json.value("filter", "NONE")};
+}
+
+/// Which rule of the extension the description breaks; empty = none.
+std::string fault(const Stream& s, const gltf::BufferView& view) {
+  const bool attributes = s.mode == "ATTRIBUTES";
+  if (s.decoded_bytes() != view.byte_length)
+    return std::to_string(s.count) + " elements of " + std::to_string(s.stride) + " bytes are not the " +
+           std::to_string(view.byte_length) + " bytes of the view";
+  if (view.byte_stride != 0 && view.byte_stride != s.stride) return "byteStride differs from that of the view";
+  if (attributes && s.stride % 4 != 0) return "byteStride is no multiple of 4";
+  if (!attributes && s.stride != 2 && s.stride != 4) return "indices have 2 or 4 bytes";
+  if (s.mode == "TRIANGLES" && s.count % 3 != 0) return "the count is no multiple of 3";
+  if (!attributes && s.filter != "NONE") return "only attributes have filters";
+  if (s.filter == "OCTAHEDRAL" && s.stride != 4 && s.stride != 8) return "octahedral filters work on 4 or 8 bytes";
+  if (s.filter == "QUATERNION" && s.stride != 8) return "quaternion filters work on 8 bytes";
+  if (s.decoded_bytes() > kMaxRatio * s.length)
+    return std::to_string(s.length) + " bytes cannot hold " + std::to_string(s.decoded_bytes());
+  return {};
+}
+
+bool decode(const Stream& s, gltf::Bytes encoded, std::vector<std::byte>& out) {
+  const auto* data = reinterpret_cast<const unsigned char*>(encoded.data());
+  const auto count = static_cast<std::size_t>(s.count), stride = static_cast<std::size_t>(s.stride);
+  if (s.mode == "TRIANGLES") return meshopt_decodeIndexBuffer(out.data(), count, stride, data, encoded.size()) == 0;
+  if (s.mode == "INDICES") return meshopt_decodeIndexSequence(out.data(), count, stride, data, encoded.size()) == 0;
+  if (meshopt_decodeVertexBuffer(out.data(), count, stride, data, encoded.size()) != 0) return false;
+  if (s.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(out.data(), count, stride);
+  if (s.filter == "QUATERNION") meshopt_decodeFilterQuat(out.data(), count, stride);
+  if (s.filter == "EXPONENTIAL") meshopt_decodeFilterExp(out.data(), count, stride);
+  return true;
+}
+
+void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budget, IssueLog& log) {
+  auto& view = document.buffer_views[index];
+  const MeshoptExtension extension = meshopt_extension(view.extensions);
+  const std::string place = pointer("bufferViews", index, "extensions", extension.name);
+  check_shape(*extension.value, kShape, place, log);
+  if (!log.ok()) return;
+  const Stream stream = read_stream(*extension.value);
+  if (stream.buffer >= document.buffers.size())
+    return log.report(
+        Rule::reference, pointer(place, "buffer"),
+        "index " + std::to_string(stream.buffer) + " of " + std::to_string(document.buffers.size()) + " entries");
+  const gltf::Bytes source = document.buffers[stream.buffer].bytes;
+  if (stream.offset > source.size() || stream.length > source.size() - stream.offset)
+    return log.report(Rule::buffer_view_range, place,
+                      std::to_string(stream.length) + " bytes from byte " + std::to_string(stream.offset) +
+                          " leave the " + std::to_string(source.size()) + " bytes of " +
+                          pointer("buffers", stream.buffer));
+  if (const std::string broken = fault(stream, view); !broken.empty())
+    return log.report(Rule::decode_failed, place, broken);
+  if (!budget.take(stream.decoded_bytes()))
+    return log.report(Rule::memory_budget, place, "decoding would take more memory than a file of this size may");
+
+  std::vector<std::byte> decoded(static_cast<std::size_t>(stream.decoded_bytes()));
+  const auto encoded = source.subspan(static_cast<std::size_t>(stream.offset), static_cast<std::size_t>(stream.length));
+  if (!decode(stream, encoded, decoded))
+    return log.report(Rule::decode_failed, place, "the " + stream.mode + " stream is damaged");
+  document.storage.push_back(std::move(decoded));
+  view.bytes = document.storage.back();
+}
+
+}  // namespace
+
+void decode_meshopt(gltf::Document& document, DecodeBudget& budget, IssueLog& log) {
+  for (std::size_t i = 0; i < document.buffer_views.size() && log.ok(); ++i)
+    if (meshopt_extension(document.buffer_views[i].extensions)) decode_view(document, i, budget, log);
+}
+
+}  // namespace sinew

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+
+#include "importer/file/document.h"
+
+namespace sinew {
+
+/// The meshopt compression of a buffer or buffer view, under its first name or the one it was ratified with.
+struct MeshoptExtension {
+  const char* name = nullptr;
+  const gltf::Json* value = nullptr;
+
+  explicit operator bool() const noexcept { return value != nullptr; }
+};
+
+inline MeshoptExtension meshopt_extension(const gltf::Json& extensions) {
+  constexpr std::array kNames{"KHR_meshopt_compression", "EXT_meshopt_compression"};
+  if (extensions.is_object())
+    for (const char* name : kNames)
+      if (const auto found = extensions.find(name); found != extensions.end()) return {name, &*found};
+  return {};
+}
+
+}  // namespace sinew
