@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/assets/clip.h"
 
-#include <bit>
+#include <algorithm>
 #include <cstring>
-#include <unordered_map>
+#include <map>
 
 #include "runtime/assets/clip_layout.h"
 #include "runtime/base/contract.h"
@@ -29,20 +29,15 @@ struct Draft {
 class Drafts {
  public:
   Draft& with_times(const std::vector<float>& times_s) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const float t : times_s) hash = (hash ^ std::bit_cast<std::uint32_t>(t)) * 1099511628211u;
-    const auto [begin, end] = by_hash_.equal_range(hash);
-    for (auto it = begin; it != end; ++it)
-      if (all_[it->second].times_s == times_s) return all_[it->second];
-    by_hash_.emplace(hash, all_.size());
-    all_.emplace_back().times_s = times_s;
-    return all_.back();
+    const auto [found, is_new] = by_times_.try_emplace(times_s, all_.size());
+    if (is_new) all_.emplace_back().times_s = times_s;
+    return all_[found->second];
   }
   const std::vector<Draft>& all() const noexcept { return all_; }
 
  private:
   std::vector<Draft> all_;
-  std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;
+  std::map<std::vector<float>, std::size_t> by_times_;
 };
 
 bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }

@@ -133,6 +133,18 @@ TEST(blend_poses, N17_signs_of_rotations_and_order_of_layers_do_not_matter) {
   }
 }
 
+TEST(blend_poses, N18_the_pivot_is_the_heaviest_layer_and_the_first_of_equals) {
+  PoseBuffer a(1), b(1), rest(1), out(1);
+  const glm::quat q = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
+  a.span().set(0, {{}, q, {1, 1, 1}});
+  b.span().set(0, {{}, -q, {1, 1, 1}});
+  for (const float weight_a : {0.5f, 0.4f, 0.6f}) {
+    BlendLayer layers[] = {{a.span(), weight_a, {}}, {b.span(), 1.0f - weight_a, {}}};
+    run(BlendPosesJob{layers, rest.span(), out.span()});
+    EXPECT_EQ(quat_dot(out.span().get(0).rotation, q) > 0, weight_a >= 0.5f) << weight_a;
+  }
+}
+
 TEST(blend_poses, N02_opposite_rotations_blend_to_themselves_not_to_zero) {
   PoseBuffer a(1), b(1), rest(1), out(1);
   const glm::quat q = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
@@ -146,6 +158,8 @@ TEST(blend_poses, N02_opposite_rotations_blend_to_themselves_not_to_zero) {
 TEST(blend_poses, N26_weights_too_small_to_matter_count_as_none) {
   test::FixedRandom random(26);
   PoseBuffer a = random_pose(random, 3), b = random_pose(random, 3), rest(3), out(3);
+  // The length shows that nothing was blended: a blend would normalise.
+  for (std::size_t j = 0; j < 3; ++j) a.span().set(j, {{1, 2, 3}, random.rotation() * 0.5f, {1, 1, 1}});
   BlendLayer layers[] = {{a.span(), 1.0f, {}}, {b.span(), 1e-30f, {}}};
   run(BlendPosesJob{layers, rest.span(), out.span()});
   for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(out.span().get(j), a.span().get(j));
