@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   sinew::bench::add_local_to_model();
   sinew::bench::add_morph();
   sinew::bench::add_skin();
+  sinew::bench::add_frame();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

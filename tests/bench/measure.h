@@ -31,5 +31,6 @@ void add_blend();
 void add_local_to_model();
 void add_morph();
 void add_skin();
+void add_frame();
 
 }  // namespace sinew::bench

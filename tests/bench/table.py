@@ -43,7 +43,7 @@ def main():
     if len(sys.argv) == 3 and sys.argv[1] == "--run":
         command = [sys.argv[2], "--benchmark_format=json", "--benchmark_min_time=0.0001"]
         found = read(json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout))
-        pairs = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion")
+        pairs = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion", "frame")
         alone = [key for key, times in found.items() if key[0] in pairs and not {"sinew", "glm"} <= times.keys()]
         missing = [job for job in pairs if not any(key[0] == job for key in found)]
         if alone or missing:
