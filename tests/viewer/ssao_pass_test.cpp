@@ -11,7 +11,7 @@
 
 #include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
-#include "tests/viewer/float_picture.h"
+#include "tests/viewer/device_fixture.h"
 #include "viewer/passes/ssao_kernel.h"
 
 namespace sinew::viewer {
@@ -19,12 +19,7 @@ namespace {
 
 constexpr int kWidth = 63, kHeight = 48;  // odd: the last column of half-size texels is clamped
 
-class ssao_pass : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!test_device()) GTEST_SKIP() << no_device_reason();
-  }
-};
+class ssao_pass : public DeviceTest {};
 
 RenderOptions options_with(float radius) {
   RenderOptions options;
@@ -212,8 +207,6 @@ TEST_F(ssao_pass, N34_is_nearer_to_ray_cast_truth_than_no_occlusion_and_steady_b
   const FloatPicture again = render_float(built, kWidth, kHeight, view_of_floor(), options);
   EXPECT_EQ(picture.pixels, again.pixels);
 }
-
-TEST_F(ssao_pass, draws_without_any_validation_message) { EXPECT_EQ(test_device()->validation_messages(), 0u); }
 
 }  // namespace
 }  // namespace sinew::viewer

@@ -55,11 +55,19 @@ double near_plane_for(const glm::dvec3& eye, const Aabb& bounds) {
 }
 
 View view_of_all(const Aabb& bounds, double fov_y_rad, double aspect) {
+  constexpr double margin = 1.06;
   const Ball ball = ball_around(bounds);
-  const double half_fov = 0.5 * fov_y_rad;
-  const double narrower = std::min(half_fov, std::atan(std::tan(half_fov) * aspect));
-  const double distance = ball.radius / std::sin(narrower) * 1.02;
-  const glm::dvec3 eye = ball.centre + distance * glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
+  const glm::dvec3 half = bounds.empty() ? glm::dvec3(0.5) : 0.5 * glm::dvec3(bounds.upper - bounds.lower);
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
+  const View turned = look_at(ball.centre + direction, ball.centre, fov_y_rad, 1.0);
+  const double tangent_y = std::tan(0.5 * fov_y_rad), tangent_x = tangent_y * aspect;
+  double distance = 1e-3 * ball.radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 sign(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+    const glm::dvec3 p = transform_vector(turned.view_from_world, margin * sign * half);  // z grows towards the viewer
+    distance = std::max(distance, p.z + std::max(std::abs(p.x) / tangent_x, std::abs(p.y) / tangent_y));
+  }
+  const glm::dvec3 eye = ball.centre + distance * direction;
   return look_at(eye, ball.centre, fov_y_rad, near_plane_for(eye, bounds));
 }
 

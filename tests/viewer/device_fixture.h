@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <gtest/gtest.h>
+
+#include "tests/viewer/float_picture.h"
+
+namespace sinew::viewer {
+
+/// Tests that draw: skipped with the reason where the machine has no Vulkan device, and none may cause a validation message.
+class DeviceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test_device()) GTEST_SKIP() << no_device_reason();
+    messages_before_ = test_device()->validation_messages();
+  }
+  void TearDown() override {
+    if (!test_device()) return;
+    EXPECT_EQ(test_device()->validation_messages(), messages_before_);
+  }
+
+ private:
+  std::uint64_t messages_before_ = 0;
+};
+
+}  // namespace sinew::viewer

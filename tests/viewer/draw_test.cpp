@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// What reaches the picture: alpha modes, winding, topologies, textures, lines, large coordinates.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/viewer/device_fixture.h"
+
+namespace sinew::viewer {
+namespace {
+
+class drawing : public DeviceTest {};
+
+constexpr int kSize = 32;
+
+/// A square that faces +z and fills the middle half of the picture when seen from (0, 0, 2).
+Primitive facing_square(float half_size = 0.5f, float z = 0.0f) {
+  Primitive p = square(half_size);
+  for (std::size_t i = 0; i < 4; ++i) p.positions[i] = {p.positions[i].x, -p.positions[i].z, z};
+  p.normals.assign(4, {0.0f, 0.0f, 1.0f});
+  return p;
+}
+
+Material unlit(const glm::vec4& color, AlphaMode mode = AlphaMode::opaque) {
+  Material material;
+  material.base_color = color;
+  material.unlit = true;
+  material.alpha_mode = mode;
+  return material;
+}
+
+View front_view() { return look_at({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}, 2.0 * std::atan(0.5), 0.05); }
+
+FloatPicture draw(const BuiltScene& built, RenderOptions options = {}) {
+  options.transparent_background = true;
+  return render_float(built, kSize, kSize, front_view(), options);
+}
+
+glm::vec4 middle(const FloatPicture& picture) { return picture.at(kSize / 2, kSize / 2); }
+
+std::size_t covered(const FloatPicture& picture) {
+  return static_cast<std::size_t>(
+      std::count_if(picture.pixels.begin(), picture.pixels.end(), [](const glm::vec4& p) { return p.a > 0.0f; }));
+}
+
+TEST_F(drawing, transparent_background_has_alpha_zero_exactly_where_nothing_was_drawn) {
+  BuiltScene built;
+  built.add(facing_square(), built.add_material(unlit({0.5f, 0.5f, 0.5f, 1.0f})));
+  for (const bool occlusion : {true, false}) {
+    RenderOptions options;
+    options.ao.on = occlusion;
+    const FloatPicture picture = draw(built, options);
+    EXPECT_EQ(covered(picture), 16u * 16u);
+    EXPECT_EQ(picture.at(0, 0), glm::vec4(0.0f));
+    EXPECT_EQ(middle(picture).a, 1.0f);
+  }
+}
+
+TEST_F(drawing, opaque_background_is_the_colour_that_was_asked_for) {
+  BuiltScene built;
+  RenderOptions options;
+  options.background = {0.25f, 0.5f, 0.75f};
+  const FloatPicture picture = render_float(built, kSize, kSize, front_view(), options);
+  EXPECT_LT(glm::length(picture.at(3, 5) - glm::vec4(0.25f, 0.5f, 0.75f, 1.0f)), 1e-3f);
+}
+
+TEST_F(drawing, one_sided_faces_show_their_front_only_and_mirrored_ones_their_other_winding) {
+  Affine mirror;  // x -> -x turns the winding round
+  mirror.row[0].x = -1.0f;
+  for (const bool mirrored : {false, true})
+    for (const bool flagged : {false, true}) {
+      BuiltScene built;
+      built.add(facing_square(), built.add_material(matte({1, 1, 1})), mirrored ? mirror : Affine{}, flagged);
+      EXPECT_EQ(covered(draw(built)) > 0, mirrored == flagged) << mirrored << flagged;
+    }
+}
+
+TEST_F(drawing, N22_mirrored_and_flattened_meshes_keep_outward_normals) {
+  Affine mirror, flat;
+  mirror.row[0].x = -1.0f;
+  flat.row[2].z = 0.0f;
+  RenderOptions options;
+  options.show = Show::normals;
+  for (const Affine& m : {mirror, flat}) {
+    BuiltScene built;
+    built.add(facing_square(), built.add_material(matte({1, 1, 1})), m, m.row[0].x < 0.0f);
+    EXPECT_LT(glm::length(glm::vec3(middle(draw(built, options))) - glm::vec3(0.5f, 0.5f, 1.0f)), 1e-3f);
+  }
+}
+
+TEST_F(drawing, double_sided_backs_are_lit_from_behind) {
+  BuiltScene built;
+  Material material = matte({1, 1, 1});
+  material.double_sided = true;
+  Affine turned;  // about y by 180 degrees
+  turned.row[0].x = turned.row[2].z = -1.0f;
+  built.add(facing_square(), built.add_material(material), turned);
+  RenderOptions options;
+  options.show = Show::normals;
+  EXPECT_LT(glm::length(glm::vec3(middle(draw(built, options))) - glm::vec3(0.5f, 0.5f, 1.0f)), 1e-3f);
+}
+
+TEST_F(drawing, alpha_mask_cuts_holes_with_and_without_the_prepass) {
+  for (const float alpha : {0.49f, 0.51f})
+    for (const bool occlusion : {true, false}) {
+      BuiltScene built;
+      built.add(facing_square(), built.add_material(unlit({1, 1, 1, alpha}, AlphaMode::mask)));
+      RenderOptions options;
+      options.ao.on = occlusion;
+      EXPECT_EQ(covered(draw(built, options)) > 0, alpha > 0.5f);
+    }
+}
+
+TEST_F(drawing, blended_surfaces_mix_from_far_to_near_whatever_their_order) {
+  const auto near_over_far = [](bool near_first) {
+    BuiltScene built;
+    const std::uint32_t red = built.add_material(unlit({0.6f, 0, 0, 0.5f}, AlphaMode::blend));
+    const std::uint32_t green = built.add_material(unlit({0, 0.6f, 0, 0.5f}, AlphaMode::blend));
+    const Primitive near_square = facing_square(0.5f, 0.3f), far_square = facing_square(0.8f, -0.3f);
+    built.add(near_first ? near_square : far_square, near_first ? red : green);
+    built.add(near_first ? far_square : near_square, near_first ? green : red);
+    return middle(draw(built));
+  };
+  const glm::vec4 a = near_over_far(true), b = near_over_far(false);
+  EXPECT_EQ(a, b);
+  EXPECT_NEAR(a.a, 0.75f, 1e-3f);
+  // premultiplied: red 0.5 * 0.6 over green 0.25 * 0.6, of coverage 0.75
+  EXPECT_GT(a.r, a.g);
+  EXPECT_NEAR(std::pow((a.g + 0.055f) / 1.055f, 2.4f), 0.2f, 3e-3f);
+  EXPECT_NEAR(std::pow((a.r + 0.055f) / 1.055f, 2.4f), 0.4f, 3e-3f);
+}
+
+TEST_F(drawing, blended_surfaces_hide_behind_opaque_ones_and_do_not_hide_others) {
+  BuiltScene built;
+  const std::uint32_t glass = built.add_material(unlit({0, 0, 1, 0.5f}, AlphaMode::blend));
+  built.add(facing_square(0.5f, -0.2f), glass);
+  built.add(facing_square(0.3f), built.add_material(unlit({0.5f, 0, 0, 1})));
+  EXPECT_EQ(middle(draw(built)).b, 0.0f);
+  EXPECT_NEAR(draw(built).at(kSize / 2 - 6, kSize / 2).a, 0.5f, 1e-3f);
+}
+
+TEST_F(drawing, points_and_lines_are_drawn_unlit) {
+  for (const Topology topology : {Topology::points, Topology::lines}) {
+    BuiltScene built;
+    Primitive p;
+    p.topology = topology;
+    p.positions = {{-0.4f, 0.01f, 0.0f}, {0.4f, 0.01f, 0.0f}};
+    p.indices = {0, 1};
+    built.add(p, built.add_material(matte({0.0f, 0.5f, 0.0f})));
+    const FloatPicture picture = draw(built);
+    EXPECT_GT(covered(picture), topology == Topology::points ? 1u : 10u);
+    for (const glm::vec4& pixel : picture.pixels) {
+      if (pixel.a == 0.0f) continue;
+      EXPECT_NEAR(pixel.g, 0.735f, 0.01f);  // sRGB of 0.5
+    }
+  }
+}
+
+TEST_F(drawing, vertex_colours_and_textures_multiply_the_base_colour) {
+  BuiltScene built;
+  Image image;
+  image.width = image.height = 2;
+  image.rgba = {255, 0, 128, 255, 255, 255, 128, 255, 255, 0, 128, 255, 255, 255, 128, 255};
+  built.scene.images.push_back(image);
+  built.scene.textures.push_back({0, {.magnify = Filter::nearest, .minify = Filter::nearest, .use_mipmaps = false}});
+  Material material = unlit({0.5f, 1, 1, 1});
+  material.base_color_texture.texture = 0;
+  Primitive p = facing_square();
+  p.colors.assign(4, {1.0f, 1.0f, 0.5f, 1.0f});
+  built.add(p, built.add_material(material));
+  const FloatPicture picture = draw(built);
+  const glm::vec4 left = picture.at(kSize / 2 - 4, kSize / 2), right = picture.at(kSize / 2 + 4, kSize / 2);
+  EXPECT_LT(left.g, 0.02f);
+  EXPECT_GT(right.g, 0.8f);
+  EXPECT_NEAR(left.r, 0.735f, 0.03f);                                     // 0.5 linear
+  EXPECT_NEAR(right.b, 0.735f * 0.502f / std::sqrt(2.0f) + 0.0f, 0.12f);  // (128 decoded) / 2
+}
+
+TEST_F(drawing, G60_texture_transforms_offset_after_rotation_after_scale) {
+  BuiltScene built;
+  Image image;  // left half black, right half white
+  image.width = image.height = 64;
+  image.rgba.resize(4 * 64 * 64);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = i / 4 % 64 < 32 ? 0 : 255;
+  built.scene.images.push_back(image);
+  built.scene.textures.push_back({0, {}});
+  Material material = unlit({1, 1, 1, 1});
+  material.base_color_texture.texture = 0;
+  // u' = v, v' = 1 - u: a quarter turn counter-clockwise, moved back into the image
+  material.base_color_texture.rotation_rad = std::numbers::pi_v<float> / 2.0f;
+  material.base_color_texture.offset = {0.0f, 1.0f};
+  built.add(facing_square(), built.add_material(material));
+  const FloatPicture picture = draw(built);
+  EXPECT_LT(picture.at(kSize / 2, kSize / 2 - 5).r, 0.1f);  // v small at the top: the black half
+  EXPECT_GT(picture.at(kSize / 2, kSize / 2 + 5).r, 0.8f);
+}
+
+TEST_F(drawing, G66_a_missing_image_shows_a_magenta_and_black_board) {
+  BuiltScene built;
+  Image image;
+  image.missing_reason = "not found";
+  built.scene.images.push_back(image);
+  built.scene.textures.push_back({0, {.magnify = Filter::nearest, .minify = Filter::nearest, .use_mipmaps = false}});
+  Material material = unlit({0.6f, 0.6f, 0.6f, 1});
+  material.base_color_texture.texture = 0;
+  built.add(facing_square(), built.add_material(material));
+  const FloatPicture picture = draw(built);
+  int magenta = 0, black = 0;
+  for (const glm::vec4& p : picture.pixels) {
+    if (p.a == 0.0f) continue;
+    magenta += p.r > 0.5f && p.g < 0.1f && p.b > 0.5f;
+    black += p.r < 0.1f && p.g < 0.1f && p.b < 0.1f;
+  }
+  EXPECT_EQ(magenta, 128);
+  EXPECT_EQ(black, 128);
+}
+
+TEST_F(drawing, flat_normals_come_from_the_deformed_shape) {
+  BuiltScene built;
+  Primitive p = facing_square();
+  p.flat_normals = true;
+  const std::uint32_t instance = built.add(p, built.add_material(matte({1, 1, 1})));
+  std::vector<glm::vec3> tilted = p.positions;  // 45 degrees about x; the stored normals stay as they were
+  for (glm::vec3& v : tilted) v.z = v.y;
+  built.deform(instance, tilted, p.normals);
+  RenderOptions options;
+  options.show = Show::normals;
+  const float s = std::sqrt(0.5f);
+  EXPECT_LT(glm::length(glm::vec3(middle(draw(built, options))) * 2.0f - 1.0f - glm::vec3(0.0f, -s, s)), 3e-3f);
+}
+
+TEST_F(drawing, N25_a_mesh_ten_kilometres_out_does_not_shake) {
+  BuiltScene near_scene, far_scene;
+  const glm::vec3 out(16384.0f, 0.0f, 16384.0f);  // exact in float, so that the scene itself is the same
+  near_scene.add(showcase::sphere({0, 0, 0}, 0.6f, 16, 8), near_scene.add_material(matte({1, 1, 1})));
+  far_scene.add(showcase::sphere({0, 0, 0}, 0.6f, 16, 8), far_scene.add_material(matte({1, 1, 1})), translation(out));
+  const View near_view = look_at({0.1, 0.2, 2.0}, {0, 0, 0}, 0.9, 0.05);
+  const View far_view = look_at(glm::dvec3(out) + glm::dvec3(0.1, 0.2, 2.0), glm::dvec3(out), 0.9, 0.05);
+  const FloatPicture a = render_float(near_scene, kSize, kSize, near_view, {}),
+                     b = render_float(far_scene, kSize, kSize, far_view, {});
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) EXPECT_LT(glm::length(a.pixels[i] - b.pixels[i]), 2e-3f) << i;
+}
+
+TEST_F(drawing, overlay_lines_lie_over_the_picture_and_the_hook_runs_inside_the_last_pass) {
+  BuiltScene built;
+  built.add(facing_square(), built.add_material(unlit({0, 0, 0, 1})));
+  const LineVertex line[2] = {{{-0.4f, 0.01f, -0.3f}, 0xff00ff00u},
+                              {{0.4f, 0.01f, -0.3f}, 0xff00ff00u}};  // behind the square
+  FrameInputs extras;
+  extras.lines = line;
+  int called = 0;
+  extras.overlay = [&](VkCommandBuffer) { ++called; };
+  const FloatPicture picture = render_float(built, kSize, kSize, front_view(), {}, extras);
+  EXPECT_EQ(called, 1);
+  const auto green = std::count_if(picture.pixels.begin(), picture.pixels.end(),
+                                   [](const glm::vec4& p) { return p.g == 1.0f && p.r == 0.0f; });
+  EXPECT_GT(green, 8);
+}
+
+TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
+  BuiltScene built = box_and_sphere_on_floor();
+  Material glass = matte({0.5f, 0.8f, 1.0f});
+  glass.base_color.a = 0.4f;
+  glass.alpha_mode = AlphaMode::blend;
+  glass.double_sided = true;
+  built.add(showcase::sphere({0, 1.5f, 0}, 0.5f), built.add_material(glass));
+  for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth})
+    for (const bool occlusion : {true, false})
+      for (const bool blur : {true, false}) {
+        RenderOptions options;
+        options.show = show;
+        options.ao.on = occlusion;
+        options.ao.blur = blur;
+        render_float(built, 33, 17, look_at({3, 3, 5}, {0, 0, 0}, 0.8, 0.05), options);
+      }
+}
+
+}  // namespace
+}  // namespace sinew::viewer
