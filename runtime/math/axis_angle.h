@@ -29,13 +29,14 @@ Mat3<T> matrix_from_axis_angle(const Vec3<T>& axis, T angle_rad) noexcept {
   const T c = std::cos(angle_rad), s = std::sin(angle_rad), half = std::sin(angle_rad / T(2));
   const T k = c < T(0.5) ? T(1) - c : T(2) * half * half;
   const Vec3<T> ku = u * k, su = u * s;
-  return {c + ku.x * u.x,    ku.x * u.y + su.z, ku.x * u.z - su.y,  // columns
-          ku.x * u.y - su.z, c + ku.y * u.y,    ku.y * u.z + su.x,
-          ku.x * u.z + su.y, ku.y * u.z - su.x, c + ku.z * u.z};
+  const Vec3<T> x(c + ku.x * u.x, ku.x * u.y + su.z, ku.x * u.z - su.y);
+  const Vec3<T> y(ku.x * u.y - su.z, c + ku.y * u.y, ku.y * u.z + su.x);
+  const Vec3<T> z(ku.x * u.z + su.y, ku.y * u.z - su.x, c + ku.z * u.z);
+  return {x, y, z};
 }
 
-/// Axis and angle in [0, pi] of a rotation; x where there is no rotation. The vector part is normalised as it is: forming
-/// it from 1 - w^2 cancels for small rotations (N11).
+/// Axis and angle in [0, pi] of a rotation; x where there is no rotation. The vector part is normalised as it is:
+/// forming it from 1 - w^2 cancels for small rotations (N11).
 /// eq   angle = 2 atan2(|v|, |w|), axis = v / |v|, turned round when w < 0
 template <class T>
 AxisAngleT<T> axis_angle_from_quat(const Quat<T>& q) noexcept {

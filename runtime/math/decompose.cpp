@@ -148,9 +148,12 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
                                 std::abs(glm::dot(unit[1], unit[2]))});
   const PolarT<double> nearest = polar_of(unit, rounding);
   out.transform.rotation = nearest.quat;
-  if (flat || nearest.status == DecomposeStatus::singular) out.status = DecomposeStatus::singular;
-  else if (skew > 64.0 * rounding) out.status = DecomposeStatus::sheared;
-  else if (mirrored) out.status = DecomposeStatus::mirrored;
+  if (flat || nearest.status == DecomposeStatus::singular)
+    out.status = DecomposeStatus::singular;
+  else if (skew > 64.0 * rounding)
+    out.status = DecomposeStatus::sheared;
+  else if (mirrored)
+    out.status = DecomposeStatus::mirrored;
   return out;
 }
 

@@ -20,14 +20,15 @@ enum class DecomposeStatus : std::uint8_t {
 template <class T>
 struct PolarT {
   Mat3<T> rotation{T(1)};
-  Quat<T> quat{T(1), T(0), T(0), T(0)};             ///< the same rotation, w x y z
+  Quat<T> quat{T(1), T(0), T(0), T(0)};                 ///< the same rotation, w x y z
   T stretch[6] = {T(1), T(1), T(1), T(0), T(0), T(0)};  ///< xx yy zz xy xz yz
   DecomposeStatus status = DecomposeStatus::ok;
 };
 
 /// Polar decomposition.
 /// eq   M = U D V^T by one-sided Jacobi (Hestenes), after scaling by the largest entry; R = U V^T, S = V D V^T, for
-///      det M < 0: R = -U V^T, S = -V D V^T   (Shoemake and Duff 1992; no inverse is formed, so rank 0..3 all work, N16)
+///      det M < 0: R = -U V^T, S = -V D V^T   (Shoemake and Duff 1992; no inverse is formed, so rank 0..3 all work,
+///      N16)
 /// cost computed in double for float as well; about 3 sweeps of 3 rotations
 template <class T>
 PolarT<T> decompose_polar(const Mat3<T>& m) noexcept;
@@ -44,9 +45,9 @@ struct TrsT {
   DecomposeStatus status = DecomposeStatus::ok;
 };
 
-/// Translation, rotation and scale of a matrix without shear; scale = column lengths, scale.x takes the sign of a mirroring
-/// (N15). With shear, `rotation` is the nearest rotation to the normalised columns and the status says so; when the matrix
-/// is mirrored, sheared or singular at once, the worst is reported (singular, then sheared).
+/// Translation, rotation and scale of a matrix without shear; scale = column lengths, scale.x takes the sign of a
+/// mirroring (N15). With shear, `rotation` is the nearest rotation to the normalised columns and the status says so;
+/// when the matrix is mirrored, sheared or singular at once, the worst is reported (singular, then sheared).
 /// err  status   cost O(1), no allocation
 template <class T>
 TrsT<T> decompose_trs(const AffineT<T>& m) noexcept;

@@ -23,7 +23,8 @@ T depth_from_distance(const DepthTermsT<T>& terms, T distance_m) noexcept {
 }
 
 /// Distance in front of the eye plane (-z of view space when looking along -z) of a stored depth.
-/// eq   d = b / (depth - a).  The background of an infinite projection (depth = a) is at infinity: callers mask it (N30).
+/// eq   d = b / (depth - a).  The background of an infinite projection (depth = a) is at infinity: callers mask it
+///      (N30).
 template <class T>
 T distance_from_depth(const DepthTermsT<T>& terms, T depth) noexcept {
   return terms.b / (depth - terms.a);

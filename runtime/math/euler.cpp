@@ -10,9 +10,10 @@ Mat3<T> matrix_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept {
   const T ch = std::cos(e.head_rad), sh = std::sin(e.head_rad);
   const T cp = std::cos(e.pitch_rad), sp = std::sin(e.pitch_rad);
   const T cr = std::cos(e.roll_rad), sr = std::sin(e.roll_rad);
-  return {cr * ch - sr * sp * sh, sr * ch + cr * sp * sh, -cp * sh,  // columns
-          -sr * cp,               cr * cp,                sp,
-          cr * sh + sr * sp * ch, sr * sh - cr * sp * ch, cp * ch};
+  const Vec3<T> x(cr * ch - sr * sp * sh, sr * ch + cr * sp * sh, -cp * sh);
+  const Vec3<T> y(-sr * cp, cr * cp, sp);
+  const Vec3<T> z(cr * sh + sr * sp * ch, sr * sh - cr * sp * ch, cp * ch);
+  return {x, y, z};
 }
 
 template <class T>
@@ -46,16 +47,17 @@ Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept {
   const int a = order.fixed ? order.axes[2] : order.axes[0], b = order.axes[1];
   const int c = order.fixed ? order.axes[0] : order.axes[2];
   const bool repeated = a == c;
-  const int other = 3 - a - b;                                 // the axis that is neither outer nor middle
-  const T even = (a + 1) % 3 == b ? T(1) : T(-1);              // (a, b, other) cyclic or not
+  const int other = 3 - a - b;                     // the axis that is neither outer nor middle
+  const T even = (a + 1) % 3 == b ? T(1) : T(-1);  // (a, b, other) cyclic or not
   // Column c of R is Ra Rb e_c; without repetition e_c = e_other, Rb e_other = cos e_other + even sin e_a.
   const T along_b = m[c][b], along_other = m[c][other];
   const T outer = repeated ? std::atan2(along_b, -even * along_other) : std::atan2(-even * along_b, along_other);
-  const Mat3<T> rest = rotation_about_axis(a, -outer) * m;     // Rb(middle) Rc(inner)
-  const T middle = repeated ? std::atan2(-even * rest[c][other], rest[c][a]) : std::atan2(even * rest[c][a], rest[c][other]);
+  const Mat3<T> rest = rotation_about_axis(a, -outer) * m;  // Rb(middle) Rc(inner)
+  const T middle =
+      repeated ? std::atan2(-even * rest[c][other], rest[c][a]) : std::atan2(even * rest[c][a], rest[c][other]);
   // Row b of Rb Rc is row b of Rc: the middle rotation leaves it alone.
-  const int next = repeated ? other : a;                       // completes (b, c): the axis Rc mixes with b
-  const T sign = (c + 1) % 3 == next ? T(1) : T(-1);           // Rc e_next = cos e_next + sign sin e_b
+  const int next = repeated ? other : a;              // completes (b, c): the axis Rc mixes with b
+  const T sign = (c + 1) % 3 == next ? T(1) : T(-1);  // Rc e_next = cos e_next + sign sin e_b
   const T inner = std::atan2(sign * rest[next][b], rest[b][b]);
   return order.fixed ? Vec3<T>(inner, middle, outer) : Vec3<T>(outer, middle, inner);
 }

@@ -38,10 +38,11 @@ struct EulerOrder {
 
 /// All 24 orders.
 inline constexpr EulerOrder kEulerOrders[24] = {
-    {{0, 1, 2}, true},  {{0, 2, 1}, true},  {{1, 0, 2}, true},  {{1, 2, 0}, true},  {{2, 0, 1}, true},  {{2, 1, 0}, true},
-    {{0, 1, 0}, true},  {{0, 2, 0}, true},  {{1, 0, 1}, true},  {{1, 2, 1}, true},  {{2, 0, 2}, true},  {{2, 1, 2}, true},
-    {{0, 1, 2}, false}, {{0, 2, 1}, false}, {{1, 0, 2}, false}, {{1, 2, 0}, false}, {{2, 0, 1}, false}, {{2, 1, 0}, false},
-    {{0, 1, 0}, false}, {{0, 2, 0}, false}, {{1, 0, 1}, false}, {{1, 2, 1}, false}, {{2, 0, 2}, false}, {{2, 1, 2}, false}};
+    {{0, 1, 2}, true},  {{0, 2, 1}, true},  {{1, 0, 2}, true},  {{1, 2, 0}, true},  {{2, 0, 1}, true},
+    {{2, 1, 0}, true},  {{0, 1, 0}, true},  {{0, 2, 0}, true},  {{1, 0, 1}, true},  {{1, 2, 1}, true},
+    {{2, 0, 2}, true},  {{2, 1, 2}, true},  {{0, 1, 2}, false}, {{0, 2, 1}, false}, {{1, 0, 2}, false},
+    {{1, 2, 0}, false}, {{2, 0, 1}, false}, {{2, 1, 0}, false}, {{0, 1, 0}, false}, {{0, 2, 0}, false},
+    {{1, 0, 1}, false}, {{1, 2, 1}, false}, {{2, 0, 2}, false}, {{2, 1, 2}, false}};
 
 /// eq   R3 R2 R1 (fixed) or R1 R2 R3 (turning); angles in the order of the axes   (Shoemake, Graphics Gems IV, III.5)
 template <class T>

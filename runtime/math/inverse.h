@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-/// Inverses by structure: take the cheapest that the matrix allows, it is also the most accurate   (Real-Time Rendering, 4.1.8)
+/// Inverses by structure: take the cheapest that the matrix allows, it is also the most accurate   (Real-Time
+/// Rendering, 4.1.8)
 
 /// Inverse of a rotation and translation.
 /// eq   (T(t) R)^-1 = R^T T(-t) = [R^T | -R^T t]   (Real-Time Rendering, eq. 4.17)
@@ -32,8 +33,8 @@ std::optional<AffineT<T>> inverse_of(const TransformT<T>& local) noexcept {
 }
 
 /// Inverse of any affine matrix; nothing where its linear part is singular within rounding or not finite.
-/// eq   M^-1 = cof(M)^T / det M   (Real-Time Rendering, section 4.1.8), after each column was divided by its largest entry, so
-///      that scales of any size neither overflow nor look singular
+/// eq   M^-1 = cof(M)^T / det M   (Real-Time Rendering, section 4.1.8), after each column was divided by its largest
+///      entry, so that scales of any size neither overflow nor look singular
 template <class T>
 std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
   Mat3<T> scaled = linear_part(m);
@@ -46,7 +47,8 @@ std::optional<AffineT<T>> inverse_of(const AffineT<T>& m) noexcept {
   const Mat3<T> cof = cofactor(scaled);
   const T det = glm::dot(scaled[0], cof[0]);
   if (!(std::abs(det) > T(8) * std::numeric_limits<T>::epsilon())) return std::nullopt;
-  const Mat3<T> inverse = glm::transpose(Mat3<T>(cof[0] / det / scale.x, cof[1] / det / scale.y, cof[2] / det / scale.z));
+  const Mat3<T> inverse =
+      glm::transpose(Mat3<T>(cof[0] / det / scale.x, cof[1] / det / scale.y, cof[2] / det / scale.z));
   return affine_from(inverse, -(inverse * translation_of(m)));
 }
 

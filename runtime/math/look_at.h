@@ -7,8 +7,8 @@ namespace sinew {
 
 /// View matrix of an eye that looks along -z of its own frame: right-handed, world to view space.
 /// eq   rows r, u, v of the frame v = eye - target, r = up x v, u = v x r, each unit; translation -(frame eye)
-///      (Real-Time Rendering, eqs. 4.18, 4.19). Eye at the target: looks along -z of the world; `up` along the view: any up
-///      square to it
+///      (Real-Time Rendering, eqs. 4.18, 4.19). Eye at the target: looks along -z of the world; `up` along the view:
+///      any up square to it
 template <class T>
 AffineT<T> look_at(const Vec3<T>& eye, const Vec3<T>& target, const Vec3<T>& up) noexcept {
   const Vec3<T> none(T(0)), v = normalised_or(eye - target, Vec3<T>(T(0), T(0), T(1)));

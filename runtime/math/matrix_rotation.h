@@ -10,9 +10,10 @@ Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
   const T xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   const T xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z;
   const T wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
-  return {T(1) - T(2) * (yy + zz), T(2) * (xy + wz),        T(2) * (xz - wy),
-          T(2) * (xy - wz),        T(1) - T(2) * (xx + zz), T(2) * (yz + wx),
-          T(2) * (xz + wy),        T(2) * (yz - wx),        T(1) - T(2) * (xx + yy)};
+  const Vec3<T> x(T(1) - T(2) * (yy + zz), T(2) * (xy + wz), T(2) * (xz - wy));
+  const Vec3<T> y(T(2) * (xy - wz), T(1) - T(2) * (xx + zz), T(2) * (yz + wx));
+  const Vec3<T> z(T(2) * (xz + wy), T(2) * (yz - wx), T(1) - T(2) * (xx + yy));
+  return {x, y, z};
 }
 
 /// eq   Real-Time Rendering, eq. 4.45: rotation matrix of a quaternion of any finite length except zero (identity); the
@@ -25,15 +26,18 @@ Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
   const T xx = q.x * p.x, yy = q.y * p.y, zz = q.z * p.z;
   const T xy = q.x * p.y, xz = q.x * p.z, yz = q.y * p.z;
   const T wx = q.w * p.x, wy = q.w * p.y, wz = q.w * p.z;
-  return {T(1) - (yy + zz), xy + wz,          xz - wy,  // columns
-          xy - wz,          T(1) - (xx + zz), yz + wx,
-          xz + wy,          yz - wx,          T(1) - (xx + yy)};
+  const Vec3<T> x(T(1) - (yy + zz), xy + wz, xz - wy);
+  const Vec3<T> y(xy - wz, T(1) - (xx + zz), yz + wx);
+  const Vec3<T> z(xz + wy, yz - wx, T(1) - (xx + yy));
+  return {x, y, z};
 }
 
 /// Unit quaternion of a rotation matrix.
-/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1 (N12)
+/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1
+///      (N12)
 /// in   m  orthonormal with positive determinant up to rounding: take scale and mirroring out first (decompose.h).
-///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. No direction at all: the identity.
+///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. No direction at all: the
+///      identity.
 template <class T>
 Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   const T xx = m[0][0], yy = m[1][1], zz = m[2][2];

@@ -6,7 +6,8 @@
 namespace sinew {
 
 /// Cofactor matrix: transpose of the adjoint. Exists for every matrix, singular ones too, without a division.
-/// eq   cof(M) = [c1 x c2, c2 x c0, c0 x c1], c the columns of M;  cof(M)(a x b) = M a x M b   (Real-Time Rendering, 4.1.7)
+/// eq   cof(M) = [c1 x c2, c2 x c0, c0 x c1], c the columns of M;  cof(M)(a x b) = M a x M b   (Real-Time Rendering,
+///      4.1.7)
 template <class T>
 Mat3<T> cofactor(const Mat3<T>& m) noexcept {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};

@@ -52,8 +52,8 @@ Mat4<T> perspective_frame(T fov_y_rad, T aspect, T facing) noexcept {
   return m;
 }
 
-/// Fills the depth row of a perspective frame: depth = A + B / distance, with A and B formed without the product of near
-/// and far, which overflows first.
+/// Fills the depth row of a perspective frame: depth = A + B / distance, with A and B formed without the product of
+/// near and far, which overflows first.
 /// eq   gl A = (f + n) / (f - n), B = -2 n f / (f - n)   (Real-Time Rendering, eqs. 4.74-4.76);
 ///      [0,1] A = f / (f - n), B = -n f / (f - n);  reversed A = -n / (f - n), B = n f / (f - n)
 template <class T>
@@ -82,7 +82,8 @@ struct ViewBoxT {
   T left, right, bottom, top, near_z, far_z;
 };
 
-/// eq   x, y to [-1, 1] (Real-Time Rendering, eq. 4.63); z of near and far to the ends of the range (gl 4.63, [0,1] 4.66)
+/// eq   x, y to [-1, 1] (Real-Time Rendering, eq. 4.63); z of near and far to the ends of the range (gl 4.63, [0,1]
+///      4.66)
 template <class T>
 Mat4<T> orthographic(const ViewBoxT<T>& b, DepthRange range) noexcept {
   const T width = b.right - b.left, height = b.top - b.bottom, depth = b.far_z - b.near_z;

@@ -6,7 +6,8 @@ namespace sinew {
 
 /// Logarithm of a rotation: phi u for q = (u sin phi, cos phi), phi in [0, pi].
 /// eq   log q = v atan2(|v|, w) / |v|   (Real-Time Rendering, eq. 4.42). No sign flip: log(-1) has length pi, along x.
-///      v / |v| is formed after scaling, so the relative accuracy holds for vector parts whose squares underflow (N10, N11).
+///      v / |v| is formed after scaling, so the relative accuracy holds for vector parts whose squares underflow (N10,
+///      N11).
 template <class T>
 Vec3<T> quat_log(const Quat<T>& q) noexcept {
   const Vec3<T> v(q.x, q.y, q.z);

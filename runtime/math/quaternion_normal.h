@@ -4,11 +4,12 @@
 
 namespace sinew {
 
-/// Normals interpolated as half-way quaternions (Hast 2005): cheaper than slerp, unit length, but the path leaves the great
-/// arc, the more the nearer the normals are to the opposite of the reference axis +z (N35): keep them on its side.
+/// Normals interpolated as half-way quaternions (Hast 2005): cheaper than slerp, unit length, but the path leaves the
+/// great arc, the more the nearer the normals are to the opposite of the reference axis +z (N35): keep them on its
+/// side.
 
-/// eq   q = (n.x / 2z, n.y / 2z, z), z = sqrt((n.z + 1) / 2): unit vector half way between n and +z   (Hast 2005, eq. 16).
-///      Below the equator n.z + 1 cancels, so z comes from x and y there: 2 z^2 = (x^2 + y^2) / (1 - n.z).
+/// eq   q = (n.x / 2z, n.y / 2z, z), z = sqrt((n.z + 1) / 2): unit vector half way between n and +z   (Hast 2005, eq.
+///      16). Below the equator n.z + 1 cancels, so z comes from x and y there: 2 z^2 = (x^2 + y^2) / (1 - n.z).
 ///      At n = -z any half-way vector will do: +x.
 template <class T>
 Vec3<T> half_way_from_normal(const Vec3<T>& n) noexcept {

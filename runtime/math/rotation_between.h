@@ -4,11 +4,11 @@
 
 namespace sinew {
 
-/// Shortest rotation that turns the direction of s into that of t; opposite vectors: a half turn about some axis square to
-/// s. A vector without direction: the identity.
-/// eq   q = (axis |s - t| / 2, |s + t| / 2) for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58): both
-///      differences are exact where they are small, so neither end cancels (N14). The axis is that of s x t, made from
-///      (s - t) x t or (s + t) x t, the one with the smaller first factor, and then made square to s - t.
+/// Shortest rotation that turns the direction of s into that of t; opposite vectors: a half turn about some axis
+/// square to s. A vector without direction: the identity.
+/// eq   q = (axis |s - t| / 2, |s + t| / 2) for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58):
+///      both differences are exact where they are small, so neither end cancels (N14). The axis is that of s x t, made
+///      from (s - t) x t or (s + t) x t, the one with the smaller first factor, and then made square to s - t.
 template <class T>
 Quat<T> rotation_between(const Vec3<T>& from, const Vec3<T>& to) noexcept {
   const Vec3<T> none(T(0)), s = normalised_or(from, none), t = normalised_or(to, none);

@@ -13,18 +13,21 @@
 
 namespace rc {
 
-/// Uniform rotations and motions: RapidCheck draws the seed, so a failing case is shrunk to a small seed and repeatable.
+/// Uniform rotations and motions: RapidCheck draws the seed, so a failing case is shrunk to a small seed and
+/// repeatable.
 template <>
 struct Arbitrary<sinew::Quat<double>> {
   static Gen<sinew::Quat<double>> arbitrary() {
-    return gen::map(gen::arbitrary<std::uint64_t>(), [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).rotation<double>(); });
+    return gen::map(gen::arbitrary<std::uint64_t>(),
+                    [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).rotation<double>(); });
   }
 };
 
 template <>
 struct Arbitrary<sinew::Vec3<double>> {
   static Gen<sinew::Vec3<double>> arbitrary() {
-    return gen::map(gen::arbitrary<std::uint64_t>(), [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).vec3<double>(-2, 2); });
+    return gen::map(gen::arbitrary<std::uint64_t>(),
+                    [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).vec3<double>(-2, 2); });
   }
 };
 
@@ -61,7 +64,8 @@ RC_GTEST_PROP(quaternion_algebra, q_and_minus_q_rotate_alike, (Q q, V p)) {
 
 RC_GTEST_PROP(quaternion_algebra, rotation_keeps_lengths_and_products, (Q q, V a, V b)) {
   RC_ASSERT(std::abs(glm::dot(rotate_vector(q, a), rotate_vector(q, b)) - glm::dot(a, b)) < 1e-14);
-  RC_ASSERT(test::distance(rotate_vector(q, glm::cross(a, b)), glm::cross(rotate_vector(q, a), rotate_vector(q, b))) < 1e-13);
+  RC_ASSERT(test::distance(rotate_vector(q, glm::cross(a, b)), glm::cross(rotate_vector(q, a), rotate_vector(q, b))) <
+            1e-13);
 }
 
 RC_GTEST_PROP(slerp, is_symmetric_in_its_ends, (Q q, Q r, std::uint32_t bits)) {
@@ -72,7 +76,8 @@ RC_GTEST_PROP(slerp, is_symmetric_in_its_ends, (Q q, Q r, std::uint32_t bits)) {
 
 RC_GTEST_PROP(slerp, runs_at_constant_speed, (Q q, Q r, std::uint32_t bits)) {
   const double t = inner(bits) * 0.9, whole = test::angle_between(q, r);
-  RC_ASSERT(std::abs(test::angle_between(slerp_short_arc(q, r, t), slerp_short_arc(q, r, t + 0.1)) - 0.1 * whole) < 1e-14);
+  RC_ASSERT(std::abs(test::angle_between(slerp_short_arc(q, r, t), slerp_short_arc(q, r, t + 0.1)) - 0.1 * whole) <
+            1e-14);
 }
 
 RC_GTEST_PROP(slerp, commutes_with_a_rotation_from_either_side, (Q q, Q r, Q turn, std::uint32_t bits)) {
@@ -99,7 +104,8 @@ RC_GTEST_PROP(slerp, is_the_power_form, (Q q, Q r, std::uint32_t bits)) {
 
 RC_GTEST_PROP(squad_curve, is_unit_everywhere, (Q a, Q b, Q c, Q d, std::uint32_t bits)) {
   const Q b1 = aligned_with(a, b), c1 = aligned_with(b1, c), d1 = aligned_with(c1, d);
-  RC_ASSERT(std::abs(safe_length(squad(b1, squad_control(a, b1, c1), squad_control(b1, c1, d1), c1, inner(bits))) - 1) < 1e-14);
+  RC_ASSERT(std::abs(safe_length(squad(b1, squad_control(a, b1, c1), squad_control(b1, c1, d1), c1, inner(bits))) - 1) <
+            1e-14);
 }
 
 RC_GTEST_PROP(dual_quaternion_algebra, product_is_associative_and_moves_as_the_matrices_do, (Q a, V t, Q b, V u, V p)) {

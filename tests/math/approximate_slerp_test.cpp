@@ -19,13 +19,16 @@ double worst_error_rad(double angle_rad, Blend blend) {
   for (int i = 0; i < 20; ++i) {
     const auto q = random.rotation<double>(), r = q * random.rotation_by<double>(angle_rad);
     for (double t = 0; t <= 1; t += 0.01)
-      worst = std::max(worst, test::angle_between(blend(quat_cast<T>(q), quat_cast<T>(r), static_cast<T>(t)), slerp_short_arc(q, r, t)));
+      worst = std::max(worst, test::angle_between(blend(quat_cast<T>(q), quat_cast<T>(r), static_cast<T>(t)),
+                                                  slerp_short_arc(q, r, t)));
   }
   return worst;
 }
 
 TEST(approximate_slerp, N05_corrected_nlerp_keeps_the_stated_error) {
-  const struct { double degrees, allowed_degrees; } rows[] = {{20, 0.0005}, {45, 0.001}, {90, 0.003}, {150, 0.021}, {179.9, 0.036}};
+  const struct {
+    double degrees, allowed_degrees;
+  } rows[] = {{20, 0.0005}, {45, 0.001}, {90, 0.003}, {150, 0.021}, {179.9, 0.036}};
   for (const auto& row : rows) {
     const double worst = worst_error_rad<double>(row.degrees / kDegrees, corrected_nlerp<double>) * kDegrees;
     EXPECT_LE(worst, row.allowed_degrees) << row.degrees;
@@ -60,7 +63,8 @@ TEST(approximate_slerp, N06_polynomial_stays_unit_without_a_square_root_at_the_e
 
 TEST(approximate_slerp, N06_sine_ratio_agrees_with_the_sines) {
   for (double a = 0.01; a < 0.785; a += 0.03)
-    for (double t = 0; t <= 1; t += 0.05) EXPECT_NEAR(sine_ratio(t, std::cos(a) - 1), std::sin(t * a) / std::sin(a), 2e-8);
+    for (double t = 0; t <= 1; t += 0.05)
+      EXPECT_NEAR(sine_ratio(t, std::cos(a) - 1), std::sin(t * a) / std::sin(a), 2e-8);
 }
 
 TEST(approximate_slerp, G06_keys_come_back_bit_for_bit) {

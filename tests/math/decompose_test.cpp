@@ -79,7 +79,8 @@ TEST(decompose, N15_trs_holds_at_every_size_of_scale) {
     const auto found = decompose_trs(affine_from_transform(local));
     EXPECT_EQ(found.status, DecomposeStatus::ok) << size;
     EXPECT_TRUE(same_rotation(found.transform.rotation, local.rotation, 16 * kEps)) << size;
-    EXPECT_TRUE(is_near(found.transform.scale / static_cast<float>(size), local.scale / static_cast<float>(size), 16 * kEps));
+    EXPECT_TRUE(
+        is_near(found.transform.scale / static_cast<float>(size), local.scale / static_cast<float>(size), 16 * kEps));
     EXPECT_EQ(found.transform.translation, local.translation);
   }
 }

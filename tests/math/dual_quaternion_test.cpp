@@ -13,7 +13,9 @@ using test::is_near;
 using test::kEps;
 using test::same_rotation;
 
-DualQuatd random_motion(FixedRandom& random) { return dual_quat_from(random.rotation<double>(), random.vec3<double>(-3, 3)); }
+DualQuatd random_motion(FixedRandom& random) {
+  return dual_quat_from(random.rotation<double>(), random.vec3<double>(-3, 3));
+}
 
 TEST(dual_quaternion, moves_points_as_its_rotation_and_translation_do) {
   FixedRandom random(1);

@@ -24,7 +24,8 @@ TEST(euler, head_pitch_roll_is_the_product_of_its_three_rotations) {
   FixedRandom random(1);
   for (int i = 0; i < 100; ++i) {
     const HeadPitchRollT<double> e{random.in(-4, 4), random.in(-4, 4), random.in(-4, 4)};
-    const auto product = rotation_about_axis(2, e.roll_rad) * rotation_about_axis(0, e.pitch_rad) * rotation_about_axis(1, e.head_rad);
+    const auto product =
+        rotation_about_axis(2, e.roll_rad) * rotation_about_axis(0, e.pitch_rad) * rotation_about_axis(1, e.head_rad);
     EXPECT_LE(distance(matrix_from_head_pitch_roll(e), product), 1e-15);
     EXPECT_LE(distance(matrix_from_unit_quat(quat_from_head_pitch_roll(e)), product), 2e-15);
   }

@@ -81,7 +81,9 @@ TEST(interpolate, N02_nlerp_of_opposite_keys_is_the_key_not_zero) {
 }
 
 TEST(interpolate, N04_nlerp_error_grows_as_the_table_says) {
-  const struct { double degrees, error_degrees; } rows[] = {{5, 0.00015}, {20, 0.0098}, {45, 0.112}, {90, 0.919}, {150, 4.51}};
+  const struct {
+    double degrees, error_degrees;
+  } rows[] = {{5, 0.00015}, {20, 0.0098}, {45, 0.112}, {90, 0.919}, {150, 4.51}};
   FixedRandom random(7);
   for (const auto& row : rows) {
     const double angle = row.degrees * 3.141592653589793 / 180;

@@ -37,7 +37,8 @@ TEST(inverse, transforms_with_scale_of_any_size_and_sign_cancel) {
 TEST(inverse, adjoint_inverts_sheared_matrices) {
   FixedRandom random(3);
   for (int i = 0; i < 100; ++i) {
-    const auto a = affine_from_transform(random.transform<double>()), b = affine_from_transform(random.transform<double>());
+    const auto a = affine_from_transform(random.transform<double>()),
+               b = affine_from_transform(random.transform<double>());
     const auto m = a * b;
     const auto found = inverse_of(m);
     ASSERT_TRUE(found);

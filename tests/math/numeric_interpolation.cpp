@@ -63,8 +63,10 @@ template <class T, class Curve>
 Outcome hermite_outcome(const Json& in, Curve curve) {
   const T t0 = scalar<T>(in["t0"]), td = scalar<T>(in["t1"]) - t0, s = (scalar<T>(in["t"]) - t0) / td;
   if (in["op"] == "vec3")
-    return {{"v", numbers(curve(vec3<T>(in["v0"]), vec3<T>(in["out_tangent0"]), vec3<T>(in["in_tangent1"]), vec3<T>(in["v1"]), s, td))}};
-  return {{"q", numbers(curve(quat<T>(in["v0"]), quat<T>(in["out_tangent0"]), quat<T>(in["in_tangent1"]), quat<T>(in["v1"]), s, td))}};
+    return {{"v", numbers(curve(vec3<T>(in["v0"]), vec3<T>(in["out_tangent0"]), vec3<T>(in["in_tangent1"]),
+                                vec3<T>(in["v1"]), s, td))}};
+  return {{"q", numbers(curve(quat<T>(in["v0"]), quat<T>(in["out_tangent0"]), quat<T>(in["in_tangent1"]),
+                              quat<T>(in["v1"]), s, td))}};
 }
 
 template <class V>
@@ -88,41 +90,53 @@ Outcome hermite_unscaled_tangents(const Json& in) {
 }
 
 Outcome hermite_not_normalised(const Json& in) {
-  return hermite_outcome<float>(in, [](auto v0, auto b, auto a, auto v1, float s, float td) { return hermite(v0, b, a, v1, s, td); });
+  return hermite_outcome<float>(
+      in, [](auto v0, auto b, auto a, auto v1, float s, float td) { return hermite(v0, b, a, v1, s, td); });
 }
 
 }  // namespace
 
 NumericKind slerp_kind() {
-  return {"slerp",
-          in_both_precisions("slerp_short_arc", []<class T>(const Json& in) {
+  return {
+      "slerp",
+      in_both_precisions(
+          "slerp_short_arc",
+          []<class T>(const Json& in) {
             return Outcome{{"q", numbers(slerp_short_arc(quat<T>(in["q"]), quat<T>(in["r"]), scalar<T>(in["t"])))}};
           }),
-          {of_two_keys("acos, nlerp above cos 0.999", [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 0.999f, true); }),
-           of_two_keys("acos without clamp", [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 2.0f, true); }),
-           of_two_keys("no sign flip", [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 0.9999999f, false); }),
-           of_two_keys("polynomial of eight terms", short_polynomial_slerp),
-           of_two_keys("nlerp", nlerp_short_arc<float>)}};
+      {of_two_keys("acos, nlerp above cos 0.999",
+                   [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 0.999f, true); }),
+       of_two_keys("acos without clamp",
+                   [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 2.0f, true); }),
+       of_two_keys("no sign flip",
+                   [](const Q& q, const Q& r, float t) { return acos_slerp(q, r, t, 0.9999999f, false); }),
+       of_two_keys("polynomial of eight terms", short_polynomial_slerp), of_two_keys("nlerp", nlerp_short_arc<float>)}};
 }
 
 NumericKind nlerp_kind() {
   return {"nlerp",
-          in_both_precisions("nlerp_short_arc", []<class T>(const Json& in) {
-            return Outcome{{"q", numbers(nlerp_short_arc(quat<T>(in["q"]), quat<T>(in["r"]), scalar<T>(in["t"])))}};
-          }),
+          in_both_precisions(
+              "nlerp_short_arc",
+              []<class T>(const Json& in) {
+                return Outcome{{"q", numbers(nlerp_short_arc(quat<T>(in["q"]), quat<T>(in["r"]), scalar<T>(in["t"])))}};
+              }),
           {of_two_keys("no sign flip", [](const Q& q, const Q& r, float t) { return plain_unit(q * (1 - t) + r * t); }),
-           of_two_keys("not normalised", [](const Q& q, const Q& r, float t) { return q * (1 - t) + aligned_with(q, r) * t; })}};
+           of_two_keys("not normalised",
+                       [](const Q& q, const Q& r, float t) { return q * (1 - t) + aligned_with(q, r) * t; })}};
 }
 
 NumericKind squad_kind() {
   return {"squad",
-          in_both_precisions("squad", []<class T>(const Json& in) {
-            Quat<T> k[4];
-            for (std::size_t i = 0; i < 4; ++i) k[i] = quat<T>(in["keys"][i]);
-            for (int i = 1; i < 4; ++i) k[i] = aligned_with(k[i - 1], k[i]);
-            const auto a0 = squad_control(k[0], k[1], k[2]), a1 = squad_control(k[1], k[2], k[3]);
-            return Outcome{{"q", numbers(squad(k[1], a0, a1, k[2], scalar<T>(in["t"])))}, {"a0", numbers(a0)}, {"a1", numbers(a1)}};
-          }),
+          in_both_precisions("squad",
+                             []<class T>(const Json& in) {
+                               Quat<T> k[4];
+                               for (std::size_t i = 0; i < 4; ++i) k[i] = quat<T>(in["keys"][i]);
+                               for (int i = 1; i < 4; ++i) k[i] = aligned_with(k[i - 1], k[i]);
+                               const auto a0 = squad_control(k[0], k[1], k[2]), a1 = squad_control(k[1], k[2], k[3]);
+                               return Outcome{{"q", numbers(squad(k[1], a0, a1, k[2], scalar<T>(in["t"])))},
+                                              {"a0", numbers(a0)},
+                                              {"a1", numbers(a1)}};
+                             }),
           {naive_squad("keys not aligned", false, slerp_as_given<float>),
            naive_squad("shortest-path slerp inside", true, slerp_short_arc<float>),
            naive_squad("acos slerp, nlerp above cos 0.999", true,
@@ -131,12 +145,15 @@ NumericKind squad_kind() {
 
 NumericKind hermite_kind() {
   return {"hermite",
-          in_both_precisions("hermite", []<class T>(const Json& in) {
-            return hermite_outcome<T>(in, [](auto v0, auto b, auto a, auto v1, T s, T td) {
-              if constexpr (kIsRotation<decltype(v0)>) return hermite_rotation(v0, b, a, v1, s, td);
-              else return hermite(v0, b, a, v1, s, td);
-            });
-          }),
+          in_both_precisions("hermite",
+                             []<class T>(const Json& in) {
+                               return hermite_outcome<T>(in, [](auto v0, auto b, auto a, auto v1, T s, T td) {
+                                 if constexpr (kIsRotation<decltype(v0)>)
+                                   return hermite_rotation(v0, b, a, v1, s, td);
+                                 else
+                                   return hermite(v0, b, a, v1, s, td);
+                               });
+                             }),
           {{"quaternion not normalised", hermite_not_normalised},
            {"expanded polynomial", hermite_expanded},
            {"tangents not scaled by the interval", hermite_unscaled_tangents}}};

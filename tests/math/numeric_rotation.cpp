@@ -44,7 +44,8 @@ V log_by_plain_length(const Q& q) {
 template <class T>
 Outcome axis_angle_outcome(const Json& in) {
   if (in["op"] == "to_quat") return {{"q", numbers(quat_from_axis_angle(vec3<T>(in["axis"]), scalar<T>(in["angle"])))}};
-  if (in["op"] == "to_matrix") return {{"m", numbers(matrix_from_axis_angle(vec3<T>(in["axis"]), scalar<T>(in["angle"])))}};
+  if (in["op"] == "to_matrix")
+    return {{"m", numbers(matrix_from_axis_angle(vec3<T>(in["axis"]), scalar<T>(in["angle"])))}};
   if (in["op"] != "from_quat") return {};
   const auto found = axis_angle_from_quat(quat<T>(in["q"]));
   return {{"axis", numbers(found.axis)}, {"angle", numbers(found.angle_rad)}};
@@ -100,7 +101,8 @@ Q quat_by_trace(const Mat3<float>& m) {
 Q quat_by_four_roots(const Mat3<float>& m) {
   const auto root = [](float x) { return std::sqrt(std::max(0.0f, x)) / 2; };
   const float x = m[0][0], y = m[1][1], z = m[2][2];
-  return quat_xyzw(std::copysign(root(1 + x - y - z), m[1][2] - m[2][1]), std::copysign(root(1 - x + y - z), m[2][0] - m[0][2]),
+  return quat_xyzw(std::copysign(root(1 + x - y - z), m[1][2] - m[2][1]),
+                   std::copysign(root(1 - x + y - z), m[2][0] - m[0][2]),
                    std::copysign(root(1 - x - y + z), m[0][1] - m[1][0]), root(1 + x + y + z));
 }
 
@@ -134,49 +136,65 @@ NumericVariant between(const std::string& name, Between f) {
 
 NumericKind quat_log_exp_pow_kind() {
   return {"quat_log_exp_pow",
-          in_both_precisions("quat_log, quat_exp, quat_pow", []<class T>(const Json& in) {
-            if (in["op"] == "pow") return Outcome{{"q", numbers(quat_pow(quat<T>(in["q"]), scalar<T>(in["t"])))}};
-            return log_exp_pow<T>(in, quat_log<T>, quat_exp<T>);
-          }),
-          {{"acos(w), threshold 1e-6 on sin", [](const Json& in) { return log_exp_pow<float>(in, log_by_acos, exp_by_plain_length); }},
-           {"atan2, plain squared length", [](const Json& in) { return log_exp_pow<float>(in, log_by_plain_length, exp_by_plain_length); }}}};
+          in_both_precisions("quat_log, quat_exp, quat_pow",
+                             []<class T>(const Json& in) {
+                               if (in["op"] == "pow")
+                                 return Outcome{{"q", numbers(quat_pow(quat<T>(in["q"]), scalar<T>(in["t"])))}};
+                               return log_exp_pow<T>(in, quat_log<T>, quat_exp<T>);
+                             }),
+          {{"acos(w), threshold 1e-6 on sin",
+            [](const Json& in) { return log_exp_pow<float>(in, log_by_acos, exp_by_plain_length); }},
+           {"atan2, plain squared length",
+            [](const Json& in) { return log_exp_pow<float>(in, log_by_plain_length, exp_by_plain_length); }}}};
 }
 
 NumericKind axis_angle_kind() {
-  return {"axis_angle", in_both_precisions("axis_angle", []<class T>(const Json& in) { return axis_angle_outcome<T>(in); }),
+  return {"axis_angle",
+          in_both_precisions("axis_angle", []<class T>(const Json& in) { return axis_angle_outcome<T>(in); }),
           {{"2 acos(w), plain length", axis_angle_plain}}};
 }
 
 NumericKind euler_kind() {
-  return {"euler", in_both_precisions("head_pitch_roll", []<class T>(const Json& in) { return euler_outcome<T>(in); }),
-          {{"asin, two atan2 (eq. 4.25)", euler_by_arcsine}, {"asin clamped, gimbal branch at 0.9999", euler_by_clamped_arcsine}}};
+  return {"euler",
+          in_both_precisions("head_pitch_roll", []<class T>(const Json& in) { return euler_outcome<T>(in); }),
+          {{"asin, two atan2 (eq. 4.25)", euler_by_arcsine},
+           {"asin clamped, gimbal branch at 0.9999", euler_by_clamped_arcsine}}};
 }
 
 NumericKind quat_to_matrix_kind() {
   return {"quat_to_matrix",
-          in_both_precisions("matrix_from_quat", []<class T>(const Json& in) {
-            return Outcome{{"m", numbers(matrix_from_quat(quat<T>(in["q"])))}};
-          }),
-          {{"unit length assumed (eq. 4.46)",
-            [](const Json& in) { return Outcome{{"m", numbers(matrix_from_unit_quat(quat<float>(in["q"])))}}; }}}};
+          in_both_precisions("matrix_from_quat",
+                             []<class T>(const Json& in) {
+                               return Outcome{{"m", numbers(matrix_from_quat(quat<T>(in["q"])))}};
+                             }),
+          {{"unit length assumed (eq. 4.46)", [](const Json& in) {
+              return Outcome{{"m", numbers(matrix_from_unit_quat(quat<float>(in["q"])))}};
+            }}}};
 }
 
 NumericKind matrix_to_quat_kind() {
   return {"matrix_to_quat",
-          in_both_precisions("quat_from_matrix", []<class T>(const Json& in) {
-            return Outcome{{"q", numbers(quat_from_matrix(mat3<T>(in["m"])))}};
-          }),
-          {{"trace only (eq. 4.49)", [](const Json& in) { return Outcome{{"q", numbers(quat_by_trace(mat3<float>(in["m"])))}}; }},
-           {"four square roots with copysign",
-            [](const Json& in) { return Outcome{{"q", numbers(quat_by_four_roots(mat3<float>(in["m"])))}}; }}}};
+          in_both_precisions("quat_from_matrix",
+                             []<class T>(const Json& in) {
+                               return Outcome{{"q", numbers(quat_from_matrix(mat3<T>(in["m"])))}};
+                             }),
+          {{"trace only (eq. 4.49)",
+            [](const Json& in) {
+              return Outcome{{"q", numbers(quat_by_trace(mat3<float>(in["m"])))}};
+            }},
+           {"four square roots with copysign", [](const Json& in) {
+              return Outcome{{"q", numbers(quat_by_four_roots(mat3<float>(in["m"])))}};
+            }}}};
 }
 
 NumericKind vector_to_vector_kind() {
   return {"vector_to_vector",
-          in_both_precisions("rotation_between", []<class T>(const Json& in) {
-            return Outcome{{"q", numbers(rotation_between(vec3<T>(in["s"]), vec3<T>(in["t"])))}};
-          }),
-          {between("eq. 4.56, fallback below 1e-6", between_by_dot), between("acos and normalised cross product", between_by_acos)}};
+          in_both_precisions("rotation_between",
+                             []<class T>(const Json& in) {
+                               return Outcome{{"q", numbers(rotation_between(vec3<T>(in["s"]), vec3<T>(in["t"])))}};
+                             }),
+          {between("eq. 4.56, fallback below 1e-6", between_by_dot),
+           between("acos and normalised cross product", between_by_acos)}};
 }
 
 }  // namespace sinew::test

@@ -135,8 +135,11 @@ Outcome morph_outcome(const Json& in, bool base_first) {
 }  // namespace
 
 NumericKind lbs_kind() {
-  return {"lbs", in_both_precisions("reference::skin_linear", []<class T>(const Json& in) { return linear_outcome(Vertex<T>(in)); }),
-          {{"weights not renormalised", [](const Json& in) { return linear_with_weights(Vertex<float>(in), [](auto&) {}); }},
+  return {"lbs",
+          in_both_precisions("reference::skin_linear",
+                             []<class T>(const Json& in) { return linear_outcome(Vertex<T>(in)); }),
+          {{"weights not renormalised",
+            [](const Json& in) { return linear_with_weights(Vertex<float>(in), [](auto&) {}); }},
            {"last weight = 1 - sum",
             [](const Json& in) {
               return linear_with_weights(Vertex<float>(in), [](auto& w) {
@@ -144,20 +147,21 @@ NumericKind lbs_kind() {
                 for (std::size_t i = 0; i + 1 < w.size(); ++i) w.back() -= w[i];
               });
             }},
-           {"first four influences only",
-            [](const Json& in) {
-              return linear_with_weights(Vertex<float>(in), [](auto& w) { w.resize(std::min<std::size_t>(w.size(), 4)); });
+           {"first four influences only", [](const Json& in) {
+              return linear_with_weights(Vertex<float>(in),
+                                         [](auto& w) { w.resize(std::min<std::size_t>(w.size(), 4)); });
             }}}};
 }
 
 NumericKind dqs_kind() {
   return {"dqs",
-          in_both_precisions("reference::skin_dual_quaternion", []<class T>(const Json& in) { return dual_outcome(Vertex<T>(in)); }),
+          in_both_precisions("reference::skin_dual_quaternion",
+                             []<class T>(const Json& in) { return dual_outcome(Vertex<T>(in)); }),
           {{"no sign alignment", [](const Json& in) { return misaligned_blend(Vertex<float>(in), false, true); }},
            {"first influence as pivot", [](const Json& in) { return misaligned_blend(Vertex<float>(in), true, true); }},
-           {"not normalised after the blend", [](const Json& in) { return misaligned_blend(Vertex<float>(in), false, false); }},
-           {"scale ignored",
-            [](const Json& in) {
+           {"not normalised after the blend",
+            [](const Json& in) { return misaligned_blend(Vertex<float>(in), false, false); }},
+           {"scale ignored", [](const Json& in) {
               Vertex<float> v(in);
               v.stretches.clear();
               return dual_outcome(v);
@@ -173,12 +177,15 @@ NumericKind cor_kind() {
 
 NumericKind candy_wrapper_kind() {
   return {"candy_wrapper",
-          in_both_precisions("reference, three skinnings", []<class T>(const Json& in) { return candy_outcome<T>(in, false); }),
+          in_both_precisions("reference, three skinnings",
+                             []<class T>(const Json& in) { return candy_outcome<T>(in, false); }),
           {{"linear in place of dual quaternion", [](const Json& in) { return candy_outcome<float>(in, true); }}}};
 }
 
 NumericKind morph_kind() {
-  return {"morph", in_both_precisions("deltas first, base last", []<class T>(const Json& in) { return morph_outcome<T>(in, false); }),
+  return {"morph",
+          in_both_precisions("deltas first, base last",
+                             []<class T>(const Json& in) { return morph_outcome<T>(in, false); }),
           {{"base first, targets in order", [](const Json& in) { return morph_outcome<float>(in, true); }}}};
 }
 

@@ -43,7 +43,9 @@ Outcome decompose_outcome(const Json& in) {
   const auto m = affine<T>(in["m"]);
   if (in["op"] == "polar") {
     const auto p = decompose_polar(linear_part(m));
-    return {{"rotation", numbers(p.rotation)}, {"q", numbers(p.quat)}, {"t", numbers(translation_of(m))},
+    return {{"rotation", numbers(p.rotation)},
+            {"q", numbers(p.quat)},
+            {"t", numbers(translation_of(m))},
             {"stretch", std::vector<double>(std::begin(p.stretch), std::end(p.stretch))}};
   }
   if (in["op"] != "trs") return {};
@@ -59,7 +61,9 @@ Outcome decompose_by_newton(const Json& in) {
     M r = linear;
     for (int i = 0; i < 12; ++i) r = (r + glm::transpose(glm::inverse(r))) * 0.5f;
     const M s = glm::transpose(r) * linear;
-    return {{"rotation", numbers(r)}, {"q", numbers(quat_from_matrix(r))}, {"t", numbers(translation_of(m))},
+    return {{"rotation", numbers(r)},
+            {"q", numbers(quat_from_matrix(r))},
+            {"t", numbers(translation_of(m))},
             {"stretch", {s[0][0], s[1][1], s[2][2], s[1][0], s[2][0], s[2][1]}}};
   }
   M r;
@@ -97,8 +101,10 @@ Outcome projection_outcome(const Json& in) {
     const auto frame = perspective_frame(scalar<T>(in["fov_y"]), scalar<T>(in["aspect"]), facing);
     return {{"m", numbers(projection_of(in, frame))}};
   }
-  const T l = scalar<T>(in["l"]), r = scalar<T>(in["r"]), b = scalar<T>(in["b"]), t = scalar<T>(in["t"]), n = scalar<T>(in["near"]);
-  if (contains(op, "ortho")) return {{"m", numbers(orthographic(ViewBoxT<T>{l, r, b, t, n, scalar<T>(in["far"])}, range_of<T>(op)))}};
+  const T l = scalar<T>(in["l"]), r = scalar<T>(in["r"]), b = scalar<T>(in["b"]), t = scalar<T>(in["t"]),
+          n = scalar<T>(in["near"]);
+  if (contains(op, "ortho"))
+    return {{"m", numbers(orthographic(ViewBoxT<T>{l, r, b, t, n, scalar<T>(in["far"])}, range_of<T>(op)))}};
   return {{"m", numbers(projection_of(in, perspective_frame(FrustumT<T>{l, r, b, t, n}, facing)))}};
 }
 
@@ -155,51 +161,59 @@ Outcome hast_as_printed(const Json& in, bool overwrite_z) {
 }  // namespace
 
 NumericKind trs_compose_kind() {
-  return {"trs_compose", in_both_precisions("affine_from_transform", []<class T>(const Json& in) { return trs_outcome<T>(in); }),
+  return {"trs_compose",
+          in_both_precisions("affine_from_transform", []<class T>(const Json& in) { return trs_outcome<T>(in); }),
           {{"translation scaled too", trs_with_scaled_translation}}};
 }
 
 NumericKind decompose_kind() {
-  return {"decompose", in_both_precisions("decompose", []<class T>(const Json& in) { return decompose_outcome<T>(in); }),
+  return {"decompose",
+          in_both_precisions("decompose", []<class T>(const Json& in) { return decompose_outcome<T>(in); }),
           {{"Newton iteration, plain lengths", decompose_by_newton}}};
 }
 
 NumericKind normal_transform_kind() {
   return {"normal_transform",
-          in_both_precisions("transform_normal", []<class T>(const Json& in) {
-            const auto m = mat3<T>(in["m"]);
-            const auto n = vec3<T>(in["n"]);
-            return Outcome{{"n", numbers(transform_normal(m, n))}, {"n_outward", numbers(transform_normal_outward(m, n))}};
-          }),
+          in_both_precisions("transform_normal",
+                             []<class T>(const Json& in) {
+                               const auto m = mat3<T>(in["m"]);
+                               const auto n = vec3<T>(in["n"]);
+                               return Outcome{{"n", numbers(transform_normal(m, n))},
+                                              {"n_outward", numbers(transform_normal_outward(m, n))}};
+                             }),
           {{"cofactor, unscaled", [](const Json& in) { return normal_by(in, cofactor<float>); }},
-           {"inverse transpose with 1/det", [](const Json& in) { return normal_by(in, [](const M& m) { return glm::transpose(glm::inverse(m)); }); }},
+           {"inverse transpose with 1/det",
+            [](const Json& in) { return normal_by(in, [](const M& m) { return glm::transpose(glm::inverse(m)); }); }},
            {"the matrix itself", [](const Json& in) { return normal_by(in, [](const M& m) { return m; }); }}}};
 }
 
 NumericKind projection_kind() {
-  return {"projection", in_both_precisions("projection", []<class T>(const Json& in) { return projection_outcome<T>(in); }),
+  return {"projection",
+          in_both_precisions("projection", []<class T>(const Json& in) { return projection_outcome<T>(in); }),
           {{"textbook order (2 f n) / (f - n)",
             [](const Json& in) {
-              return projection_with_row(in, [](float n, float f) { return f * n / (f - n); }, [](float n, float f) { return f / (f - n); });
+              return projection_with_row(
+                  in, [](float n, float f) { return f * n / (f - n); }, [](float n, float f) { return f / (f - n); });
             }},
-           {"far plane as 1 / (1/n - 1/f)",
-            [](const Json& in) {
-              return projection_with_row(in, [](float n, float f) { return 1 / (1 / n - 1 / f); },
-                                         [](float n, float f) { return 1 / (1 / n - 1 / f) / n; });
+           {"far plane as 1 / (1/n - 1/f)", [](const Json& in) {
+              return projection_with_row(
+                  in, [](float n, float f) { return 1 / (1 / n - 1 / f); },
+                  [](float n, float f) { return 1 / (1 / n - 1 / f) / n; });
             }}}};
 }
 
 NumericKind depth_kind() {
-  return {"depth", in_both_precisions("depth", []<class T>(const Json& in) { return depth_outcome<T>(in); }),
+  return {"depth",
+          in_both_precisions("depth", []<class T>(const Json& in) { return depth_outcome<T>(in); }),
           {{"reversed z as 1 - forward z", reversed_as_one_minus_forward}}};
 }
 
 NumericKind hast_kind() {
-  return {"hast", in_both_precisions("quaternion_normal", []<class T>(const Json& in) { return hast_outcome<T>(in); }),
+  return {"hast",
+          in_both_precisions("quaternion_normal", []<class T>(const Json& in) { return hast_outcome<T>(in); }),
           {{"eqs. 16-17 as printed", [](const Json& in) { return hast_as_printed(in, false); }},
            {"N.z = -1 as printed", [](const Json& in) { return hast_as_printed(in, true); }},
-           {"normalised lerp",
-            [](const Json& in) {
+           {"normalised lerp", [](const Json& in) {
               const float t = scalar<float>(in["t"]);
               const V n = vec3<float>(in["n0"]) * (1 - t) + vec3<float>(in["n1"]) * t;
               return Outcome{{"n", numbers(n / glm::length(n))}};

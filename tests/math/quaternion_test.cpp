@@ -27,8 +27,10 @@ TEST(quaternion, normalised_works_at_lengths_whose_squares_overflow_or_vanish) {
   FixedRandom random(1);
   for (const float length : {1e-44f, 1e-30f, 1e-10f, 1.f, 1e10f, 1e38f}) {
     const Quat<float> q = random.rotation();
-    if (length < 1e-40f) EXPECT_EQ(normalised(quat_xyzw(0.f, length, 0.f, 0.f)), quat_xyzw(0.f, 1.f, 0.f, 0.f));
-    else EXPECT_TRUE(same_rotation(normalised(q * length), q, 4 * kEps)) << length;
+    if (length < 1e-40f)
+      EXPECT_EQ(normalised(quat_xyzw(0.f, length, 0.f, 0.f)), quat_xyzw(0.f, 1.f, 0.f, 0.f));
+    else
+      EXPECT_TRUE(same_rotation(normalised(q * length), q, 4 * kEps)) << length;
   }
 }
 

@@ -30,8 +30,11 @@ TEST(scaling, along_one_axis_leaves_the_plane_square_to_it) {
 }
 
 TEST(shearing, each_of_six_moves_one_coordinate_by_another) {
-  const struct { Shear kind; int changed, by; } rows[] = {{Shear::xy, 0, 1}, {Shear::xz, 0, 2}, {Shear::yx, 1, 0},
-                                                          {Shear::yz, 1, 2}, {Shear::zx, 2, 0}, {Shear::zy, 2, 1}};
+  const struct {
+    Shear kind;
+    int changed, by;
+  } rows[] = {{Shear::xy, 0, 1}, {Shear::xz, 0, 2}, {Shear::yx, 1, 0},
+              {Shear::yz, 1, 2}, {Shear::zx, 2, 0}, {Shear::zy, 2, 1}};
   for (const auto& row : rows) {
     Vec3<double> p(1, 2, 4), expected = p;
     expected[row.changed] += 0.5 * p[row.by];

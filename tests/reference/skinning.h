@@ -51,7 +51,8 @@ struct BlendT {
 };
 
 /// eq   d = sum(w sign(r_i . r_pivot) d_i), divided by the length of its real part; sign(0) = +1   (Kavan et al. 2008)
-/// A blend whose real part cancels (squared length below 1e-12: only with weights that are not positive) follows the pivot.
+/// A blend whose real part cancels (squared length below 1e-12: only with weights that are not positive) follows the
+/// pivot.
 template <class T>
 BlendT<T> blend_motions(std::span<const DualQuatT<T>> motions, std::span<const T> weights) {
   const DualQuatT<T>& pivot = motions[pivot_of(weights)];
@@ -92,11 +93,12 @@ SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::spa
   return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal(stretch, n)), motion.real};
 }
 
-/// eq   p' = R (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of rotation
-///      (Le and Hodgins 2016, algorithm 1)
+/// eq   p' = R (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of
+///      rotation (Le and Hodgins 2016, algorithm 1)
 template <class T>
 SkinnedT<T> skin_center_of_rotation(std::span<const DualQuatT<T>> motions, std::span<const AffineT<T>> matrices,
-                                    std::span<const T> weights, const Vec3<T>& p, const Vec3<T>& n, const Vec3<T>& center) {
+                                    std::span<const T> weights, const Vec3<T>& p, const Vec3<T>& n,
+                                    const Vec3<T>& center) {
   const Quat<T> rotation = blend_motions(motions, weights).motion.real;
   const Vec3<T> moved = skin_linear(matrices, weights, center);
   return {rotate_vector(rotation, p - center) + moved, rotate_vector(rotation, n), rotation};

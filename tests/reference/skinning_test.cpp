@@ -21,7 +21,8 @@ constexpr double kPi = 3.141592653589793;
 /// Two bones: one at rest, one turned about x.
 struct Twist {
   explicit Twist(double angle_rad)
-      : motions{{}, dual_quat_from(quat_xyzw(std::sin(angle_rad / 2), 0.0, 0.0, std::cos(angle_rad / 2)), Vec3<double>(0))},
+      : motions{{},
+                dual_quat_from(quat_xyzw(std::sin(angle_rad / 2), 0.0, 0.0, std::cos(angle_rad / 2)), Vec3<double>(0))},
         matrices{Affined{}, affine_from_dual_quat(motions[1])} {}
 
   std::span<const DualQuatd> rigid() const { return motions; }
@@ -41,7 +42,8 @@ TEST(reference_skinning, twisted_skin_shrinks_linearly_and_keeps_its_radius_othe
     const Vec3<double> half_turned(0.25, std::cos(angle / 2), std::sin(angle / 2));
     EXPECT_TRUE(is_near(skin_linear<double>(twist.affine(), kHalf, p),
                         Vec3<double>(0.25, (1 + std::cos(angle)) / 2, std::sin(angle) / 2), 1e-15));
-    EXPECT_TRUE(is_near(skin_dual_quaternion<double>(twist.rigid(), kNoStretch, kHalf, p, n).position, half_turned, 1e-15));
+    EXPECT_TRUE(
+        is_near(skin_dual_quaternion<double>(twist.rigid(), kNoStretch, kHalf, p, n).position, half_turned, 1e-15));
     EXPECT_TRUE(is_near(skin_center_of_rotation<double>(twist.rigid(), twist.affine(), kHalf, p, n, center).position,
                         half_turned, 1e-15));
   }
@@ -66,7 +68,8 @@ TEST(reference_skinning, N18_pivot_is_the_heaviest_and_the_first_of_equals) {
 }
 
 TEST(reference_skinning, N17_aligned_blend_never_cancels_and_without_weight_it_follows_its_pivot) {
-  // Every aligned motion has sum . pivot >= w_pivot > 0, so positive weights leave at least the pivot's share of length.
+  // Every aligned motion has sum . pivot >= w_pivot > 0, so positive weights leave at least the pivot's share of
+  // length.
   test::FixedRandom random(3);
   std::vector<DualQuatd> motions(4);
   const std::vector<double> quarter(4, 0.25);
@@ -84,11 +87,13 @@ TEST(reference_skinning, weights_of_any_sum_are_renormalised) {
   const Twist twist(1.2);
   const Vec3<double> p(0.1, 0.7, 0.4), n(0, 1, 0), center(0, 0.1, 0);
   const std::vector<double> small{0.003, 0.001}, unit{0.75, 0.25};
-  EXPECT_TRUE(is_near(skin_linear<double>(twist.affine(), small, p), skin_linear<double>(twist.affine(), unit, p), 1e-15));
+  EXPECT_TRUE(
+      is_near(skin_linear<double>(twist.affine(), small, p), skin_linear<double>(twist.affine(), unit, p), 1e-15));
   EXPECT_TRUE(is_near(skin_dual_quaternion<double>(twist.rigid(), kNoStretch, small, p, n).position,
                       skin_dual_quaternion<double>(twist.rigid(), kNoStretch, unit, p, n).position, 1e-15));
   EXPECT_TRUE(is_near(skin_center_of_rotation<double>(twist.rigid(), twist.affine(), small, p, n, center).position,
-                      skin_center_of_rotation<double>(twist.rigid(), twist.affine(), unit, p, n, center).position, 1e-15));
+                      skin_center_of_rotation<double>(twist.rigid(), twist.affine(), unit, p, n, center).position,
+                      1e-15));
 }
 
 TEST(reference_skinning, N19_two_phases_of_one_joint_are_its_matrix) {
@@ -108,7 +113,8 @@ TEST(reference_skinning, N19_two_phases_of_one_joint_are_its_matrix) {
 
 TEST(reference_skinning, half_turns_both_ways_are_accepted_at_180_degrees) {
   const Twist twist(kPi);
-  const auto p = skin_dual_quaternion<double>(twist.rigid(), kNoStretch, kHalf, Vec3<double>(0, 1, 0), Vec3<double>(0, 1, 0));
+  const auto p =
+      skin_dual_quaternion<double>(twist.rigid(), kNoStretch, kHalf, Vec3<double>(0, 1, 0), Vec3<double>(0, 1, 0));
   EXPECT_NEAR(std::abs(p.position.z), 1, 1e-15);
 }
 

@@ -16,7 +16,8 @@ std::vector<Json> read_files() {
   for (const auto& path : corpus_files("numeric", {".json"})) {
     std::ifstream stream(path);
     Json file = Json::parse(stream, nullptr, false);
-    if (file.is_discarded() || !file.contains("cases")) throw std::runtime_error(path.string() + " is not reference data");
+    if (file.is_discarded() || !file.contains("cases"))
+      throw std::runtime_error(path.string() + " is not reference data");
     files.push_back(std::move(file));
   }
   return files;
@@ -53,7 +54,8 @@ NumericReport run_numeric(const std::vector<Json>& cases, const NumericVariant& 
     ++report.run;
     const double miss = numeric_miss(entry, got);
     if (!(miss <= 1) && ++report.failed <= kShown)
-      report.failures += "  " + entry["name"].get<std::string>() + ": " + std::to_string(miss) + " times the tolerance\n";
+      report.failures +=
+          "  " + entry["name"].get<std::string>() + ": " + std::to_string(miss) + " times the tolerance\n";
     if (!(miss <= report.worst)) report.worst = miss, report.worst_case = entry["name"].get<std::string>();
   }
   return report;

@@ -32,9 +32,9 @@ std::vector<std::string> numeric_kinds();
 struct NumericReport {
   int run = 0;
   int failed = 0;
-  double worst = 0;        ///< largest error in units of the allowed one
+  double worst = 0;  ///< largest error in units of the allowed one
   std::string worst_case;
-  std::string failures;    ///< first few, one a line
+  std::string failures;  ///< first few, one a line
 };
 
 /// Runs every case and measures it with numeric_miss (numeric_metrics.h).

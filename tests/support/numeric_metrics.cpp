@@ -82,7 +82,8 @@ double quat_components(const Json& entry, const Outcome& got) {
 
 double vec_relative(const Json& entry, const Outcome& got) {
   const Json& accept = entry["accept"];
-  return relative(vec_of(need(got, "v")), vec_of(numbers_of(entry["out"]["v"])), accept["tol"], accept.value("floor", 0.0));
+  return relative(vec_of(need(got, "v")), vec_of(numbers_of(entry["out"]["v"])), accept["tol"],
+                  accept.value("floor", 0.0));
 }
 
 double vec_any_direction(const Json& entry, const Outcome& got) {
@@ -102,7 +103,8 @@ double columns(const Json& entry, const Outcome& got) {
   const Json& tolerance = entry["accept"]["tol"];
   const Numbers truth = numbers_of(entry["out"]["m"]), &m = need(got, "m");
   double out = 0;
-  for (std::size_t i = 0; i < 16; ++i) out = worst({out, ratio(std::abs(m.at(i) - truth[i]), allowed(tolerance, i / 4))});
+  for (std::size_t i = 0; i < 16; ++i)
+    out = worst({out, ratio(std::abs(m.at(i) - truth[i]), allowed(tolerance, i / 4))});
   return out;
 }
 
@@ -112,7 +114,9 @@ double relative_elements(const Json& entry, const Outcome& got) {
   const Numbers truth = numbers_of(entry["out"][key]), &m = need(got, key);
   double out = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double limit = truth[i] == 0 ? 0 : std::max(accept["rel_tol"].get<double>() * std::abs(truth[i]), accept["floor"].get<double>());
+    const double limit =
+        truth[i] == 0 ? 0
+                      : std::max(accept["rel_tol"].get<double>() * std::abs(truth[i]), accept["floor"].get<double>());
     out = worst({out, ratio(std::abs(m.at(i) - truth[i]), limit)});
   }
   return out;
@@ -133,8 +137,10 @@ double euler_compose(const Json& entry, const Outcome& got) {
 
 double euler_rebuild(const Json& entry, const Outcome& got) {
   const double h = need(got, "h").at(0), p = need(got, "p").at(0), r = need(got, "r").at(0);
-  const double ch = std::cos(h), sh = std::sin(h), cp = std::cos(p), sp = std::sin(p), cr = std::cos(r), sr = std::sin(r);
-  const Mat3<double> roll(cr, sr, 0, -sr, cr, 0, 0, 0, 1), pitch(1, 0, 0, 0, cp, sp, 0, -sp, cp), head(ch, 0, -sh, 0, 1, 0, sh, 0, ch);
+  const double ch = std::cos(h), sh = std::sin(h), cp = std::cos(p), sp = std::sin(p), cr = std::cos(r),
+               sr = std::sin(r);
+  const Mat3<double> roll(cr, sr, 0, -sr, cr, 0, 0, 0, 1), pitch(1, 0, 0, 0, cp, sp, 0, -sp, cp),
+      head(ch, 0, -sh, 0, 1, 0, sh, 0, ch);
   const Mat3<double> e = roll * pitch * head;
   Numbers rebuilt;
   for (int i = 0; i < 9; ++i) rebuilt.push_back(e[i / 3][i % 3]);
@@ -144,7 +150,8 @@ double euler_rebuild(const Json& entry, const Outcome& got) {
 double axis_angle(const Json& entry, const Outcome& got) {
   const Json &out = entry["out"], &accept = entry["accept"];
   const Numbers& axis = need(got, "axis");
-  const double truth = out["angle"], error = std::abs(need(got, "angle").at(0) - truth), floor = accept.value("floor", 0.0);
+  const double truth = out["angle"], error = std::abs(need(got, "angle").at(0) - truth),
+               floor = accept.value("floor", 0.0);
   const double angle = ratio(error, std::max(accept["angle_rel_tol"].get<double>() * truth, 4 * floor));
   const double limit = accept["axis_tol"];
   if (out["axis"].is_null()) return worst({angle, unit_miss(axis, limit)});
@@ -158,7 +165,8 @@ double rotates_s_to_t(const Json& entry, const Outcome& got) {
   const Json& accept = entry["accept"];
   const Numbers& q = need(got, "q");
   const Vec3<double> none(0.0);
-  const auto s = normalised_or(vec_of(numbers_of(entry["in"]["s"])), none), t = normalised_or(vec_of(numbers_of(entry["in"]["t"])), none);
+  const auto s = normalised_or(vec_of(numbers_of(entry["in"]["s"])), none),
+             t = normalised_or(vec_of(numbers_of(entry["in"]["t"])), none);
   const Vec3<double> moved = matrix_from_quat(quat_of(q)) * s;
   const double main = worst({unit_miss(q, accept["norm_tol"]), ratio(safe_length(moved - t), accept["tol"])});
   if (!accept["rotation_tol"].is_number()) return main;
@@ -171,7 +179,8 @@ double polar(const Json& entry, const Outcome& got) {
   Mat3<double> rotation, linear;
   for (int i = 0; i < 9; ++i) rotation[i / 3][i % 3] = r.at(i), linear[i / 3][i % 3] = m[i / 3 * 4 + i % 3];
   const Mat3<double> stretch(s.at(0), s.at(3), s.at(4), s.at(3), s.at(1), s.at(5), s.at(4), s.at(5), s.at(2));
-  const Mat3<double> square = glm::transpose(rotation) * rotation - Mat3<double>(1.0), rest = rotation * stretch - linear;
+  const Mat3<double> square = glm::transpose(rotation) * rotation - Mat3<double>(1.0),
+                     rest = rotation * stretch - linear;
   double miss = glm::determinant(rotation) > 0 ? 0 : kInfinity;
   for (int i = 0; i < 9; ++i)
     miss = worst({miss, ratio(std::abs(square[i / 3][i % 3]), accept["orthogonal_tol"]),
@@ -179,13 +188,15 @@ double polar(const Json& entry, const Outcome& got) {
   miss = worst({miss, elements(need(got, "t"), numbers_of(out["t"]), 0.0)});
   if (accept["rotation_tol"].is_number())
     miss = worst({miss, ratio(turn(need(got, "q"), numbers_of(out["q"])), accept["rotation_tol"])});
-  if (accept["stretch_tol"].is_number()) miss = worst({miss, elements(s, numbers_of(out["stretch"]), accept["stretch_tol"])});
+  if (accept["stretch_tol"].is_number())
+    miss = worst({miss, elements(s, numbers_of(out["stretch"]), accept["stretch_tol"])});
   return miss;
 }
 
 double trs(const Json& entry, const Outcome& got) {
   const Json &out = entry["out"], &accept = entry["accept"];
-  const Numbers m = numbers_of(entry["in"]["m"]), &q = need(got, "q"), &s = need(got, "s"), truth = numbers_of(out["s"]);
+  const Numbers m = numbers_of(entry["in"]["m"]), &q = need(got, "q"), &s = need(got, "s"),
+                truth = numbers_of(out["s"]);
   const Mat3<double> rotation = matrix_from_quat(quat_of(q));
   double miss = worst({unit_miss(q, accept["norm_tol"]), elements(need(got, "t"), numbers_of(out["t"]), 0.0)});
   for (std::size_t c = 0; c < 3; ++c) {
@@ -193,9 +204,11 @@ double trs(const Json& entry, const Outcome& got) {
       const double entry_miss = std::abs(rotation[static_cast<int>(c)][static_cast<int>(r)] * s.at(c) - m[c * 4 + r]);
       miss = worst({miss, ratio(entry_miss, allowed(accept["rebuild_tol"], c))});
     }
-    miss = worst({miss, ratio(std::abs(s.at(c) - truth[c]), accept["scale_rel_tol"].get<double>() * std::abs(truth[c]))});
+    miss =
+        worst({miss, ratio(std::abs(s.at(c) - truth[c]), accept["scale_rel_tol"].get<double>() * std::abs(truth[c]))});
   }
-  if (accept["rotation_tol"].is_number()) miss = worst({miss, ratio(turn(q, numbers_of(out["q"])), accept["rotation_tol"])});
+  if (accept["rotation_tol"].is_number())
+    miss = worst({miss, ratio(turn(q, numbers_of(out["q"])), accept["rotation_tol"])});
   return miss;
 }
 
@@ -209,7 +222,8 @@ double normal(const Json& entry, const Outcome& got) {
   double miss = 0;
   for (const char* key : {"n", "n_outward"})
     if (got.contains(key) && entry["out"][key].is_array())
-      miss = worst({miss, unit_miss(need(got, key), unit), ratio(vector_turn(need(got, key), numbers_of(entry["out"][key])), limit)});
+      miss = worst({miss, unit_miss(need(got, key), unit),
+                    ratio(vector_turn(need(got, key), numbers_of(entry["out"][key])), limit)});
   return got.contains("n") ? miss : kInfinity;
 }
 
@@ -224,7 +238,8 @@ double skin(const Json& entry, const Outcome& got) {
   const auto against = [&](const Json& truth) {
     double miss = worst({ratio(gap(need(got, "p"), numbers_of(truth["p"])), accept["tol"]),
                          ratio(turn(need(got, "q"), numbers_of(truth["q"])), accept["rotation_tol"])});
-    if (truth.contains("n")) miss = worst({miss, ratio(vector_turn(need(got, "n"), numbers_of(truth["n"])), accept["n_tol"])});
+    if (truth.contains("n"))
+      miss = worst({miss, ratio(vector_turn(need(got, "n"), numbers_of(truth["n"])), accept["n_tol"])});
     return miss;
   };
   double best = against(out);
@@ -240,7 +255,8 @@ double candy(const Json& entry, const Outcome& got) {
     const Numbers& p = need(got, key);
     double error = gap(p, numbers_of(out[key]));
     // Both senses of a half turn are right; dual quaternions and centers of rotation share the rotation.
-    if (out.contains("alt") && key != "lbs_p") error = std::min(error, gap(p, numbers_of(out["alt"].value(key, out["alt"]["dqs_p"]))));
+    if (out.contains("alt") && key != "lbs_p")
+      error = std::min(error, gap(p, numbers_of(out["alt"].value(key, out["alt"]["dqs_p"]))));
     miss = worst({miss, ratio(error, accept["tol"])});
     if (key == "lbs_p") continue;
     const double radius = std::hypot(p.at(1), p.at(2)), truth = out[key == "dqs_p" ? "dqs_radius" : "cor_radius"];
@@ -254,7 +270,8 @@ double depth(const Json& entry, const Outcome& got) {
   const double main = ratio(std::abs(need(got, "depth").at(0) - out["depth"].get<double>()), accept["depth_tol"]);
   if (!accept.contains("distance_rel_tol") || !accept["distance_rel_tol"].is_number()) return main;
   const double truth = out["distance_from_stored"];
-  return worst({main, ratio(std::abs(need(got, "distance").at(0) - truth), accept["distance_rel_tol"].get<double>() * truth)});
+  return worst(
+      {main, ratio(std::abs(need(got, "distance").at(0) - truth), accept["distance_rel_tol"].get<double>() * truth)});
 }
 
 double unit_vector(const Json& entry, const Outcome& got) {
@@ -265,9 +282,11 @@ double unit_vector(const Json& entry, const Outcome& got) {
 double vector_angle(const Json& entry, const Outcome& got) {
   const Json &out = entry["out"], &accept = entry["accept"];
   const std::string key = accept["key"];
-  double miss = worst({unit_vector(entry, got), ratio(vector_turn(need(got, key), numbers_of(out[key])), accept["tol"])});
+  double miss =
+      worst({unit_vector(entry, got), ratio(vector_turn(need(got, key), numbers_of(out[key])), accept["tol"])});
   for (const char* q : {"q0", "q1"})
-    if (accept.contains("q_tol") && got.contains(q)) miss = worst({miss, elements(need(got, q), numbers_of(out[q]), accept["q_tol"])});
+    if (accept.contains("q_tol") && got.contains(q))
+      miss = worst({miss, elements(need(got, q), numbers_of(out[q]), accept["q_tol"])});
   return miss;
 }
 
@@ -275,12 +294,29 @@ double vector_angle(const Json& entry, const Outcome& got) {
 
 double numeric_miss(const Json& entry, const Outcome& got) {
   static const std::map<std::string, double (*)(const Json&, const Outcome&)> metrics = {
-      {"rotation_angle", rotation_angle}, {"quat_components", quat_components}, {"vec_relative", vec_relative},
-      {"vec_any_direction", vec_any_direction}, {"max_abs", each_number}, {"components", each_number},
-      {"elements", each_number}, {"columns", columns}, {"relative_elements", relative_elements}, {"squad", squad},
-      {"euler_compose", euler_compose}, {"euler_rebuild", euler_rebuild}, {"axis_angle", axis_angle},
-      {"rotates_s_to_t", rotates_s_to_t}, {"polar", polar}, {"trs", trs}, {"normal", normal}, {"finite", finite},
-      {"skin", skin}, {"candy", candy}, {"depth", depth}, {"unit_vector", unit_vector}, {"vector_angle", vector_angle}};
+      {"rotation_angle", rotation_angle},
+      {"quat_components", quat_components},
+      {"vec_relative", vec_relative},
+      {"vec_any_direction", vec_any_direction},
+      {"max_abs", each_number},
+      {"components", each_number},
+      {"elements", each_number},
+      {"columns", columns},
+      {"relative_elements", relative_elements},
+      {"squad", squad},
+      {"euler_compose", euler_compose},
+      {"euler_rebuild", euler_rebuild},
+      {"axis_angle", axis_angle},
+      {"rotates_s_to_t", rotates_s_to_t},
+      {"polar", polar},
+      {"trs", trs},
+      {"normal", normal},
+      {"finite", finite},
+      {"skin", skin},
+      {"candy", candy},
+      {"depth", depth},
+      {"unit_vector", unit_vector},
+      {"vector_angle", vector_angle}};
   const auto found = metrics.find(entry["accept"]["metric"].get<std::string>());
   return found == metrics.end() ? kInfinity : found->second(entry, got);
 }

@@ -10,20 +10,27 @@ namespace sinew::test {
 /// writes a kernel's answer as doubles.
 
 template <class T>
-T scalar(const Json& j) { return static_cast<T>(j.get<double>()); }
+T scalar(const Json& j) {
+  return static_cast<T>(j.get<double>());
+}
 
 template <class T>
-Vec3<T> vec3(const Json& j) { return {scalar<T>(j.at(0)), scalar<T>(j.at(1)), scalar<T>(j.at(2))}; }
+Vec3<T> vec3(const Json& j) {
+  return {scalar<T>(j.at(0)), scalar<T>(j.at(1)), scalar<T>(j.at(2))};
+}
 
 template <class T>
-Quat<T> quat(const Json& j) { return quat_xyzw(scalar<T>(j.at(0)), scalar<T>(j.at(1)), scalar<T>(j.at(2)), scalar<T>(j.at(3))); }
+Quat<T> quat(const Json& j) {
+  return quat_xyzw(scalar<T>(j.at(0)), scalar<T>(j.at(1)), scalar<T>(j.at(2)), scalar<T>(j.at(3)));
+}
 
 /// 3x3 from 9 numbers, or the linear part of 16; column-major.
 template <class T>
 Mat3<T> mat3(const Json& j) {
   const std::size_t stride = j.size() == 16 ? 4 : 3;
   Mat3<T> m;
-  for (std::size_t i = 0; i < 9; ++i) m[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = scalar<T>(j.at(i / 3 * stride + i % 3));
+  for (std::size_t i = 0; i < 9; ++i)
+    m[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = scalar<T>(j.at(i / 3 * stride + i % 3));
   return m;
 }
 
@@ -35,10 +42,14 @@ AffineT<T> affine(const Json& j) {
 inline std::vector<double> numbers(double x) { return {x}; }
 
 template <class T>
-std::vector<double> numbers(const Vec3<T>& v) { return {double(v.x), double(v.y), double(v.z)}; }
+std::vector<double> numbers(const Vec3<T>& v) {
+  return {double(v.x), double(v.y), double(v.z)};
+}
 
 template <class T>
-std::vector<double> numbers(const Quat<T>& q) { return {double(q.x), double(q.y), double(q.z), double(q.w)}; }
+std::vector<double> numbers(const Quat<T>& q) {
+  return {double(q.x), double(q.y), double(q.z), double(q.w)};
+}
 
 template <class T, int N>
 std::vector<double> numbers(const glm::mat<N, N, T, glm::defaultp>& m) {
