@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <ostream>
+
 #include "tests/support/numeric_corpus.h"
 
 namespace sinew::test {
@@ -10,6 +12,9 @@ struct NumericKind {
   std::vector<NumericVariant> careful;  ///< must hold every case: our kernels in float and in double
   std::vector<NumericVariant> naive;    ///< known mistakes: each must fail some case, or the cases would prove nothing
 };
+
+/// How GoogleTest and CTest name the test of a kind.
+inline void PrintTo(const NumericKind& kind, std::ostream* out) { *out << kind.kind; }
 
 /// The same kernel, a lambda template over the precision, in float and in double.
 template <class Kernel>

@@ -22,6 +22,14 @@ TEST(quat_log_exp, N10_log_near_minus_one_keeps_its_axis_and_has_length_pi_there
   EXPECT_TRUE(is_near(v, Vec3<double>(0, 3.141592653589793, 0), 1e-15));
 }
 
+TEST(quat_log_exp, N11_log_of_tiny_rotations_keeps_its_relative_accuracy) {
+  FixedRandom random(3);
+  for (const double angle : {1e-30, 1e-12, 1e-7, 5e-4, 1e-3, 0.1}) {
+    const auto q = random.rotation_by(angle);
+    EXPECT_NEAR(safe_length(quat_log(q)) / (angle / 2), 1, 4 * test::kEps) << angle;
+  }
+}
+
 TEST(quat_log_exp, exp_of_log_is_the_quaternion_with_its_sign) {
   FixedRandom random(1);
   for (int i = 0; i < 200; ++i) {
