@@ -7,8 +7,8 @@ namespace sinew {
 /// Shortest rotation that turns the direction of s into that of t; opposite vectors: a half turn about some axis
 /// square to s. A vector without direction: the identity.
 /// eq   q = (axis |s - t| / 2, |s + t| / 2) for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58):
-///      both differences are exact where they are small, so neither end cancels (N14). The axis is that of s x t, made
-///      from (s - t) x t or (s + t) x t, the one with the smaller first factor, and then made square to s - t.
+///      both differences are exact where they are small, so neither end cancels (N14). The axis is s x t made
+///      square to s - t: then even a poor axis turns s into t.
 template <class T>
 Quat<T> rotation_between(const Vec3<T>& from, const Vec3<T>& to) noexcept {
   const Vec3<T> none(T(0)), s = normalised_or(from, none), t = normalised_or(to, none);
@@ -17,10 +17,9 @@ Quat<T> rotation_between(const Vec3<T>& from, const Vec3<T>& to) noexcept {
   const T far = safe_length(difference), near = safe_length(sum);
   if (far == T(0)) return quat_identity<T>();
   const Vec3<T> along = difference / far;
-  const Vec3<T> raw = near < far ? glm::cross(sum, t) : glm::cross(difference, t);
-  Vec3<T> axis = normalised_or(raw, none);
-  axis = normalised_or(axis - along * glm::dot(axis, along), none);
-  if (!(glm::dot(axis, axis) > T(0.5))) axis = perpendicular_to(along);
+  const Vec3<T> unit = normalised_or(glm::cross(s, t), none), square = unit - along * glm::dot(unit, along);
+  // Opposite vectors leave only noise in the product; what is mostly along s - t is no axis at all.
+  const Vec3<T> axis = square_of(square) > T(0.25) ? normalised_or(square, none) : perpendicular_to(along);
   const Vec3<T> v = axis * far;
   return normalised(quat_xyzw(v.x, v.y, v.z, near));
 }

@@ -49,9 +49,10 @@ TEST(projection, angle_and_rectangle_agree) {
 }
 
 TEST(projection, near_times_far_may_overflow) {
-  const auto m = with_depth(perspective_frame(1.0f, 1.0f, -1.0f), DepthRange::zero_one, 1e20f, 1e21f);
-  EXPECT_TRUE(std::isfinite(m[3][2]));
-  EXPECT_FLOAT_EQ(m[3][2], -1e20f / 0.9f);
+  const auto frame = perspective_frame(1.0f, 1.0f, -1.0f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::gl, 1e20f, 1e21f)[3][2], -2e20f / 0.9f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::zero_one, 1e20f, 1e21f)[3][2], -1e20f / 0.9f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::reversed, 1e20f, 1e21f)[3][2], 1e20f / 0.9f);
 }
 
 TEST(depth, distance_survives_the_round_trip) {

@@ -36,6 +36,16 @@ TEST(rotation_between, N14_opposite_vectors_get_a_half_turn) {
   }
 }
 
+TEST(rotation_between, N14_vectors_opposite_up_to_a_few_roundings_still_meet) {
+  FixedRandom random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const auto s = random.direction();
+    auto t = -s;
+    for (int c = 0; c < 3; ++c) t[c] *= 1 + static_cast<float>(random.in(-4, 4) * kEps);
+    EXPECT_TRUE(is_near(rotate_vector(rotation_between(s, t), s), t, 12 * kEps)) << i;
+  }
+}
+
 TEST(rotation_between, lengths_do_not_matter_and_zero_gives_the_identity) {
   const Vec3<float> s(1, 2, 3), t(-2, 1, 0.5f);
   EXPECT_TRUE(test::same_rotation(rotation_between(s * 1e-30f, t * 1e30f), rotation_between(s, t), 8 * kEps));
