@@ -14,6 +14,14 @@ constexpr int kPoses = 17;
 
 float diagonal(const Aabb& box) { return box.empty() ? -1.0f : glm::length(box.upper - box.lower); }
 
+// A point becomes a cube around it, so that lengths that follow the box are never zero.
+void give_extent(Aabb& box) {
+  if (box.empty() || diagonal(box) > 0.0f) return;
+  const float half = glm::length(box.lower) > 0.0f ? 0.01f * glm::length(box.lower) : 0.5f;
+  box.lower -= half;
+  box.upper += half;
+}
+
 }  // namespace
 
 ClipBounds clip_bounds(const Scene& scene, std::uint32_t clip) {
@@ -36,6 +44,9 @@ ClipBounds clip_bounds(const Scene& scene, std::uint32_t clip) {
     bounds.reached.add(box.lower);
     bounds.reached.add(box.upper);
   }
+  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;   // a point that travels
+  give_extent(bounds.reached);
+  give_extent(bounds.largest);
   return bounds;
 }
 
