@@ -37,8 +37,13 @@ ClipBounds clip_bounds(const Scene& scene, std::uint32_t clip) {
     FrameInput input;
     if (clip < scene.animations.size()) input.layers = {&layer, 1};
     if (run_plan(plan, input, frame) != ErrorCode::ok) continue;
-    Aabb box = bounds_of(scene, frame.result());
-    if (box.empty()) box = bounds_of_joints(frame.result().model);
+    const FrameResult& pose = frame.result();
+    Aabb box = bounds_of(scene, pose);
+    bounds.outline.add(scene, pose, box);
+    if (box.empty()) {
+      box = bounds_of_joints(pose.model);
+      for (const auto& m : pose.model) bounds.outline.add(translation_of(m));
+    }
     if (box.empty()) continue;
     if (diagonal(box) > diagonal(bounds.largest)) bounds.largest = box;
     bounds.reached.add(box.lower);

@@ -3,13 +3,15 @@
 #include <cstdint>
 
 #include "runtime/assets/scene.h"
+#include "viewer/app/outline.h"
 
 namespace sinew::viewer {
 
 /// How much room a clip takes, in world space.
 struct ClipBounds {
-  Aabb reached;   ///< holds every pose: what the camera frames
-  Aabb largest;   ///< of the single pose with the longest diagonal: what shading lengths follow, so that a walk across
+  Aabb reached;      ///< holds every pose
+  Outline outline;   ///< of every pose: what the camera frames
+  Aabb largest;      ///< of the single pose with the longest diagonal: what shading lengths follow, so that a walk across
                   ///< the world does not blur the walker's ambient occlusion
 };
 

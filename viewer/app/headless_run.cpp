@@ -53,7 +53,7 @@ class Poser {
 OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
   OrbitCamera camera;
   camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
-  camera.frame(bounds.reached, static_cast<double>(options.width) / options.height);
+  camera.frame(bounds.outline.points(), static_cast<double>(options.width) / options.height);
   return camera;
 }
 
@@ -83,7 +83,7 @@ class PictureMaker {
   Picture at(double time_s) {
     const FrameResult& pose = poser_.at(time_s);
     std::span<const LineVertex> lines;
-    if (settings_.skeleton) lines = skeleton_.make(pose.model, SkeletonLines::axis_length_m(bounds_.largest));
+    if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
     return headless_.render(pose, view_, look_, lines);
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -41,22 +42,34 @@ void OrbitCamera::zoom(double steps) noexcept {
   distance_m = std::clamp(distance_m * std::pow(kZoomPerStep, steps), scale_m_ / kZoomRange, scale_m_ * kZoomRange);
 }
 
-void OrbitCamera::frame(const Aabb& bounds, double aspect) noexcept {
-  glm::dvec3 lower(-0.5), upper(0.5);
-  if (!bounds.empty()) lower = bounds.lower, upper = bounds.upper;
-  const glm::dvec3 centre = 0.5 * (lower + upper);
-  glm::dvec3 half = 0.5 * (upper - lower);
-  if (glm::length(half) == 0.0) half = glm::dvec3(glm::length(centre) > 0.0 ? 0.01 * glm::length(centre) : 0.5);
+void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect) noexcept {
   const Axes axes = axes_of(yaw_rad, pitch_rad);
   const double slope_y = std::tan(0.5 * fov_y_rad), slope_x = slope_y * std::max(aspect, 1e-3);
-  double distance = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 c(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z);
-    const double x = std::abs(glm::dot(c, axes.right)), y = std::abs(glm::dot(c, axes.up)), z = glm::dot(c, axes.back);
-    distance = std::max(distance, std::max(x / slope_x, y / slope_y) + z);
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double right = kNever, left = kNever, top = kNever, bottom = kNever, nearest = kNever, farthest = -kNever;
+  for (const glm::dvec3 p : points) {
+    const double x = glm::dot(p, axes.right), y = glm::dot(p, axes.up), z = glm::dot(p, axes.back);
+    right = std::max(right, x + slope_x * z), left = std::max(left, -x + slope_x * z);
+    top = std::max(top, y + slope_y * z), bottom = std::max(bottom, -y + slope_y * z);
+    nearest = std::max(nearest, z), farthest = std::min(farthest, z);
   }
-  target = centre;
-  distance_m = scale_m_ = kMargin * distance;
+  const double eye_z = std::max((right + left) / (2.0 * slope_x), (top + bottom) / (2.0 * slope_y));
+  const double middle = 0.5 * (nearest + farthest);
+  if (points.empty() || !(eye_z - middle > 0.0)) {
+    const glm::vec3 at = points.empty() ? glm::vec3(0.0f) : points.front();
+    return frame(Aabb{at - 0.5f, at + 0.5f}, aspect);
+  }
+  target = 0.5 * (right - left) * axes.right + 0.5 * (top - bottom) * axes.up + middle * axes.back;
+  distance_m = scale_m_ = kMargin * (eye_z - middle);
+}
+
+void OrbitCamera::frame(const Aabb& bounds, double aspect) noexcept {
+  if (bounds.empty()) return frame(std::span<const glm::vec3>(), aspect);
+  glm::vec3 corners[8];
+  for (int c = 0; c < 8; ++c)
+    corners[c] = {(c & 1 ? bounds.upper : bounds.lower).x, (c & 2 ? bounds.upper : bounds.lower).y,
+                  (c & 4 ? bounds.upper : bounds.lower).z};
+  frame(corners, aspect);
 }
 
 void OrbitCamera::place(const glm::dvec3& eye, const glm::dvec3& to) noexcept {

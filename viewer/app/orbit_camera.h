@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {
@@ -26,11 +28,13 @@ class OrbitCamera {
   /// size of what was framed last.
   void zoom(double steps) noexcept;
 
-  /// Moves, without turning, to where the whole box is just inside the picture. An empty box counts as the unit cube
-  /// around the origin, one without any extent as a cube of its magnitude.
-  /// eq   distance = max over corners c of max(|c.x| / (tan(fov/2) aspect), |c.y| / tan(fov/2)) + c.z, in camera axes
-  ///      from the box's centre, times a margin of 1.08
-  void frame(const Aabb& bounds, double aspect) noexcept;
+  /// Moves, without turning, to where all points are just inside the picture and in its middle. The target lies halfway
+  /// between the nearest and the farthest point. No points, or a single one, count as a cube of 1 m around it.
+  /// eq   in camera axes x, y, z (z towards the eye), with the slopes s of the picture's edges:
+  ///      a = max(x + s z), b = max(-x + s z):  eye.x = (a - b) / 2,  eye.z = (a + b) / (2 s);  y alike, the farther z
+  ///      counts; then 8 percent farther from the target
+  void frame(std::span<const glm::vec3> points, double aspect) noexcept;
+  void frame(const Aabb& bounds, double aspect) noexcept;   ///< its corners
 
   /// Stands at `eye` and looks at `to`. Nothing changes when the two are the same point.
   void place(const glm::dvec3& eye, const glm::dvec3& to) noexcept;

@@ -64,7 +64,7 @@ DrawnScene ShownScene::upload(std::uint32_t slot) {
 }
 
 std::span<const LineVertex> ShownScene::skeleton_lines() {
-  return skeleton_.make(newest_->model, SkeletonLines::axis_length_m(bounds().largest));
+  return skeleton_.make(newest_->model, skeleton_.axis_length_m(bounds().largest));
 }
 
 const ClipBounds& ShownScene::bounds() {

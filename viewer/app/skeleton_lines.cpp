@@ -9,7 +9,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr float kAxisPerDiagonal = 0.012f;
+constexpr float kAxisPerDiagonal = 0.012f, kLoneAxisPerDiagonal = 0.05f;
 constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                     // yellow
 constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                                 // of a bone, in bone lengths
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};     // x red, y green, z blue
@@ -49,7 +49,7 @@ std::vector<bool> skin_joints(const Scene& scene) {
 
 }  // namespace
 
-SkeletonLines::SkeletonLines(const Scene& scene) {
+SkeletonLines::SkeletonLines(const Scene& scene) : alone_(scene.instances.empty()) {
   const auto& parents = scene.skeleton.parents;
   const auto shown = scene.skins.empty() ? std::vector<bool>(parents.size(), true) : skin_joints(scene);
   for (std::uint32_t j = 0; j < parents.size(); ++j) {
@@ -78,8 +78,8 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
   return lines_;
 }
 
-float SkeletonLines::axis_length_m(const Aabb& shown) noexcept {
-  return kAxisPerDiagonal * (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
+float SkeletonLines::axis_length_m(const Aabb& shown) const noexcept {
+  return (alone_ ? kLoneAxisPerDiagonal : kAxisPerDiagonal) * (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
 }
 
 Aabb bounds_of_joints(std::span<const Affine> model) noexcept {

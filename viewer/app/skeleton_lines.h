@@ -23,13 +23,14 @@ class SkeletonLines {
   /// out  stays valid until the next call
   std::span<const LineVertex> make(std::span<const Affine> model, float axis_m);
 
-  /// Small beside what is shown, so that axes do not hide bones.
-  static float axis_length_m(const Aabb& shown) noexcept;
+  /// Small beside what is shown, so that axes do not hide bones; longer where there is nothing but joints.
+  float axis_length_m(const Aabb& shown) const noexcept;
 
   std::size_t bone_count() const noexcept { return bones_.size(); }
 
  private:
   struct Bone { std::uint32_t parent, joint; };
+  bool alone_ = false;                ///< the scene has no meshes
   std::vector<Bone> bones_;
   std::vector<std::uint32_t> joints_;
   std::vector<LineVertex> lines_;     ///< kept, so that frames do not allocate

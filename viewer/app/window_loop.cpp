@@ -56,7 +56,7 @@ class WindowLoop {
  private:
   void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
   void place_camera();
-  void frame_all() { camera_.frame(shown_->bounds().reached, aspect()); }
+  void frame_all() { camera_.frame(shown_->bounds().outline.points(), aspect()); }
   double aspect() const;
   void react(const Input& input);
   void act(Action action);
