@@ -118,5 +118,37 @@ TEST(reference_skinning, half_turns_both_ways_are_accepted_at_180_degrees) {
   EXPECT_NEAR(std::abs(p.position.z), 1, 1e-15);
 }
 
+/// Steps of a sweep through 720 degrees after which a vertex between the two bones jumped, in degrees of the joint.
+template <class Skin>
+std::vector<double> jumps_of(Skin skin) {
+  constexpr double kStep = kPi / 360;  // half a degree: a vertex 1 m from the axis may move 9 mm
+  std::vector<double> jumps;
+  Vec3<double> last = skin(Twist(0));
+  for (int i = 1; i <= 1440; ++i) {
+    const Vec3<double> now = skin(Twist(i * kStep));
+    if (test::distance(now, last) > 1.5 * kStep) jumps.push_back(i * 0.5);
+    last = now;
+  }
+  return jumps;
+}
+
+TEST(reference_skinning, N17_skin_moves_continuously_through_720_degrees_but_for_the_half_turns) {
+  const Vec3<double> p(0.25, 1, 0), n(0, 1, 0), center(0.25, 0, 0);
+  const std::vector<double> uneven{0.7, 0.3};
+  for (const auto& weights : {kHalf, uneven}) {
+    EXPECT_TRUE(jumps_of([&](const Twist& t) { return skin_linear<double>(t.affine(), weights, p); }).empty());
+    const auto dual = jumps_of(
+        [&](const Twist& t) { return skin_dual_quaternion<double>(t.rigid(), kNoStretch, weights, p, n).position; });
+    const auto about_center = jumps_of([&](const Twist& t) {
+      return skin_center_of_rotation<double>(t.rigid(), t.affine(), weights, p, n, center).position;
+    });
+    // The documented exception: past a half turn between the bones the other way round is the shorter one.
+    ASSERT_EQ(dual.size(), 2u);
+    EXPECT_NEAR(dual[0], 180, 0.5);
+    EXPECT_NEAR(dual[1], 540, 0.5);
+    EXPECT_EQ(about_center, dual);
+  }
+}
+
 }  // namespace
 }  // namespace sinew
