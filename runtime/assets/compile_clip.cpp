@@ -2,6 +2,7 @@
 #include "runtime/assets/clip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -57,6 +58,14 @@ bool is_constant(const Track<V>& track) noexcept {
   }
   return true;
 }
+
+/// True when the values between keys are stored ones, not made by interpolation and its normalisation.
+bool holds_keys(const QuatTrack& track) noexcept {
+  return track.interpolation == Interpolation::step || track.key_count() == 1;
+}
+
+/// Of length 1 within the rounding of four components.
+bool is_unit(const glm::quat& q) noexcept { return std::abs(safe_length(quat_cast<double>(q)) - 1.0) <= 0x1p-23; }
 
 /// True when no weight of the track ever changes. Compares bits.
 bool is_constant(const WeightTrack& track) noexcept {
@@ -218,8 +227,8 @@ class Compiler {
 
   void add_rotation(std::uint32_t joint, const QuatTrack* track) {
     if (track == nullptr) return;
-    if (is_constant(*track)) {
-      const glm::quat& q = track->values[is_cubic(track->interpolation) ? 1 : 0];
+    const glm::quat& q = track->values[is_cubic(track->interpolation) ? 1 : 0];
+    if (is_constant(*track) && (holds_keys(*track) || is_unit(q))) {
       layout_.base_pose.set(first_plane(Property::rotation), joint, {q.x, q.y, q.z, q.w});
       ++layout_.counts.folded;
       return;
