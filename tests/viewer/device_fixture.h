@@ -6,7 +6,8 @@
 
 namespace sinew::viewer {
 
-/// Tests that draw: skipped with the reason where the machine has no Vulkan device, and none may cause a validation message.
+/// Tests that draw: skipped with the reason where the machine has no Vulkan device, and none may cause a validation
+/// message.
 class DeviceTest : public testing::Test {
  protected:
   void SetUp() override {

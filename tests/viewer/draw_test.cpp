@@ -218,6 +218,25 @@ TEST_F(drawing, G66_a_missing_image_shows_a_magenta_and_black_board) {
   EXPECT_EQ(black, 128);
 }
 
+TEST_F(drawing, G66_missing_data_textures_are_left_out) {
+  const auto lit = [](bool with_missing) {
+    BuiltScene built;
+    Image image;
+    image.missing_reason = "not found";
+    built.scene.images.push_back(image);
+    built.scene.textures.push_back({0, {}});
+    Material material = matte({0.6f, 0.6f, 0.6f});
+    if (with_missing)
+      material.normal_texture.texture = material.metallic_roughness_texture.texture =
+          material.occlusion_texture.texture = 0;
+    Primitive p = facing_square();
+    p.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+    built.add(p, built.add_material(material));
+    return draw(built);
+  };
+  EXPECT_EQ(lit(true).pixels, lit(false).pixels);
+}
+
 TEST_F(drawing, flat_normals_come_from_the_deformed_shape) {
   BuiltScene built;
   Primitive p = facing_square();

@@ -37,8 +37,8 @@ TestDevice& only() {
 Device* test_device() { return only().device.get(); }
 const std::string& no_device_reason() { return only().reason; }
 
-FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view, const RenderOptions& options,
-                          const FrameInputs& extras) {
+FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
+                          const RenderOptions& options, const FrameInputs& extras) {
   constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
   Device& device = *test_device();
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
@@ -46,8 +46,10 @@ FloatPicture render_float(const BuiltScene& built, int width, int height, const 
   FrameUpload frame(device, built.scene, 1);
   frame.update(0, built.frame());
   FrameRenderer renderer(device, format, 1);
-  const GpuImage image(device, {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-  const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryUse::read_back);
+  const GpuImage image(device,
+                       {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                      MemoryUse::read_back);
   const DrawnScene drawn{&scene, &frame};
   FrameInputs inputs = extras;
   inputs.scenes = {&drawn, 1};
@@ -71,8 +73,9 @@ reference::DepthAndNormals empty_image(int width, int height, const View& view) 
   return image;
 }
 
-reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view, RenderOptions options) {
-  options.transparent_background = true;   // alpha tells what was drawn
+reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
+                                                 RenderOptions options) {
+  options.transparent_background = true;  // alpha tells what was drawn
   options.depth_range = {0.0f, 64.0f};
   options.show = Show::depth;
   const FloatPicture depth = render_float(built, width, height, view, options);

@@ -22,8 +22,8 @@ struct FloatPicture {
   const glm::vec4& at(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
 };
 
-FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view, const RenderOptions& options,
-                          const FrameInputs& extras = {});
+FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
+                          const RenderOptions& options, const FrameInputs& extras = {});
 
 /// Distances and normals as the GPU drew them, by way of Show::depth and Show::normals.
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,

@@ -73,7 +73,10 @@ MaterialSet::~MaterialSet() {
   vkDestroyDescriptorSetLayout(device_.handle(), layout_, nullptr);
 }
 
-void MaterialSet::write_set(const Scene& scene, const Material& material, std::size_t index, Staging& staging) {
+void MaterialSet::write_set(const Scene& scene, const Material& given, std::size_t index, Staging& staging) {
+  Material material = given;
+  for (TextureUse* data : {&material.metallic_roughness_texture, &material.normal_texture, &material.occlusion_texture})
+    if (!readable(scene, *data)) *data = {};
   const MaterialUniforms uniforms = material_uniforms(material);
   std::memcpy(uniforms_.mapped() + stride_ * index, &uniforms, sizeof(uniforms));
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), stride_ * index, sizeof(uniforms)};

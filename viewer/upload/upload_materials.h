@@ -38,7 +38,7 @@ class MaterialSet {
   }
 
  private:
-  void write_set(const Scene& scene, const Material& material, std::size_t index, Staging& staging);
+  void write_set(const Scene& scene, const Material& given, std::size_t index, Staging& staging);
 
   Device& device_;
   TextureSet textures_;

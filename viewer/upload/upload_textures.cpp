@@ -32,6 +32,11 @@ bool readable(const Image& image) noexcept {
 
 }  // namespace
 
+bool readable(const Scene& scene, const TextureUse& use) noexcept {
+  if (!use.used() || scene.textures[use.texture].image == kNone) return false;
+  return readable(scene.images[scene.textures[use.texture].image]);
+}
+
 MipLevel placeholder_image() {
   constexpr std::uint32_t size = 64, field = size / 8;
   MipLevel level{size, size, std::vector<std::uint8_t>(4 * size * size, 0)};

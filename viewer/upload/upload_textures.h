@@ -31,6 +31,10 @@ class TextureSet {
   std::map<std::uint32_t, VkSampler> samplers_;
 };
 
+/// Whether a texture's pixels can be uploaded. Missing colours become a visible placeholder; missing data (normals,
+/// roughness, occlusion) is better left out, since a checkerboard of slopes would only look broken.
+bool readable(const Scene& scene, const TextureUse& use) noexcept;
+
 /// Trilinear by default, with the device's best anisotropy where all filters are linear.
 VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) noexcept;
 
