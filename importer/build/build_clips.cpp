@@ -69,7 +69,7 @@ class ClipBuilder {
     const auto target = read_channel_target(document_, index_, channel, log_);
     if (!target) return;
     const std::string place = pointer("animations", index_, "channels", channel, "target");
-    const auto key = std::pair(static_cast<int>(target->property), target->node != kNone ? target->node : target->mesh + (std::uint64_t{1} << 32));
+    const auto key = std::pair(target->property, target->node);
     if (!targets_.emplace(key, channel).second)
       return log_.report(Rule::animation_duplicate, place, "channel " + std::to_string(targets_[key]) + " has the same target; this one is ignored");
     if (target->property == AnimatedProperty::weights)
@@ -99,28 +99,13 @@ class ClipBuilder {
     }
   }
 
-  std::vector<std::uint32_t> instances_of(const ChannelTarget& target) const {
-    if (target.node != kNone) {
-      const std::uint32_t instance = instances_.of_node[target.node];
-      return instance == kNone ? std::vector<std::uint32_t>{} : std::vector<std::uint32_t>{instance};
-    }
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < instances_.list.size(); ++i) {
-      const std::uint32_t node = order_.node_of_joint[instances_.list[i].joint];
-      if (instances_.list[i].mesh == target.mesh && document_.nodes[node].weights.empty()) found.push_back(i);
-    }
-    return found;
-  }
-
   void add_weights(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
-    const auto moved = instances_of(target);
-    const std::size_t count = moved.empty() ? 0 : instances_.list[moved.front()].rest_weights.size();
-    if (count == 0) return log_.report(Rule::animation_no_morphs, place, "nothing with morph targets is there; the channel is ignored");
-    const auto data = read(channel, AnimatedProperty::weights, static_cast<std::uint32_t>(count));
+    const std::uint32_t instance = instances_.of_node[target.node];
+    const std::size_t count = instance == kNone ? 0 : instances_.list[instance].rest_weights.size();
+    if (count == 0) return log_.report(Rule::animation_no_morphs, place, "the node has no mesh with morph targets; the channel is ignored");
+    auto data = read(channel, AnimatedProperty::weights, static_cast<std::uint32_t>(count));
     if (!data) return;
-    for (const std::uint32_t instance : moved)
-      if (!weights_.contains(instance) || target.node != kNone)
-        weights_[instance] = WeightTrack{data->interpolation, data->times_s, data->values, static_cast<std::uint32_t>(count)};
+    weights_[instance] = WeightTrack{data->interpolation, std::move(data->times_s), std::move(data->values), static_cast<std::uint32_t>(count)};
   }
 
   const gltf::Document& document_;
@@ -131,7 +116,7 @@ class ClipBuilder {
   Animation out_;
   std::map<std::uint32_t, BoneAnimation> bones_;
   std::map<std::uint32_t, WeightTrack> weights_;
-  std::map<std::pair<int, std::uint64_t>, std::uint32_t> targets_;
+  std::map<std::pair<AnimatedProperty, std::uint32_t>, std::uint32_t> targets_;  ///< and the channel that has it
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace sinew {
 
 /// The animations in authoring form, keys as the file has them (G23). Of two channels with one target the first counts
-/// (G20). A pointer to the weights of a mesh moves every instance of it whose node has no weights of its own.
+/// (G20).
 /// err  those of read_channel_target and read_sampler
 /// warning also animation-duplicate, animation-no-morphs, rotation-length, rotation-zero
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,

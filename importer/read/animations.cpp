@@ -52,14 +52,12 @@ std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const 
   const auto parts = split_pointer(channel.pointer);
   if (!parts) return ignore("is not a pointer that the runtime animates");
   const auto property = property_of(parts->property);
-  const bool of_node = parts->list == "nodes" && property;
-  const bool of_mesh = parts->list == "meshes" && property == AnimatedProperty::weights;
-  if (!of_node && !of_mesh) return ignore("is not a property that the runtime animates");
-  if (parts->index >= (of_node ? document.nodes.size() : document.meshes.size())) {
+  if (parts->list != "nodes" || !property) return ignore("is not a property that the runtime animates");
+  if (parts->index >= document.nodes.size()) {
     log.report(Rule::reference, place, in_quotes(channel.pointer) + " points past the end");
     return std::nullopt;
   }
-  return of_node ? ChannelTarget{*property, parts->index, kNone} : ChannelTarget{*property, kNone, parts->index};
+  return ChannelTarget{*property, parts->index};
 }
 
 Interpolation interpolation_of(const std::string& word, const std::string& place, IssueLog& log) {
@@ -174,7 +172,7 @@ std::optional<ChannelTarget> read_channel_target(const gltf::Document& document,
     log.report(Rule::animation_no_target, place, "names no node; the channel is ignored");
     return std::nullopt;
   }
-  return ChannelTarget{*property, channel.node, kNone};
+  return ChannelTarget{*property, channel.node};
 }
 
 std::optional<SamplerData> read_sampler(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler,

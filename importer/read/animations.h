@@ -13,11 +13,10 @@ namespace sinew {
 
 enum class AnimatedProperty : std::uint8_t { translation, rotation, scale, weights };
 
-/// What a channel moves: a property of a node, or the default weights of a mesh (KHR_animation_pointer).
+/// What a channel moves: a property of a node.
 struct ChannelTarget {
   AnimatedProperty property = AnimatedProperty::translation;
   std::uint32_t node = kNone;
-  std::uint32_t mesh = kNone;   ///< only for /meshes/n/weights
 
   friend bool operator==(const ChannelTarget&, const ChannelTarget&) = default;
 };
