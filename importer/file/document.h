@@ -23,7 +23,7 @@ enum class PrimitiveMode : std::uint8_t { points, lines, line_loop, line_strip, 
 struct Buffer {
   std::string uri;                        ///< empty = the BIN chunk of a .glb (buffer 0), or a placeholder
   std::uint64_t byte_length = 0;
-  bool placeholder = false;               ///< holds no bytes: EXT_meshopt_compression fallback (T6)
+  bool placeholder = false;               ///< holds no bytes: EXT_meshopt_compression fallback (T6), or missing
   Json extensions;
   Bytes bytes;                            ///< filled by load_buffers(): byte_length bytes
 };

@@ -37,13 +37,26 @@ bool has_kind(const Json& value, JsonKind kind) {
   return false;
 }
 
+/// A place in the document as a chain of frames, so that text is made only for what is reported.
+struct Place {
+  const Place* parent = nullptr;
+  std::string_view name;      ///< of a property; for an array entry empty
+  std::size_t index = 0;
+
+  std::string text() const {
+    const std::string above = parent != nullptr ? parent->text() : std::string();
+    if (parent == nullptr) return std::string(name);
+    return name.data() != nullptr ? pointer(above, pointer_token(name)) : pointer(above, index);
+  }
+};
+
 class Checker {
  public:
   explicit Checker(IssueLog& log) : log_(log) {}
 
-  void check(const Json& value, const JsonValueShape& shape, const std::string& place) {
+  void check(const Json& value, const JsonValueShape& shape, const Place& place) {
     if (!has_kind(value, shape.kind))
-      return log_.report(Rule::json_type, place, "must be " + std::string(name_of(shape.kind)) + ", is " + value.type_name());
+      return log_.report(Rule::json_type, place.text(), "must be " + std::string(name_of(shape.kind)) + ", is " + value.type_name());
     switch (shape.kind) {
       case JsonKind::number:
       case JsonKind::integer: return check_number(value, shape, place);
@@ -57,43 +70,43 @@ class Checker {
   }
 
  private:
-  void check_number(const Json& value, const JsonValueShape& shape, const std::string& place) {
+  void check_number(const Json& value, const JsonValueShape& shape, const Place& place) {
     const double number = value.get<double>();
     if (!(number >= shape.lower && number <= shape.upper))
-      return log_.report(Rule::json_type, place, value.dump() + " is out of range");
+      return log_.report(Rule::json_type, place.text(), value.dump() + " is out of range");
     const auto same = [&](std::int64_t allowed) { return number == static_cast<double>(allowed); };
     if (!shape.numbers.empty() && std::none_of(shape.numbers.begin(), shape.numbers.end(), same))
-      log_.report(Rule::json_type, place, value.dump() + " is none of the values that glTF defines");
+      log_.report(Rule::json_type, place.text(), value.dump() + " is none of the values that glTF defines");
   }
 
-  void check_word(const Json& value, const JsonValueShape& shape, const std::string& place) {
+  void check_word(const Json& value, const JsonValueShape& shape, const Place& place) {
     const auto& text = value.get_ref<const std::string&>();
     if (!shape.words.empty() && std::find(shape.words.begin(), shape.words.end(), text) == shape.words.end())
-      log_.report(Rule::json_type, place, in_quotes(text) + " is none of the words that glTF defines");
+      log_.report(Rule::json_type, place.text(), in_quotes(text) + " is none of the words that glTF defines");
   }
 
-  void check_array(const Json& value, const JsonValueShape& shape, const std::string& place) {
+  void check_array(const Json& value, const JsonValueShape& shape, const Place& place) {
     if (shape.length != 0 && value.size() != shape.length)
-      return log_.report(Rule::json_type, place,
+      return log_.report(Rule::json_type, place.text(),
                          "has " + std::to_string(value.size()) + " entries instead of " + std::to_string(shape.length));
-    if (value.empty()) return log_.report(Rule::empty_array, place, "an empty array is taken as absent");
+    if (value.empty()) return log_.report(Rule::empty_array, place.text(), "an empty array is taken as absent");
     if (shape.element == nullptr) return;
-    for (std::size_t i = 0; i < value.size(); ++i) check(value[i], *shape.element, pointer(place, i));
+    for (std::size_t i = 0; i < value.size(); ++i) check(value[i], *shape.element, {&place, {}, i});
   }
 
-  void check_object(const Json& value, const JsonValueShape& shape, const std::string& place) {
+  void check_object(const Json& value, const JsonValueShape& shape, const Place& place) {
     if (shape.object == nullptr) return;
     for (const auto& property : shape.object->properties) {
       const auto found = value.find(property.name);
       if (found != value.end())
-        check(*found, property.value, pointer(place, property.name));
+        check(*found, property.value, {&place, property.name});
       else if (property.required)
-        log_.report(Rule::json_missing, place, "has no " + in_quotes(property.name));
+        log_.report(Rule::json_missing, place.text(), "has no " + in_quotes(property.name));
     }
   }
 
-  void check_map(const Json& value, const JsonValueShape& shape, const std::string& place) {
-    for (const auto& [name, entry] : value.items()) check(entry, *shape.element, pointer(place, pointer_token(name)));
+  void check_map(const Json& value, const JsonValueShape& shape, const Place& place) {
+    for (const auto& [name, entry] : value.items()) check(entry, *shape.element, {&place, name});
   }
 
   IssueLog& log_;
@@ -102,7 +115,7 @@ class Checker {
 }  // namespace
 
 void check_shape(const Json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log) {
-  Checker(log).check(value, shape, place);
+  Checker(log).check(value, shape, {nullptr, place, 0});
 }
 
 }  // namespace sinew

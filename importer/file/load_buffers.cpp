@@ -29,30 +29,35 @@ tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, Sa
   return std::move(data->bytes);
 }
 
-Rule rule_of(FileFault::Kind kind) {
-  switch (kind) {
-    case FileFault::Kind::forbidden: return Rule::uri_forbidden;
-    case FileFault::Kind::too_large: return Rule::file_too_large;
-    case FileFault::Kind::missing: break;
-  }
-  return Rule::buffer_missing;
+/// How the views and accessors use a buffer.
+struct BufferUse {
+  bool in_accessor = false;       ///< some accessor reads it
+  bool compressed_view = false, plain_view = false;
+};
+
+std::vector<BufferUse> find_uses(const Document& document) {
+  std::vector<BufferUse> uses(document.buffers.size());
+  for (const auto& view : document.buffer_views)
+    (meshopt_extension(view.extensions) ? uses[view.buffer].compressed_view : uses[view.buffer].plain_view) = true;
+  const auto mark = [&](std::uint32_t view) {
+    if (view != kNone) uses[document.buffer_views[view].buffer].in_accessor = true;
+  };
+  for (const auto& accessor : document.accessors)
+    mark(accessor.buffer_view), mark(accessor.sparse.indices_view), mark(accessor.sparse.values_view);
+  return uses;
 }
 
-/// Per buffer: it has views, and all of them are compressed. Nothing reads its bytes.
-std::vector<bool> find_unread_buffers(const Document& document) {
-  std::vector<bool> used(document.buffers.size(), false), read = used;
-  for (const auto& view : document.buffer_views) {
-    used[view.buffer] = true;
-    if (!meshopt_extension(view.extensions)) read[view.buffer] = true;
-  }
-  for (std::size_t i = 0; i < used.size(); ++i) used[i] = used[i] && !read[i];
-  return used;
+/// Only those who read a missing buffer suffer (G66).
+void report_missing(gltf::Buffer& buffer, const BufferUse& use, std::string place, std::string detail, IssueLog& log) {
+  buffer.placeholder = true;
+  log.report(use.in_accessor ? Rule::buffer_missing : Rule::buffer_unread, std::move(place), std::move(detail));
 }
 
-void load_buffer(Document& document, std::uint32_t index, bool unread, SandboxedFiles& files, std::optional<Bytes> bin,
+void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, SandboxedFiles& files, std::optional<Bytes> bin,
                  IssueLog& log) {
   auto& buffer = document.buffers[index];
   const std::string place = pointer("buffers", index);
+  const bool unread = use.compressed_view && !use.plain_view;
   const bool says_so = static_cast<bool>(meshopt_extension(buffer.extensions));
   Bytes bytes;
   if (says_so && unread) {
@@ -61,7 +66,12 @@ void load_buffer(Document& document, std::uint32_t index, bool unread, Sandboxed
   }
   if (!buffer.uri.empty()) {
     auto read = fetch(buffer.uri, files, nullptr);
-    if (!read) return log.report(rule_of(read.error().kind), pointer(place, "uri"), read.error().detail);
+    if (!read && read.error().kind == FileFault::Kind::missing)
+      return report_missing(buffer, use, pointer(place, "uri"), read.error().detail, log);
+    if (!read) {
+      const bool large = read.error().kind == FileFault::Kind::too_large;
+      return log.report(large ? Rule::file_too_large : Rule::uri_forbidden, pointer(place, "uri"), read.error().detail);
+    }
     bytes = keep(document, std::move(*read));
   } else if (index == 0 && bin) {
     bytes = *bin;
@@ -69,7 +79,7 @@ void load_buffer(Document& document, std::uint32_t index, bool unread, Sandboxed
     buffer.placeholder = true;
     return;
   } else {
-    return log.report(Rule::buffer_missing, place, "has no uri and the file has no BIN chunk for it");
+    return report_missing(buffer, use, place, "has no uri and the file has no BIN chunk for it", log);
   }
   if (bytes.size() < buffer.byte_length)
     return log.report(Rule::buffer_short, pointer(place, "byteLength"),
@@ -80,7 +90,7 @@ void load_buffer(Document& document, std::uint32_t index, bool unread, Sandboxed
   buffer.bytes = bytes.first(static_cast<std::size_t>(buffer.byte_length));
 }
 
-void point_view(Document& document, std::size_t index, IssueLog& log) {
+void point_view(Document& document, std::size_t index, const BufferUse& use, IssueLog& log) {
   auto& view = document.buffer_views[index];
   const auto& buffer = document.buffers[view.buffer];
   const std::string place = pointer("bufferViews", index);
@@ -90,17 +100,17 @@ void point_view(Document& document, std::size_t index, IssueLog& log) {
                           " leave the " + std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
   if (!buffer.placeholder)
     view.bytes = buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
-  else if (!meshopt_extension(view.extensions))
+  else if (!meshopt_extension(view.extensions) && use.in_accessor)
     log.report(Rule::buffer_missing, pointer(place, "buffer"), "is a placeholder, and the view is not compressed");
 }
 
 }  // namespace
 
 void load_buffers(Document& document, SandboxedFiles& files, std::optional<Bytes> bin, IssueLog& log) {
-  const std::vector<bool> unread = find_unread_buffers(document);
-  for (std::uint32_t i = 0; i < document.buffers.size(); ++i) load_buffer(document, i, unread[i], files, bin, log);
+  const auto uses = find_uses(document);
+  for (std::uint32_t i = 0; i < document.buffers.size(); ++i) load_buffer(document, i, uses[i], files, bin, log);
   if (!log.ok()) return;
-  for (std::size_t i = 0; i < document.buffer_views.size(); ++i) point_view(document, i, log);
+  for (std::size_t i = 0; i < document.buffer_views.size(); ++i) point_view(document, i, uses[document.buffer_views[i].buffer], log);
 }
 
 void load_images(Document& document, SandboxedFiles& files, IssueLog& log) {

@@ -9,9 +9,11 @@
 namespace sinew {
 
 /// Reads the bytes of every buffer (file, data URI or BIN chunk) and points every view into them. Placeholder buffers of
-/// EXT_meshopt_compression stay empty, and so do the views in them: its decoder fills those (T6, G61).
+/// EXT_meshopt_compression stay empty, and so do the views in them: its decoder fills those (T6, G61). A missing buffer
+/// that no accessor reads stays empty too (G66).
 /// in   references in range
-/// err  uri-forbidden, buffer-missing, buffer-short, file-too-large, buffer-view-range;  warning buffer-longer, buffer-view-empty
+/// err  uri-forbidden, buffer-missing, buffer-short, file-too-large, buffer-view-range;  warning buffer-unread,
+///      buffer-longer, buffer-view-empty
 void load_buffers(gltf::Document& document, SandboxedFiles& files, std::optional<gltf::Bytes> bin, IssueLog& log);
 
 /// Fetches the encoded bytes of every image; what cannot be had leaves a reason and a warning (G66).

@@ -15,6 +15,9 @@ using gltf::Document;
 
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 32;
 
+/// Sparse indices looked at in all: many accessors may name one list.
+constexpr std::uint64_t kMaxSparse = std::uint64_t{1} << 28;
+
 /// True when `count` elements of `size` bytes, `stride` apart, fit behind `offset` into `available` bytes. Offset is
 /// below 2^53 and stride below 2^32 by the shape of the JSON, count is bounded here, so nothing wraps.
 bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size, std::uint64_t available) {
@@ -25,9 +28,9 @@ bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::
 
 class AccessorCheck {
  public:
-  AccessorCheck(const Document& document, std::size_t index, IssueLog& log)
+  AccessorCheck(const Document& document, std::size_t index, std::uint64_t& sparse_total, IssueLog& log)
       : document_(document), accessor_(document.accessors[index]), layout_(element_layout(accessor_)),
-        place_(pointer("accessors", index)), log_(log) {}
+        place_(pointer("accessors", index)), sparse_total_(sparse_total), log_(log) {}
 
   void run() {
     if (accessor_.count == 0) log_.report(Rule::accessor_empty, place_, "has no elements; what uses it is left out");
@@ -69,6 +72,9 @@ class AccessorCheck {
       return log_.report(Rule::accessor_fit, pointer(place, "indices"), "do not fit into their buffer view");
     if (!fits(sparse.values_offset, layout_.element_bytes, sparse.count, layout_.element_bytes, values.size()))
       return log_.report(Rule::accessor_fit, pointer(place, "values"), "do not fit into their buffer view");
+    sparse_total_ += sparse.count;
+    if (sparse_total_ > kMaxSparse)
+      return log_.report(Rule::memory_budget, place, "more sparse replacements in all than the importer allows");
     check_sparse_order(place);
   }
 
@@ -95,6 +101,7 @@ class AccessorCheck {
   const Accessor& accessor_;
   ElementLayout layout_;
   std::string place_;
+  std::uint64_t& sparse_total_;
   IssueLog& log_;
 };
 
@@ -107,7 +114,9 @@ void check_accessors(const Document& document, IssueLog& log) {
       log.report(Rule::buffer_view_stride, pointer("bufferViews", i, "byteStride"),
                  std::to_string(stride) + " is not a multiple of 4 up to 252; used as it is");
   }
-  for (std::size_t i = 0; i < document.accessors.size(); ++i) AccessorCheck(document, i, log).run();
+  std::uint64_t sparse_total = 0;
+  for (std::size_t i = 0; i < document.accessors.size() && sparse_total <= kMaxSparse; ++i)
+    AccessorCheck(document, i, sparse_total, log).run();
 }
 
 }  // namespace sinew
