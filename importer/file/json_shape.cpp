@@ -44,9 +44,8 @@ struct Place {
   std::size_t index = 0;
 
   std::string text() const {
-    const std::string above = parent != nullptr ? parent->text() : std::string();
     if (parent == nullptr) return std::string(name);
-    return name.data() != nullptr ? pointer(above, pointer_token(name)) : pointer(above, index);
+    return parent->text() + (name.data() != nullptr ? pointer(pointer_token(name)) : pointer(index));
   }
 };
 

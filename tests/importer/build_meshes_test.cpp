@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "importer/build/build_meshes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "importer/read/primitive_indices.h"
+#include "tests/importer/tiny_gltf.h"
+
+namespace sinew::test {
+namespace {
+
+using gltf::PrimitiveMode;
+using testing::ElementsAre;
+using testing::FloatEq;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* kAttributes = "/meshes/0/primitives/0/attributes";
+
+const Primitive& only(const ImportResult<ImportedFile>& result) { return result->scene.meshes.at(0).primitives.at(0); }
+
+TEST(primitive_indices, strips_fans_and_loops_become_lists) {
+  const std::vector<std::uint32_t> five{0, 1, 2, 3, 4};
+  EXPECT_THAT(unroll(PrimitiveMode::triangle_strip, five), ElementsAre(0, 1, 2, 1, 3, 2, 2, 3, 4));
+  EXPECT_THAT(unroll(PrimitiveMode::triangle_fan, five), ElementsAre(1, 2, 0, 2, 3, 0, 3, 4, 0));
+  EXPECT_THAT(unroll(PrimitiveMode::line_strip, {0, 1, 2}), ElementsAre(0, 1, 1, 2));
+  EXPECT_THAT(unroll(PrimitiveMode::line_loop, {0, 1, 2}), ElementsAre(0, 1, 1, 2, 2, 0));
+  EXPECT_THAT(unroll(PrimitiveMode::triangles, five), ElementsAre(0, 1, 2));
+  EXPECT_THAT(unroll(PrimitiveMode::lines, five), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(unroll(PrimitiveMode::points, five), SizeIs(5));
+  EXPECT_THAT(unroll(PrimitiveMode::triangle_strip, {0, 1}), IsEmpty());
+  EXPECT_THAT(unroll(PrimitiveMode::line_loop, {0}), IsEmpty());
+  EXPECT_THAT(unroll(PrimitiveMode::triangle_fan, {}), IsEmpty());
+}
+
+TEST(build_meshes, a_triangle_without_indices_has_them_made_and_gets_flat_normals) {
+  TinyGltf file;
+  file.add_triangle();
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(only(result).indices, ElementsAre(0, 1, 2));
+  EXPECT_THAT(only(result).normals, testing::Each(glm::vec3(0, 0, 1)));
+  EXPECT_TRUE(only(result).flat_normals);
+  EXPECT_EQ(only(result).bounds.upper, glm::vec3(1, 1, 0));
+  ImportOptions options;
+  options.make_normals = false;
+  EXPECT_THAT(only(file.import(options)).normals, IsEmpty());
+}
+
+TEST(build_meshes, G36_indices_and_joints_past_the_end_are_errors) {
+  TinyGltf file;
+  file.add_triangle()["indices"] = file.add(std::vector<std::uint16_t>{0, 1, 3}, "SCALAR", 5123, 1);
+  EXPECT_EQ(outcome(file.import()), "mesh-index at /meshes/0/primitives/0/indices");
+  TinyGltf skinned;
+  skinned.add_skinned_triangle({0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, .4f, .1f, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  EXPECT_EQ(outcome(skinned.import()), std::string("joint-index at ") + kAttributes + "/JOINTS_0");
+  TinyGltf unused;
+  unused.add_skinned_triangle({0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, .5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  EXPECT_TRUE(warns(unused.import(), "joint-index-unused", kAttributes));
+}
+
+TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, {.25f, .75f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0});
+  primitive["targets"] = Json::array({{{"POSITION", file.vec3({0, 0, 5, 0, 0, 0, 0, 0, 7})}}});
+  ImportOptions options;
+  options.make_normals = false;
+  const auto result = file.import(options);
+  ASSERT_EQ(outcome(result), "ok");
+  const Primitive& p = only(result);
+  ASSERT_THAT(p.influences.groups, SizeIs(2));
+  EXPECT_EQ(p.influences.groups[0].influence_count, 1u);
+  EXPECT_EQ(p.influences.groups[1].first_vertex, 1u);
+  EXPECT_EQ(p.influences.groups[1].vertex_count, 2u);
+  EXPECT_EQ(p.influences.groups[1].first_influence, 1u);
+  EXPECT_THAT(p.source_vertex, ElementsAre(1, 0, 2));
+  EXPECT_THAT(p.indices, ElementsAre(1, 0, 2));
+  EXPECT_EQ(p.positions[0], glm::vec3(1, 0, 0));
+  EXPECT_THAT(p.influences.joints, ElementsAre(1, 1, 0, 0, 1)) << "falling weight, then rising joint";
+  EXPECT_THAT(p.influences.weights, ElementsAre(1.0f, .75f, .25f, .5f, .5f));
+  EXPECT_THAT(p.morphs.targets[0].positions.vertices, ElementsAre(1, 2)) << "follow their vertices, zero deltas are gone";
+  EXPECT_EQ(p.morphs.targets[0].positions.deltas[1], glm::vec3(0, 0, 7));
+}
+
+TEST(build_meshes, G38_weights_are_divided_by_their_sum_and_the_deviation_is_named) {
+  TinyGltf file;
+  file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.25f, .5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "weights-sum", kAttributes));
+  EXPECT_NE(result->warnings[0].detail.find("0.25"), std::string::npos) << result->warnings[0].detail;
+  EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, FloatEq(2.0f / 3), FloatEq(1.0f / 3)));
+}
+
+TEST(build_meshes, G39_vertices_without_weight_follow_joint_slot_0) {
+  TinyGltf file;
+  file.add_skinned_triangle({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "weights-zero", kAttributes));
+  EXPECT_THAT(only(result).influences.joints, ElementsAre(0, 1, 1));
+}
+
+TEST(build_meshes, G41_repeated_joints_are_added_up_and_negative_weights_are_zero) {
+  TinyGltf file;
+  file.add_skinned_triangle({1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, .25f, .25f, -.5f, 1, 0, 0, 0, 1, 0, 0, 0});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "joint-repeated", kAttributes));
+  EXPECT_TRUE(warns(result, "weights-negative", kAttributes));
+  EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, .75f, .25f));
+}
+
+TEST(build_meshes, G40_all_joint_sets_count) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  primitive["attributes"]["JOINTS_1"] = file.add(std::vector<std::uint16_t>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 5123, 4);
+  primitive["attributes"]["WEIGHTS_1"] = file.vec4({.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(result->warnings, IsEmpty());
+  EXPECT_THAT(only(result).influences.joints, ElementsAre(0, 0, 0, 1));
+  primitive["attributes"].erase("WEIGHTS_1");
+  EXPECT_TRUE(warns(file.import(), "mesh-joint-sets", kAttributes));
+}
+
+TEST(build_meshes, attribute_formats_and_counts_are_checked) {
+  const auto rule = [](const char* name, auto add) {
+    TinyGltf file;
+    Json& primitive = file.add_triangle();
+    primitive["attributes"][name] = add(file);
+    return outcome(file.import());
+  };
+  const auto place = [](const char* r, const char* name) { return std::string(r) + " at " + kAttributes + "/" + name; };
+  EXPECT_EQ(rule("NORMAL", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }), place("mesh-attribute-format", "NORMAL"));
+  EXPECT_EQ(rule("POSITION", [](TinyGltf& f) { return f.add(std::vector<std::uint32_t>(9), "VEC3", 5125, 3); }), place("mesh-attribute-format", "POSITION"));
+  EXPECT_EQ(rule("JOINTS_0", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }), place("mesh-attribute-format", "JOINTS_0"));
+  EXPECT_EQ(rule("WEIGHTS_0", [](TinyGltf& f) { return f.add(std::vector<std::uint8_t>(12), "VEC4", 5121, 4); }), place("mesh-attribute-format", "WEIGHTS_0"));
+  EXPECT_EQ(rule("TEXCOORD_0", [](TinyGltf& f) { return f.add(std::vector<float>(4), "VEC2", 5126, 2); }), place("mesh-attribute-count", "TEXCOORD_0"));
+  EXPECT_EQ(rule("NORMAL", [](TinyGltf& f) { return f.vec3({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0, 0, 1}); }), place("not-finite", "NORMAL"));
+}
+
+TEST(build_meshes, G59_quantised_attributes_are_read_and_need_their_extension) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["POSITION"] = file.add(std::vector<std::uint16_t>{0, 0, 0, 100, 0, 0, 0, 65535, 0}, "VEC3", 5123, 3);
+  EXPECT_TRUE(warns(file.import(), "mesh-quantization", std::string(kAttributes) + "/POSITION"));
+  file.root["extensionsUsed"] = {"KHR_mesh_quantization"};
+  const auto result = file.import();
+  EXPECT_THAT(result->warnings, IsEmpty());
+  EXPECT_EQ(only(result).bounds.upper, glm::vec3(100, 65535, 0));
+}
+
+TEST(build_meshes, odd_normals_tangents_and_texcoords_are_repaired_and_named) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 2, 0, 0, 0, 0, 0, 1});
+  primitive["attributes"]["TANGENT"] = file.vec4({1, 0, 0, .5f, 1, 0, 0, -3, 1, 0, 0, 1});
+  primitive["attributes"]["TEXCOORD_1"] = file.add(std::vector<float>(6), "VEC2", 5126, 2);
+  primitive["attributes"]["COLOR_0"] = file.vec3({1, 0, 0, 0, 1, 0, 0, 0, 1});
+  primitive["attributes"]["NORMALS"] = 0;
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "mesh-normal-length", std::string(kAttributes) + "/NORMAL"));
+  EXPECT_TRUE(warns(result, "mesh-tangent-sign", std::string(kAttributes) + "/TANGENT"));
+  EXPECT_TRUE(warns(result, "mesh-texcoord-gap", kAttributes));
+  EXPECT_TRUE(warns(result, "mesh-attribute-name", std::string(kAttributes) + "/NORMALS"));
+  EXPECT_THAT(only(result).normals, testing::Each(glm::vec3(0, 0, 1)));
+  EXPECT_EQ(only(result).tangents[1].w, -1.0f);
+  EXPECT_EQ(only(result).colors[1], glm::vec4(0, 1, 0, 1)) << "three components: opaque";
+}
+
+TEST(build_meshes, G47_targets_may_omit_attributes_but_not_invent_them) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  const std::size_t delta = file.vec3(std::vector<float>(9, .5f));
+  primitive["targets"] = Json::array({Json::object(), {{"NORMAL", delta}}, {{"POSITION", delta}}});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "morph-no-base", "/meshes/0/primitives/0/targets/1/NORMAL"));
+  ASSERT_THAT(only(result).morphs.targets, SizeIs(3));
+  EXPECT_TRUE(only(result).morphs.targets[0].positions.empty());
+  EXPECT_EQ(only(result).morphs.targets[2].positions.vertices.size(), 3u);
+  EXPECT_THAT(result->scene.instances[0].rest_weights, ElementsAre(0, 0, 0));
+}
+
+TEST(build_meshes, primitives_with_fewer_targets_are_filled_up) {
+  TinyGltf file;
+  file.add_triangle()["targets"] = Json::array({{{"POSITION", file.vec3(std::vector<float>(9, .5f))}}});
+  file.root["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "mesh-target-count", "/meshes/0/primitives/1/targets"));
+  EXPECT_THAT(result->scene.meshes[0].primitives[1].morphs.targets, SizeIs(1));
+}
+
+TEST(build_meshes, G43_node_weights_come_before_mesh_weights) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  const std::size_t delta = file.vec3(std::vector<float>(9, .5f));
+  primitive["targets"] = Json::array({{{"POSITION", delta}}, {{"POSITION", delta}}});
+  file.root["meshes"][0]["weights"] = {.5, .25};
+  file.root["nodes"] = Json::array({{{"mesh", 0}}, {{"mesh", 0}, {"weights", {1, 0}}}, {{"mesh", 0}, {"weights", {1}}}});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(result->scene.instances[0].rest_weights, ElementsAre(.5f, .25f));
+  EXPECT_THAT(result->scene.instances[1].rest_weights, ElementsAre(1, 0));
+  EXPECT_TRUE(warns(result, "node-weights-count", "/nodes/2/weights"));
+  EXPECT_THAT(result->scene.first_weight, ElementsAre(0, 2, 4, 6));
+}
+
+TEST(build_meshes, a_primitive_without_positions_keeps_its_place) {
+  TinyGltf file;
+  file.add_triangle();
+  auto& primitives = file.root["meshes"][0]["primitives"];
+  primitives.insert(primitives.begin(), Json({{"attributes", Json::object()}}));
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "mesh-no-position", kAttributes));
+  ASSERT_THAT(result->scene.meshes[0].primitives, SizeIs(2));
+  EXPECT_EQ(result->scene.meshes[0].primitives[1].vertex_count(), 3u);
+}
+
+TEST(build_meshes, counts_that_make_no_whole_elements_are_a_warning) {
+  TinyGltf file;
+  file.add_triangle()["indices"] = file.add(std::vector<std::uint8_t>{0, 1, 2, 0}, "SCALAR", 5121, 1);
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "mesh-mode", "/meshes/0/primitives/0/mode"));
+  EXPECT_THAT(only(result).indices, SizeIs(3));
+  TinyGltf floats;
+  floats.add_triangle()["indices"] = floats.scalars({0, 1, 2});
+  EXPECT_EQ(outcome(floats.import()), "mesh-indices at /meshes/0/primitives/0/indices");
+}
+
+}  // namespace
+}  // namespace sinew::test
