@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "tests/viewer/device_fixture.h"
-#include "viewer/device/validation.h"
 #include "viewer/upload/frame_vertices.h"
 #include "viewer/upload/scene_bounds.h"
 
@@ -120,11 +119,6 @@ TEST(device, a_machine_without_any_driver_is_a_clean_error) {
         std::exit(0);
       },
       testing::ExitedWithCode(3), "Vulkan: ");
-}
-
-TEST(device, only_the_known_false_alarm_is_ignored) {
-  EXPECT_TRUE(is_known_false_alarm("Invariant decoration on a struct member"));
-  EXPECT_FALSE(is_known_false_alarm("SYNC-HAZARD-WRITE_AFTER_READ"));
 }
 
 TEST_F(headless, memory_goes_back_block_by_block) {

@@ -22,10 +22,6 @@ bool validation_installed() {
   return false;
 }
 
-bool is_known_false_alarm(std::string_view message) noexcept {
-  return message.find("Invariant") != std::string_view::npos && message.find("struct member") != std::string_view::npos;
-}
-
 ValidationRequest::ValidationRequest(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user) {
   messenger_.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;

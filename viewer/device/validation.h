@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <string_view>
 #include <vector>
 
 #include "viewer/device/device_error.h"
@@ -8,10 +7,6 @@
 namespace sinew::viewer {
 
 bool validation_installed();
-
-/// Messages that report nothing wrong. One is known: the layer warns about `Invariant` on members of gl_PerVertex,
-/// which GLSL compilers write for `invariant gl_Position`; the depth prepass needs it.
-bool is_known_false_alarm(std::string_view message) noexcept;
 
 /// Asks an instance for validation with synchronisation checks and for its messages.
 class ValidationRequest {

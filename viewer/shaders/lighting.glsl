@@ -22,7 +22,7 @@ vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   float distribution = alpha2 / (kPi * d * d);
   float smith = n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) + n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2);
   vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
-  float edge = pow(1.0 - v_h, 5.0);
+  float away = 1.0 - v_h, edge = away * away * away * away * away;
   vec3 fresnel = f0 + (1.0 - f0) * edge;
   vec3 diffuse = (1.0 - 0.04) * (1.0 - edge) * (1.0 - s.metallic) * s.base_color / kPi;
   return (diffuse + fresnel * distribution * 0.5 / smith) * n_l * irradiance;
