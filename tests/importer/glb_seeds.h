@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sinew::test {
+
+/// A .glb from its JSON text and its binary chunk, padded as the container needs it.
+std::vector<std::byte> make_glb(std::string json, std::vector<std::byte> bin);
+
+/// Small valid files that together touch every part of the importer: skin, morph targets, sparse accessors, animations
+/// in all modes, materials, an embedded image, cameras, lights, both compressions.
+std::vector<std::vector<std::byte>> glb_seeds();
+
+}  // namespace sinew::test
