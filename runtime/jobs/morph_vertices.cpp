@@ -30,13 +30,20 @@ bool sum_deltas(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget
   return any;
 }
 
+/// A direction after its displacement. Most vertices have none, and keep their bits: targets move patches, so the branch is
+/// cheaper than normalising.
+glm::vec3 moved(const glm::vec3& base, const glm::vec3& displacement, bool normalise) noexcept {
+  if (displacement == glm::vec3(0.0f)) return base;
+  const glm::vec3 sum = base + displacement;
+  return normalise ? normalised_or(sum, base) : sum;
+}
+
 void morph_normals(const MorphVerticesJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   const bool any = sum_deltas(job, &MorphTarget::normals);
   for (std::size_t v = 0; v < count; ++v) {
     const glm::vec3 base = job.vertices.normals[v];
-    const glm::vec3 n = any ? base + job.scratch[v] : base;
-    job.out.normals[v] = any && job.normalise ? normalised_or(n, base) : n;
+    job.out.normals[v] = any ? moved(base, job.scratch[v], job.normalise) : base;
   }
 }
 
@@ -45,8 +52,8 @@ void morph_tangents(const MorphVerticesJob& job) noexcept {
   const bool any = sum_deltas(job, &MorphTarget::tangents);
   for (std::size_t v = 0; v < count; ++v) {
     const glm::vec4 base = job.vertices.tangents[v];
-    const glm::vec3 t = any ? glm::vec3(base) + job.scratch[v] : glm::vec3(base);
-    job.out.tangents[v] = glm::vec4(any && job.normalise ? normalised_or(t, glm::vec3(base)) : t, base.w);
+    const glm::vec3 t(base);
+    job.out.tangents[v] = glm::vec4(any ? moved(t, job.scratch[v], job.normalise) : t, base.w);
   }
 }
 
