@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/image_codec.h"
 
+#include <turbojpeg.h>
 #include <webp/decode.h>
 
 #include <limits>
 #include <memory>
 #include <optional>
 
-// The one place that has stb_image, as a private copy of the functions used here.
+// The one place that has stb_image, as a private copy of the functions used here. For PNG only: its JPEG decoder writes past
+// its tables when a file lies about them.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_NO_HDR
@@ -34,7 +35,7 @@ std::optional<ImageSize> webp_size(Bytes encoded) {
   return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
-std::optional<ImageSize> png_or_jpeg_size(Bytes encoded) {
+std::optional<ImageSize> png_size(Bytes encoded) {
   if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels) == 0)
@@ -42,10 +43,39 @@ std::optional<ImageSize> png_or_jpeg_size(Bytes encoded) {
   return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
+/// libjpeg-turbo's decompressor for the time of one call.
+class Jpeg {
+ public:
+  explicit Jpeg(Bytes encoded) : encoded_(encoded), handle_(tjInitDecompress(), &tjDestroy) {}
+
+  std::optional<ImageSize> size() const {
+    int width = 0, height = 0, subsampling = 0, colors = 0;
+    if (!handle_ || encoded_.size() < 2 || data_of(encoded_)[0] != 0xff || data_of(encoded_)[1] != 0xd8) return std::nullopt;
+    if (tjDecompressHeader3(handle_.get(), data_of(encoded_), encoded_.size(), &width, &height, &subsampling, &colors) != 0)
+      return std::nullopt;
+    return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  }
+
+  /// A file of ever more progressive scans is refused; one that merely ends early shows what it has.
+  tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageSize& size) const {
+    std::vector<std::uint8_t> rgba(4 * size.pixels());
+    const int failed = tjDecompress2(handle_.get(), data_of(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
+                                     static_cast<int>(size.height), TJPF_RGBA, TJFLAG_LIMITSCANS);
+    if (failed != 0 && tjGetErrorCode(handle_.get()) == TJERR_FATAL)
+      return tl::make_unexpected(std::string("cannot be decoded: ") + tjGetErrorStr2(handle_.get()));
+    return rgba;
+  }
+
+ private:
+  Bytes encoded_;
+  std::unique_ptr<void, int (*)(tjhandle)> handle_;
+};
+
 }  // namespace
 
 tl::expected<ImageSize, std::string> probe_image(Bytes encoded) {
-  auto size = png_or_jpeg_size(encoded);
+  auto size = png_size(encoded);
+  if (!size) size = Jpeg(encoded).size();
   if (!size) size = webp_size(encoded);
   if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
   if (size->pixels() == 0) return tl::make_unexpected("has no pixels");
@@ -60,7 +90,9 @@ tl::expected<std::vector<std::uint8_t>, std::string> decode_image(Bytes encoded)
       return tl::make_unexpected("its WebP data is damaged");
     return rgba;
   }
-  const auto size = png_or_jpeg_size(encoded);
+  const Jpeg jpeg(encoded);
+  if (const auto size = jpeg.size()) return jpeg.pixels(*size);
+  const auto size = png_size(encoded);
   if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
