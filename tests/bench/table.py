@@ -30,7 +30,7 @@ def nanoseconds(seconds):
 def print_table(found):
     print("| job | case | sinew ns/item | plain GLM ns/item | ratio |")
     print("|---|---|---|---|---|")
-    for (job, case), times in found.items():
+    for (job, case), times in sorted(found.items()):
         if "copy" in times:
             print(f"| {job} | copy {case} | | | {1e-9 / times['copy']:.1f} GB/s |")
             continue
