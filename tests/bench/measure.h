@@ -25,6 +25,7 @@ void add(const std::string& name, std::size_t item_count, Work work) {
 }
 
 /// Each file of benchmarks has one such function; main calls them all.
+void add_import();
 void add_memory();
 void add_sample();
 void add_blend();

@@ -28,13 +28,13 @@ def nanoseconds(seconds):
 
 
 def print_table(found):
-    print("| job | case | sinew ns/item | plain GLM ns/item | ratio |")
+    print("| job | case | sinew ns/item | baseline ns/item | ratio |")
     print("|---|---|---|---|---|")
     for (job, case), times in sorted(found.items()):
         if "copy" in times:
             print(f"| {job} | copy {case} | | | {1e-9 / times['copy']:.1f} GB/s |")
             continue
-        ours, plain = times.get("sinew"), times.get("glm")
+        ours, plain = times.get("sinew"), times.get("glm", times.get("tinygltf"))
         ratio = f"{ours / plain:.2f}" if ours and plain else ""
         print(f"| {job} | {case} | {nanoseconds(ours)} | {nanoseconds(plain)} | {ratio} |")
 
