@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/build/build_morph_sets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "importer/read/morph_targets.h"
@@ -8,12 +10,20 @@
 namespace sinew {
 namespace {
 
+/// Displacements too small to show are zero: they would only make denormal numbers (N26).
+template <class V>
+V flushed(V delta) {
+  for (int i = 0; i < V::length(); ++i)
+    if (std::abs(delta[i]) < 1e-20f) delta[i] = 0.0f;
+  return delta;
+}
+
 /// `dense` is in the file's order, source[v] is the file's vertex of vertex v (empty = unchanged).
 template <class V>
 SparseDeltas<V> sparse(const std::vector<V>& dense, const std::vector<std::uint32_t>& source) {
   SparseDeltas<V> out;
   for (std::uint32_t v = 0; v < dense.size(); ++v) {
-    const V& delta = dense[source.empty() ? v : source[v]];
+    const V delta = flushed(dense[source.empty() ? v : source[v]]);
     if (delta == V(0.0f)) continue;
     out.vertices.push_back(v);
     out.deltas.push_back(delta);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <tuple>
 
+#include "runtime/assets/track_sample.h"
 #include "tests/reference/sampling.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/near.h"
@@ -270,6 +272,23 @@ TEST(sample_clip, G14_zero_length_keys_give_no_NaN_in_cubic_rotations) {
   const glm::quat zero = quat_xyzw(0.0f, 0.0f, 0.0f, 0.0f), q = quat_identity<float>();
   Player player = one({Interpolation::cubic_spline, {0, 1}, {zero, q, zero, zero, -q, zero}});
   EXPECT_TRUE(test::same_rotation(player.at(0.5).rotation, q, 1e-6));
+}
+
+TEST(sample_clip, G05_a_cubic_rotation_through_zero_falls_back_to_the_nearer_of_two_different_keys) {
+  // Tangents for which the sum is exactly zero a quarter of the way: 54 q0 + 10 q1 - 3 in = 0 (in 64ths), and three
+  // quarters of the way by symmetry. The keys' lengths make all products exact.
+  const glm::quat zero = quat_xyzw(0.0f, 0.0f, 0.0f, 0.0f);
+  const glm::quat q0 = quat_xyzw(0.0f, 0.75f, 0.0f, 0.375f), q1 = quat_xyzw(0.75f, 0.0f, 0.0f, 0.375f);
+  const glm::quat in = quat_xyzw(2.5f, 13.5f, 0.0f, 8.0f), out = quat_xyzw(-13.5f, -2.5f, 0.0f, -8.0f);
+  const QuatTrack early{Interpolation::cubic_spline, {0, 1}, {zero, q0, zero, in, q1, zero}};
+  const QuatTrack late{Interpolation::cubic_spline, {0, 1}, {zero, q0, out, zero, q1, zero}};
+  for (const auto& [track, time_s, nearer] : {std::tuple{early, 0.25, q0}, std::tuple{late, 0.75, q1}}) {
+    const auto at = sample_track<double>(track, time_s);
+    EXPECT_LE(test::angle_between(at, nearer), 1e-15) << "truth at " << time_s;
+    EXPECT_LE(test::angle_between(one(track).at(time_s).rotation, nearer), 1e-7) << "clip at " << time_s;
+    for (const double aside : {-1e-3, 1e-3})  // next to it the curve has a direction, which is neither key
+      EXPECT_GT(test::angle_between(one(track).at(time_s + aside).rotation, nearer), 0.01);
+  }
 }
 
 TEST(sample_clip, ten_thousand_joints_and_a_hundred_thousand_keys_work) {

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Small files from bytes to the vertices of a frame: rules of glTF that no single part of the importer answers for alone.
+#include <bit>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/plan/run_plan.h"
+#include "tests/importer/tiny_gltf.h"
+#include "tests/support/near.h"
+
+namespace sinew::test {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// One frame of an imported file; `clip` kNone = the rest pose.
+struct Shown {
+  ImportResult<ImportedFile> file;
+  Plan plan;
+  FrameBuffer frame;
+  ErrorCode error = ErrorCode::ok;
+
+  explicit Shown(const TinyGltf& gltf, std::uint32_t clip = kNone, double time_s = 0.0, NormalRule rule = NormalRule::linear)
+      : file(gltf.import()), plan(compile_plan(scene(), needs(rule))), frame(plan) {
+    const ClipLayer layer{clip, time_s, 1.0f};
+    error = run_plan(plan, {clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}}, frame);
+    EXPECT_EQ(error, ErrorCode::ok);
+  }
+
+  const Scene& scene() const {
+    if (!file) throw std::runtime_error(outcome(file));
+    return file->scene;
+  }
+  const Affine& world_of_node(std::uint32_t node) const { return frame.result().model[scene().skeleton.joint_of_node[node]]; }
+  const DeformedPrimitive& primitive(std::size_t i = 0) const { return frame.result().primitives[i]; }
+
+ private:
+  static Needs needs(NormalRule rule) {
+    Needs out;
+    out.normal_rule = rule;
+    return out;
+  }
+};
+
+const std::vector<std::uint8_t> kAllOnSlot0{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const std::vector<float> kFull{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+constexpr double kTight = 1e-6;
+
+TEST(evaluated_file, N26_displacements_and_skin_weights_too_small_to_show_are_dropped_at_import) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {1, 1e-38f, 0, 0, 1, 1e-42f, 0, 0, 1, 1e-21f, 0, 0});
+  primitive["targets"] = Json::array({{{"POSITION", file.vec3({1e-39f, -1e-21f, 0, 0, 1e-42f, 3, 0, 0, -1e-19f})}}});
+  const Shown shown(file);
+  const Primitive& imported = shown.scene().meshes[0].primitives[0];
+  EXPECT_EQ(imported.influences.joints.size(), 3u) << "one joint a vertex";
+  const auto& deltas = imported.morphs.targets[0].positions;
+  EXPECT_EQ(deltas.vertices, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(deltas.deltas, (std::vector<glm::vec3>{{0, 0, 3}, {0, 0, -1e-19f}}));
+}
+
+TEST(evaluated_file, G18_neighbours_on_other_hemispheres_turn_the_short_way_after_decoding) {
+  // 80 and 100 degrees about z as 8-bit integers, the largest component made positive by the encoder: w leads in the
+  // first key, z in the second, and the second is stored as -q.
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object()});
+  const auto byte = [](double v) { return static_cast<std::int8_t>(std::lround(127 * v)); };
+  const double a = 40 * M_PI / 180, b = 50 * M_PI / 180;
+  const std::size_t output = file.add(std::vector<std::int8_t>{0, 0, byte(-std::sin(a)), byte(std::cos(a)),  //
+                                                               0, 0, byte(std::sin(b)), byte(-std::cos(b))},
+                                      "VEC4", 5120, 4, true);
+  file.animate("rotation", file.times({0, 1}), output);
+  for (int i = 0; i <= 16; ++i) {
+    const Shown shown(file, 0, i / 16.0);
+    const Affine& m = shown.world_of_node(0);
+    EXPECT_NEAR(std::hypot(m.row[0].x, m.row[1].x), 1.0, kTight) << "decoded bytes are not unit, the rotation must be";
+    const double turned = std::atan2(static_cast<double>(m.row[1].x), static_cast<double>(m.row[0].x)) * 180 / M_PI;
+    EXPECT_NEAR(turned, -80.0 - 20.0 * i / 16.0, 0.5) << i;  // half a byte is 0.45 degrees
+  }
+}
+
+TEST(evaluated_file, G23_keys_of_any_rate_are_kept_as_they_are) {
+  // 24 frames a second, a cut of a millisecond, and a pause of a minute: no common rate holds them all.
+  const std::vector<float> times{0.0f, 1 / 24.0f, 2 / 24.0f, 0.5f, 0.501f, 60.5f};
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object()});
+  const std::vector<float> values{0, 0, 0, 0.1f, 3, 0, 0.7f, 3, 0, 0.7f, 3, 1, -5, 3, 1, -5, 4, 1};
+  file.animate("translation", file.times(times), file.vec3(values), "STEP");
+  const Shown shown(file);
+  const Vec3Track& track = shown.scene().animations[0].bones[0].translation;
+  EXPECT_EQ(track.times_s, times);
+  EXPECT_EQ(track.interpolation, Interpolation::step);
+  ASSERT_THAT(track.values, SizeIs(times.size()));
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const glm::vec3 value(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    EXPECT_EQ(track.values[k], value);
+    const double t = static_cast<double>(times[k]);
+    EXPECT_EQ(translation_of(Shown(file, 0, t).world_of_node(0)), value) << t;
+    if (k == 0) continue;
+    EXPECT_EQ(translation_of(Shown(file, 0, std::nextafter(t, 0.0)).world_of_node(0)), track.values[k - 1]) << t;
+  }
+}
+
+TEST(evaluated_file, G30_skin_skeleton_changes_no_bit) {
+  TinyGltf file;
+  file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.5f, .5f, 0, 0, .25f, .75f, 0, 0, .5f, .5f, 0, 0});
+  file.root["nodes"] = Json::parse(
+      R"([{"mesh":0,"skin":0},{"children":[2],"translation":[3,0,0]},{"rotation":[0,0,0.6,0.8]},{"children":[1],"scale":[2,2,2]}])");
+  const Shown without(file);
+  for (const int skeleton : {1, 2, 3, 0}) {
+    file.root["skins"][0]["skeleton"] = skeleton;  // a joint, the child joint, a common root, and a node aside
+    const Shown with(file);
+    EXPECT_TRUE(std::ranges::equal(with.primitive().positions, without.primitive().positions)) << skeleton;
+  }
+}
+
+TEST(evaluated_file, G32_joints_outside_the_scene_are_evaluated_with_all_their_ancestors) {
+  TinyGltf file;
+  file.add_skinned_triangle(kAllOnSlot0, kFull);
+  file.root["nodes"] = Json::parse(R"([{"mesh":0,"skin":0},{},{"children":[1],"translation":[0,7,0]}])");
+  file.root["skins"][0]["joints"] = {1};
+  file.root["scenes"] = Json::parse(R"([{"nodes":[0]}])");
+  file.root["scene"] = 0;
+  file.animate("translation", file.times({0, 1}), file.vec3({0, 0, 0, 4, 0, 0}));
+  file.root["animations"][0]["channels"][0]["target"]["node"] = 2;  // above the joint
+  EXPECT_TRUE(is_near(Shown(file).primitive().positions[1], glm::vec3(1, 7, 0), kTight));
+  EXPECT_TRUE(is_near(Shown(file, 0, 0.5).primitive().positions[1], glm::vec3(3, 0, 0), kTight));
+}
+
+TEST(evaluated_file, G33_nodes_between_joints_count_and_joints_may_come_leaf_first) {
+  TinyGltf file;
+  file.add_skinned_triangle({0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}, kFull);
+  // joint 4 <- plain node 3 <- joint 2 <- plain node 1, and joint 5 under a root of its own
+  file.root["nodes"] = Json::parse(
+      R"([{"mesh":0,"skin":0},{"children":[2],"translation":[1,0,0]},{"children":[3],"translation":[0,1,0]},
+          {"children":[4],"scale":[3,3,3]},{"translation":[0,0,1]},{"translation":[0,0,-5]}])");
+  file.root["skins"][0]["joints"] = {4, 5, 2};
+  const Shown shown(file);
+  EXPECT_TRUE(is_near(shown.primitive().positions[0], glm::vec3(1, 1, 3), kTight));
+  EXPECT_TRUE(is_near(shown.primitive().positions[1], glm::vec3(1, 0, -5), kTight));
+  EXPECT_TRUE(is_near(shown.primitive().positions[2], glm::vec3(1, 2, 0), kTight));
+}
+
+TEST(evaluated_file, G34_one_mesh_with_two_skins_over_the_same_joints_has_two_palettes) {
+  TinyGltf file;
+  file.add_skinned_triangle(kAllOnSlot0, kFull);
+  const std::size_t other = file.add(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4", 5126, 16);
+  file.root["nodes"] = Json::parse(R"([{"mesh":0,"skin":0},{"children":[2],"translation":[2,0,0]},{},{"mesh":0,"skin":1},{"mesh":0,"skin":2}])");
+  file.root["skins"] = Json::array({{{"joints", {1, 2}}}, {{"joints", {1, 2}}, {"inverseBindMatrices", other}}, {{"joints", {2, 1}}, {"inverseBindMatrices", other}}});
+  file.animate("translation", file.times({0, 1}), file.vec3({0, 1, 0, 0, 1, 0}));
+  file.root["animations"][0]["channels"][0]["target"]["node"] = 2;
+  const Shown shown(file, 0, 0.5);
+  ASSERT_THAT(shown.frame.result().primitives, SizeIs(3));
+  EXPECT_TRUE(is_near(shown.primitive(0).positions[0], glm::vec3(2, 0, 0), kTight));
+  EXPECT_TRUE(is_near(shown.primitive(1).positions[0], glm::vec3(2, 0, 9), kTight));
+  EXPECT_TRUE(is_near(shown.primitive(2).positions[0], glm::vec3(2, 1, 9), kTight));
+}
+
+TEST(evaluated_file, G37_joint_values_of_8_and_16_bits_mean_the_same_beyond_256_joints_too) {
+  const auto file_with = [](bool wide, std::uint16_t joint) {
+    TinyGltf file;
+    Json& primitive = file.add_skinned_triangle(kAllOnSlot0, kFull);
+    std::vector<std::uint16_t> joints(12, 0);
+    for (std::size_t v = 0; v < 3; ++v) joints[4 * v] = joint;
+    if (wide)
+      primitive["attributes"]["JOINTS_0"] = file.add(joints, "VEC4", 5123, 4);
+    else
+      primitive["attributes"]["JOINTS_0"] = file.add(std::vector<std::uint8_t>(joints.begin(), joints.end()), "VEC4", 5121, 4);
+    file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}});
+    file.root["skins"] = Json::array({{{"joints", Json::array()}}});
+    for (int j = 0; j < 600; ++j) {
+      file.root["nodes"].push_back({{"translation", {j, 0, 0}}});
+      file.root["skins"][0]["joints"].push_back(j + 1);
+    }
+    return file;
+  };
+  for (const std::uint16_t joint : std::initializer_list<std::uint16_t>{0, 1, 127, 128, 255}) {
+    EXPECT_EQ(Shown(file_with(false, joint)).primitive().positions[0].x, static_cast<float>(joint));
+    EXPECT_EQ(Shown(file_with(true, joint)).primitive().positions[0].x, static_cast<float>(joint));
+  }
+  for (const std::uint16_t joint : std::initializer_list<std::uint16_t>{256, 257, 511, 599})
+    EXPECT_EQ(Shown(file_with(true, joint)).primitive().positions[0].x, static_cast<float>(joint));
+}
+
+TEST(evaluated_file, G40_a_vertex_with_six_influences_in_two_sets_uses_all_of_them) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3}, {.25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f});
+  primitive["attributes"]["JOINTS_1"] = file.add(std::vector<std::uint8_t>{4, 5, 0, 0, 4, 5, 0, 0, 4, 5, 0, 0}, "VEC4", 5121, 4);
+  primitive["attributes"]["WEIGHTS_1"] = file.vec4({.125f, .125f, 0, 0, .125f, .125f, 0, 0, .125f, .125f, 0, 0});
+  file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}});
+  file.root["skins"][0]["joints"] = Json::array();
+  for (int j = 0; j < 6; ++j) {
+    file.root["nodes"].push_back({{"translation", {0, 0, 1 << j}}});
+    file.root["skins"][0]["joints"].push_back(j + 1);
+  }
+  EXPECT_EQ(Shown(file).primitive().positions[0].z, .25f * 1 + .25f * 2 + .125f * (4 + 8 + 16 + 32));
+}
+
+TEST(evaluated_file, G42_displacements_are_turned_with_the_joint) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle(kAllOnSlot0, kFull);
+  primitive["targets"] = Json::array({{{"POSITION", file.vec3({0, 2, 0, 0, 2, 0, 0, 2, 0})}}});
+  file.root["meshes"][0]["weights"] = {0.5};
+  file.root["nodes"][1]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};  // 90 degrees about z: +y becomes -x
+  file.root["nodes"][1]["scale"] = {3, 3, 3};
+  EXPECT_TRUE(is_near(Shown(file).primitive().positions[0], glm::vec3(-3, 0, 0), kTight)) << "0.5 * 2 upwards, turned and scaled";
+}
+
+TEST(evaluated_file, G44_hundreds_of_targets_all_count) {
+  constexpr int kTargets = 300;
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  Json weights = Json::array();
+  double expected = 0;
+  for (int i = 0; i < kTargets; ++i) {
+    const float dx = static_cast<float>(i + 1) / 64;  // exact, and so are the products below
+    const float w = static_cast<float>(i % 5 - 2) / 4;
+    primitive["targets"].push_back({{"POSITION", file.vec3({dx, 0, 0, 0, dx, 0, 0, 0, dx})}});
+    weights.push_back(w);
+    expected += static_cast<double>(w) * static_cast<double>(dx);
+  }
+  file.root["nodes"][0]["weights"] = weights;
+  const Shown shown(file);
+  EXPECT_THAT(shown.file->warnings, IsEmpty());
+  EXPECT_THAT(shown.frame.result().weights, SizeIs(kTargets));
+  EXPECT_NEAR(static_cast<double>(shown.primitive().positions[0].x), expected, 1e-5);
+  EXPECT_NEAR(static_cast<double>(shown.primitive().positions[2].z), expected, 1e-5);
+}
+
+TEST(evaluated_file, G51_joints_may_shrink_to_nothing_and_come_back) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.5f, .5f, 0, 0, .5f, .5f, 0, 0, .5f, .5f, 0, 0});
+  primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  primitive["attributes"]["TANGENT"] = file.vec4({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
+  file.animate("scale", file.times({0, 1, 2, 3, 4}), file.vec3({1, 1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 2, 1, 1, 1}));
+  file.root["animations"][0]["channels"][0]["target"]["node"] = 1;  // parent of the other joint: all of the skin collapses
+  for (const NormalRule rule : {NormalRule::linear, NormalRule::cofactor})
+    for (const double t : {0.0, 0.999999, 1.0, 1.000001, 1.5, 2.0, 2.5, 3.0, 4.0}) {
+      const Shown shown(file, 0, t, rule);
+      for (std::size_t v = 0; v < 3; ++v) {
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(glm::abs(shown.primitive().positions[v]), glm::vec3(2)))) << t;
+        EXPECT_NEAR(safe_length(shown.primitive().normals[v]), 1.0f, 1e-6f) << t;
+        EXPECT_NEAR(safe_length(glm::vec3(shown.primitive().tangents[v])), 1.0f, 1e-6f) << t;
+      }
+    }
+  EXPECT_EQ(Shown(file, 0, 1.0).primitive().positions[1], glm::vec3(0));
+  EXPECT_EQ(Shown(file, 0, 4.0).primitive().positions[1], glm::vec3(1, 0, 0));
+}
+
+}  // namespace
+}  // namespace sinew::test
