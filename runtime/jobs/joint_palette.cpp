@@ -31,7 +31,8 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
 
 void run(const JointPaletteJob& job) noexcept {
   const std::size_t count = job.skin->joints.size();
-  for (std::size_t i = 0; i < count; ++i) job.palette[i] = job.model[job.skin->joints[i]] * job.skin->inverse_bind[i];
+  for (std::size_t i = 0; i < count; ++i) 
+    job.palette[i] = joint_matrix_from(job.model[job.skin->joints[i]] * job.skin->inverse_bind[i]);
 }
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
@@ -41,9 +42,10 @@ ErrorCode check(const SplitPaletteJob& job) noexcept {
 void run(const SplitPaletteJob& job) noexcept {
   bool any_stretch = false;
   for (std::size_t i = 0; i < job.palette.size(); ++i) {
-    const auto polar = decompose_polar(linear_part(job.palette[i]));
+    const Affine matrix = affine_from(job.palette[i]);
+    const auto polar = decompose_polar(linear_part(matrix));
     RigidStretch& out = job.split[i];
-    out.rigid = dual_quat_from(polar.quat, translation_of(job.palette[i]));
+    out.rigid = dual_quat_from(polar.quat, translation_of(matrix));
     std::copy(std::begin(polar.stretch), std::end(polar.stretch), out.stretch);
     any_stretch |= is_stretched(out.stretch);
   }

@@ -5,6 +5,7 @@
 #include "runtime/assets/skin.h"
 #include "runtime/base/result.h"
 #include "runtime/math/dual_quaternion.h"
+#include "runtime/math/joint_matrix.h"
 
 namespace sinew {
 
@@ -16,7 +17,7 @@ namespace sinew {
 struct JointPaletteJob {
   const Skin* skin = nullptr;
   std::span<const Affine> model;
-  std::span<Affine> palette;
+  std::span<JointMatrix> palette;
 };
 
 ErrorCode check(const JointPaletteJob& job) noexcept;
@@ -34,7 +35,7 @@ struct RigidStretch {
 /// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase is needed (P12)
 /// err  size_mismatch     cost O(N), no allocation; a singular matrix gives some rotation with R * S = J
 struct SplitPaletteJob {
-  std::span<const Affine> palette;
+  std::span<const JointMatrix> palette;
   std::span<RigidStretch> split;
   bool* any_stretch = nullptr;
 };

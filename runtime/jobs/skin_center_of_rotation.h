@@ -20,7 +20,7 @@ namespace sinew {
 /// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
 struct SkinCenterOfRotationJob {
   const VertexInfluences* influences = nullptr;
-  std::span<const Affine> palette;
+  std::span<const JointMatrix> palette;
   std::span<const RigidStretch> split;
   bool any_stretch = true;
   std::span<const glm::vec3> centers;

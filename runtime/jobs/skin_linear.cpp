@@ -5,9 +5,8 @@
 #define HWY_TARGET_INCLUDE "runtime/jobs/skin_linear.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/jobs/blend_columns-inl.h"
 #include "runtime/jobs/blend_matrix.h"
-#include "runtime/jobs/blend_rows-inl.h"
-#include "runtime/jobs/four_vertices.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 
@@ -18,7 +17,7 @@ namespace {
 
 /// The normal of one vertex where squares leave float's range, or the blend has none.
 template <int kCount>
-glm::vec3 careful_normal(std::span<const Affine> palette, const VertexJoints<kCount>& vertex, const glm::vec3& n, bool cofactor) noexcept {
+glm::vec3 careful_normal(std::span<const JointMatrix> palette, const VertexJoints<kCount>& vertex, const glm::vec3& n, bool cofactor) noexcept {
   const Affine m = blend_matrix(palette, vertex);
   return cofactor ? transform_normal(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
 }
@@ -52,60 +51,54 @@ void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
 #else
 
 template <int kCount, bool kNormals, bool kTangents>
-struct FourVertices {
+struct SkinTile {
   const SkinLinearJob& job;
-  const VertexJoints<kCount> (&joints)[4];
+  const TileInfluences<kCount>& joints;
 
-  /// Skins the vertices at `in`, four of them and readable one float beyond, to `out`.
-  HWY_ATTR void run(const VertexInput& in, const VertexOutput& out) const {
-    Rows matrix[4], product[4];
-    for (int k = 0; k < 4; ++k) {
-      matrix[k] = blend_rows(job.palette.data(), joints[k]);
-      product[k] = against(matrix[k], &in.positions[static_cast<std::size_t>(k)].x, true);
+  HWY_ATTR void run(const TileInput& in, const TileOutput& out) const {
+    const bool cofactor_rule = kNormals && job.normal_rule == NormalRule::cofactor;
+    Wide positions[4], normals[4], tangents[4];
+    for (std::size_t q = 0; q < 4; ++q) {
+      const std::size_t at = q * kBlocks;
+      const Columns m = blend_columns(job.palette.data(), joints, q);
+      positions[q] = transform_points(m, load_spread(in.positions + at));
+      if constexpr (kNormals) normals[q] = transform_vectors(cofactor_rule ? cofactor(m) : m, load_spread(in.normals + at));
+      if constexpr (kTangents) tangents[q] = transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[at].x)));
     }
-    if constexpr (kTangents) tangents(matrix, in, out);
-    if constexpr (kNormals) normals(matrix, in, out);
-    store3(sum_rows(product, true), out.positions.data());
+    if constexpr (kNormals) write_normals(normals, cofactor_rule, in, out);
+    if constexpr (kTangents) write_tangents(tangents, in, out);
+    store_packed(positions, out.positions);
   }
 
  private:
-  HWY_ATTR void normals(const Rows (&matrix)[4], const VertexInput& in, const VertexOutput& out) const {
-    const bool cofactor = job.normal_rule == NormalRule::cofactor;
-    Rows product[4];
-    for (int k = 0; k < 4; ++k)
-      product[k] = against(cofactor ? cofactor_rows(matrix[k]) : matrix[k], &in.normals[static_cast<std::size_t>(k)].x, false);
-    Lanes3 n = sum_rows(product, false);
-    if (normalise(n)) return store3(n, out.normals.data());
-    glm::vec3 careful[4];
-    for (std::size_t k = 0; k < 4; ++k) careful[k] = careful_normal(job.palette, joints[k], in.normals[k], cofactor);
-    std::copy_n(careful, 4, out.normals.begin());
+  HWY_ATTR void write_normals(Wide (&normals)[4], bool cofactor_rule, const TileInput& in, const TileOutput& out) const {
+    normalise_tile(
+        normals, [&]() HWY_ATTR { store_packed(normals, out.normals); },
+        [&](std::size_t v) { out.normals[v] = careful_normal(job.palette, joints.at(v), in.normals[v], cofactor_rule); });
   }
 
-  HWY_ATTR void tangents(const Rows (&matrix)[4], const VertexInput& in, const VertexOutput& out) const {
-    Rows product[4];
-    for (int k = 0; k < 4; ++k) product[k] = against(matrix[k], &in.tangents[static_cast<std::size_t>(k)].x, false);
-    Lanes3 t = sum_rows(product, false);
-    if (normalise(t)) {
-      const D4 d;
-      V4 x, y, z, handedness;
-      hn::LoadInterleaved4(d, &in.tangents[0].x, x, y, z, handedness);
-      return hn::StoreInterleaved4(t.x, t.y, t.z, handedness, d, &out.tangents[0].x);
-    }
-    glm::vec4 careful[4];
-    for (std::size_t k = 0; k < 4; ++k) {
-      const glm::vec4 tangent = in.tangents[k];
-      careful[k] = glm::vec4(careful_normal(job.palette, joints[k], glm::vec3(tangent), false), tangent.w);
-    }
-    std::copy_n(careful, 4, out.tangents.begin());
+  HWY_ATTR void write_tangents(Wide (&tangents)[4], const TileInput& in, const TileOutput& out) const {
+    const TileTag d;
+    static constexpr LaneTable kHandedness([](std::size_t i) { return i % 4 == 3 ? -1 : 0; });
+    const auto handedness = hn::MaskFromVec(hn::BitCast(d, hn::Load(hn::RebindToSigned<TileTag>(), kHandedness.lanes)));
+    const auto store = [&]() HWY_ATTR {
+      for (std::size_t q = 0; q < 4; ++q) {
+        const Wide source = hn::LoadU(d, &in.tangents[q * kBlocks].x);
+        hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &out.tangents[q * kBlocks].x);
+      }
+    };
+    normalise_tile(tangents, store, [&](std::size_t v) {
+      const glm::vec4 tangent = in.tangents[v];
+      out.tangents[v] = glm::vec4(careful_normal(job.palette, joints.at(v), glm::vec3(tangent), false), tangent.w);
+    });
   }
 };
 
 template <int kCount, bool kNormals, bool kTangents>
 void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
-  for_each_four<kCount, kNormals, kTangents>(
-      *job.influences, group, job.vertices, job.out,
-      [&](const VertexJoints<kCount>(&joints)[4], const VertexInput& in, const VertexOutput& out)
-          HWY_ATTR { FourVertices<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
+  for_each_tile<kCount, kTileSize, kNormals, kTangents>(
+      *job.influences, group, job.vertices, job.out, [&](const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
+                                                         HWY_ATTR { SkinTile<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
 }
 
 #endif  // HWY_TARGET

@@ -5,7 +5,7 @@
 #include "runtime/assets/skin.h"
 #include "runtime/base/result.h"
 #include "runtime/jobs/vertex_streams.h"
-#include "runtime/math/affine.h"
+#include "runtime/math/joint_matrix.h"
 
 namespace sinew {
 
@@ -20,7 +20,7 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
 struct SkinLinearJob {
   const VertexInfluences* influences = nullptr;
-  std::span<const Affine> palette;
+  std::span<const JointMatrix> palette;
   VertexInput vertices;
   VertexOutput out;
   NormalRule normal_rule = NormalRule::linear;

@@ -124,7 +124,7 @@ void place(Plan& plan) {
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
-    plan.palette_at.push_back(block.take_array<Affine>(plan.palette[s] ? joints : 0));
+    plan.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? joints : 0));
     plan.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
   }
   plan.stretch_at = block.take_array<bool>(scene.skins.size());

@@ -85,7 +85,7 @@ struct Deformation {
       work.vertices_skinned_dual_quaternion += primitive.vertex_count();
     } else {
       const SkinLinearJob job{.influences = &primitive.influences,
-                              .palette = memory.array<Affine>(plan.palette_at[skin], joints),
+                              .palette = memory.array<JointMatrix>(plan.palette_at[skin], joints),
                               .vertices = now,
                               .out = out,
                               .normal_rule = plan.needs.normal_rule};

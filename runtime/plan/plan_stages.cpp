@@ -150,7 +150,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
   return {describe_sample(plan),
           describe_blend(plan),
           describe_local_to_model(plan),
-          describe_skins(plan, "palette", plan.palette, sizeof(Affine), why_no_skinning(plan)),
+          describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix), why_no_skinning(plan)),
           describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
           describe_morph(plan),
           describe_skin(plan, "skin_linear", Skinning::linear),

@@ -53,7 +53,7 @@ void make_palettes(const Plan& plan, std::span<const Affine> model, FrameMemory 
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     if (!plan.palette[s]) continue;
     const Skin& skin = plan.scene->skins[s];
-    const std::span<Affine> palette = memory.array<Affine>(plan.palette_at[s], skin.joints.size());
+    const std::span<JointMatrix> palette = memory.array<JointMatrix>(plan.palette_at[s], skin.joints.size());
     const JointPaletteJob job{.skin = &skin, .model = model, .palette = palette};
     assert(check(job) == ErrorCode::ok);
     run(job);

@@ -78,7 +78,7 @@ Radii twist(const Tube& tube, float angle_rad) {
                 .rotation = quat_xyzw(0.0f, std::sin(angle_rad / 2), 0.0f, std::cos(angle_rad / 2))});
   const std::array<Affine, 2> world = {Affine{}, upper};
 
-  std::array<Affine, 2> palette;
+  std::array<JointMatrix, 2> palette;
   const JointPaletteJob to_palette{.skin = &skin, .model = world, .palette = palette};
   require(check(to_palette)), run(to_palette);
 

@@ -28,7 +28,7 @@ struct Deformed {
 struct Surface {
   Primitive primitive;
   Deformed out;
-  std::vector<Affine> palette;
+  std::vector<JointMatrix> palette;
   std::vector<RigidStretch> split;
   bool any_stretch = false;
   std::vector<glm::mat4> glm_palette;
@@ -47,7 +47,7 @@ struct Surface {
     split.resize(skin.joints.size());
     run(JointPaletteJob{&skin, model, palette});
     run(SplitPaletteJob{palette, split, &any_stretch});
-    for (const Affine& m : palette) glm_palette.push_back(mat4_from_affine(m));
+    for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
     for (const RigidStretch& s : split) glm_rigid.push_back({s.rigid.real, s.rigid.dual});
   }
 

@@ -60,7 +60,8 @@ class Character {
  private:
   Scene scene_;
   test::PoseBuffer pose_;
-  std::vector<Affine> model_, palette_;
+  std::vector<Affine> model_;
+  std::vector<JointMatrix> palette_;
   std::vector<RigidStretch> split_;
   bool any_stretch_ = false;
 };

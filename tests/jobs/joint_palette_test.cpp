@@ -16,7 +16,8 @@ TEST(joint_palette, rejects_wrong_sizes_and_joints_out_of_range) {
   Skin skin;
   skin.joints = {0, 2};
   skin.inverse_bind.resize(2);
-  std::vector<Affine> model(3), palette(2);
+  std::vector<Affine> model(3);
+  std::vector<JointMatrix> palette(2);
   EXPECT_EQ(check(JointPaletteJob{&skin, model, palette}), ErrorCode::ok);
   EXPECT_EQ(check(JointPaletteJob{nullptr, model, palette}), ErrorCode::size_mismatch);
   EXPECT_EQ(check(JointPaletteJob{&skin, model, std::span(palette).first(1)}), ErrorCode::size_mismatch);
@@ -28,7 +29,8 @@ TEST(joint_palette, rejects_wrong_sizes_and_joints_out_of_range) {
 TEST(joint_palette, the_bind_pose_gives_identities) {
   test::FixedRandom random(3);
   Skin skin;
-  std::vector<Affine> model, palette(8);
+  std::vector<Affine> model;
+  std::vector<JointMatrix> palette(8);
   for (std::uint32_t j = 0; j < 8; ++j) {
     Transform t = random.transform();
     t.scale = glm::vec3(1);
@@ -40,18 +42,19 @@ TEST(joint_palette, the_bind_pose_gives_identities) {
     skin.inverse_bind.push_back(affine_from_transform(inverse));
   }
   run(JointPaletteJob{&skin, model, palette});
-  for (const auto& m : palette) EXPECT_TRUE(test::is_near(m, Affine{}, 1e-6));
+  for (const auto& m : palette) EXPECT_TRUE(test::is_near(affine_from(m), Affine{}, 1e-6));
 }
 
 TEST(joint_palette, G33_joints_may_come_in_any_order) {
   Skin skin;
   skin.joints = {2, 0};
   skin.inverse_bind.resize(2);
-  std::vector<Affine> model(3), palette(2);
+  std::vector<Affine> model(3);
+  std::vector<JointMatrix> palette(2);
   for (int j = 0; j < 3; ++j) model[static_cast<std::size_t>(j)].row[0].w = static_cast<float>(j);
   run(JointPaletteJob{&skin, model, palette});
-  EXPECT_EQ(palette[0].row[0].w, 2.0f);
-  EXPECT_EQ(palette[1].row[0].w, 0.0f);
+  EXPECT_EQ(palette[0].column[3].x, 2.0f);
+  EXPECT_EQ(palette[1].column[3].x, 0.0f);
 }
 
 Affine rebuilt(const RigidStretch& split) {
@@ -61,34 +64,34 @@ Affine rebuilt(const RigidStretch& split) {
 
 TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   test::FixedRandom random(5);
-  std::vector<Affine> palette;
+  std::vector<JointMatrix> palette;
   for (int i = 0; i < 50; ++i)
-    palette.push_back(affine_from_transform(random.transform(0.2, 3)) * affine_from_transform(random.transform(0.2, 3)));
-  palette.push_back(affine_from(Mat3<float>(0.0f), {1, 2, 3}));                       // collapsed to a point
-  palette.push_back(affine_from(Mat3<float>(-1, 0, 0, 0, 1, 0, 0, 0, 1), {0, 0, 0}));  // mirrored
+    palette.push_back(joint_matrix_from(affine_from_transform(random.transform(0.2, 3)) * affine_from_transform(random.transform(0.2, 3))));
+  palette.push_back(joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3})));                       // collapsed to a point
+  palette.push_back(joint_matrix_from(affine_from(Mat3<float>(-1, 0, 0, 0, 1, 0, 0, 0, 1), {0, 0, 0})));  // mirrored
   std::vector<RigidStretch> split(palette.size());
   bool any = false;
   run(SplitPaletteJob{palette, split, &any});
   EXPECT_TRUE(any);
   for (std::size_t i = 0; i < palette.size(); ++i) {
-    EXPECT_TRUE(test::is_near(rebuilt(split[i]), palette[i], 1e-5)) << i;
+    EXPECT_TRUE(test::is_near(rebuilt(split[i]), affine_from(palette[i]), 1e-5)) << i;
     EXPECT_NEAR(safe_length(split[i].rigid.real), 1.0f, 1e-6f) << i;
   }
 }
 
 TEST(split_palette, P12_rigid_palettes_need_no_stretch_phase) {
   test::FixedRandom random(6);
-  std::vector<Affine> palette;
+  std::vector<JointMatrix> palette;
   for (int i = 0; i < 50; ++i) {
     Transform t = random.transform();
     t.scale = glm::vec3(1);
-    palette.push_back(affine_from_transform(t));
+    palette.push_back(joint_matrix_from(affine_from_transform(t)));
   }
   std::vector<RigidStretch> split(palette.size());
   bool any = true;
   run(SplitPaletteJob{palette, split, &any});
   EXPECT_FALSE(any);
-  palette[7].row[2].z *= 1.01f;
+  palette[7].column[2].z *= 1.01f;
   run(SplitPaletteJob{palette, split, &any});
   EXPECT_TRUE(any);
   EXPECT_EQ(check(SplitPaletteJob{palette, std::span(split).first(3), &any}), ErrorCode::size_mismatch);

@@ -58,7 +58,7 @@ TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
     std::vector<double> weights;
     for (const auto j : s.vertices.joints_of(v)) {
       motions.push_back({quat_cast<double>(s.split[j].rigid.real), quat_cast<double>(s.split[j].rigid.dual)});
-      matrices.push_back(affine_cast<double>(s.vertices.palette[j]));
+      matrices.push_back(affine_cast<double>(affine_from(s.vertices.palette[j])));
     }
     for (const auto w : s.vertices.weights_of(v)) weights.push_back(w);
     const auto truth = reference::skin_center_of_rotation<double>(motions, matrices, weights, Vec3<double>(s.vertices.positions[v]),
@@ -85,7 +85,7 @@ TEST(skin_center_of_rotation, N19_a_single_scaled_joint_moves_the_vertex_as_its_
   for (auto& c : s.centers) c += random.vec3();
   run(s.job());
   for (std::size_t v = 0; v < s.centers.size(); ++v) {
-    const Affine& m = s.vertices.palette[s.vertices.joints_of(v)[0]];
+    const Affine m = affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]);
     EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(m, s.vertices.positions[v]), 3e-6)) << v;
     EXPECT_TRUE(test::is_near(s.vertices.out_normals[v], transform_normal(linear_part(m), s.vertices.normals[v]), 3e-6)) << v;
   }
@@ -100,7 +100,7 @@ TEST(skin_center_of_rotation, N20_twist_about_the_center_keeps_the_radius) {
     const double half = degrees * 0.5 * 3.14159265358979 / 180;
     Transform turned;
     turned.rotation = quat_cast<float>(quat_xyzw(0.0, std::sin(half), 0.0, std::cos(half)));
-    v.palette = {Affine{}, affine_from_transform(turned)};
+    v.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
     Turned s(v);
     s.centers[0] = glm::vec3(0);
     run(s.job());

@@ -110,7 +110,7 @@ TEST(skin_dual_quaternion, N20_half_and_half_twist_keeps_the_radius) {
     const double half = degrees * 0.5 * 3.14159265358979 / 180;
     Transform turned;
     turned.rotation = quat_cast<float>(quat_xyzw(0.0, std::sin(half), 0.0, std::cos(half)));
-    v.palette = {Affine{}, affine_from_transform(turned)};
+    v.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
     Split s(v);
     run(s.job());
     EXPECT_NEAR(glm::length(s.vertices.out_positions[0]), 1.0f, 1e-6f) << degrees;
@@ -128,7 +128,7 @@ TEST(skin_dual_quaternion, N18_the_skin_moves_continuously_while_a_joint_turns_t
     const double half = step * 0.5 * 3.14159265358979 / 180;
     Transform turned;
     turned.rotation = quat_cast<float>(quat_xyzw(0.0, std::sin(half), 0.0, std::cos(half)));
-    v.palette = {Affine{}, affine_from_transform(turned)};
+    v.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
     Split s(v);
     run(s.job());
     if (!last.empty())
@@ -145,7 +145,7 @@ TEST(skin_dual_quaternion, a_single_influence_is_the_joint_itself) {
   Split s(test::random_skinned_vertices(random, one, 50, 8, true));
   run(s.job());
   for (std::size_t v = 0; v < s.vertices.positions.size(); ++v)
-    EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(s.vertices.palette[s.vertices.joints_of(v)[0]], s.vertices.positions[v]), 2e-6));
+    EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]), s.vertices.positions[v]), 2e-6));
 }
 
 TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
@@ -154,7 +154,7 @@ TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
   for (auto& m : s.vertices.palette) {  // keep rotations close, so that no sign decision is near its edge
     Transform t = random.transform();
     t.rotation = random.rotation_by(0.5), t.scale = glm::vec3(1);
-    m = affine_from_transform(t);
+    m = joint_matrix_from(affine_from_transform(t));
   }
   s.refresh();
   run(s.job());
@@ -162,7 +162,7 @@ TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
   Transform t = random.transform();
   t.scale = glm::vec3(1);
   const Affine motion = affine_from_transform(t);
-  for (auto& m : s.vertices.palette) m = motion * m;
+  for (auto& m : s.vertices.palette) m = joint_matrix_from(motion * affine_from(m));
   s.refresh();
   run(s.job());
   for (std::size_t v = 0; v < before.size(); ++v)

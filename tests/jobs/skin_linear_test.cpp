@@ -23,7 +23,7 @@ SkinLinearJob job_of(test::SkinnedVertices& s) {
 Affined truth_matrix(const test::SkinnedVertices& s, std::size_t v) {
   std::vector<Affined> matrices;
   std::vector<double> weights;
-  for (const auto j : s.joints_of(v)) matrices.push_back(affine_cast<double>(s.palette[j]));
+  for (const auto j : s.joints_of(v)) matrices.push_back(affine_cast<double>(affine_from(s.palette[j])));
   for (const auto w : s.weights_of(v)) weights.push_back(w);
   return reference::blend_matrices<double>(matrices, weights);
 }
@@ -84,7 +84,7 @@ TEST(skin_linear, N22_cofactor_normals_stay_square_to_the_moved_surface) {
 TEST(skin_linear, N22_a_collapsed_matrix_keeps_the_normal) {
   test::FixedRandom random(4);
   auto s = test::random_skinned_vertices(random, kCounts, 2, 16, true);
-  for (auto& m : s.palette) m = affine_from(Mat3<float>(0.0f), {1, 2, 3});
+  for (auto& m : s.palette) m = joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3}));
   for (const auto rule : {NormalRule::linear, NormalRule::cofactor}) {
     auto job = job_of(s);
     job.normal_rule = rule;
@@ -109,7 +109,7 @@ TEST(skin_linear, rigid_motion_commutes_with_skinning) {
   Transform t = random.transform();
   t.scale = glm::vec3(1);
   const Affine motion = affine_from_transform(t);
-  for (auto& m : s.palette) m = motion * m;
+  for (auto& m : s.palette) m = joint_matrix_from(motion * affine_from(m));
   run(job_of(s));
   for (std::size_t v = 0; v < before.size(); ++v)
     EXPECT_TRUE(test::is_near(s.out_positions[v], transform_point(motion, before[v]), 1e-5)) << v;
@@ -138,7 +138,7 @@ TEST(skin_linear, N20_half_and_half_twist_shrinks_by_the_cosine_of_half_the_angl
     const double half = degrees * 0.5 * 3.14159265358979 / 180;
     Transform turned;
     turned.rotation = quat_cast<float>(quat_xyzw(0.0, std::sin(half), 0.0, std::cos(half)));
-    s.palette = {Affine{}, affine_from_transform(turned)};
+    s.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
     run(job_of(s));
     EXPECT_NEAR(glm::length(s.out_positions[0]), std::cos(half), 1e-6) << degrees;
   }

@@ -36,7 +36,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
             "+ sample [1, 640 B]: 1 clip; the count is of the one with most tracks\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
             "+ local_to_model [3, 144 B]: joints are asked for\n"
-            "+ palette [2, 96 B]: 1 of 1 skin called for by mesh instances\n"
+            "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
             "- morph [0, 0 B]: no mesh instance has morph targets\n"
             "+ skin_linear [4, 96 B]: 1 primitive with joints and weights\n"
@@ -158,7 +158,7 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   take(plan.weights_at, 4 * scene.weight_count()), take(plan.layer_weights_at, 3 * 4 * scene.weight_count());
   take(plan.model_at, sizeof(Affine) * scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    if (plan.palette[s]) take(plan.palette_at[s], sizeof(Affine) * scene.skins[s].joints.size());
+    if (plan.palette[s]) take(plan.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());
   for (const PrimitivePlan& p : plan.primitives) {
     const std::size_t count = primitive_of(plan, p).vertex_count();
     if (p.morph.positions || p.skin.positions) take(p.positions_at, 12 * count);

@@ -7,6 +7,7 @@
 
 #include "runtime/assets/skin.h"
 #include "runtime/jobs/vertex_streams.h"
+#include "runtime/math/joint_matrix.h"
 #include "runtime/math/transform.h"
 #include "tests/support/fixed_random.h"
 
@@ -17,7 +18,7 @@ struct SkinnedVertices {
   std::vector<glm::vec3> positions, normals;
   std::vector<glm::vec4> tangents;
   VertexInfluences influences;
-  std::vector<Affine> palette;
+  std::vector<JointMatrix> palette;
   std::vector<glm::vec3> out_positions, out_normals;
   std::vector<glm::vec4> out_tangents;
 
@@ -65,7 +66,7 @@ inline SkinnedVertices random_skinned_vertices(FixedRandom& random, std::span<co
   for (std::uint32_t j = 0; j < joint_count; ++j) {
     Transform t = random.transform();
     if (!with_scale) t.scale = glm::vec3(1);
-    out.palette.push_back(affine_from_transform(t));
+    out.palette.push_back(joint_matrix_from(affine_from_transform(t)));
   }
   out.out_positions.resize(out.positions.size());
   out.out_normals.resize(out.positions.size());

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Joint matrices of the vertices of a quarter tile, blended one vertex after the other and then turned into columns.
+#if defined(SINEW_BLEND_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_BLEND_COLUMNS_INL_H_
+#undef SINEW_BLEND_COLUMNS_INL_H_
+#else
+#define SINEW_BLEND_COLUMNS_INL_H_
+#endif
+
+#include "runtime/jobs/tile_lanes-inl.h"
+#include "runtime/jobs/vertex_tiles.h"
+#include "runtime/math/joint_matrix.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// One matrix in as many vectors as it takes.
+struct MatrixParts {
+  static constexpr std::size_t kCount = 16 / kTileSize;
+  Wide part[kCount];
+};
+
+/// eq   M = sum(w_i * palette[joint_i]), fused from the second on; a vertex with one influence takes the joint's matrix as it is.
+template <int kCount>
+HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const VertexJoints<kCount>& vertex) {
+  const TileTag d;
+  MatrixParts sum;
+  const float* joint = &palette[vertex.joints[0]].column[0].x;
+  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
+  if constexpr (kCount == 1) return sum;
+  const Wide first = hn::Set(d, vertex.weights[0]);
+  for (Wide& part : sum.part) part = hn::Mul(part, first);
+  for (std::size_t i = 1; i < vertex.count(); ++i) {
+    joint = &palette[vertex.joints[i]].column[0].x;
+    const Wide weight = hn::Set(d, vertex.weights[i]);
+    for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
+  }
+  return sum;
+}
+
+/// Columns of the matrices of a quarter's vertices, one vertex a block.
+struct Columns {
+  Wide c0, c1, c2, c3;
+};
+
+HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
+#if HWY_MAX_BYTES >= 64
+  const TileTag d;
+  const Wide low_01 = hn::ConcatLowerLower(d, m[2].part[0], m[0].part[0]), low_23 = hn::ConcatLowerLower(d, m[3].part[0], m[1].part[0]);
+  const Wide high_01 = hn::ConcatUpperUpper(d, m[2].part[0], m[0].part[0]), high_23 = hn::ConcatUpperUpper(d, m[3].part[0], m[1].part[0]);
+  return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low_23), low_01), hn::OddEvenBlocks(low_23, hn::SwapAdjacentBlocks(low_01)),
+          hn::OddEvenBlocks(hn::SwapAdjacentBlocks(high_23), high_01), hn::OddEvenBlocks(high_23, hn::SwapAdjacentBlocks(high_01))};
+#elif HWY_MAX_BYTES >= 32
+  const TileTag d;
+  return {hn::ConcatLowerLower(d, m[1].part[0], m[0].part[0]), hn::ConcatUpperUpper(d, m[1].part[0], m[0].part[0]),
+          hn::ConcatLowerLower(d, m[1].part[1], m[0].part[1]), hn::ConcatUpperUpper(d, m[1].part[1], m[0].part[1])};
+#else
+  return {m[0].part[0], m[0].part[1], m[0].part[2], m[0].part[3]};
+#endif
+}
+
+/// Columns of one quarter of the tile.
+template <int kCount>
+HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
+  MatrixParts matrices[kBlocks];
+  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile.at(quarter * kBlocks + b));
+  return columns_of(matrices);
+}
+
+HWY_INLINE Wide transform_points(const Columns& m, const Spread3& p) {
+  return hn::MulAdd(m.c2, p.z, hn::MulAdd(m.c1, p.y, hn::MulAdd(m.c0, p.x, m.c3)));
+}
+HWY_INLINE Wide transform_vectors(const Columns& m, const Spread3& v) {
+  return hn::MulAdd(m.c2, v.z, hn::MulAdd(m.c1, v.y, hn::Mul(m.c0, v.x)));
+}
+
+/// (x y z -) to (y z x -) in every block.
+HWY_INLINE Wide next_components(Wide v) {
+  static constexpr LaneTable kTable([](std::size_t i) { return i / 4 * 4 + (i % 4 == 3 ? 3 : (i + 1) % 4 % 3); });
+  return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+HWY_INLINE Wide cross_blocks(Wide a, Wide next_a, Wide b, Wide next_b) {
+  return next_components(hn::NegMulAdd(next_a, b, hn::Mul(a, next_b)));
+}
+
+/// Columns of the cofactor matrix: c1 x c2, c2 x c0, c0 x c1.
+HWY_INLINE Columns cofactor(const Columns& m) {
+  const Wide n0 = next_components(m.c0), n1 = next_components(m.c1), n2 = next_components(m.c2);
+  return {cross_blocks(m.c1, n1, m.c2, n2), cross_blocks(m.c2, n2, m.c0, n0), cross_blocks(m.c0, n0, m.c1, n1), m.c3};
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+#endif

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// A tile of vertices in vectors of up to 512 bits: N vertices for N lanes, in four quarters. A quarter has one vertex in each
+// 128-bit block, (x y z -). Included once per SIMD target (Highway's foreach_target), hence the guard's form.
+#if defined(SINEW_TILE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_TILE_LANES_INL_H_
+#undef SINEW_TILE_LANES_INL_H_
+#else
+#define SINEW_TILE_LANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "runtime/math/conventions.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using TileTag = hn::CappedTag<float, 16>;
+using Wide = hn::Vec<TileTag>;
+constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
+constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices of a quarter
+
+/// The components of each vertex of a quarter, spread over its block.
+struct Spread3 {
+  Wide x, y, z;
+};
+
+/// Lane numbers for TableLookupLanes, made by `lane(i)`.
+struct LaneTable {
+  HWY_ALIGN std::int32_t lanes[kTileSize];
+  template <class Lane>
+  constexpr explicit LaneTable(const Lane& lane) : lanes() {
+    for (std::size_t i = 0; i < kTileSize; ++i) lanes[i] = static_cast<std::int32_t>(lane(i));
+  }
+};
+
+template <int kComponent>
+HWY_INLINE Wide spread_packed(Wide packed) {
+  if constexpr (kTileSize == 4) return hn::Broadcast<kComponent>(packed);
+  static constexpr LaneTable kTable([](std::size_t i) { return i / 4 * 3 + kComponent; });
+  return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+/// One quarter of packed vectors. Reads up to four floats beyond.
+HWY_INLINE Spread3 load_spread(const glm::vec3* vectors) {
+  const Wide packed = hn::LoadU(TileTag(), &vectors->x);
+  return {spread_packed<0>(packed), spread_packed<1>(packed), spread_packed<2>(packed)};
+}
+
+HWY_INLINE Spread3 spread(Wide quarter) {
+  return {hn::Broadcast<0>(quarter), hn::Broadcast<1>(quarter), hn::Broadcast<2>(quarter)};
+}
+
+/// Lanes `kOutput * N` and following of the tile's packed vectors, as far as they come from one quarter.
+template <std::size_t kOutput, std::size_t kQuarter>
+HWY_INLINE Wide packed_from(Wide quarter) {
+  static constexpr LaneTable kTable([](std::size_t i) {
+    const std::size_t of_tile = kOutput * kTileSize + i, first = kQuarter * 3 * kBlocks;
+    const std::size_t at = of_tile < first || of_tile >= first + 3 * kBlocks ? 0 : of_tile - first;
+    return at / 3 * 4 + at % 3;
+  });
+  return hn::TableLookupLanes(quarter, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+/// Writes a tile of vectors, packed.
+HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
+  const TileTag d;
+  float* to = &out->x;
+  const auto join = [&](std::size_t from_first, Wide first, Wide second) HWY_ATTR { return hn::IfThenElse(hn::FirstN(d, from_first), first, second); };
+  hn::StoreU(join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])), d, to);
+  hn::StoreU(join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])), d, to + kTileSize);
+  hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
+}
+
+/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Lanes whose square leaves the range
+/// in which float keeps its digits come out wrong: then `careful(vertex of the tile)` is called for each, when the rest is done
+/// by `store()`.
+template <class Store, class Careful>
+HWY_INLINE void normalise_tile(Wide (&quarter)[4], const Store& store, const Careful& careful) {
+  const TileTag d;
+  const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]), ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
+  const Wide be_low = hn::InterleaveLower(d, quarter[1], quarter[3]), be_high = hn::InterleaveUpper(d, quarter[1], quarter[3]);
+  const Wide x = hn::InterleaveLower(d, ac_low, be_low), y = hn::InterleaveUpper(d, ac_low, be_low), z = hn::InterleaveLower(d, ac_high, be_high);
+  const Wide squared = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+  const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
+  quarter[0] = hn::Mul(quarter[0], hn::Broadcast<0>(scale));
+  quarter[1] = hn::Mul(quarter[1], hn::Broadcast<1>(scale));
+  quarter[2] = hn::Mul(quarter[2], hn::Broadcast<2>(scale));
+  quarter[3] = hn::Mul(quarter[3], hn::Broadcast<3>(scale));
+  store();
+  const auto kept = hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
+  if (HWY_LIKELY(hn::AllTrue(d, kept))) return;
+  HWY_ALIGN float flags[kTileSize];
+  hn::Store(hn::IfThenElseZero(kept, hn::Set(d, 1.0f)), d, flags);
+  for (std::size_t lane = 0; lane < kTileSize; ++lane)
+    if (flags[lane] == 0.0f) careful(lane % 4 * kBlocks + lane / 4);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+#endif
