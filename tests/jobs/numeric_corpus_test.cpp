@@ -1,97 +1,55 @@
 // SPDX-License-Identifier: MIT
-/// The reference data of the corpus through whole jobs: what a compiled clip and the SIMD kernels make of each case.
+// The reference data of the corpus through whole jobs, on every instruction set of the machine.
 #include <gtest/gtest.h>
 
-#include "runtime/jobs/morph_vertices.h"
-#include "runtime/jobs/sample_clip.h"
+#include "tests/jobs/numeric_jobs.h"
 #include "tests/support/corpus.h"
-#include "tests/support/numeric_corpus.h"
-#include "tests/support/numeric_read.h"
-#include "tests/support/tiny_assets.h"
+#include "tests/support/simd_targets.h"
 
-namespace sinew {
+namespace sinew::test {
 namespace {
 
-using test::Json;
-using test::Outcome;
+/// How GoogleTest and CTest name the test of a kind on a target.
+struct JobOnTarget {
+  NumericJob job;
+  std::int64_t target;
+};
+void PrintTo(const JobOnTarget& on, std::ostream* out) { *out << on.job.kind << " on " << simd_name(on.target); }
 
-/// The pose of a one-joint clip that holds these tracks. Several equal joints, so that lanes are filled and a tail is left.
-Transform sample(const QuatTrack& rotation, const Vec3Track& translation, double time_s) {
-  constexpr std::uint32_t kJoints = 21;
-  std::vector<BoneAnimation> bones(kJoints);
-  for (std::uint32_t j = 0; j < kJoints; ++j) {
-    bones[j].joint = j;
-    bones[j].rotation = rotation;
-    bones[j].translation = translation;
-  }
-  const Clip clip = test::clip_of(test::animation_of(std::move(bones)), test::chain_skeleton(kJoints));
-  test::PoseBuffer pose(kJoints);
-  run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
-  for (std::size_t j = 1; j < kJoints; ++j) EXPECT_EQ(pose.span().get(j), pose.span().get(0)) << "lane " << j;
-  return pose.span().get(0);
+std::vector<JobOnTarget> on_all_targets(const std::vector<NumericJob>& jobs) {
+  std::vector<JobOnTarget> all;
+  for (const NumericJob& job : jobs)
+    for (const std::int64_t target : simd_targets()) all.push_back({job, target});
+  return all;
 }
 
-Outcome slerp_of(const Json& in) {
-  const QuatTrack track{Interpolation::linear, {0, 1}, {test::quat<float>(in["q"]), test::quat<float>(in["r"])}};
-  return {{"q", test::numbers(sample(track, {}, test::scalar<double>(in["t"])).rotation)}};
+/// What the job can answer of a case: squad's control points are folded into the clip, only the rotation is left.
+std::vector<Json> cases_for_jobs(const std::string& kind) {
+  std::vector<Json> cases = numeric_cases(kind);
+  if (kind == "squad")
+    for (Json& c : cases) c["accept"] = {{"metric", "rotation_angle"}, {"tol", c["accept"]["tol"]}, {"norm_tol", c["accept"]["norm_tol"]}};
+  return cases;
 }
 
-Outcome hermite_of(const Json& in) {
-  const std::vector<float> times{test::scalar<float>(in["t0"]), test::scalar<float>(in["t1"])};
-  const double t = test::scalar<double>(in["t"]);
-  const auto keys = [&](auto read) {
-    using V = decltype(read(in["v0"]));
-    return Track<V>{Interpolation::cubic_spline, times,
-                    {V{} * 0.0f, read(in["v0"]), read(in["out_tangent0"]), read(in["in_tangent1"]), read(in["v1"]), V{} * 0.0f}};
-  };
-  if (in["op"] == "vec3") return {{"v", test::numbers(sample({}, keys(test::vec3<float>), t).translation)}};
-  return {{"q", test::numbers(sample(keys(test::quat<float>), {}, t).rotation)}};
-}
-
-Outcome morph_of(const Json& in) {
-  const std::size_t count = in["weights"].size();
-  MorphSet morphs;
-  std::vector<float> weights;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Json& d = in["deltas"];
-    MorphTarget& target = morphs.targets.emplace_back();
-    target.positions = {{0}, {{test::scalar<float>(d[3 * i]), test::scalar<float>(d[3 * i + 1]), test::scalar<float>(d[3 * i + 2])}}};
-    weights.push_back(test::scalar<float>(in["weights"][i]));
-  }
-  const std::vector<glm::vec3> base{test::vec3<float>(in["base"])};
-  std::vector<glm::vec3> out(1), scratch(1);
-  run(MorphVerticesJob{&morphs, weights, {base, {}, {}}, {out, {}, {}}, scratch, false});
-  return {{"p", test::numbers(out[0])}};
-}
-
-void expect_all_cases(const char* kind, const std::function<Outcome(const Json&)>& job) {
-  if (!test::corpus()) GTEST_SKIP() << test::kNoCorpus;
-  const auto cases = test::numeric_cases(kind);
-  if (cases.empty()) GTEST_SKIP() << "the corpus has no cases of kind " << kind;
-  const test::NumericReport report = test::run_numeric(cases, {"job", job});
-  std::printf("  %s: %d cases, worst %.3f of the tolerance (%s)\n", kind, report.run, report.worst, report.worst_case.c_str());
+void expect_all_cases(const JobOnTarget& on) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  const auto cases = cases_for_jobs(on.job.kind);
+  if (cases.empty()) GTEST_SKIP() << "the corpus has no cases of kind " << on.job.kind;
+  const OnlyTarget only(on.target);
+  const NumericReport report = run_numeric(cases, {on.job.kind, on.job.run});
+  std::printf("  %s on %s: %d cases, worst %.3f of the tolerance (%s)\n", on.job.kind.c_str(), simd_name(on.target).c_str(),
+              report.run, report.worst, report.worst_case.c_str());
   EXPECT_EQ(report.run, static_cast<int>(cases.size()));
   EXPECT_EQ(report.failed, 0) << report.failures;
 }
 
-TEST(jobs_numeric_corpus, N01_N02_N03_sampled_slerp_holds_every_case) { expect_all_cases("slerp", slerp_of); }
-TEST(jobs_numeric_corpus, G03_G04_sampled_splines_hold_every_case) { expect_all_cases("hermite", hermite_of); }
-TEST(jobs_numeric_corpus, G42_morphed_vertices_hold_every_case) { expect_all_cases("morph", morph_of); }
+class pose_jobs_corpus : public ::testing::TestWithParam<JobOnTarget> {};
+TEST_P(pose_jobs_corpus, N01_N02_N03_N07_N08_N09_G03_G04_every_case_holds) { expect_all_cases(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(targets, pose_jobs_corpus, ::testing::ValuesIn(on_all_targets(pose_jobs())));
 
-TEST(jobs_numeric_corpus, N07_N08_N09_sampled_squad_holds_every_case) {
-  if (!test::corpus()) GTEST_SKIP() << test::kNoCorpus;
-  // The job answers the rotation only: the control points are folded into the clip.
-  auto cases = test::numeric_cases("squad");
-  if (cases.empty()) GTEST_SKIP() << "the corpus has no cases of kind squad";
-  for (Json& c : cases) c["accept"] = {{"metric", "rotation_angle"}, {"tol", c["accept"]["tol"]}, {"norm_tol", c["accept"]["norm_tol"]}};
-  const test::NumericReport report = test::run_numeric(cases, {"job", [](const Json& in) {
-    QuatTrack track{Interpolation::squad, {0, 1, 2, 3}, {}};
-    for (const Json& key : in["keys"]) track.values.push_back(test::quat<float>(key));
-    return Outcome{{"q", test::numbers(sample(track, {}, 1.0 + test::scalar<double>(in["t"])).rotation)}};
-  }});
-  std::printf("  squad: %d cases, worst %.3f of the tolerance (%s)\n", report.run, report.worst, report.worst_case.c_str());
-  EXPECT_EQ(report.failed, 0) << report.failures;
-}
+class vertex_jobs_corpus : public ::testing::TestWithParam<JobOnTarget> {};
+TEST_P(vertex_jobs_corpus, N17_N18_N19_N20_N21_N23_G42_every_case_holds) { expect_all_cases(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(targets, vertex_jobs_corpus, ::testing::ValuesIn(on_all_targets(vertex_jobs())));
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::test

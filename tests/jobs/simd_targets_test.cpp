@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstring>
 
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/sample_clip.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/tiny_assets.h"
 
 namespace sinew {
 namespace {
-
-/// Keeps the jobs to one instruction set while it lives.
-class OnlyTarget {
- public:
-  explicit OnlyTarget(std::int64_t target) { choose(target); }
-  ~OnlyTarget() { choose(0); }
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
 
 constexpr std::uint32_t kJoints = 53;  // not a multiple of any vector length
 
@@ -66,16 +53,13 @@ std::vector<float> results() {
 
 TEST(simd_targets, N27_N28_every_instruction_set_gives_the_same_bits) {
   const std::vector<float> expected = results();
-  int compared = 0;
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    const std::int64_t target = targets & -targets;
-    const OnlyTarget only(target);
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
     const std::vector<float> found = results();
     ASSERT_EQ(found.size(), expected.size());
-    EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof(float)), 0) << hwy::TargetName(target);
-    ++compared;
+    EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof(float)), 0) << test::simd_name(target);
   }
-  EXPECT_GE(compared, 1);
+  EXPECT_FALSE(test::simd_targets().empty());
 }
 
 TEST(simd_targets, N28_model_matrices_have_the_bits_of_the_plain_product) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sinew::test {
+
+/// Instruction sets that this build has kernels for and this machine can run.
+inline std::vector<std::int64_t> simd_targets() { return hwy::SupportedAndGeneratedTargets(); }
+
+inline std::string simd_name(std::int64_t target) { return hwy::TargetName(target); }
+
+/// Whether `a * b + c` of this instruction set rounds once. SSE and the scalar fallback round twice.
+inline bool fuses_multiply_add(std::int64_t target) {
+  constexpr std::int64_t kRoundTwice = HWY_SSSE3 | HWY_SSE4 | HWY_EMU128 | HWY_SCALAR
+#ifdef HWY_SSE2
+                                       | HWY_SSE2
+#endif
+      ;
+  return (target & kRoundTwice) == 0;
+}
+
+/// Keeps the jobs to one instruction set while it lives.
+class OnlyTarget {
+ public:
+  explicit OnlyTarget(std::int64_t target) { choose(target); }
+  ~OnlyTarget() { choose(0); }
+  OnlyTarget(const OnlyTarget&) = delete;
+  OnlyTarget& operator=(const OnlyTarget&) = delete;
+
+ private:
+  static void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+}  // namespace sinew::test
