@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
 #include "runtime/math/affine.h"
 #include "runtime/math/approximate_slerp.h"
 #include "runtime/math/dual_quaternion.h"
+#include "runtime/math/inverse.h"
 #include "runtime/math/rotation_between.h"
 #include "runtime/math/squad.h"
-#include "tests/support/fixed_random.h"
+#include "tests/math/random_motions.h"
 #include "tests/support/near.h"
-
-namespace rc {
-
-/// Uniform rotations and motions: RapidCheck draws the seed, so a failing case is shrunk to a small seed and
-/// repeatable.
-template <>
-struct Arbitrary<sinew::Quat<double>> {
-  static Gen<sinew::Quat<double>> arbitrary() {
-    return gen::map(gen::arbitrary<std::uint64_t>(),
-                    [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).rotation<double>(); });
-  }
-};
-
-template <>
-struct Arbitrary<sinew::Vec3<double>> {
-  static Gen<sinew::Vec3<double>> arbitrary() {
-    return gen::map(gen::arbitrary<std::uint64_t>(),
-                    [](std::uint64_t seed) { return sinew::test::FixedRandom(seed).vec3<double>(-2, 2); });
-  }
-};
-
-}  // namespace rc
 
 namespace sinew {
 namespace {
@@ -50,6 +28,17 @@ RC_GTEST_PROP(quaternion_algebra, product_is_associative, (Q a, Q b, Q c)) {
   RC_ASSERT(difference((a * b) * c, a * (b * c)) < 1e-15 * 4);
 }
 
+RC_GTEST_PROP(quaternion_algebra, products_compose_rotations_as_matrices_do, (Q a, Q b, V p)) {
+  const auto m = matrix_from_quat(a) * matrix_from_quat(b);
+  RC_ASSERT(test::distance(rotate_vector(a * b, p), m * p) < 1e-14);
+  RC_ASSERT(test::angle_between(quat_from_matrix(m), a * b) < 1e-14);
+}
+
+RC_GTEST_PROP(quaternion_algebra, inverse_undoes_at_any_length, (Q a, std::uint32_t bits)) {
+  const Q q = a * std::pow(10.0, inner(bits) * 40 - 20);
+  RC_ASSERT(difference(q * quat_inverse(q), quat_identity<double>()) < 1e-14);
+}
+
 RC_GTEST_PROP(quaternion_algebra, length_of_a_product_is_the_product_of_lengths, (Q a, Q b)) {
   RC_ASSERT(std::abs(safe_length(a * 3.0 * b) - 3.0) < 1e-14);
 }
@@ -66,6 +55,15 @@ RC_GTEST_PROP(quaternion_algebra, rotation_keeps_lengths_and_products, (Q q, V a
   RC_ASSERT(std::abs(glm::dot(rotate_vector(q, a), rotate_vector(q, b)) - glm::dot(a, b)) < 4e-14);
   RC_ASSERT(test::distance(rotate_vector(q, glm::cross(a, b)), glm::cross(rotate_vector(q, a), rotate_vector(q, b))) <
             1e-13);
+}
+
+RC_GTEST_PROP(slerp, N02_signs_of_the_keys_do_not_matter, (Q q, Q r, std::uint32_t bits)) {
+  RC_PRE(unique_arc(q, r));
+  const double t = inner(bits);
+  const Q plain = slerp_short_arc(q, r, t);
+  RC_ASSERT(difference(slerp_short_arc(q, -r, t), plain) < 1e-15);
+  RC_ASSERT(difference(slerp_short_arc(-q, r, t), -plain) < 1e-15);
+  RC_ASSERT(test::angle_between(nlerp_short_arc(-q, r, t), nlerp_short_arc(q, r, t)) < 1e-15);
 }
 
 RC_GTEST_PROP(slerp, is_symmetric_in_its_ends, (Q q, Q r, std::uint32_t bits)) {
@@ -113,6 +111,30 @@ RC_GTEST_PROP(dual_quaternion_algebra, product_is_associative_and_moves_as_the_m
   RC_ASSERT(test::distance(affine_from_dual_quat((x * y) * z), affine_from_dual_quat(x * (y * z))) < 1e-13);
   RC_ASSERT(test::distance(affine_from_dual_quat(x * y), affine_from_dual_quat(x) * affine_from_dual_quat(y)) < 1e-13);
   RC_ASSERT(test::distance(transform_point(dual_quat_conjugate(x), transform_point(x, p)), p) < 1e-13);
+}
+
+RC_GTEST_PROP(dual_quaternion_algebra, normalising_makes_a_rigid_motion_of_any_sum, (Q a, V t, Q b, V u, V p, V r)) {
+  RC_PRE(quat_dot(a, b) > 0.01);
+  const auto x = dual_quat_from(a, t), y = dual_quat_from(b, u);
+  const auto sum = normalised(DualQuatd{x.real + y.real, x.dual + y.dual});
+  RC_ASSERT(std::abs(safe_length(sum.real) - 1) < 1e-15 && std::abs(quat_dot(sum.real, sum.dual)) < 1e-15);
+  const double before = test::distance(p, r), after = test::distance(transform_point(sum, p), transform_point(sum, r));
+  RC_ASSERT(std::abs(before - after) < 1e-13);
+}
+
+RC_GTEST_PROP(matrix_algebra, product_is_associative_and_determinants_multiply, (Q a, V t, Q b, V u, Q c, V s)) {
+  const auto stretched = [](const Q& q, const V& v, const V& scale) {
+    return affine_from_transform(Transformd{v, q, scale});
+  };
+  const Affined x = stretched(a, t, u), y = stretched(b, u, s), z = stretched(c, s, t);
+  RC_ASSERT(test::distance((x * y) * z, x * (y * z)) < 1e-13);
+  RC_ASSERT(std::abs(determinant(x * y) - determinant(x) * determinant(y)) < 1e-12);
+}
+
+RC_GTEST_PROP(matrix_algebra, inverses_by_structure_agree, (Q a, V t, V p)) {
+  const Affined rigid = affine_from_transform(Transformd{t, a, V(1)});
+  RC_ASSERT(test::distance(inverse_rigid(rigid), *inverse_of(rigid)) < 1e-14);
+  RC_ASSERT(test::distance(transform_point(inverse_rigid(rigid), transform_point(rigid, p)), p) < 1e-14);
 }
 
 RC_GTEST_PROP(rotation_between_vectors, back_is_the_inverse, (V s, V t)) {
