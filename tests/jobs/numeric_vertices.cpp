@@ -60,13 +60,13 @@ class Vertices {
 
 /// Palettes of a case: matrices as they are, or rigid motions with an optional scale.
 struct Palettes {
-  std::vector<Affine> matrices;
+  std::vector<JointMatrix> matrices;
   std::vector<RigidStretch> split;
   bool any_stretch = false;
 
   explicit Palettes(const Json& in) {
     if (in.contains("matrices"))
-      for (const Json& m : in["matrices"]) matrices.push_back(affine<float>(m));
+      for (const Json& m : in["matrices"]) matrices.push_back(joint_matrix_from(affine<float>(m)));
     for (std::size_t i = 0; in.contains("quats") && i < in["quats"].size(); ++i)
       add_motion(normalised(quat<float>(in["quats"][i])), vec3<float>(in["translations"][i]));
     if (!in.contains("scales")) return;
@@ -76,7 +76,7 @@ struct Palettes {
   }
 
   void add_motion(const Quat<float>& q, const glm::vec3& t) {
-    matrices.push_back(affine_from(matrix_from_quat(q), t));
+    matrices.push_back(joint_matrix_from(affine_from(matrix_from_quat(q), t)));
     split.push_back({dual_quat_from(q, t), {1, 1, 1, 0, 0, 0}});
   }
 };
@@ -125,7 +125,7 @@ Outcome candy_of(const Json& in) {
   Palettes palettes(Json::object());
   palettes.add_motion(quat_identity<float>(), glm::vec3(0));
   palettes.add_motion(normalised(quat<float>(in["q1"])), glm::vec3(0));
-  palettes.matrices[1] = affine_from(mat3<float>(in["m1"]), glm::vec3(0));
+  palettes.matrices[1] = joint_matrix_from(affine_from(mat3<float>(in["m1"]), glm::vec3(0)));
   const double w1 = scalar<double>(in["weight1"]);
   Vertices v(vec3<float>(in["p"]), glm::vec3(0, 1, 0), {1 - w1, w1});
   Outcome out;
