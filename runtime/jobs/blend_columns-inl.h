@@ -10,6 +10,7 @@
 #include "runtime/jobs/tile_lanes-inl.h"
 #include "runtime/jobs/vertex_tiles.h"
 #include "runtime/math/joint_matrix.h"
+#include "runtime/math/normal_transform.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -89,6 +90,19 @@ HWY_INLINE Wide cross_blocks(Wide a, Wide next_a, Wide b, Wide next_b) {
 HWY_INLINE Columns cofactor(const Columns& m) {
   const Wide n0 = next_components(m.c0), n1 = next_components(m.c1), n2 = next_components(m.c2);
   return {cross_blocks(m.c1, n1, m.c2, n2), cross_blocks(m.c2, n2, m.c0, n0), cross_blocks(m.c0, n0, m.c1, n1), m.c3};
+}
+
+/// x + y + z of every block, in all its lanes.
+HWY_INLINE Wide component_sums(Wide v) { return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v)); }
+
+/// eq   M n, or sign(det M) cof(M) n as transform_normal_outward has it; not yet unit
+HWY_INLINE Wide moved_normals(const Columns& m, const Spread3& n, bool cofactor_rule) {
+  if (!cofactor_rule) return transform_vectors(m, n);
+  const Columns cof = cofactor(m);
+  const Wide moved = transform_vectors(cof, n);
+  const Wide squares = component_sums(hn::MulAdd(m.c2, m.c2, hn::MulAdd(m.c1, m.c1, hn::Mul(m.c0, m.c0))));
+  const Wide flat = hn::Mul(hn::Mul(squares, hn::Sqrt(squares)), hn::Set(TileTag(), -kFlatDeterminant<float>));
+  return hn::IfThenElse(hn::Lt(component_sums(hn::Mul(m.c0, cof.c0)), flat), hn::Neg(moved), moved);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

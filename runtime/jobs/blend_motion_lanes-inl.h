@@ -107,6 +107,15 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
 
+/// eq   n' = sign(det S) cof(S) n   (conventions.h)
+HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
+  const StretchLanes cof = cofactor(s);
+  const V4 determinant = dot(Lanes3{s.xx, s.xy, s.xz}, Lanes3{cof.xx, cof.xy, cof.xz});
+  const V4 off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
+  const V4 squares = hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
+  return turned_outward(apply(cof, n), determinant, squares);
+}
+
 /// eq   v' = v + 2 w (r x v) + 2 r x (r x v)   for unit quaternions (r, w)
 HWY_INLINE Lanes3 rotate(const Lanes4& q, const Lanes3& v) {
   const Lanes3 r{q.x, q.y, q.z};

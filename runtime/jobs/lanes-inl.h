@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "runtime/math/conventions.h"
+#include "runtime/math/normal_transform.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -56,6 +57,16 @@ HWY_INLINE Lanes3 load3(const glm::vec3* four) {
 }
 
 HWY_INLINE void store3(const Lanes3& v, glm::vec3* four) { hn::StoreInterleaved3(v.x, v.y, v.z, D4(), &four->x); }
+
+/// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same choice
+/// as transform_normal_outward.
+HWY_INLINE Lanes3 turned_outward(const Lanes3& n, V4 determinant, V4 squared_norm) {
+  const D4 d;
+  const V4 flat = hn::Mul(hn::Mul(squared_norm, hn::Sqrt(squared_norm)), hn::Set(d, -kFlatDeterminant<float>));
+  const auto mirrors = hn::Lt(determinant, flat);
+  const auto turned = [&](V4 v) HWY_ATTR { return hn::IfThenElse(mirrors, hn::Neg(v), v); };
+  return {turned(n.x), turned(n.y), turned(n.z)};
+}
 
 /// Unit vectors, by an exact square root and division. Answers false when the square of some length leaves the range in
 /// which float keeps its digits: then the caller takes the careful way, vertex by vertex.

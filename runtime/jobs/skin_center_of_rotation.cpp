@@ -20,7 +20,7 @@ void skin(const SkinCenterOfRotationJob& job) noexcept {
     job.out.positions[v] = rotate_vector(rotation, arm) + moved_center;
     if constexpr (kNormals) {
       glm::vec3 n = job.vertices.normals[v];
-      if constexpr (kStretch) n = transform_normal(stretch, n);
+      if constexpr (kStretch) n = transform_normal_outward(stretch, n);
       job.out.normals[v] = normalised_or(rotate_vector(rotation, n), n);
     }
     if constexpr (kTangents) {

@@ -25,7 +25,7 @@ void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>
   if constexpr (kStretch) stretch = blend_stretch(split, joints), p = stretch * p;
   if constexpr (kNormals) {
     glm::vec3 n = in.normals[v];
-    if constexpr (kStretch) n = transform_normal(stretch, n);
+    if constexpr (kStretch) n = transform_normal_outward(stretch, n);
     out.normals[v] = normalised_or(transform_vector(motion, n), n);
   }
   if constexpr (kTangents) {
@@ -68,7 +68,7 @@ HWY_ATTR bool skin_four(std::span<const RigidStretch> split, const VertexJoints<
   if constexpr (kStretch) p = apply(stretch, p);
   if constexpr (kNormals) {
     n = load3(in.normals.data());
-    if constexpr (kStretch) n = apply(cofactor(stretch), n);
+    if constexpr (kStretch) n = apply_to_normal(stretch, n);
     n = rotate(motion.real, n);
     if (!normalise(n)) return false;
   }

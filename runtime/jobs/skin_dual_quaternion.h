@@ -11,7 +11,8 @@ namespace sinew {
 
 /// Dual-quaternion skinning in two phases: stretch in bind space, then a rigid motion (Kavan et al. 2008).
 /// eq   p1 = sum(w S) p;  d = sum(w sign(r_i . r_pivot) d_i), pivot = the influence with the largest weight, lowest index
-///      on ties (N17, N18);  d = d / |real(d)|;  p' = d p1 d*;   n' = rotate(d, normalise(cof(sum(w S)) n))
+///      on ties (N17, N18);  d = d / |real(d)|;  p' = d p1 d*;   n' = rotate(d, normalise(sign(det S) cof(S) n)),
+///      S = sum(w S_i): to the outside also where joints mirror (conventions.h)
 /// in   split[N]        from SplitPaletteJob;   any_stretch  false skips the first phase (P12)
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation;

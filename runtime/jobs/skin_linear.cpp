@@ -19,7 +19,7 @@ namespace {
 template <int kCount>
 glm::vec3 careful_normal(std::span<const JointMatrix> palette, const VertexJoints<kCount>& vertex, const glm::vec3& n, bool cofactor) noexcept {
   const Affine m = blend_matrix(palette, vertex);
-  return cofactor ? transform_normal(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
+  return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ struct SkinTile {
       const std::size_t at = q * kBlocks;
       const Columns m = blend_columns(job.palette.data(), joints, q);
       positions[q] = transform_points(m, load_spread(in.positions + at));
-      if constexpr (kNormals) normals[q] = transform_vectors(cofactor_rule ? cofactor(m) : m, load_spread(in.normals + at));
+      if constexpr (kNormals) normals[q] = moved_normals(m, load_spread(in.normals + at), cofactor_rule);
       if constexpr (kTangents) tangents[q] = transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[at].x)));
     }
     if constexpr (kNormals) write_normals(normals, cofactor_rule, in, out);

@@ -10,7 +10,8 @@
 namespace sinew {
 
 /// How normals follow the blended matrix M. `linear`: normalise(mat3(M) n), what engines' shaders compute; right when
-/// the blend is rigid or uniformly scaled. `cofactor`: normalise(cof(mat3(M)) n), right under any scale, no division (N22).
+/// the blend is rigid or uniformly scaled. `cofactor`: normalise(sign(det) cof(mat3(M)) n), right under any scale, no division (N22).
+/// Both keep to the outside where M mirrors (conventions.h).
 enum class NormalRule : unsigned char { linear, cofactor };
 
 /// Linear-blend skinning.

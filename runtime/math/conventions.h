@@ -6,6 +6,11 @@
 /// - Column vectors: `p_world = world_from_local * p_local`; in a product adjacent words match.
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
+/// - Normals keep to the outside of a solid, also where a matrix M mirrors it: n' points along sign(det M) cof(M) n, the
+///   direction of the inverse transpose without its division (N22). Unskinned meshes, every kind of skinning and flat
+///   faces follow this one rule; the linear rule's M n lies on the same side. Mirroring turns the winding of triangles
+///   round instead: InstanceResult::mirrored tells (G48). A tangent follows the surface, t' along M t, and keeps its
+///   handedness w: the bitangent is w cross(n', t'), negated where the instance is mirrored.
 /// - An affine matrix is 3x4 and kept as three rows of four, so that it is 48 bytes, loads without over-reading and
 ///   can be uploaded to a GPU as three vec4; the fourth row is 0 0 0 1 and never stored.
 /// - Every kernel is a template over float and double: double is the truth that tests hold float to.

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+#include <limits>
+
 #include "runtime/math/affine.h"
 #include "runtime/math/quaternion.h"
 
@@ -37,14 +40,22 @@ Vec3<T> transform_normal(const Mat3<T>& m, const Vec3<T>& n) noexcept {
   return normalised_or(normal_matrix(m) * n, n);
 }
 
-/// As transform_normal, but pointing to the outside of a solid also when M mirrors (hard case G48).
-/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists
+/// A determinant below this, of a matrix of Frobenius norm 1, is what rounding leaves of a flat one.
+template <class T>
+inline constexpr T kFlatDeterminant = T(4) * std::numeric_limits<T>::epsilon();
+
+/// As transform_normal, but pointing to the outside of a solid also when M mirrors (conventions.h; hard case G48).
+/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists; a flat M counts as
+///      not mirroring, whatever sign rounding gave its determinant
 template <class T>
 Vec3<T> transform_normal_outward(const Mat3<T>& m, const Vec3<T>& n) noexcept {
   const T scale = largest_entry(m);
   const Mat3<T> cof = normal_matrix(m);
-  const T det = scale > T(0) ? glm::dot(m[0] / scale, cof[0]) : T(0);
-  return normalised_or(det < T(0) ? -(cof * n) : cof * n, n);
+  if (!(scale > T(0))) return normalised_or(cof * n, n);
+  const Mat3<T> s{m[0] / scale, m[1] / scale, m[2] / scale};
+  const T squares = glm::dot(s[0], s[0]) + glm::dot(s[1], s[1]) + glm::dot(s[2], s[2]);
+  const bool mirrors = glm::dot(s[0], cof[0]) < -kFlatDeterminant<T> * squares * std::sqrt(squares);
+  return normalised_or(mirrors ? -(cof * n) : cof * n, n);
 }
 
 }  // namespace sinew

@@ -96,12 +96,6 @@ struct Deformation {
     replace(out);
   }
 
-  /// Whether this primitive's smooth normals would keep to the outside where its skin mirrors; the other rules follow
-  /// the winding.
-  bool keeps_outside_out() const noexcept {
-    return planned.skin.any() && planned.skinning == Skinning::linear && plan.needs.normal_rule == NormalRule::linear;
-  }
-
   void flatten(bool turned) noexcept {
     const std::span<glm::vec3> normals = memory.array<glm::vec3>(planned.normals_at, primitive.vertex_count());
     flat_normals(primitive.indices, now.positions, primitive.normals, turned, normals);
@@ -135,7 +129,7 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
   work.morph_deltas += active.shape + active.colors;
   if (active.shape > 0) stages.morph(weights);
   if (skins) stages.skin();
-  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && stages.keeps_outside_out());
+  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && skins);
 
   DeformedPrimitive result{.instance = planned.instance,
                            .primitive = planned.primitive,

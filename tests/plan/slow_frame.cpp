@@ -129,7 +129,7 @@ void skin_linear(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, 
   const Affined m = reference::blend_matrices<double>(joint.matrices, joint.weights);
   shape.positions[v] = transform_point(m, shape.positions[v]);
   if (!shape.normals.empty())
-    shape.normals[v] = rule == NormalRule::cofactor ? cofactor(linear_part(m)) * shape.normals[v]
+    shape.normals[v] = rule == NormalRule::cofactor ? transform_normal_outward(linear_part(m), shape.normals[v])
                                                     : transform_vector(m, shape.normals[v]);
   if (!shape.tangents.empty()) shape.tangents[v] = transform_vector(m, shape.tangents[v]);
 }
@@ -152,7 +152,7 @@ void skin_dual_quaternion(SlowPrimitive& shape, std::size_t v, const VertexJoint
                                       reference::blend_stretches<double>(stretches, joint.weights) * shape.tangents[v]);
 }
 
-/// eq   n = (b - a) x (c - a), on the side where the smooth normal of the same rule would be
+/// eq   n = (b - a) x (c - a), on the outside
 void flatten(SlowPrimitive& shape, const Primitive& primitive, double sign) {
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     const std::uint32_t a = primitive.indices[i], b = primitive.indices[i + 1], c = primitive.indices[i + 2];
@@ -185,7 +185,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
       skinned || std::any_of(frame.weights.begin(), frame.weights.end(), [](double w) { return w != 0.0; });
   if (primitive.flat_normals && moved)
     flatten(shape, primitive,
-            skinned && !dual && needs.normal_rule == NormalRule::linear && frame.mirrored[i] ? -1.0 : 1.0);
+            skinned && frame.mirrored[i] ? -1.0 : 1.0);
   for (Vec3d& n : shape.normals) n = normalised_or(n, n);
   for (Vec3d& t : shape.tangents) t = normalised_or(t, t);
   return shape;

@@ -82,7 +82,7 @@ struct SkinnedT {
   Quat<T> rotation;  ///< of the blended motion
 };
 
-/// eq   p1 = S p;  p' = d p1 d*;  n' = rotate(d, normalise(cof(S) n))   with the blended S and d
+/// eq   p1 = S p;  p' = d p1 d*;  n' = rotate(d, normalise(sign(det S) cof(S) n))   with the blended S and d
 /// in   stretches  empty = none of the motions has one
 template <class T>
 SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::span<const Mat3<T>> stretches,
@@ -90,7 +90,7 @@ SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::spa
   const DualQuatT<T> motion = blend_motions(motions, weights).motion;
   if (stretches.empty()) return {transform_point(motion, p), transform_vector(motion, n), motion.real};
   const Mat3<T> stretch = blend_stretches(stretches, weights);
-  return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal(stretch, n)), motion.real};
+  return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal_outward(stretch, n)), motion.real};
 }
 
 /// eq   p' = R (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of
