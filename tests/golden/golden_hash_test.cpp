@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Poses and vertices have the bits that hashes.txt stores: for every thread count, and on every instruction set of the
+// guarantee (conventions.h). After a deliberate change of arithmetic, on a machine with fused multiply-add:
+//     SINEW_RECORD=1 build/release/bin/sinew-test-golden     writes the new hashes into hashes.txt
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/job_thread.h"
+#include "tests/golden/golden_scenes.h"
+#include "tests/plan/thread_executor.h"
+#include "tests/support/simd_targets.h"
+
+namespace sinew::test {
+namespace {
+
+/// What is run over each scene: name of the hash, and what it needs.
+struct Method {
+  const char* name;
+  Needs needs;
+};
+
+std::vector<Method> methods() {
+  Needs linear, cofactor, dual_quaternion;
+  cofactor.normal_rule = NormalRule::cofactor;
+  dual_quaternion.skinning = Skinning::dual_quaternion;
+  return {{"linear", linear}, {"cofactor", cofactor}, {"dual-quaternion", dual_quaternion}};
+}
+
+/// Frames of one scene under one method: each clip alone at the golden times, and two clips blended.
+class Frames {
+ public:
+  Frames(const Scene& scene, const Needs& needs) : plan_(compile_plan(scene, needs)), buffer_(plan_) {
+    layers_.push_back({});
+    for (std::uint32_t clip = 0; clip < scene.clips.size(); ++clip)
+      for (const double t : kGoldenTimes_s) layers_.push_back({{clip, t, 1.0f}});
+    if (scene.clips.size() > 1)
+      for (const double t : kGoldenTimes_s) layers_.push_back({{0, t, 0.75f}, {1, 0.5 * t, 0.375f}});
+  }
+
+  const Plan& plan() const { return plan_; }
+  std::size_t count() const { return layers_.size(); }
+  FrameInput input(std::size_t i) const { return {layers_[i], {}, {}}; }
+  const FrameResult& run(std::size_t i) {
+    EXPECT_EQ(run_plan(plan_, input(i), buffer_), ErrorCode::ok);
+    return buffer_.result();
+  }
+
+ private:
+  Plan plan_;
+  FrameBuffer buffer_;
+  std::vector<std::vector<ClipLayer>> layers_;
+};
+
+using Hashes = std::map<std::string, std::uint64_t>;  ///< "scene pose" or "scene method"
+
+/// Hash of hashes over all frames.
+Hashes hashes_of(const std::vector<GoldenScene>& scenes) {
+  Hashes out;
+  for (const auto& [name, scene] : scenes)
+    for (const Method& method : methods()) {
+      Frames frames(scene, method.needs);
+      BitHash poses, vertices;
+      for (std::size_t i = 0; i < frames.count(); ++i) {
+        const FrameResult& frame = frames.run(i);
+        const std::uint64_t pose = hash_pose(frame), vertex = hash_vertices(frame);
+        poses.add(std::span(&pose, 1)), vertices.add(std::span(&vertex, 1));
+      }
+      out[name + " pose"] = poses.value();
+      out[name + " " + method.name] = vertices.value();
+    }
+  return out;
+}
+
+std::string hash_file() { return SINEW_SOURCE_DIR "/tests/golden/hashes.txt"; }
+
+std::string text_of(const Hashes& hashes) {
+  std::ostringstream text;
+  for (const auto& [name, value] : hashes) text << name << " " << std::hex << value << "\n";
+  return text.str();
+}
+
+Hashes stored_hashes() {
+  Hashes out;
+  std::ifstream file(hash_file());
+  std::string scene, what;
+  for (std::uint64_t value; file >> scene >> what >> std::hex >> value;) out[scene + " " + what] = value;
+  return out;
+}
+
+bool is_pose(const std::string& name) { return name.ends_with(" pose"); }
+
+void expect_stored(const Hashes& found, bool poses, const std::string& where) {
+  const Hashes stored = stored_hashes();
+  ASSERT_EQ(stored.size(), found.size()) << "hashes.txt lacks a scene; see the top of golden_hash_test.cpp";
+  for (const auto& [name, value] : found) {
+    if (is_pose(name) != poses) continue;
+    EXPECT_EQ(value, stored.at(name)) << name << " on " << where << "; if that was meant: SINEW_RECORD=1 sinew-test-golden";
+  }
+}
+
+class golden_hash : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scenes_ = new std::vector<GoldenScene>(golden_scenes());
+    if (!std::getenv("SINEW_RECORD")) return;
+    std::ofstream(hash_file()) << text_of(hashes_of(*scenes_));
+    std::printf("recorded %s:\n%s", hash_file().c_str(), text_of(stored_hashes()).c_str());
+  }
+  static void TearDownTestSuite() { delete scenes_; }
+  static const std::vector<GoldenScene>& scenes() { return *scenes_; }
+
+ private:
+  inline static const std::vector<GoldenScene>* scenes_ = nullptr;
+};
+
+TEST_F(golden_hash, N27_N28_poses_have_the_stored_bits_on_every_instruction_set) {
+  for (const std::int64_t target : simd_targets()) {
+    const OnlyTarget only(target);
+    expect_stored(hashes_of(scenes()), true, simd_name(target));
+  }
+}
+
+TEST_F(golden_hash, N27_N28_vertices_have_the_stored_bits_wherever_multiply_add_is_fused) {
+  int compared = 0;
+  for (const std::int64_t target : simd_targets()) {
+    if (!fuses_multiply_add(target)) continue;
+    const OnlyTarget only(target);
+    expect_stored(hashes_of(scenes()), false, simd_name(target));
+    ++compared;
+  }
+  if (compared == 0) GTEST_SKIP() << "this machine has no fused multiply-add";
+}
+
+TEST_F(golden_hash, every_scene_and_method_has_bits_of_its_own) {
+  std::vector<std::uint64_t> values;
+  for (const auto& [name, value] : stored_hashes()) values.push_back(value);
+  std::sort(values.begin(), values.end());
+  EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end()) << "two hashes are equal: they see no difference";
+}
+
+TEST_F(golden_hash, N27_any_thread_count_gives_the_bits_of_one) {
+  for (const Method& method : methods())
+    for (const auto& [name, scene] : scenes()) {
+      Frames frames(scene, method.needs);
+      std::vector<std::uint64_t> expected;
+      std::vector<FrameInput> inputs;
+      for (std::size_t i = 0; i < frames.count(); ++i) {
+        expected.push_back(hash_vertices(frames.run(i)));
+        inputs.push_back(frames.input(i));
+      }
+      for (const std::size_t threads : {1, 2, 3, 5, 8}) {
+        ThreadPool pool(threads);
+        JobThread jobs({.executor = pool.executor()});
+        for (std::size_t c = 0; c < inputs.size(); ++c) jobs.add_character(frames.plan());
+        jobs.wait(*jobs.submit(inputs));
+        for (std::uint32_t c = 0; c < inputs.size(); ++c)
+          EXPECT_EQ(hash_vertices(*jobs.latest(c)), expected[c]) << name << ", " << method.name << ", " << threads << " threads, frame " << c;
+      }
+    }
+}
+
+/// All vertex numbers of all frames, in order.
+std::vector<float> numbers_of(const Scene& scene, const Needs& needs) {
+  std::vector<float> out;
+  Frames frames(scene, needs);
+  for (std::size_t i = 0; i < frames.count(); ++i)
+    for (const DeformedPrimitive& p : frames.run(i).primitives) {
+      for (const glm::vec3& v : p.positions) out.insert(out.end(), {v.x, v.y, v.z});
+      for (const glm::vec3& v : p.normals) out.insert(out.end(), {v.x, v.y, v.z});
+      for (const glm::vec4& v : p.tangents) out.insert(out.end(), {v.x, v.y, v.z});
+    }
+  return out;
+}
+
+TEST_F(golden_hash, N27_two_roundings_instead_of_one_move_vertices_by_less_than_a_fifty_thousandth) {
+  // The bound is for blends of joints that point anywhere; sensible rigs stay near 1e-6.
+  for (const auto& [name, scene] : scenes()) {
+    if (name == "collapsing") continue;  // directions of what has almost none differ by more than any bound
+    for (const Method& method : methods()) {
+      const std::vector<float> expected = numbers_of(scene, method.needs);
+      float size = 1;
+      for (const float x : expected) size = std::max(size, std::abs(x));
+      for (const std::int64_t target : simd_targets()) {
+        const OnlyTarget only(target);
+        const std::vector<float> found = numbers_of(scene, method.needs);
+        ASSERT_EQ(found.size(), expected.size());
+        float worst = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(found[i] - expected[i]));
+        EXPECT_LE(worst, 2e-5f * size) << name << ", " << method.name << " on " << simd_name(target);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

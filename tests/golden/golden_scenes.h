@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "runtime/assets/scene.h"
+
+namespace sinew::test {
+
+/// A scene whose results are stored as hashes.
+struct GoldenScene {
+  std::string name;
+  Scene scene;
+};
+
+/// A biped, a tree, random scenes with every kind of track, skin and morph target, and one whose joints collapse. All numbers
+/// are rounded to multiples of 2^-16: the last bits of the machine's sines and logarithms do not reach them.
+std::vector<GoldenScene> golden_scenes();
+
+/// Times at which each clip is looked at, in seconds: keys, between keys, outside.
+inline constexpr double kGoldenTimes_s[] = {0.0, 1.0 / 60, 0.4, 0.75, 1.3125, 1.9, 2.5};
+
+}  // namespace sinew::test
