@@ -13,7 +13,7 @@ struct NumericJob {
 /// Kinds that poses are made of: slerp, nlerp (a blend of two layers), squad, hermite, trs_compose.
 std::vector<NumericJob> pose_jobs();
 
-/// Kinds that vertices are made of: lbs, dqs, cor, candy_wrapper, morph.
+/// Kinds that vertices are made of: lbs, dqs, cor, candy_wrapper, normal_transform, morph.
 std::vector<NumericJob> vertex_jobs();
 
 }  // namespace sinew::test

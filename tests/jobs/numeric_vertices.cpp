@@ -135,6 +135,17 @@ Outcome candy_of(const Json& in) {
   return out;
 }
 
+/// A single joint with the case's matrix: the cofactor rule, turned outward. Where the truth has no outward side the matrix is
+/// flat, and the cofactor's own direction counts.
+Outcome normal_of_matrix(const Json& in) {
+  Vertices v(glm::vec3(0), vec3<float>(in["n"]), {1.0});
+  const std::vector<JointMatrix> palette{joint_matrix_from(affine_from(mat3<float>(in["m"]), glm::vec3(0)))};
+  run(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
+  const auto truth = mat3<double>(in["m"]);
+  const double side = glm::determinant(truth) < 0 ? -1 : 1;
+  return {{"n", numbers(Vec3<double>(v.normal()) * side)}, {"n_outward", numbers(v.normal())}, {"cofactor_times_n", numbers(v.normal())}};
+}
+
 Outcome morph_of(const Json& in) {
   const std::size_t count = in["weights"].size();
   MorphSet morphs;
@@ -154,7 +165,7 @@ Outcome morph_of(const Json& in) {
 }  // namespace
 
 std::vector<NumericJob> vertex_jobs() {
-  return {{"lbs", linear_of}, {"dqs", dual_quaternion_of}, {"cor", center_of}, {"candy_wrapper", candy_of}, {"morph", morph_of}};
+  return {{"lbs", linear_of}, {"dqs", dual_quaternion_of}, {"cor", center_of}, {"candy_wrapper", candy_of}, {"normal_transform", normal_of_matrix}, {"morph", morph_of}};
 }
 
 }  // namespace sinew::test
