@@ -16,6 +16,7 @@ namespace sinew {
 /// What to read and how much of it to allow. The defaults suit files of unknown origin.
 struct ImportOptions {
   bool decode_images = true;                           ///< false: images stay empty, nothing is missing
+  bool keep_encoded_images = false;                    ///< Image::encoded, for writing images back unchanged
   bool make_normals = true;                            ///< where triangles have none
   bool make_tangents = true;                           ///< where a normal map needs them and the file has none
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;   ///< of the file and all that it refers to

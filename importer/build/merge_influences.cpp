@@ -14,6 +14,10 @@ struct Influence {
   double weight = 0.0;
 };
 
+/// Sums this close to 1, for each weight, are 1 but for the rounding to floats, and stay as they are: dividing them again
+/// would change the last bits of weights that have been divided before.
+constexpr double kRounding = 0x1p-24;
+
 /// What was odd, counted over all vertices so that each kind is reported once.
 struct Oddities {
   std::size_t negative = 0, zero_sum = 0, repeated = 0, unused_out_of_range = 0, off_sum = 0;
@@ -88,6 +92,7 @@ class Merger {
     }
     vertex_.resize(kept + 1);
     std::stable_sort(vertex_.begin(), vertex_.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+    if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
     for (auto& influence : vertex_) influence.weight /= sum_;
   }
 

@@ -29,18 +29,18 @@ using Bytes = std::span<const std::byte>;
 
 const unsigned char* data_of(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
 
-std::optional<ImageSize> webp_size(Bytes encoded) {
+std::optional<ImageHeader> webp_size(Bytes encoded) {
   int width = 0, height = 0;
   if (WebPGetInfo(data_of(encoded), encoded.size(), &width, &height) == 0) return std::nullopt;
-  return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/webp"};
 }
 
-std::optional<ImageSize> png_size(Bytes encoded) {
+std::optional<ImageHeader> png_size(Bytes encoded) {
   if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels) == 0)
     return std::nullopt;
-  return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/png"};
 }
 
 /// libjpeg-turbo's decompressor for the time of one call.
@@ -48,16 +48,16 @@ class Jpeg {
  public:
   explicit Jpeg(Bytes encoded) : encoded_(encoded), handle_(tjInitDecompress(), &tjDestroy) {}
 
-  std::optional<ImageSize> size() const {
+  std::optional<ImageHeader> size() const {
     int width = 0, height = 0, subsampling = 0, colors = 0;
     if (!handle_ || encoded_.size() < 2 || data_of(encoded_)[0] != 0xff || data_of(encoded_)[1] != 0xd8) return std::nullopt;
     if (tjDecompressHeader3(handle_.get(), data_of(encoded_), encoded_.size(), &width, &height, &subsampling, &colors) != 0)
       return std::nullopt;
-    return ImageSize{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/jpeg"};
   }
 
   /// A file of ever more progressive scans is refused; one that merely ends early shows what it has.
-  tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageSize& size) const {
+  tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageHeader& size) const {
     std::vector<std::uint8_t> rgba(4 * size.pixels());
     const int failed = tjDecompress2(handle_.get(), data_of(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
                                      static_cast<int>(size.height), TJPF_RGBA, TJFLAG_LIMITSCANS);
@@ -73,7 +73,7 @@ class Jpeg {
 
 }  // namespace
 
-tl::expected<ImageSize, std::string> probe_image(Bytes encoded) {
+tl::expected<ImageHeader, std::string> probe_image(Bytes encoded) {
   auto size = png_size(encoded);
   if (!size) size = Jpeg(encoded).size();
   if (!size) size = webp_size(encoded);

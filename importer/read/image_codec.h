@@ -10,15 +10,16 @@
 
 namespace sinew {
 
-struct ImageSize {
+struct ImageHeader {
   std::uint32_t width = 0, height = 0;
+  const char* mime_type = "";
 
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };
 
-/// Size of an encoded image from its first bytes, without decoding. Told apart by content, not by name: PNG, JPEG,
-/// WebP. err  a sentence for people.   cost O(header)
-tl::expected<ImageSize, std::string> probe_image(std::span<const std::byte> encoded);
+/// Size and kind of an encoded image from its first bytes, without decoding. Told apart by content, not by name: PNG,
+/// JPEG, WebP. err  a sentence for people.   cost O(header)
+tl::expected<ImageHeader, std::string> probe_image(std::span<const std::byte> encoded);
 
 /// Pixels as RGBA, 8 bits each, rows from the top; 16-bit channels are reduced, missing ones filled (grey, opaque).
 /// in   encoded     one that probe_image accepts

@@ -28,16 +28,21 @@ std::string admit(gltf::Bytes encoded, std::uint64_t& pixels_left, Image& image)
   pixels_left -= size->pixels();
   image.width = size->width;
   image.height = size->height;
+  image.mime_type = size->mime_type;
+  image.encoded_size = encoded.size();
   return {};
 }
 
-void decode(gltf::Bytes encoded, Image& image) {
+void decode(gltf::Bytes encoded, bool keep_encoded, Image& image) {
   auto pixels = decode_image(encoded);
   if (pixels) {
     image.rgba = std::move(*pixels);
+    if (keep_encoded) image.encoded.assign(encoded.begin(), encoded.end());
     return;
   }
   image.width = image.height = 0;
+  image.mime_type.clear();
+  image.encoded_size = 0;
   image.missing_reason = pixels.error();
 }
 
@@ -56,7 +61,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
         source.encoded.empty() ? source.missing_reason : admit(source.encoded, pixels_left, images[i]);
   }
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    if (images[i].missing_reason.empty()) decode(document.images[i].encoded, images[i]);
+    if (images[i].missing_reason.empty()) decode(document.images[i].encoded, options.keep_encoded_images, images[i]);
   });
   // What could not even be fetched has been reported where that was found out.
   for (std::size_t i = 0; i < count; ++i)

@@ -22,7 +22,8 @@ constexpr const char* kAbout =
     "  sinew check fox.glb                               every rule that the file breaks\n"
     "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"
     "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
-    "  sinew plan fox.glb                                which stages a frame runs, and why\n";
+    "  sinew plan fox.glb                                which stages a frame runs, and why\n"
+    "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
@@ -60,6 +61,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_verify(program, outcome);
   add_check(program, outcome);
   add_plan(program, outcome);
+  add_convert(program, outcome);
   const ExitCode code = parse_and_run(program, outcome, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   say_error("stdout cannot be written");

@@ -12,6 +12,7 @@ void add_sample(CLI::App& program, ExitCode& outcome);
 void add_verify(CLI::App& program, ExitCode& outcome);
 void add_check(CLI::App& program, ExitCode& outcome);
 void add_plan(CLI::App& program, ExitCode& outcome);
+void add_convert(CLI::App& program, ExitCode& outcome);
 
 /// The whole command line; `main` is only this.
 ExitCode run_command_line(int argc, const char* const* argv);

@@ -40,6 +40,12 @@ class AnimationWriter {
     return true;
   }
 
+  /// Keeps the place of an animation that moves nothing: readers ignore a channel without node.
+  void add_nothing() {
+    const std::vector<glm::vec3> value(1);
+    add(-1, "translation", Interpolation::step, {0.0f}, buffer_.add(std::span<const glm::vec3>(value), false, ViewUse::other));
+  }
+
   tinygltf::Animation out;
 
  private:
@@ -72,6 +78,7 @@ std::optional<ImportIssue> write_animations(const Scene& scene, const std::vecto
     for (const auto& w : animation.weights)
       ok &= writer.add(node_of_instance[w.instance], "weights", w.weights.interpolation, w.weights.times_s,
                        buffer.add(std::span<const float>(w.weights.values)));
+    if (ok && writer.out.channels.empty()) writer.add_nothing();
     if (!ok)
       return ImportIssue{Severity::error, "squad-in-gltf", "/animations/" + std::to_string(a),
                          "glTF has no squad interpolation; resample the track to LINEAR keys first"};

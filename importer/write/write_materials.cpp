@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "importer/write/encode_png.h"
@@ -28,9 +30,7 @@ void reference(const TextureUse& use, tinygltf::Model& model, Info& info) {
   info.extensions["KHR_texture_transform"] = tinygltf::Value(Object{{"offset", pair(use.offset)},
                                                                     {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
                                                                     {"scale", pair(use.scale)}});
-  for (const auto& name : model.extensionsUsed)
-    if (name == "KHR_texture_transform") return;
-  model.extensionsUsed.emplace_back("KHR_texture_transform");
+  declare_extension(model, "KHR_texture_transform");
 }
 
 const char* name_of(AlphaMode mode) {
@@ -56,18 +56,20 @@ tinygltf::Material written(const Material& material, tinygltf::Model& model) {
   reference(material.occlusion_texture, model, out.occlusionTexture);
   out.occlusionTexture.strength = material.occlusion_strength;
   reference(material.emissive_texture, model, out.emissiveTexture);
-  // Above 1 the factor needs KHR_materials_emissive_strength: the largest component becomes the strength.
+  // Above 1 the factor needs KHR_materials_emissive_strength: a power of two, so that the product is exact.
   const auto& e = material.emissive;
-  const float strength = std::max({1.0f, e.x, e.y, e.z});
+  int exponent = 0;
+  std::frexp(std::max({1.0f, e.x, e.y, e.z}), &exponent);
+  const float strength = std::max({e.x, e.y, e.z}) > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f;
   out.emissiveFactor = {e.x / strength, e.y / strength, e.z / strength};
   if (strength > 1.0f) {
     out.extensions["KHR_materials_emissive_strength"] =
         tinygltf::Value(Object{{"emissiveStrength", tinygltf::Value(static_cast<double>(strength))}});
-    model.extensionsUsed.emplace_back("KHR_materials_emissive_strength");
+    declare_extension(model, "KHR_materials_emissive_strength");
   }
   if (material.unlit) {
     out.extensions["KHR_materials_unlit"] = tinygltf::Value(Object{});
-    model.extensionsUsed.emplace_back("KHR_materials_unlit");
+    declare_extension(model, "KHR_materials_unlit");
   }
   out.alphaMode = name_of(material.alpha_mode);
   out.alphaCutoff = material.alpha_cutoff;
@@ -102,9 +104,11 @@ void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
   for (const auto& image : scene.images) {
     tinygltf::Image out;
     out.name = image.name;
-    out.mimeType = "image/png";
-    const Image placeholder{"", 1, 1, {255, 0, 255, 255}, ""};  // an image that was missing stays visible as such
-    out.bufferView = buffer.add_view(encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
+    const bool keep = !image.encoded.empty() && (image.mime_type == "image/png" || image.mime_type == "image/jpeg");
+    out.mimeType = keep ? image.mime_type : "image/png";
+    const Image placeholder{.name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // missing images stay visible
+    out.bufferView =
+        buffer.add_view(keep ? image.encoded : encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
     model.images.push_back(std::move(out));
   }
   for (const auto& texture : scene.textures) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "importer/write/file_vertices.h"
 #include "importer/write/write_scene.h"
 
 namespace sinew::write {
@@ -16,54 +17,91 @@ int mode_of(Topology topology) {
   return TINYGLTF_MODE_TRIANGLES;
 }
 
+/// Where the influences of each vertex lie in the primitive's lists.
+struct InfluenceRange {
+  std::size_t first = 0;
+  std::uint32_t count = 0;
+};
+
+std::vector<InfluenceRange> influence_ranges(const VertexInfluences& influences) {
+  std::vector<InfluenceRange> ranges;
+  for (const auto& group : influences.groups)
+    for (std::uint32_t v = 0; v < group.vertex_count; ++v)
+      ranges.push_back({group.first_influence + std::size_t{v} * group.influence_count, group.influence_count});
+  return ranges;
+}
+
 /// JOINTS_n and WEIGHTS_n take four influences a set; vertices with fewer are filled up with weight 0.
-void write_influences(const Primitive& primitive, tinygltf::Primitive& out, GlbBuffer& buffer) {
+void write_influences(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+  const auto ranges = vertices.gather(influence_ranges(primitive.influences));
   std::uint32_t most = 0;
-  for (const auto& group : primitive.influences.groups) most = std::max(most, group.influence_count);
+  for (const auto& range : ranges) most = std::max(most, range.count);
   for (std::uint32_t set = 0; set * 4 < most; ++set) {
-    std::vector<std::uint16_t> joints(4 * primitive.vertex_count(), 0);
-    std::vector<glm::vec4> weights(primitive.vertex_count(), glm::vec4(0.0f));
-    for (const auto& group : primitive.influences.groups)
-      for (std::uint32_t v = 0; v < group.vertex_count; ++v)
-        for (std::uint32_t i = set * 4; i < std::min(group.influence_count, set * 4 + 4); ++i) {
-          const std::size_t from = group.first_influence + std::size_t{v} * group.influence_count + i;
-          const std::size_t vertex = group.first_vertex + v;
-          joints[4 * vertex + i % 4] = primitive.influences.joints[from];
-          weights[vertex][static_cast<int>(i % 4)] = primitive.influences.weights[from];
-        }
+    std::vector<std::uint16_t> joints(4 * ranges.size(), 0);
+    std::vector<glm::vec4> weights(ranges.size(), glm::vec4(0.0f));
+    for (std::size_t v = 0; v < ranges.size(); ++v)
+      for (std::uint32_t i = set * 4; i < std::min(ranges[v].count, set * 4 + 4); ++i) {
+        joints[4 * v + i % 4] = primitive.influences.joints[ranges[v].first + i];
+        weights[v][static_cast<int>(i % 4)] = primitive.influences.weights[ranges[v].first + i];
+      }
     out.attributes["JOINTS_" + std::to_string(set)] = buffer.add_joints(joints);
     out.attributes["WEIGHTS_" + std::to_string(set)] = buffer.add(std::span<const glm::vec4>(weights));
   }
 }
 
-void write_targets(const Primitive& primitive, tinygltf::Primitive& out, GlbBuffer& buffer) {
-  const std::size_t count = primitive.vertex_count();
+void write_targets(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+  const std::size_t count = vertices.count();
   for (const auto& target : primitive.morphs.targets) {
     std::map<std::string, int> attributes;
-    attributes["POSITION"] = buffer.add_deltas(target.positions, count, true);
-    if (!target.normals.empty() && !primitive.flat_normals) attributes["NORMAL"] = buffer.add_deltas(target.normals, count);
-    if (!target.tangents.empty()) attributes["TANGENT"] = buffer.add_deltas(target.tangents, count);
-    if (!target.colors.empty()) attributes["COLOR_0"] = buffer.add_deltas(target.colors, count);
+    attributes["POSITION"] = buffer.add_deltas(vertices.gather(target.positions), count, true);
+    if (!target.normals.empty() && !primitive.flat_normals)
+      attributes["NORMAL"] = buffer.add_deltas(vertices.gather(target.normals), count);
+    if (!target.tangents.empty()) attributes["TANGENT"] = buffer.add_deltas(vertices.gather(target.tangents), count);
+    if (!target.colors.empty()) attributes["COLOR_0"] = buffer.add_deltas(vertices.gather(target.colors), count);
     for (std::size_t n = 0; n < target.texcoords.size(); ++n)
-      if (!target.texcoords[n].empty()) attributes["TEXCOORD_" + std::to_string(n)] = buffer.add_deltas(target.texcoords[n], count);
+      if (!target.texcoords[n].empty())
+        attributes["TEXCOORD_" + std::to_string(n)] = buffer.add_deltas(vertices.gather(target.texcoords[n]), count);
     out.targets.push_back(std::move(attributes));
   }
+}
+
+void write_vertices(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+  const auto add = [&](const char* name, const auto& values, auto... with_bounds) {
+    if (values.empty()) return;
+    const auto ordered = vertices.gather(values);
+    out.attributes[name] = buffer.add(std::span(ordered), with_bounds...);
+  };
+  add("POSITION", primitive.positions, true);
+  if (!primitive.flat_normals) add("NORMAL", primitive.normals);
+  add("TANGENT", primitive.tangents);
+  for (std::size_t n = 0; n < primitive.texcoords.size(); ++n) add(("TEXCOORD_" + std::to_string(n)).c_str(), primitive.texcoords[n]);
+  add("COLOR_0", primitive.colors);
+}
+
+/// A primitive that shows nothing, yet keeps its place: glTF wants an attribute and the same targets as its neighbours.
+void write_nothing(const Primitive& primitive, tinygltf::Primitive& out, GlbBuffer& buffer) {
+  constexpr float kOne[] = {0.0f};
+  const std::map<std::string, int> nothing{{"_EMPTY", buffer.add(std::span<const float>(kOne))}};
+  out.attributes = nothing;
+  out.targets.assign(primitive.morphs.targets.size(), nothing);
 }
 
 tinygltf::Primitive written(const Primitive& primitive, GlbBuffer& buffer) {
   tinygltf::Primitive out;
   out.mode = mode_of(primitive.topology);
   if (primitive.material != kNone) out.material = static_cast<int>(primitive.material);
-  out.attributes["POSITION"] = buffer.add(std::span<const glm::vec3>(primitive.positions), true);
-  if (!primitive.normals.empty() && !primitive.flat_normals)
-    out.attributes["NORMAL"] = buffer.add(std::span<const glm::vec3>(primitive.normals));
-  if (!primitive.tangents.empty()) out.attributes["TANGENT"] = buffer.add(std::span<const glm::vec4>(primitive.tangents));
-  for (std::size_t n = 0; n < primitive.texcoords.size(); ++n)
-    out.attributes["TEXCOORD_" + std::to_string(n)] = buffer.add(std::span<const glm::vec2>(primitive.texcoords[n]));
-  if (!primitive.colors.empty()) out.attributes["COLOR_0"] = buffer.add(std::span<const glm::vec4>(primitive.colors));
-  if (!primitive.influences.empty()) write_influences(primitive, out, buffer);
-  write_targets(primitive, out, buffer);
-  out.indices = buffer.add_indices(primitive.indices);
+  if (primitive.positions.empty() || (primitive.topology == Topology::points && primitive.indices.empty())) {
+    write_nothing(primitive, out, buffer);
+    return out;
+  }
+  const FileVertices vertices = file_vertices(primitive);
+  write_vertices(primitive, vertices, out, buffer);
+  if (!primitive.influences.empty()) write_influences(primitive, vertices, out, buffer);
+  write_targets(primitive, vertices, out, buffer);
+  std::vector<std::uint32_t> indices;
+  for (const std::uint32_t v : primitive.indices) indices.push_back(vertices.file_vertex[v]);
+  if (indices.empty()) indices.push_back(0);  // makes no line and no triangle; none at all is not allowed
+  out.indices = buffer.add_indices(indices);
   return out;
 }
 

@@ -9,6 +9,9 @@
 
 namespace sinew::write {
 
+/// Adds a name to extensionsUsed, once.
+void declare_extension(tinygltf::Model& model, const char* name);
+
 /// The parts of export_glb, in the order in which they run; each appends to `model` and `buffer`.
 void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 void write_materials(const Scene& scene, tinygltf::Model& model);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct Image {
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;              ///< [4 * width * height] rows from the top
   std::string missing_reason;                  ///< not empty = draw the placeholder
+  std::string mime_type;                       ///< what the file holds, by content, such as "image/png"; empty when missing
+  std::uint64_t encoded_size = 0;              ///< bytes of it in the file
+  std::vector<std::byte> encoded;              ///< these bytes, kept only where the importer was asked to
 };
 
 struct Texture {

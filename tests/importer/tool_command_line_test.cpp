@@ -20,7 +20,7 @@ using testing::Not;
 TEST(command_line, help_and_version_are_results) {
   const CommandOutcome help = run_tool({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"info", "sample", "verify", "check", "plan"}) EXPECT_THAT(help.out, HasSubstr(command));
+  for (const char* command : {"info", "sample", "verify", "check", "plan", "convert"}) EXPECT_THAT(help.out, HasSubstr(command));
   EXPECT_THAT(help.out, Not(HasSubstr("cost")));
   const CommandOutcome version = run_tool({"--version"});
   EXPECT_EQ(version.status, 0);

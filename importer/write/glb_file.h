@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "importer/file/tinygltf.h"
+
+namespace sinew::write {
+
+/// The model as the bytes of a .glb; buffer 0 becomes the BIN chunk and is moved out of the model.
+/// eq   12 bytes header (magic, version, length), JSON chunk padded with spaces, BIN chunk padded with zeros
+///      (glTF 2.0, "Binary glTF Layout")
+/// out  nothing where the file would reach 4 GiB, which its 32-bit lengths cannot say (G67)
+std::optional<std::vector<std::byte>> glb_file(tinygltf::Model& model);
+
+}  // namespace sinew::write

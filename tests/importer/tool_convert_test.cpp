@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// `sinew convert` as other programs meet it, and what an independent validator says of the files it writes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "importer/import_gltf.h"
+#include "tests/importer/tool_model.h"
+#include "tests/support/corpus.h"
+
+namespace sinew::test {
+namespace {
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::size_t files_beside(const ToolModelFile& model) {
+  const fs::path folder = fs::path(model.path()).parent_path();
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(convert, writes_one_file_that_samples_the_same_poses) {
+  const ToolModelFile model;
+  const std::string out = model.beside("out.glb"), golden = model.beside("golden.json");
+  const CommandOutcome outcome = run_tool({"convert", model.path(), out});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(std::to_string(fs::file_size(out)) + " bytes"));
+  ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "all", "-o", golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", out, golden, "--tolerance", "0"}).status, 0);
+  EXPECT_EQ(files_beside(model), 3u) << "no temporary file is left";
+}
+
+TEST(convert, replaces_an_older_file_and_what_a_link_points_at) {
+  const ToolModelFile model;
+  const fs::path out = model.beside("out.glb"), link = model.beside("link.glb");
+  std::ofstream(out) << "old";
+  fs::create_symlink(out, link);
+  ASSERT_EQ(run_tool({"convert", model.path(), link.string()}).status, 0);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(import_gltf(out));
+}
+
+TEST(convert, never_overwrites_its_input_by_any_name) {
+  const ToolModelFile model;
+  const std::string glb = model.beside("in.glb"), link = model.beside("link.glb");
+  ASSERT_EQ(run_tool({"convert", model.path(), glb}).status, 0);
+  const std::string before = content_of(glb);
+  fs::create_symlink(glb, link);
+  for (const std::string& out : {glb, link, model.beside("./in.glb")}) {
+    const CommandOutcome outcome = run_tool({"convert", glb, out});
+    EXPECT_EQ(outcome.status, 2) << out;
+    EXPECT_THAT(outcome.err, HasSubstr(out)) << out;
+  }
+  EXPECT_EQ(content_of(glb), before);
+}
+
+TEST(convert, tells_usage_from_a_file_at_fault_and_leaves_the_old_output) {
+  const ToolModelFile model;
+  const std::string out = model.beside("out.glb"), broken = model.beside("broken.gltf");
+  std::ofstream(out) << "old";
+  std::ofstream(broken) << R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 5}]})";
+  EXPECT_EQ(run_tool({"convert", broken, out}).status, 1);
+  EXPECT_EQ(run_tool({"convert", model.beside("missing.glb"), out}).status, 1);
+  EXPECT_EQ(run_tool({"convert", model.path(), model.beside("out.gltf")}).status, 2);
+  EXPECT_EQ(run_tool({"convert", model.path(), "/no such folder/out.glb"}).status, 2);
+  EXPECT_EQ(run_tool({"convert", model.path()}).status, 2);
+  EXPECT_EQ(content_of(out), "old");
+}
+
+TEST(convert, says_why_the_output_cannot_be_written) {
+  const ToolModelFile model;
+  const std::string folder = model.beside("folder.glb");
+  fs::create_directory(folder);
+  const CommandOutcome outcome = run_tool({"convert", model.path(), folder});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err, HasSubstr(folder + ": write-file: "));
+}
+
+/// Prints {file: [[code, rest], ...]} for the errors of the files given, with the npm package gltf-validator.
+constexpr const char* kScript = R"(
+const validator = require(process.env.SINEW_GLTF_VALIDATOR || 'gltf-validator'), fs = require('fs');
+if (process.argv.length > 2) (async () => {
+  const out = {};
+  for (const file of process.argv.slice(2)) {
+    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {maxIssues: 10000});
+    out[file] = report.issues.messages.filter(m => m.severity == 0).map(m => [m.code, m.pointer + ' ' + m.message]);
+  }
+  console.log(JSON.stringify(out));
+})();
+)";
+
+bool has_code(const nlohmann::json& errors, const nlohmann::json& code) {
+  return std::any_of(errors.begin(), errors.end(), [&](const auto& error) { return error[0] == code; });
+}
+
+/// Errors that lie in the model itself (such as joints without a common root) are the model's to keep.
+TEST(convert_corpus, an_independent_validator_finds_no_new_error_in_what_is_written) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  const ToolModelFile folder;
+  const std::string script = folder.beside("validate.js"), report = folder.beside("report.json");
+  std::ofstream(script) << kScript;
+  if (std::system(("node " + script + " >/dev/null 2>&1").c_str()) != 0)
+    GTEST_SKIP() << "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
+  std::string command = "node " + script;
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const fs::path& file : corpus_files("models", {".gltf", ".glb"})) {
+    const std::string out = folder.beside(std::to_string(pairs.size()) + ".glb");
+    if (run_tool({"convert", file.string(), out}).status != 0) continue;
+    command += " '" + file.string() + "' " + out;
+    pairs.emplace_back(file.string(), out);
+  }
+  ASSERT_FALSE(pairs.empty());
+  ASSERT_EQ(std::system((command + " >" + report).c_str()), 0);
+  const auto errors = nlohmann::json::parse(content_of(report));
+  for (const auto& [in, out] : pairs)
+    for (const auto& error : errors.at(out)) EXPECT_TRUE(has_code(errors.at(in), error[0])) << in << ": " << error;
+}
+
+}  // namespace
+}  // namespace sinew::test
