@@ -14,6 +14,8 @@ std::string_view describe(ErrorCode code) noexcept {
     case ErrorCode::too_few_keys: return "a track has fewer keys than its interpolation needs";
     case ErrorCode::not_finite: return "a number is NaN or infinite";
     case ErrorCode::unsupported: return "this combination is not supported";
+    case ErrorCode::coincident_poses: return "two sample poses coincide";
+    case ErrorCode::rank_deficient: return "a system of equations has no unique solution";
     case ErrorCode::busy: return "the job thread has no free slot for another frame";
   }
   return "unknown error";

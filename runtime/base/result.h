@@ -18,6 +18,8 @@ enum class ErrorCode {
   too_few_keys,            ///< no key at all, or fewer than two for a cubic spline
   not_finite,              ///< a number is NaN or infinite
   unsupported,             ///< the combination asked for does not exist
+  coincident_poses,        ///< two sample poses are the same as far as their drivers count
+  rank_deficient,          ///< a system of equations has no unique solution within rounding
   busy,                    ///< the job thread has no free slot for another frame
 };
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/base/result.h"
+#include "runtime/math/conventions.h"
+
+namespace sinew {
+
+/// What of a joint's rotation counts: all of it, only where it points an axis, or only its turn about that axis.
+enum class RotationMeasure : std::uint8_t { full, swing, twist };
+
+/// A joint whose local rotation drives corrective shapes.
+struct PoseDriver {
+  std::uint32_t joint = 0;
+  float weight = 1.0f;  ///< factor of its angle in the distance of two poses, >= 0
+  RotationMeasure measure = RotationMeasure::full;
+  glm::vec3 axis{0.0f, 1.0f, 0.0f};  ///< joint space, any length; for swing and twist
+};
+
+/// Radial functions of the distance d of two poses, x = d / radius.
+enum class RadialKernel : std::uint8_t {
+  linear,      ///< -x: no overshoot along a line of poses, with a kink at each sample
+  gaussian,    ///< exp(-x^2): smooth, fades to nothing beyond about 2.5 radii
+  thin_plate,  ///< x^2 ln x: biharmonic, least bending, grows far away; use with the affine tail
+};
+
+/// What is fitted beside the radial functions, so that they need not fade to zero or to a mean far away.
+enum class PolynomialTail : std::uint8_t {
+  none,
+  constant,
+  affine,  ///< 1 and, per driver, the sines of its rotation from the first sample: full 3, swing 2, twist 1
+};
+
+/// Corrective shapes as an artist gives them: sample poses of some joints, and what morph weights shall be there.
+///
+/// in   rotations[S * D]  local rotations, sample by sample, any length but zero; the first sample is the neutral
+///      weights[M]        indices into the scene's flat array of morph weights (Scene::first_weight)
+///      values[S * M]     what is added to each of these weights in each sample, of any sign and size
+struct PoseSamples {
+  std::string name;
+  std::vector<PoseDriver> drivers;  ///< [D]
+  std::vector<glm::quat> rotations;
+  std::vector<std::uint32_t> weights;
+  std::vector<float> values;
+  RadialKernel kernel = RadialKernel::gaussian;
+  float radius_rad = 1.0f;
+  PolynomialTail tail = PolynomialTail::none;
+  float regularisation = 0.0f;  ///< added to the diagonal: smooths, and lets samples lie close to each other
+  bool partition = false;       ///< shares of the samples are made non-negative, and of sum 1
+  bool clamp = false;           ///< results stay within the range of the samples' values
+
+  std::size_t sample_count() const noexcept { return drivers.empty() ? 0 : rotations.size() / drivers.size(); }
+};
+
+/// err  size_mismatch (no driver, sample or weight, or arrays of wrong length); not_finite (also rotations and axes
+///      without direction, and drivers of weight 0 only); unsupported (negative driver weight or regularisation,
+///      radius <= 0)
+ErrorCode check(const PoseSamples& samples) noexcept;
+
+}  // namespace sinew
