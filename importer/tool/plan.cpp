@@ -24,7 +24,7 @@ struct PlanOptions {
   bool json = false;
 };
 
-constexpr const char* kNeedNames[] = {"joints", "positions", "normals", "tangents", "bounds"};
+constexpr const char* kNeedNames[] = {"joints", "weights", "positions", "normals", "tangents", "bounds"};
 
 Needs needs_from(const PlanOptions& options) {
   Needs needs;
@@ -34,6 +34,7 @@ Needs needs_from(const PlanOptions& options) {
     return std::find(options.needs.begin(), options.needs.end(), name) != options.needs.end();
   };
   needs.joints = asked("joints");
+  needs.weights = asked("weights");
   needs.positions = asked("positions");
   needs.normals = asked("normals");
   needs.tangents = asked("tangents");
@@ -44,6 +45,7 @@ Needs needs_from(const PlanOptions& options) {
 nlohmann::ordered_json work_json(const WorkCounters& work) {
   return {{"tracks_sampled", work.tracks_sampled},
           {"poses_blended", work.poses_blended},
+          {"poses_compared", work.poses_compared},
           {"joints_composed", work.joints_composed},
           {"palette_entries", work.palette_entries},
           {"palette_entries_split", work.palette_entries_split},

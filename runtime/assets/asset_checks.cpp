@@ -185,6 +185,11 @@ void check_instances(const Scene& scene, Findings& f) noexcept {
   }
 }
 
+void check_correctives(const Scene& scene, Findings& f) noexcept {
+  for (const PoseCorrective& corrective : scene.correctives)
+    f.add(check(corrective, scene.skeleton.joint_count(), scene.weight_count()));
+}
+
 void check_texture_use(const TextureUse& use, const Scene& scene, Findings& f) noexcept {
   f.require_optional_index(use.texture, scene.textures.size());
 }
@@ -214,6 +219,7 @@ ErrorCode check(const Scene& scene) noexcept {
   check_instances(scene, f);
   check_animations(scene, f);
   check_clips(scene, f);
+  check_correctives(scene, f);
   check_appearance(scene, f);
   return f.code();
 }

@@ -8,6 +8,7 @@
 #include "runtime/assets/clip.h"
 #include "runtime/assets/material.h"
 #include "runtime/assets/mesh.h"
+#include "runtime/assets/pose_corrective.h"
 #include "runtime/assets/skeleton.h"
 #include "runtime/assets/skin.h"
 
@@ -59,6 +60,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> first_weight;  ///< [instances + 1] into the scene's flat array of morph weights
+  std::vector<PoseCorrective> correctives;  ///< add to morph weights what joint rotations call for
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;

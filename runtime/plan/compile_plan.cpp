@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/base/contract.h"
+#include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/pose.h"
 #include "runtime/plan/plan_stages.h"
@@ -121,6 +122,10 @@ void place(Plan& plan) {
   plan.layer_poses_at = block.take(extra_layers * pose_bytes);
   plan.weights_at = block.take_array<float>(scene.weight_count());
   plan.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
+  if (plan.correctives)
+    for (const PoseCorrective& corrective : scene.correctives)
+      plan.corrective_scratch_count = std::max(plan.corrective_scratch_count, scratch_size(corrective));
+  plan.corrective_scratch_at = block.take_array<double>(plan.corrective_scratch_count);
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
@@ -130,6 +135,11 @@ void place(Plan& plan) {
   plan.stretch_at = block.take_array<bool>(scene.skins.size());
   place_primitives(plan, block);
   plan.frame_bytes = block.size();
+}
+
+bool any_morphs(const Plan& plan) noexcept {
+  return std::any_of(plan.primitives.begin(), plan.primitives.end(),
+                     [](const PrimitivePlan& p) { return p.morph.any() || p.morph_colors; });
 }
 
 }  // namespace
@@ -154,6 +164,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan.blend = plan.sample && needs.max_layers > 1;
   plan.bounds = needs.bounds && !scene.instances.empty();
   plan_primitives(plan);
+  plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));
   place(plan);
   plan.stages = describe_stages(plan);
   return plan;

@@ -36,7 +36,8 @@ struct InstanceResult {
 struct FrameResult {
   std::uint64_t frame = 0;                ///< counts up by one per run of the instance
   std::span<const Affine> model;          ///< [J] world matrix of every joint
-  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight)
+  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with
+                                          ///< what correctives add where the plan runs them
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
   WorkCounters work;

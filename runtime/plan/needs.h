@@ -16,6 +16,7 @@ struct Needs {
   bool positions = true;      ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;
+  bool weights = true;        ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool bounds = false;        ///< boxes of the mesh instances (P14)
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
   Skinning skinning = Skinning::linear;

@@ -37,6 +37,16 @@ PlanStage describe_blend(const Plan& plan) {
           plan.scene->skeleton.joint_count(), pose_bytes(plan) * (layers - 1)};
 }
 
+PlanStage describe_correctives(const Plan& plan) {
+  const std::vector<PoseCorrective>& correctives = plan.scene->correctives;
+  if (correctives.empty()) return {"correctives", false, "the scene has no corrective shapes", 0, 0};
+  if (!plan.correctives) return {"correctives", false, "neither morph weights nor morphed vertices are asked for", 0, 0};
+  std::uint64_t samples = 0;
+  for (const PoseCorrective& corrective : correctives) samples += corrective.samples.sample_count();
+  return {"correctives", true, counted(correctives.size(), "corrective adds", "correctives add") + " to morph weights",
+          samples, plan.corrective_scratch_count * sizeof(double)};
+}
+
 PlanStage describe_local_to_model(const Plan& plan) {
   const std::size_t joints = plan.scene->skeleton.joint_count();
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
@@ -149,6 +159,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions";
   return {describe_sample(plan),
           describe_blend(plan),
+          describe_correctives(plan),
           describe_local_to_model(plan),
           describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix), why_no_skinning(plan)),
           describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/plan/deform_primitive.h"
@@ -34,6 +35,21 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
   for (const float weight : input.weights)
     if (!std::isfinite(weight)) return ErrorCode::not_finite;
   return ErrorCode::ok;
+}
+
+/// Adds to the frame's morph weights what its local pose calls for.
+void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory, WorkCounters& work) noexcept {
+  if (!plan.correctives) return;
+  for (const PoseCorrective& corrective : plan.scene->correctives) {
+    const CorrectPoseJob job{
+        .corrective = &corrective,
+        .pose = local,
+        .scratch = memory.array<double>(plan.corrective_scratch_at, plan.corrective_scratch_count),
+        .weights = memory.array<float>(plan.weights_at, plan.rest_weights.size())};
+    assert(check(job) == ErrorCode::ok);
+    run(job);
+    work.poses_compared += corrective.samples.sample_count();
+  }
 }
 
 /// World matrices of all joints, or nothing when the plan leaves them out.
@@ -120,6 +136,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.memory_.get()};
   WorkCounters work;
   const PoseSpan local = evaluate_pose(plan, input, memory, frame.layers_, work);
+  correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, memory, work);
   make_palettes(plan, model, memory, work);

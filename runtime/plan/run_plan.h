@@ -24,7 +24,8 @@ struct ClipLayer {
 /// where the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent.
 struct FrameInput {
   std::span<const ClipLayer> layers;
-  std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest
+  std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest.
+                                       ///< Correctives add to either
   Affine root;                         ///< placed above all root joints
 };
 

@@ -18,6 +18,7 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
   EXPECT_EQ(dump(compile_plan(scene, {})),
             "- sample [0, 0 B]: no clips: the rest pose is written once\n"
             "- blend [0, 0 B]: nothing is sampled\n"
+            "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: joints are asked for\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
@@ -35,6 +36,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   EXPECT_EQ(dump(compile_plan(scene, needs)),
             "+ sample [1, 640 B]: 1 clip; the count is of the one with most tracks\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
+            "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [3, 144 B]: joints are asked for\n"
             "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
@@ -52,6 +54,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   EXPECT_EQ(dump(compile_plan(scene, needs)),
             "+ sample [2, 648 B]: 1 clip; the count is of the one with most tracks\n"
             "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
+            "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: mesh instances hang on joints\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"

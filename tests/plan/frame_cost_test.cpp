@@ -19,6 +19,7 @@ struct NamedCount {
 std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
   return {{"sample", w.tracks_sampled},
           {"blend", w.poses_blended},
+          {"correctives", w.poses_compared},
           {"local_to_model", w.joints_composed},
           {"palette", w.palette_entries},
           {"split_palette", w.palette_entries_split},
@@ -34,6 +35,7 @@ Needs needs_by_bits(std::uint32_t bits) {
   needs.joints = bits & 1, needs.positions = bits & 2, needs.normals = bits & 4, needs.tangents = bits & 8;
   needs.bounds = bits & 16, needs.max_layers = bits & 32 ? 1 : 3;
   needs.skinning = bits & 64 ? Skinning::dual_quaternion : Skinning::linear;
+  needs.weights = (bits & 1) == 0;
   return needs;
 }
 
@@ -41,7 +43,7 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
     RandomSceneOptions options;
     options.skins = seed & 1 ? 2 : 0, options.targets = seed & 2 ? 2 : 0, options.clips = seed & 4 ? 2 : 0;
-    options.flat_normals = seed & 8;
+    options.flat_normals = seed & 8, options.correctives = options.targets > 0 ? seed % 3 : 0;
     const Scene scene = random_scene(seed, options);
     for (std::uint32_t bits = 0; bits < 128; ++bits) {
       const Plan plan = compile_plan(scene, needs_by_bits(bits));
@@ -55,6 +57,7 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
       EXPECT_EQ(frame.result().work.vertices_skinned_linear, stage(plan, "skin_linear").count);
       EXPECT_EQ(frame.result().work.vertices_skinned_dual_quaternion, stage(plan, "skin_dual_quaternion").count);
       EXPECT_EQ(frame.result().work.palette_entries, stage(plan, "palette").count);
+      EXPECT_EQ(frame.result().work.poses_compared, stage(plan, "correctives").count);
       EXPECT_EQ(frame.result().work.joints_composed, stage(plan, "local_to_model").count);
       EXPECT_EQ(frame.result().work.flat_triangles, stage(plan, "flat_normals").count);
       EXPECT_EQ(frame.result().work.bounds_vertices, stage(plan, "bounds").count);
@@ -110,7 +113,7 @@ TEST(frame_cost, static_nodes_and_targets_of_weight_zero_do_not_change_the_work_
 TEST(frame_cost, a_frame_allocates_nothing) {
   for (std::uint32_t bits = 0; bits < 128; bits += 3) {
     RandomSceneOptions options;
-    options.flat_normals = bits % 2;
+    options.flat_normals = bits % 2, options.correctives = bits % 3;
     const Scene scene = random_scene(bits, options);
     const Plan plan = compile_plan(scene, needs_by_bits(bits));
     FrameBuffer frame(plan);

@@ -5,6 +5,7 @@
 
 #include "runtime/assets/track_sample.h"
 #include "runtime/math/decompose.h"
+#include "tests/reference/pose_corrective.h"
 #include "tests/reference/skinning.h"
 
 namespace sinew::test {
@@ -70,6 +71,18 @@ std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   }
   for (double& w : sum) w /= total + fill;
   return sum;
+}
+
+/// Correctives add to the weights, whether these are given or sampled.
+void correct_weights(const Scene& scene, const FrameInput& input, std::vector<double>& weights) {
+  for (const PoseCorrective& corrective : scene.correctives) {
+    reference::Pose pose;
+    for (const PoseDriver& driver : corrective.samples.drivers)
+      pose.push_back(reference::rotation_of(blended_joint(scene, input, driver.joint).rotation));
+    const reference::Row added = reference::correct_pose(corrective.samples, pose);
+    for (std::size_t i = 0; i < added.size(); ++i)
+      weights[corrective.samples.weights[i]] += static_cast<double>(added[i]);
+  }
 }
 
 std::vector<Affined> world_matrices(const Scene& scene, const FrameInput& input) {
@@ -197,6 +210,7 @@ SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInp
   SlowFrame frame;
   frame.model = world_matrices(scene, input);
   frame.weights = all_weights(scene, input);
+  correct_weights(scene, input, frame.weights);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
     Affined placed = frame.model[instance.joint];

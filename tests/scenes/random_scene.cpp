@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "runtime/base/contract.h"
+#include "tests/scenes/pose_samples.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {
@@ -21,6 +22,7 @@ class Maker {
     make_instances();
     for (std::uint32_t c = 0; c < options_.clips; ++c) scene_.animations.push_back(make_animation());
     finish_scene(scene_);
+    for (std::uint32_t c = 0; c < options_.correctives; ++c) scene_.correctives.push_back(make_corrective());
     CONTRACT(check(scene_) == ErrorCode::ok);
     return std::move(scene_);
   }
@@ -159,6 +161,21 @@ class Maker {
     for (std::uint32_t i = 0; i < options_.instances; i += 2)
       if (options_.targets > 0) animation.weights.push_back({i, make_weights()});
     return animation;
+  }
+
+  /// Driven by joints that clips turn, with samples around their rest poses.
+  PoseCorrective make_corrective() {
+    PoseSamples samples = random_samples(random_, 1 + random_.below(3), 6, 2);
+    for (PoseDriver& driver : samples.drivers) driver.joint = random_.below(options_.joints);
+    for (std::size_t i = 0; i < samples.rotations.size(); ++i)
+      samples.rotations[i] = normalised(scene_.skeleton.rest[samples.drivers[i % samples.drivers.size()].joint].rotation *
+                                        random_.rotation_by(random_.in(0, 0.8)));
+    for (std::uint32_t& weight : samples.weights)
+      weight = random_.below(static_cast<std::uint32_t>(scene_.weight_count()));
+    samples.radius_rad = 0.5f;
+    Result<PoseCorrective> solved = solve_corrective(std::move(samples));
+    CONTRACT(solved.has_value());
+    return *std::move(solved);
   }
 
   std::vector<float> key_times() {

@@ -19,6 +19,7 @@ struct RandomSceneOptions {
   bool normals = true, tangents = true, colors = true;
   bool flat_normals = false;  ///< every second primitive
   bool mirrored_joints = false;
+  std::uint32_t correctives = 0;  ///< needs targets
 };
 
 /// A scene made of random numbers that are the same on every machine: valid, finished, and with every kind of track. Its
