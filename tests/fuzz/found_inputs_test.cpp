@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Inputs that fuzzing has found once stay harmless: found/TARGET/* run in every build. The seeds run as well, so that a target
+// that does nothing at all is seen here and not after hours.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "importer/import_gltf.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/json_mutator.h"
+#include "tests/fuzz/seeds.h"
+
+namespace sinew::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Target* target_named(const std::string& name) {
+  const auto found = std::find_if(targets().begin(), targets().end(), [&](const Target& t) { return t.name == name; });
+  return found == targets().end() ? nullptr : &*found;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(found_inputs, stay_harmless) {
+  for (const auto& entry : fs::recursive_directory_iterator(SINEW_FOUND_INPUTS)) {
+    if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
+    const Target* target = target_named(entry.path().parent_path().filename().string());
+    ASSERT_NE(target, nullptr) << entry.path();
+    const std::string input = read(entry.path());
+    EXPECT_NO_THROW(target->run(std::as_bytes(std::span(input)))) << entry.path();
+  }
+}
+
+TEST(found_inputs, every_target_takes_its_seeds) {
+  std::map<std::string, int> count;
+  for (const Seed& seed : own_seeds()) {
+    const Target* target = target_named(seed.target);
+    ASSERT_NE(target, nullptr) << seed.target;
+    EXPECT_NO_THROW(target->run(seed.bytes)) << seed.target;
+    ++count[seed.target];
+  }
+  EXPECT_EQ(count.size(), targets().size());
+}
+
+TEST(json_mutator, changes_a_document_and_keeps_it_json) {
+  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"scale":[1,2,3]},{"name":"b"}]})";
+  const auto no_bytes = [](std::uint8_t*, std::size_t size, std::size_t) { return size; };
+  int changed = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::string mutated = mutate_json(text, seed, no_bytes);
+    EXPECT_EQ(mutated, mutate_json(text, seed, no_bytes));
+    changed += mutated != text;
+    EXPECT_NE(mutate_json(mutated, seed, no_bytes), "");
+  }
+  EXPECT_GT(changed, 150);
+  EXPECT_EQ(mutate_json("{no", 1, no_bytes), "{no");
+}
+
+}  // namespace
+}  // namespace sinew::fuzz

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the libFuzzer program of a build for a while and sums up: fuzz.py BUILD MINUTES JOBS [SEED FOLDER...]
+
+Minutes are shared by all targets. Inputs that reach something new are kept in BUILD/corpus/TARGET and are where the next run
+starts; what breaks a promise lands in BUILD/findings/TARGET and makes the exit code 1: minimise it, fix the cause, and move it
+to tests/fuzz/found/TARGET, where every build runs it.
+"""
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+TARGETS = ["glb", "json", "accessors", "compressed", "images", "poses"]
+LIMITS = ["-rss_limit_mb=2560", "-malloc_limit_mb=1024", "-timeout=30", "-max_len=32768", "-print_final_stats=1", "-verbosity=1"]
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def fuzz(build, target, seconds):
+    """One program for `seconds`: its last report and what it found."""
+    corpus, findings = build / "corpus" / target, build / "findings" / target
+    for folder in (corpus, findings):
+        folder.mkdir(parents=True, exist_ok=True)
+    inputs = [folder for folder in (build / "seeds" / target, HERE / "found" / target) if folder.is_dir()]
+    command = [build / "bin" / "sinew-fuzz", corpus, *inputs, f"-max_total_time={seconds}", f"-dict={HERE / 'gltf.dict'}",
+               f"-artifact_prefix={findings}/", *LIMITS]
+    before = set(findings.iterdir())
+    log = build / "findings" / f"{target}.log"
+    with open(log, "wb") as out:
+        code = subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, env={**os.environ, "SINEW_FUZZ_TARGET": target}).returncode
+    return report(target, log.read_text(errors="replace"), code, sorted(set(findings.iterdir()) - before), log)
+
+
+def report(target, text, code, found, log):
+    def last(pattern):
+        hits = re.findall(pattern, text)
+        return int(hits[-1]) if hits else 0
+
+    # A program that ends in any other way than by its time is a finding even when it could not write the input.
+    return {"target": target, "executions": last(r"stat::number_of_executed_units: (\d+)") or last(r"#(\d+)\t"),
+            "edges": last(r"cov: (\d+)"), "features": last(r"ft: (\d+)"), "new": last(r"stat::new_units_added:\s+(\d+)"),
+            "found": [str(path) for path in found] or ([str(log)] if code != 0 else [])}
+
+
+def main():
+    build, minutes, jobs = pathlib.Path(sys.argv[1]).resolve(), float(sys.argv[2]), int(sys.argv[3])
+    subprocess.run([build / "bin" / "sinew-fuzz-seeds", build / "seeds", *sys.argv[4:]], check=True)
+    rounds = -(-len(TARGETS) // jobs)
+    seconds = max(1, round(60 * minutes / rounds))
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        reports = list(pool.map(lambda target: fuzz(build, target, seconds), TARGETS))
+    print(f"{'target':12}{'executions':>12}{'edges':>8}{'features':>10}{'new inputs':>12}  found")
+    for r in reports:
+        print(f"{r['target']:12}{r['executions']:12}{r['edges']:8}{r['features']:10}{r['new']:12}  {', '.join(r['found']) or 'nothing'}")
+    return 1 if any(r["found"] or not r["executions"] for r in reports) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "tests/fuzz/fuzz_targets.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace sinew::fuzz {
+
+std::span<const Target> targets() noexcept {
+  static constexpr std::array kTargets{Target{"glb", import_glb},           Target{"json", import_json},
+                                       Target{"accessors", read_accessors}, Target{"compressed", decode_compressed},
+                                       Target{"images", decode_images},     Target{"poses", read_poses}};
+  return kTargets;
+}
+
+void require(bool holds, const char* promise) {
+  if (!holds) throw std::logic_error(promise);
+}
+
+}  // namespace sinew::fuzz

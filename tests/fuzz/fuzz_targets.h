@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace sinew::fuzz {
+
+using Bytes = std::span<const std::byte>;
+
+/// What fuzzing does with an input. Any bytes are welcome; a promise that does not hold ends in an exception,
+/// which libFuzzer and GoogleTest both report.
+struct Target {
+  std::string_view name;
+  void (*run)(Bytes input);
+};
+
+void import_glb(Bytes input);         ///< a whole file, then one frame of what it holds
+void import_json(Bytes input);        ///< .gltf text with its buffers in data URIs
+void read_accessors(Bytes input);     ///< valid JSON around arbitrary accessors and bytes: see accessors_target.cpp
+void decode_compressed(Bytes input);  ///< meshopt and Draco streams: see compressed_target.cpp
+void decode_images(Bytes input);      ///< PNG, JPEG, WebP
+void read_poses(Bytes input);         ///< golden poses for `sinew verify`
+
+std::span<const Target> targets() noexcept;
+
+/// Throws when `holds` is false.
+void require(bool holds, const char* promise);
+
+}  // namespace sinew::fuzz

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "tests/fuzz/import_target.h"
+
+#include "importer/file/glb_container.h"
+#include "importer/import_gltf.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::fuzz {
+
+void import_and_evaluate(Bytes file) {
+  ImportOptions options;
+  options.max_image_pixels = 1 << 16;
+  const auto imported = import_gltf(file, "fuzz", options);
+  if (!imported) return require(!imported.error().issue.rule.empty(), "an error names its rule");
+  require(imported->facts.file_bytes >= file.size(), "the bytes of the file are counted");
+  const Scene& scene = imported->scene;
+  require(check(scene) == ErrorCode::ok, "an imported scene passes the checks");
+  const Plan plan = compile_plan(scene, Needs{.bounds = true});
+  FrameBuffer frame(plan);
+  const ClipLayer layer{.clip = 0, .time_s = 0.3};
+  const bool animated = !scene.clips.empty();
+  require(run_plan(plan, {.layers = {&layer, animated ? 1u : 0u}}, frame) == ErrorCode::ok, "an imported scene runs");
+}
+
+void import_glb(Bytes input) { import_and_evaluate(input); }
+
+void import_json(Bytes input) {
+  if (!looks_like_glb(input)) import_and_evaluate(input);
+}
+
+}  // namespace sinew::fuzz

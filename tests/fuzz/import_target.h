@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace sinew::fuzz {
+
+/// Imports the bytes. What is refused must name a rule; what is taken must pass the checks of the runtime, and one frame of
+/// its first clip must run.
+void import_and_evaluate(Bytes file);
+
+}  // namespace sinew::fuzz
