@@ -65,6 +65,16 @@ TEST(decompose, N16_polar_of_singular_matrices_still_rebuilds_and_says_so) {
   EXPECT_EQ(decompose_polar(Mat3<float>(0.f)).quat, quat_identity<float>());
 }
 
+TEST(decompose, N16_noise_does_not_choose_the_rotation_that_a_rank_of_one_leaves_free) {
+  FixedRandom random(16);
+  for (int i = 0; i < 100; ++i) {
+    Mat3<float> m(0.0f);
+    m[0] = {1.0f, 0.0f, 0.0f};
+    for (int c = 1; c < 3; ++c) m[c] = random.direction() * 1e-9f;
+    EXPECT_LE(test::angle_between(decompose_polar(m).quat, quat_identity<double>()), 1e-6);
+  }
+}
+
 TEST(decompose, N16_polar_of_not_finite_input_is_the_identity_with_a_status) {
   Mat3<float> m(1.f);
   m[1][1] = std::numeric_limits<float>::quiet_NaN();

@@ -54,6 +54,19 @@ TEST(squad, N09_speed_is_continuous_over_keys_of_uneven_spacing) {
   for (const double after_s : {0.1, 0.5, 1.0, 3.0}) expect_smooth_at_middle_key(1.0, after_s, 1e-4);
 }
 
+TEST(squad, N09_the_speed_at_a_key_is_that_of_the_parabola_through_its_neighbours) {
+  // Turns about one axis by t^2 / 2: the three-point rule is exact for a parabola, whatever the spacing.
+  const auto at = [](double t) { return quat_xyzw(0.0, std::sin(t * t / 4), 0.0, std::cos(t * t / 4)); };
+  for (const auto& [before_s, after_s] : {std::pair{0.5, 0.5}, {0.2, 0.9}, {1.0, 0.125}, {0.7, 0.01}}) {
+    const Quat<double> previous = at(1 - before_s), key = at(1), next = at(1 + after_s);
+    const auto c = squad_controls_uneven(previous, key, next, before_s, after_s);
+    const double h = 1e-6;
+    const auto out = squad(key, c.outgoing, next, next, h), in = squad(previous, previous, c.incoming, key, 1 - h);
+    EXPECT_NEAR(2 * quat_log(quat_conjugate(key) * out).y / (h * after_s), 1.0, 1e-4) << before_s << " " << after_s;
+    EXPECT_NEAR(-2 * quat_log(quat_conjugate(key) * in).y / (h * before_s), 1.0, 1e-4) << before_s << " " << after_s;
+  }
+}
+
 TEST(squad, N09_even_spacing_gives_the_classic_control_point) {
   FixedRandom random(4);
   Quat<double> k[3] = {random.rotation<double>()};
