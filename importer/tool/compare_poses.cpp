@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ std::string clip_name(std::uint32_t clip) { return clip == kNone ? "rest pose" :
 template <class Where>
 void PoseComparison::add(double amount, double tolerance, const char* unit, const Where& where) {
   ++compared_;
-  if (*unit) largest_m_ = std::fmax(largest_m_, amount);
+  if (std::string_view(unit) == "m") largest_m_ = std::fmax(largest_m_, amount);
   if (amount <= tolerance) return;
   ++failed_;
   const auto worse = [](const Deviation& a, const Deviation& b) { return a.severity() > b.severity(); };
@@ -63,6 +64,14 @@ double PoseComparison::allowed_m(double size_m) const noexcept {
   return tolerance_.distance_m.value_or(tolerance_.relative * size) + slack_ * size;
 }
 
+void PoseComparison::compare_bits(const Pose& golden, const Pose& pose, const std::string& where) {
+  for (const auto& [name, hash] : golden.bits) {
+    const auto found = pose.bits.find(name);
+    const double amount = found == pose.bits.end() ? kMissing : found->second == hash ? 0.0 : 1.0;
+    add(amount, 0.0, "bits", [&, n = name] { return fmt::format("{}, {}", where, n); });
+  }
+}
+
 void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose, const std::string& where) {
   const std::span<const double> g(golden.world), p(pose ? pose->world : golden.world);
   const std::span<const double> linear = g.first(12), translation = g.subspan(12, 3);
@@ -79,6 +88,7 @@ void PoseComparison::compare_node(const NodeWorld& golden, const NodeWorld* pose
 void PoseComparison::compare(std::uint32_t clip, const Pose& golden, const Pose& pose) {
   const std::string sample = fmt::format("{}, {:.9g} s", clip_name(clip), golden.time_s);
   slack_ = 1.5 * golden.non_unit;
+  if (tolerance_.exact) compare_bits(golden, pose, sample);
   std::map<std::uint32_t, const NodeWorld*> nodes;
   for (const NodeWorld& node : pose.nodes) nodes[node.node] = &node;
   for (const NodeWorld& node : golden.nodes) {

@@ -14,7 +14,7 @@ struct Deviation {
   std::string where;    ///< "clip 0, 1.5 s, node 3, primitive 0, vertex 17, positions"
   double amount = 0.0;  ///< infinite when the value is missing
   double tolerance = 0.0;
-  const char* unit = "m";  ///< "m", or "" for directions and weights
+  const char* unit = "m";  ///< "m", "" for directions and weights, "bits" for hashes
 
   double severity() const noexcept { return amount / tolerance; }
 };
@@ -30,6 +30,7 @@ struct PoseTolerance {
   double direction = 1e-3;
   double weight = 1e-4;
   double model_size_m = 1.0;
+  bool exact = false;  ///< every hash of Pose::bits must be the same as well
 };
 
 /// Everything that `golden` holds is looked up in `pose` and compared; null entries are passed over.
@@ -48,6 +49,7 @@ class PoseComparison {
 
  private:
   double allowed_m(double size_m) const noexcept;
+  void compare_bits(const Pose& golden, const Pose& pose, const std::string& where);
   void compare_node(const NodeWorld& golden, const NodeWorld* pose, const std::string& where);
   void compare_primitive(const PrimitivePose& golden, const PrimitivePose* pose, const std::string& where);
   template <class Where>

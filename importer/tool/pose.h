@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ struct Pose {
   std::vector<NodeWorld> nodes;
   std::vector<NodeWeights> weights;
   std::vector<PrimitivePose> primitives;
+  std::map<std::string, std::string> bits;  ///< hashes of all joints ("pose") and of all vertices by kind of skinning
 };
 
 struct ClipPoses {

@@ -93,6 +93,7 @@ class PoseReader {
     if (!sample.is_object() || !sample.contains("time")) return complain(at + "/time", "a time is missing here"), out;
     out.time_s = number(sample["time"], at + "/time");
     if (sample.contains("nonUnit")) out.non_unit = number(sample["nonUnit"], at + "/nonUnit");
+    if (sample.contains("bits")) hashes(sample["bits"], at + "/bits", out.bits);
     each(sample, at, "nodes",
          [&](const json& node, const std::string& n) { out.nodes.push_back(node_world(node, n)); });
     each(sample, at, "weights",
@@ -100,6 +101,14 @@ class PoseReader {
     each(sample, at, "skinned",
          [&](const json& p, const std::string& n) { out.primitives.push_back(primitive(p, n)); });
     return out;
+  }
+
+  void hashes(const json& object, const std::string& at, std::map<std::string, std::string>& out) {
+    if (!object.is_object()) return complain(at, "is not an object of hashes");
+    for (const auto& [name, hash] : object.items()) {
+      if (!hash.is_string()) return complain(at + "/" + name, "is not a hash");
+      out[name] = hash.get<std::string>();
+    }
   }
 
   NodeWorld node_world(const json& node, const std::string& at) {

@@ -61,7 +61,9 @@ void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
 }
 
 void PoseOutput::begin_sample(const Pose& pose) {
-  put(text_, "{}   {{\"time\": {},\n    \"nodes\": [", first_sample_ ? "\n" : ",\n", pose.time_s);
+  put(text_, "{}   {{\"time\": {},\n    ", first_sample_ ? "\n" : ",\n", pose.time_s);
+  if (!pose.bits.empty()) put(text_, "\"bits\": {},\n    ", nlohmann::json(pose.bits).dump());
+  put(text_, "\"nodes\": [");
   first_sample_ = false;
   add_nodes(pose);
   put(text_, "],\n    \"skinned\": [");

@@ -5,6 +5,10 @@
 #include <limits>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "runtime/plan/frame_hash.h"
+
 namespace sinew::tool {
 namespace {
 
@@ -65,7 +69,7 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
     : plan(compile_plan(scene, Needs{.max_layers = 1, .skinning = skinning, .instance_skinning = {}})), frame(plan) {}
 
-PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene) {
+PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene), with_bits_(content.bits) {
   if (content.linear || !content.dual_quaternion) linear_ = std::make_unique<Method>(scene, Skinning::linear);
   if (content.dual_quaternion) dual_quaternion_ = std::make_unique<Method>(scene, Skinning::dual_quaternion);
   std::vector<std::size_t> first_choice;
@@ -100,10 +104,19 @@ Result<Pose> PoseSampler::sample(std::uint32_t clip, double time_s) {
   return out;
 }
 
+std::map<std::string, std::string> PoseSampler::bits() const {
+  const auto text = [](std::uint64_t hash) { return fmt::format("{:016x}", hash); };
+  std::map<std::string, std::string> out{{"pose", text(hash_pose(any_frame()))}};
+  if (linear_) out["linear"] = text(hash_vertices(linear_->frame.result()));
+  if (dual_quaternion_) out["dualQuaternion"] = text(hash_vertices(dual_quaternion_->frame.result()));
+  return out;
+}
+
 Pose PoseSampler::pose() const {
   const FrameResult& frame = any_frame();
   Pose pose;
   pose.time_s = time_s_;
+  if (with_bits_) pose.bits = bits();
   pose.nodes.resize(frame.model.size());
   for (std::uint32_t n = 0; n < pose.nodes.size(); ++n) {
     pose.nodes[n].node = n;

@@ -16,6 +16,7 @@ struct PoseContent {
   bool linear = true;           ///< positions, normals and tangents of skinned primitives
   bool dual_quaternion = true;  ///< dqs and dqsNormals of skinned primitives
   std::size_t vertices_per_primitive = 64;
+  bool bits = true;             ///< Pose::bits
 };
 
 /// Poses of a scene as a program that links sinew gets them: every sample is one run of a compiled plan per kind of
@@ -53,11 +54,13 @@ class PoseSampler {
   void add_linear(const Drawn& drawn, PrimitivePose& out) const;
   void add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const;
   const FrameResult& any_frame() const;
+  std::map<std::string, std::string> bits() const;
 
   const Scene& scene_;
   std::unique_ptr<Method> linear_;
   std::unique_ptr<Method> dual_quaternion_;
   double time_s_ = 0.0;
+  bool with_bits_ = true;
   std::vector<VertexChoice> choices_;  // of each primitive of each mesh
   std::vector<Drawn> drawn_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -21,9 +22,17 @@ namespace {
 struct VerifyOptions {
   std::string file, golden;
   std::optional<double> tolerance_m;
+  bool exact = false;
 };
 
 constexpr std::size_t kWorstShown = 10;
+
+bool holds_bits(const PoseFile& golden, const std::string& name) {
+  for (const ClipPoses& clip : golden.clips)
+    for (const Pose& pose : clip.samples)
+      if (pose.bits.contains(name)) return true;
+  return false;
+}
 
 bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
   for (const ClipPoses& clip : golden.clips)
@@ -35,8 +44,9 @@ bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
 }
 
 /// Samples the scene at the golden times and compares.
-Result<void> compare_all(const Scene& scene, const PoseFile& golden, PoseComparison& comparison) {
-  const PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), kAllVertices};
+Result<void> compare_all(const Scene& scene, const PoseFile& golden, bool exact, PoseComparison& comparison) {
+  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), kAllVertices, exact};
+  if (exact) content.dual_quaternion |= holds_bits(golden, "dualQuaternion");
   PoseSampler sampler(scene, content);
   ProgressLine progress;
   for (std::size_t i = 0; i < golden.clips.size(); ++i) {
@@ -61,6 +71,8 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
   for (const Deviation& worst : comparison.worst()) {
     if (std::isinf(worst.amount))
       fmt::print("  {}: missing\n", worst.where);
+    else if (std::string_view(worst.unit) == "bits")
+      fmt::print("  {}: not the same bits\n", worst.where);
     else
       fmt::print("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
                  worst.unit, worst.tolerance);
@@ -70,6 +82,10 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
 ExitCode verify_file(const VerifyOptions& options) {
   const auto golden = read_poses(options.golden);
   if (!golden) return say_issue(options.golden, golden.error()), ExitCode::input_at_fault;
+  if (options.exact && !holds_bits(*golden, "pose")) {
+    say_issue(options.golden, {Severity::error, "pose-format", "/clips", "holds no bits: sample the file again"});
+    return ExitCode::input_at_fault;
+  }
   ImportOptions import;
   import.decode_images = false;
   const auto file = load_file(options.file, import);
@@ -77,9 +93,10 @@ ExitCode verify_file(const VerifyOptions& options) {
 
   PoseTolerance tolerance;
   tolerance.distance_m = options.tolerance_m;
+  tolerance.exact = options.exact;
   tolerance.model_size_m = golden->extent ? *golden->extent : model_size_m(file->scene);
   PoseComparison comparison(tolerance, kWorstShown);
-  if (const auto done = compare_all(file->scene, *golden, comparison); !done)
+  if (const auto done = compare_all(file->scene, *golden, options.exact, comparison); !done)
     return say_error(fmt::format("{}: {}", options.file, describe(done.error()))), ExitCode::input_at_fault;
   print_outcome(comparison, options);
   if (comparison.compared() == 0) {
@@ -101,6 +118,9 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "Exit status 0 when every pose still matches; else 1, and the worst differences are named.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz")->required();
+  command->add_flag("--exact", options->exact,
+                    "Every bit of all joints, weights and vertices as well, listed or not. Holds for any thread count\n"
+                    "and between machines with fused multiply-add (AVX2 and later, ARM)");
   command
       ->add_option("--tolerance", options->tolerance_m,
                    "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")

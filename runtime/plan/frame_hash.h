@@ -2,18 +2,27 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) over the bytes of numbers, in memory order: equal bits, equal hash.
+/// Hash of numbers by their bits: the step of 64-bit FNV-1a (Fowler, Noll, Vo) taken over 32-bit words. Each step is one to
+/// one, so that two runs that differ in a single number never agree.
 class BitHash {
  public:
+  /// in   values  of a type made of 32-bit or 64-bit numbers, without padding
   template <class T, std::size_t kCount>
   BitHash& add(std::span<T, kCount> values) noexcept {
-    for (const std::byte b : std::as_bytes(values)) value_ = (value_ ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ull;
+    static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+    const std::span<const std::byte> bytes = std::as_bytes(values);
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint32_t)) {
+      std::uint32_t word;
+      std::memcpy(&word, &bytes[i], sizeof word);
+      value_ = (value_ ^ word) * 0x100000001b3ull;
+    }
     return *this;
   }
   std::uint64_t value() const noexcept { return value_; }

@@ -145,6 +145,53 @@ TEST(command_line, verify_holds_for_what_sample_wrote_and_falls_when_the_file_ch
   EXPECT_EQ(run_tool({"verify", model.path(), model.beside("golden.json"), "--tolerance", "10"}).status, 0);
 }
 
+TEST(command_line, verify_exact_compares_the_bits_of_everything_and_tells_which_kind_differs) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "1", "-o", golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", model.path(), golden, "--exact"}).status, 0);
+  json poses = json::parse(std::ifstream(golden));
+  json& bits = poses["clips"][1]["samples"][0]["bits"];
+  for (const char* kind : {"pose", "linear", "dualQuaternion"}) {
+    ASSERT_EQ(bits[kind].get<std::string>().size(), 16u) << kind;
+    const std::string kept = bits[kind];
+    bits[kind] = "0123456789abcdef";
+    std::ofstream(golden) << poses;
+    EXPECT_EQ(run_tool({"verify", model.path(), golden}).status, 0) << "within the tolerance nothing moved";
+    const CommandOutcome outcome = run_tool({"verify", model.path(), golden, "--exact"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out, HasSubstr(std::string("clip 0, 0 s, ") + kind + ": not the same bits"));
+    bits[kind] = kept;
+  }
+}
+
+TEST(command_line, verify_exact_sees_vertices_that_the_file_does_not_list) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "1", "--clip", "1", "-o", golden}).status, 0);
+  std::string text = tool_model();
+  const auto at = text.find("\"scale\": [1, 2, 1]");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 18, "\"scale\": [1, 2.0000002, 1]");  // one ulp: within every tolerance
+  std::ofstream(model.path(), std::ios::binary) << text;
+  EXPECT_EQ(run_tool({"verify", model.path(), golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", model.path(), golden, "--exact"}).status, 1);
+}
+
+TEST(command_line, verify_exact_needs_a_golden_file_with_bits) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", golden}).status, 0);
+  json poses = json::parse(std::ifstream(golden));
+  for (json& clip : poses["clips"])
+    for (json& sample : clip["samples"]) sample.erase("bits");
+  std::ofstream(golden) << poses;
+  EXPECT_EQ(run_tool({"verify", model.path(), golden}).status, 0);
+  const CommandOutcome outcome = run_tool({"verify", model.path(), golden, "--exact"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("holds no bits"));
+}
+
 TEST(command_line, verify_refuses_a_golden_file_that_is_none) {
   const ToolModelFile model;
   const std::string empty = model.beside("empty.json");

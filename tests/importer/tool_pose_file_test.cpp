@@ -28,6 +28,7 @@ Pose pose_with_odd_numbers() {
   primitive.of(VertexKind::dqs) = {NAN, NAN, NAN, 4, 5, 6};
   primitive.of(VertexKind::tangents) = {1, 0, 0, -1, 0, 1, 0, 1};
   pose.primitives = {primitive};
+  pose.bits = {{"linear", "00000000000000ff"}, {"pose", "fedcba9876543210"}};
   return pose;
 }
 
@@ -67,6 +68,7 @@ TEST_P(pose_file, what_was_written_is_read_back_bit_for_bit) {
   EXPECT_EQ(back.nodes[0].node, 7u);
   EXPECT_EQ(back.nodes[0].world, pose.nodes[0].world);
   EXPECT_EQ(back.weights[0].weights, pose.weights[0].weights);
+  EXPECT_EQ(back.bits, pose.bits);
   EXPECT_EQ(back.primitives[0].vertices, pose.primitives[0].vertices);
   EXPECT_EQ(back.primitives[0].primitive, 2u);
   EXPECT_EQ(back.primitives[0].of(VertexKind::positions), pose.primitives[0].of(VertexKind::positions));
