@@ -21,7 +21,7 @@ std::size_t Clip::byte_size() const noexcept {
   for (const TimeGroup& group : layout_->groups) {
     bytes += group.times.byte_size();
     for (const TrackBlock& block : group.blocks)
-      bytes += block.rows.size() * sizeof(float) + block.targets.size() * sizeof(std::uint32_t);
+      bytes += block.rows.size() * sizeof(float) + block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
   }
   return bytes;
 }

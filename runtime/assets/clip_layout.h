@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/assets/clip.h"
+#include "runtime/assets/joint_places.h"
 #include "runtime/assets/key_times.h"
 
 /// What a compiled clip is made of. Written by compile_clip, read by sample_clip, of no interest to anybody else.
@@ -56,7 +57,7 @@ struct TrackBlock {
   std::uint32_t plane_count = 0;       ///< planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight; increasing
-  bool targets_adjoin = false;         ///< targets[i] = targets[0] + i: whole vectors may be stored
+  JointPlaces places;                  ///< of the targets, unless they are morph weights: those are neighbours
   std::vector<float> rows;             ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {

@@ -168,7 +168,7 @@ void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<Trac
       block.targets.push_back(chosen[i].target);
       fill_lane(block, *chosen[i].track, i);
     }
-    block.targets_adjoin = block.targets.back() - block.targets.front() + 1 == block.lane_count;
+    block.places = JointPlaces(block.targets);
     group.blocks.push_back(std::move(block));
   }
 }
@@ -179,7 +179,6 @@ void add_weight_block(TimeGroup& group, const Lane<WeightTrack>& lane) {
   TrackBlock block = empty_block(Property::weight, lane.track->interpolation, n, group.times.key_count());
   std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.begin());
   for (std::uint32_t i = 0; i < n; ++i) block.targets.push_back(lane.target + i);
-  block.targets_adjoin = true;
   group.blocks.push_back(std::move(block));
 }
 

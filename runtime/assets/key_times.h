@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,7 @@ class KeyTimes {
     buckets_per_s_ = span > 0.0 ? static_cast<double>(buckets) / span : 0.0;
     first_key_.assign(buckets + 1, 0);
     for (const float t : times_s_) ++first_key_[bucket_of(static_cast<double>(t)) + 1];
+    for (const std::uint32_t keys : first_key_) search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));
     for (std::size_t b = 1; b <= buckets; ++b) first_key_[b] += first_key_[b - 1];
   }
 
@@ -28,11 +31,13 @@ class KeyTimes {
     // bucket_of never decreases with time, whatever it rounds: all keys of earlier buckets are earlier than time_s and
     // all keys of later buckets are later, so the answer lies in this bucket or is the last key before it.
     const std::size_t b = bucket_of(time_s);
-    std::size_t low = first_key_[b], high = first_key_[b + 1];
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      if (static_cast<double>(times_s_[middle]) <= time_s) low = middle + 1;
-      else high = middle;
+    // A fixed number of steps without a branch on the keys: uneven keys do not cost mispredictions.
+    std::size_t low = first_key_[b], left = first_key_[b + 1] - low;
+    for (std::size_t step = 0; step < search_steps_; ++step) {
+      const std::size_t half = (left + 1) / 2;
+      const bool later = left > 0 && static_cast<double>(times_s_[low + half - 1]) <= time_s;
+      low += later ? half : 0;
+      left = later ? left - half : half - (left > 0);
     }
     return position_after(times_s_, low - 1, time_s);
   }
@@ -50,6 +55,7 @@ class KeyTimes {
   std::vector<float> times_s_;
   std::vector<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
   double buckets_per_s_ = 0.0;
+  std::size_t search_steps_ = 0;          ///< of a binary search in the fullest bucket
 };
 
 }  // namespace sinew

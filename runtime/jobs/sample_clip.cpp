@@ -13,6 +13,7 @@
 namespace sinew {
 namespace {
 
+HWY_EXPORT(copy_key);
 HWY_EXPORT(lerp_block);
 HWY_EXPORT(hermite_block);
 HWY_EXPORT(slerp_block);
@@ -24,15 +25,6 @@ static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(
 TrackOutput output_of(const TrackBlock& block, const SampleClipJob& job) noexcept {
   if (block.property == Property::weight) return {job.weights.data(), 0};
   return {job.pose.planes + first_plane(block.property) * job.pose.stride, job.pose.stride};
-}
-
-/// The stored values of a key, bit for bit (G06).
-void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) noexcept {
-  for (std::size_t c = 0; c < component_count(block.property); ++c) {
-    const float* values = block.plane(key, block.value_plane + c);
-    float* plane = out.plane(c);
-    for (std::size_t i = 0; i < block.lane_count; ++i) plane[block.targets[i]] = values[i];
-  }
 }
 
 /// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
@@ -55,7 +47,7 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
 void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept {
   const bool rotation = block.property == Property::rotation;
   switch (block.interpolation) {
-    case Interpolation::step: copy_key(block, at.key, out); break;
+    case Interpolation::step: HWY_DYNAMIC_DISPATCH(copy_key)(block, at.key, out); break;
     case Interpolation::linear:
       if (rotation) HWY_DYNAMIC_DISPATCH(slerp_block)(block, at, out);
       else HWY_DYNAMIC_DISPATCH(lerp_block)(block, at, out);
@@ -89,7 +81,7 @@ void run(const SampleClipJob& job) noexcept {
     for (const TrackBlock& block : group.blocks) {
       if (block.property == Property::weight && job.weights.empty()) continue;
       const TrackOutput out = output_of(block, job);
-      if (position.on_key) copy_key(block, position.key, out);
+      if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, position.key, out);
       else sample_block(block, at, out);
     }
   }

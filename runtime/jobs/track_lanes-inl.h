@@ -24,44 +24,94 @@ HWY_INLINE Lanes load(const TrackBlock& block, std::size_t key, std::size_t plan
   return hn::LoadU(Floats(), block.plane(key, plane) + lane);
 }
 
-/// Writes one component of the lanes from `lane` on.
-HWY_INLINE void store(Lanes values, const TrackBlock& block, const TrackOutput& out, std::size_t component, std::size_t lane) {
-  const Floats d;
-  float* plane = out.plane(component);
-  const std::size_t left = block.lane_count - lane;
-  if (block.targets_adjoin && left >= hn::Lanes(d)) {
-    hn::StoreU(values, d, plane + block.targets[lane]);
+/// Lanes from `lane` on, and where they go: morph weights to their neighbours, joints to the vector of joints from `joint` on.
+class Place {
+ public:
+  HWY_INLINE Place(const TrackBlock& block, const TrackOutput& out, std::size_t lane) : out_(out), lane_(lane), weights_(block.lane_count - lane) {
+    target_ = block.targets[lane];
+  }
+  HWY_INLINE Place(const TrackBlock& block, const TrackOutput& out, std::size_t lane, std::size_t joint)
+      : out_(out), lane_(lane), target_(block.places.first_joint + joint), lane_of_(&block.places.lane_of[joint]) {}
+
+  std::size_t lane() const { return lane_; }
+
+  HWY_INLINE void store(std::size_t component, Lanes values) const {
+    const Floats d;
+    float* to = out_.plane(component) + target_;
+    if (lane_of_ == nullptr) {
+      if (weights_ >= hn::Lanes(d)) return hn::StoreU(values, d, to);
+      HWY_ALIGN float buffer[kLanePadding];
+      hn::Store(values, d, buffer);
+      for (std::size_t i = 0; i < weights_; ++i) to[i] = buffer[i];
+      return;
+    }
+    const hn::RebindToSigned<Floats> di;
+    const auto lanes = hn::LoadU(di, lane_of_);
+    const auto here = hn::Max(hn::Sub(lanes, hn::Set(di, static_cast<std::int32_t>(lane_))), hn::Zero(di));
+    const auto placed = hn::TableLookupLanes(values, hn::IndicesFromVec(d, here));
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(d, hn::Gt(lanes, hn::Set(di, -1))), placed, hn::LoadU(d, to)), d, to);
+  }
+
+ private:
+  const TrackOutput& out_;
+  std::size_t lane_, target_ = 0, weights_ = 0;
+  const std::int32_t* lane_of_ = nullptr;
+};
+
+/// Calls `body(place)` until all lanes have been placed.
+template <class Body>
+HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
+  const std::size_t lanes = hn::Lanes(Floats());
+  if (block.property == Property::weight) {
+    for (std::size_t lane = 0; lane < block.lane_count; lane += lanes) body(Place(block, out, lane));
     return;
   }
-  HWY_ALIGN float buffer[kLanePadding];
-  hn::Store(values, d, buffer);
-  for (std::size_t i = 0; i < HWY_MIN(left, hn::Lanes(d)); ++i) plane[block.targets[lane + i]] = buffer[i];
+  const JointPlaces& places = block.places;
+  for (std::size_t joint = 0; joint < places.lane_of.size(); joint += lanes) {
+    std::size_t lane = places.lanes_before[joint / JointPlaces::kPart];
+    if (lanes < JointPlaces::kPart) {
+      if (places.lane_of[joint] < 0) continue;
+      lane = static_cast<std::size_t>(places.lane_of[joint]);
+    } else if (lane == places.lanes_before[(joint + lanes) / JointPlaces::kPart]) {
+      continue;
+    }
+    body(Place(block, out, lane, joint));
+  }
+}
+
+/// The stored values of a key, bit for bit (G06).
+void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) {
+  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+    for (std::size_t c = 0; c < component_count(block.property); ++c) place.store(c, load(block, key, block.value_plane + c, place.lane()));
+  });
 }
 
 /// eq   (1 - s) v0 + s v1
 void lerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r);
-  for (std::size_t c = 0; c < component_count(block.property); ++c)
-    for (std::size_t lane = 0; lane < block.lane_count; lane += hn::Lanes(d))
-      store(hn::Add(hn::Mul(load(block, at.key, c, lane), r), hn::Mul(load(block, at.key + 1, c, lane), s)), block, out, c, lane);
+  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+    for (std::size_t c = 0; c < component_count(block.property); ++c)
+      place.store(c, hn::Add(hn::Mul(load(block, at.key, c, place.lane()), r), hn::Mul(load(block, at.key + 1, c, place.lane()), s)));
+  });
 }
 
 /// eq   (value0 v0 + out0 b0) + (value1 v1 + in1 a1), the weights being those of the Hermite form
-HWY_INLINE Lanes hermite(const TrackBlock& block, const BetweenKeys& at, std::size_t component, std::size_t lane) {
+HWY_INLINE Lanes hermite(const TrackBlock& block, std::size_t key, const HermiteWeights& weights, std::size_t component, std::size_t lane) {
   const Floats d;
   const std::size_t n = block.value_plane;
-  const Lanes v0 = hn::Mul(load(block, at.key, n + component, lane), hn::Set(d, at.value0));
-  const Lanes b0 = hn::Mul(load(block, at.key, 2 * n + component, lane), hn::Set(d, at.out0));
-  const Lanes v1 = hn::Mul(load(block, at.key + 1, n + component, lane), hn::Set(d, at.value1));
-  const Lanes a1 = hn::Mul(load(block, at.key + 1, component, lane), hn::Set(d, at.in1));
+  const Lanes v0 = hn::Mul(load(block, key, n + component, lane), hn::Set(d, weights.value0));
+  const Lanes b0 = hn::Mul(load(block, key, 2 * n + component, lane), hn::Set(d, weights.out0));
+  const Lanes v1 = hn::Mul(load(block, key + 1, n + component, lane), hn::Set(d, weights.value1));
+  const Lanes a1 = hn::Mul(load(block, key + 1, component, lane), hn::Set(d, weights.in1));
   return hn::Add(hn::Add(v0, b0), hn::Add(v1, a1));
 }
 
 void hermite_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
-  for (std::size_t c = 0; c < component_count(block.property); ++c)
-    for (std::size_t lane = 0; lane < block.lane_count; lane += hn::Lanes(Floats()))
-      store(hermite(block, at, c, lane), block, out, c, lane);
+  const HermiteWeights weights(at);
+  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+    for (std::size_t c = 0; c < component_count(block.property); ++c) place.store(c, hermite(block, at.key, weights, c, place.lane()));
+  });
 }
 
 /// eq   sin x for 0 <= |x| <= pi / 2: odd polynomial of degree 9, least largest relative error 5.4e-9 (Remez)
@@ -80,6 +130,12 @@ HWY_INLINE Lanes dot4(Lanes x, Lanes y, Lanes z, Lanes w) {
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Add(hn::Mul(z, z), hn::Mul(w, w)));
 }
 
+/// Components whose square is no normal number are 0: they turn a rotation by less than 1e-18, and real clips have them. Some
+/// processors take a hundred times as long for such a product (N26).
+HWY_INLINE Lanes flushed(Lanes v) {
+  return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), 1e-18f)), v);
+}
+
 HWY_INLINE Lanes mix(const TrackBlock& block, std::size_t key, std::size_t component, std::size_t lane, Lanes w0, Lanes w1) {
   return hn::Add(hn::Mul(load(block, key, component, lane), w0), hn::Mul(load(block, key + 1, component, lane), w1));
 }
@@ -88,36 +144,39 @@ HWY_INLINE Lanes mix(const TrackBlock& block, std::size_t key, std::size_t compo
 void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r), one = hn::Set(d, 1.0f);
-  for (std::size_t lane = 0; lane < block.lane_count; lane += hn::Lanes(d)) {
+  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+    const std::size_t lane = place.lane();
     const Lanes arc = load(block, at.key, 4, lane);
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
-    const Lanes x = mix(block, at.key, 0, lane, w0, w1), y = mix(block, at.key, 1, lane, w0, w1);
-    const Lanes z = mix(block, at.key, 2, lane, w0, w1), w = mix(block, at.key, 3, lane, w0, w1);
+    const Lanes x = flushed(mix(block, at.key, 0, lane, w0, w1)), y = flushed(mix(block, at.key, 1, lane, w0, w1));
+    const Lanes z = flushed(mix(block, at.key, 2, lane, w0, w1)), w = flushed(mix(block, at.key, 3, lane, w0, w1));
     const Lanes scale = hn::Div(one, hn::Sqrt(dot4(x, y, z, w)));
-    store(hn::Mul(x, scale), block, out, 0, lane);
-    store(hn::Mul(y, scale), block, out, 1, lane);
-    store(hn::Mul(z, scale), block, out, 2, lane);
-    store(hn::Mul(w, scale), block, out, 3, lane);
-  }
+    place.store(0, hn::Mul(x, scale));
+    place.store(1, hn::Mul(y, scale));
+    place.store(2, hn::Mul(z, scale));
+    place.store(3, hn::Mul(w, scale));
+  });
 }
 
 /// eq   Hermite form of four components, then normalised without sign flip (G04, G05); a sum without direction falls back to
 ///      the nearer key. The sum is first divided by its largest component, so that any finite length works.
 void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
+  const HermiteWeights weights(at);
   const std::size_t nearer = at.s < 0.5f ? at.key : at.key + 1;
-  for (std::size_t lane = 0; lane < block.lane_count; lane += hn::Lanes(d)) {
-    Lanes x = hermite(block, at, 0, lane), y = hermite(block, at, 1, lane);
-    Lanes z = hermite(block, at, 2, lane), w = hermite(block, at, 3, lane);
+  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+    const std::size_t lane = place.lane();
+    Lanes x = hermite(block, at.key, weights, 0, lane), y = hermite(block, at.key, weights, 1, lane);
+    Lanes z = hermite(block, at.key, weights, 2, lane), w = hermite(block, at.key, weights, 3, lane);
     const Lanes largest = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), hn::Abs(w)));
     x = hn::Div(x, largest), y = hn::Div(y, largest), z = hn::Div(z, largest), w = hn::Div(w, largest);
     const Lanes sum = dot4(x, y, z, w), length = hn::Sqrt(sum);
     const auto has_direction = hn::And(hn::Ge(sum, hn::Set(d, 1.0f)), hn::Le(sum, hn::Set(d, 4.0f)));
-    store(hn::IfThenElse(has_direction, hn::Div(x, length), load(block, nearer, 4, lane)), block, out, 0, lane);
-    store(hn::IfThenElse(has_direction, hn::Div(y, length), load(block, nearer, 5, lane)), block, out, 1, lane);
-    store(hn::IfThenElse(has_direction, hn::Div(z, length), load(block, nearer, 6, lane)), block, out, 2, lane);
-    store(hn::IfThenElse(has_direction, hn::Div(w, length), load(block, nearer, 7, lane)), block, out, 3, lane);
-  }
+    place.store(0, hn::IfThenElse(has_direction, hn::Div(x, length), load(block, nearer, 4, lane)));
+    place.store(1, hn::IfThenElse(has_direction, hn::Div(y, length), load(block, nearer, 5, lane)));
+    place.store(2, hn::IfThenElse(has_direction, hn::Div(z, length), load(block, nearer, 6, lane)));
+    place.store(3, hn::IfThenElse(has_direction, hn::Div(w, length), load(block, nearer, 7, lane)));
+  });
 }
 
 }  // namespace sinew::HWY_NAMESPACE

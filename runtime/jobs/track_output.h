@@ -14,14 +14,21 @@ struct TrackOutput {
   float* plane(std::size_t component) const noexcept { return first_plane + component * plane_stride; }
 };
 
-/// Everything that all tracks of a group share between two keys: fractions and Hermite weights, from double (N24).
+/// What all tracks of a group share between two keys.
 struct BetweenKeys {
   std::size_t key;
+  double fraction, interval_s;
   float s, r;                       ///< fraction of the interval, and 1 - s
-  float value0, out0, value1, in1;  ///< weights of the Hermite form, those of tangents times the interval
 
   explicit BetweenKeys(const KeyPosition& at) noexcept
-      : key(at.key), s(static_cast<float>(at.fraction)), r(static_cast<float>(1.0 - at.fraction)) {
+      : key(at.key), fraction(at.fraction), interval_s(at.interval_s), s(static_cast<float>(at.fraction)), r(static_cast<float>(1.0 - at.fraction)) {}
+};
+
+/// Weights of the Hermite form, those of tangents times the interval, from double (N24).
+struct HermiteWeights {
+  float value0, out0, value1, in1;
+
+  explicit HermiteWeights(const BetweenKeys& at) noexcept {
     const double t = at.fraction, u = 1.0 - t;
     value0 = static_cast<float>((1.0 + 2.0 * t) * (u * u));
     out0 = static_cast<float>(at.interval_s * (t * (u * u)));
