@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "runtime/jobs/blend_poses.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -125,7 +127,52 @@ HWY_INLINE void blend_lanes(const BlendPosesJob& job, std::size_t j) {
   store(choose(alone, heaviest, blended), job.pose, j);
 }
 
+/// What the lanes of blend_lanes work out joint by joint, for layers without masks: the same for all joints.
+struct SameForAllJoints {
+  const BlendLayer* heaviest = nullptr;  ///< nullptr = rest
+  float total = 0.0f, rest_weight = 1.0f;
+  std::size_t contributors = 0;
+
+  explicit SameForAllJoints(std::span<const BlendLayer> layers) {
+    float largest = 0.0f, sum = 0.0f;
+    for (const BlendLayer& layer : layers) {
+      if (layer.weight < kSmallestWeight) continue;
+      if (layer.weight > largest) largest = layer.weight, heaviest = &layer;
+      sum += layer.weight;
+      ++contributors;
+    }
+    rest_weight = std::max(1.0f - sum, 0.0f);
+    total = sum + rest_weight;
+    if (rest_weight > largest) heaviest = nullptr;
+    if (contributors == 1 && rest_weight < kSmallestWeight) contributors = 0;
+  }
+  /// Nothing is to be blended: the heaviest transform comes out bit for bit.
+  bool alone() const { return contributors == 0; }
+};
+
+/// The same means as blend_lanes, reading each pose once.
+void blend_without_masks(const BlendPosesJob& job) {
+  const Floats d;
+  const SameForAllJoints same(job.layers);
+  const PoseSpan& pivot_pose = same.heaviest == nullptr ? job.rest : same.heaviest->pose;
+  const Lanes total = hn::Set(d, same.total), zero = hn::Zero(d);
+  for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(d)) {
+    const TransformLanes pivot = load(pivot_pose, j);
+    if (same.alone()) {
+      store(pivot, job.pose, j);
+      continue;
+    }
+    TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+    for (const BlendLayer& layer : job.layers)
+      if (layer.weight >= kSmallestWeight) add(sum, load(layer.pose, j), hn::Set(d, layer.weight), pivot);
+    if (same.rest_weight > 0.0f) add(sum, load(job.rest, j), hn::Set(d, same.rest_weight), pivot);
+    store(mean(sum, total), job.pose, j);
+  }
+}
+
 void blend_all(const BlendPosesJob& job) {
+  if (std::none_of(job.layers.begin(), job.layers.end(), [](const BlendLayer& layer) { return !layer.joint_weights.empty(); }))
+    return blend_without_masks(job);
   for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) blend_lanes(job, j);
 }
 

@@ -15,10 +15,32 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
-/// Local matrices of one vector of joints: row r of joint i starts at rows[r][4 * i].
+/// Local matrices of one vector of joints, in the order in which transposing within blocks leaves them.
 struct Tile {
   HWY_ALIGN float rows[3][16 * 4];
+
+  static std::size_t place(std::size_t joint) {
+    const std::size_t lanes = hn::Lanes(Floats());
+    return lanes < 4 ? 4 * joint : joint % 4 * lanes + joint / 4 * 4;
+  }
+  const float* row(std::size_t r, std::size_t joint) const { return rows[r] + place(joint); }
 };
+
+/// One row of every joint, from its components.
+HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
+  const Floats d;
+#if HWY_TARGET == HWY_SCALAR
+  hn::StoreInterleaved4(x, y, z, w, d, row);
+#else
+  const std::size_t lanes = hn::Lanes(d);
+  const Lanes xz_low = hn::InterleaveLower(d, x, z), xz_high = hn::InterleaveUpper(d, x, z);
+  const Lanes yw_low = hn::InterleaveLower(d, y, w), yw_high = hn::InterleaveUpper(d, y, w);
+  hn::Store(hn::InterleaveLower(d, xz_low, yw_low), d, row);
+  hn::Store(hn::InterleaveUpper(d, xz_low, yw_low), d, row + lanes);
+  hn::Store(hn::InterleaveLower(d, xz_high, yw_high), d, row + 2 * lanes);
+  hn::Store(hn::InterleaveUpper(d, xz_high, yw_high), d, row + 3 * lanes);
+#endif
+}
 
 /// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28)
 HWY_INLINE void local_matrices(const PoseSpan& pose, std::size_t j, Tile& tile) {
@@ -32,12 +54,12 @@ HWY_INLINE void local_matrices(const PoseSpan& pose, std::size_t j, Tile& tile) 
   const Lanes xx = hn::Mul(x, x), yy = hn::Mul(y, y), zz = hn::Mul(z, z);
   const Lanes xy = hn::Mul(x, y), xz = hn::Mul(x, z), yz = hn::Mul(y, z);
   const Lanes wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
-  hn::StoreInterleaved4(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
-                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), d, tile.rows[0]);
-  hn::StoreInterleaved4(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
-                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), d, tile.rows[1]);
-  hn::StoreInterleaved4(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
-                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), d, tile.rows[2]);
+  store_row(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
+                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), tile.rows[0]);
+  store_row(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
+                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), tile.rows[1]);
+  store_row(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
+                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), tile.rows[2]);
 }
 
 /// Puts the matrices that the file gives verbatim in place of T * R * S (G50).
@@ -46,20 +68,50 @@ void use_fixed_matrices(const Skeleton& skeleton, std::size_t first, std::size_t
     const std::uint32_t fixed = skeleton.fixed_matrix_of[first + i];
     if (fixed == kNone) continue;
     for (std::size_t r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) tile.rows[r][4 * i + static_cast<std::size_t>(c)] = skeleton.fixed_matrices[fixed].row[r][c];
+      for (int c = 0; c < 4; ++c) tile.rows[r][Tile::place(i) + static_cast<std::size_t>(c)] = skeleton.fixed_matrices[fixed].row[r][c];
   }
 }
+
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
+
+/// A model matrix in one vector: row r is block r, the fourth block is of no interest. Matrices are written in order, so that a
+/// whole vector may run over the one that comes next.
+using Rows = Lanes;
+
+HWY_INLINE Rows load_rows(const Affine& m) {
+  const Floats d;
+  return hn::MaskedLoad(hn::FirstN(d, 12), d, &m.row[0].x);
+}
+
+HWY_INLINE void store_rows(Rows rows, bool is_last, Affine& m) {
+  const Floats d;
+  if (is_last) hn::BlendedStore(rows, hn::FirstN(d, 12), d, &m.row[0].x);
+  else hn::StoreU(rows, d, &m.row[0].x);
+}
+
+/// eq   model = parent * local, each row summed in the order x, y, z, translation as affine.h does (N28)
+HWY_INLINE Rows multiply(Rows parent, const Tile& tile, std::size_t i) {
+  const Floats d;
+  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const Lanes x = hn::Mul(hn::Broadcast<0>(parent), hn::LoadDup128(d, tile.row(0, i)));
+  const Lanes y = hn::Mul(hn::Broadcast<1>(parent), hn::LoadDup128(d, tile.row(1, i)));
+  const Lanes z = hn::Mul(hn::Broadcast<2>(parent), hn::LoadDup128(d, tile.row(2, i)));
+  const Lanes linear = hn::Add(hn::Add(x, y), z);
+  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, parent), linear);
+}
+
+#else
 
 /// eq   model = parent * local, each row summed in the order x, y, z, translation as affine.h does (N28)
 HWY_INLINE void multiply(const Affine& parent, const Tile& tile, std::size_t i, Affine& model) {
 #if HWY_TARGET == HWY_SCALAR
   Affine local;
   for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) local.row[r][c] = tile.rows[r][4 * i + static_cast<std::size_t>(c)];
+    for (int c = 0; c < 4; ++c) local.row[r][c] = tile.row(r, i)[c];
   model = parent * local;
 #else
   const hn::FixedTag<float, 4> d;
-  const auto b0 = hn::Load(d, tile.rows[0] + 4 * i), b1 = hn::Load(d, tile.rows[1] + 4 * i), b2 = hn::Load(d, tile.rows[2] + 4 * i);
+  const auto b0 = hn::Load(d, tile.row(0, i)), b1 = hn::Load(d, tile.row(1, i)), b2 = hn::Load(d, tile.row(2, i));
   for (int r = 0; r < 3; ++r) {
     const float* a = &parent.row[r].x;
     const auto linear = hn::Add(hn::Add(hn::Mul(hn::Set(d, a[0]), b0), hn::Mul(hn::Set(d, a[1]), b1)), hn::Mul(hn::Set(d, a[2]), b2));
@@ -69,19 +121,48 @@ HWY_INLINE void multiply(const Affine& parent, const Tile& tile, std::size_t i, 
 #endif
 }
 
+#endif
+
+/// The last model matrices, each on a cache line of its own: a parent that was stored a moment ago is read back from one store.
+struct Recent {
+  static constexpr std::size_t kCount = 64;
+  HWY_ALIGN float rows[kCount][16];
+};
+
+/// Model matrices of a tile of joints; parents come before them.
+HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std::size_t first, std::size_t count, [[maybe_unused]] Recent& recent) {
+  const std::uint32_t* parents = job.skeleton->parents.data();
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
+  const Floats d;
+  Rows rows = hn::Load(d, recent.rows[(first + Recent::kCount - 1) % Recent::kCount]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t joint = first + i, parent = parents[joint];
+    if (parent == kNone) rows = load_rows(job.root);
+    else if (joint - parent > Recent::kCount) rows = load_rows(job.model[parent]);
+    else if (joint - parent > 1) rows = hn::Load(d, recent.rows[parent % Recent::kCount]);
+    rows = multiply(rows, tile, i);
+    hn::Store(rows, d, recent.rows[joint % Recent::kCount]);
+    store_rows(rows, joint + 1 == job.model.size(), job.model[joint]);
+  }
+#else
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t parent = parents[first + i];
+    multiply(parent == kNone ? job.root : job.model[parent], tile, i, job.model[first + i]);
+  }
+#endif
+}
+
 void model_matrices(const LocalToModelJob& job) {
   const Skeleton& skeleton = *job.skeleton;
   const std::size_t joints = skeleton.joint_count(), lanes = hn::Lanes(Floats());
   const bool any_fixed = !skeleton.fixed_matrices.empty();
   Tile tile;
+  Recent recent;
   for (std::size_t first = 0; first < joints; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, joints - first);
     local_matrices(job.local, first, tile);
     if (any_fixed) use_fixed_matrices(skeleton, first, count, tile);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t parent = skeleton.parents[first + i];
-      multiply(parent == kNone ? job.root : job.model[parent], tile, i, job.model[first + i]);
-    }
+    multiply_tile(job, tile, first, count, recent);
   }
 }
 
