@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 
+#include "runtime/jobs/sparse_range.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 
 namespace sinew {
 namespace {
@@ -145,6 +148,60 @@ TEST(morph_vertices, hundreds_of_small_displacements_on_a_far_base_keep_their_di
   run(face.job());
   // adding them to the base one by one would lose each of them: half an ulp of 1000 is 3e-5
   EXPECT_NEAR(face.out_positions[0].x, 1000.004f, 6.2e-5f);
+}
+
+/// Displacements in runs of random length with random gaps between them.
+SparseDeltas<glm::vec3> runs_and_gaps(test::FixedRandom& random, std::uint32_t count) {
+  SparseDeltas<glm::vec3> sparse;
+  for (std::uint32_t v = random.below(40); v < count; v += random.below(40))
+    for (std::uint32_t end = std::min(count, v + 1 + random.below(90)); v < end; ++v) {
+      sparse.vertices.push_back(v);
+      sparse.deltas.push_back(random.vec3(-0.3, 0.3));
+    }
+  return sparse;
+}
+
+TEST(morph_vertices, long_lists_of_runs_and_gaps_have_the_bits_of_the_plain_sum_on_every_instruction_set) {
+  test::FixedRandom random(9);
+  for (const std::uint32_t count : {1u, 15u, 16u, 17u, 1023u, 1024u, 1025u, 3100u}) {
+    Face face(count);
+    std::vector<glm::vec3> expected(count, glm::vec3(0)), turned(count, glm::vec3(0));
+    for (int t = 0; t < 7; ++t) {
+      MorphTarget target{runs_and_gaps(random, count), runs_and_gaps(random, count), runs_and_gaps(random, count), {}, {}};
+      const auto weight = static_cast<float>(random.in(-1, 1));
+      for (std::size_t i = 0; i < target.positions.vertices.size(); ++i) expected[target.positions.vertices[i]] += weight * target.positions.deltas[i];
+      for (std::size_t i = 0; i < target.tangents.vertices.size(); ++i) turned[target.tangents.vertices[i]] += weight * target.tangents.deltas[i];
+      face.morphs.targets.push_back(std::move(target));
+      face.weights.push_back(weight);
+    }
+    for (std::uint32_t v = 0; v < count; ++v) face.positions[v] = random.vec3(), expected[v] = face.positions[v] + expected[v];
+    std::vector<glm::vec3> normals;
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::OnlyTarget only(target);
+      run(face.job());
+      EXPECT_TRUE(face.out_positions == expected) << count;
+      for (std::uint32_t v = 0; v < count; ++v) {
+        const glm::vec3 t = turned[v] == glm::vec3(0) ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(1, 0, 0) + turned[v]);
+        ASSERT_TRUE(test::is_near(glm::vec3(face.out_tangents[v]), t, 3e-7)) << v;
+      }
+      if (normals.empty()) normals = face.out_normals;
+      EXPECT_TRUE(face.out_normals == normals) << count;
+    }
+  }
+}
+
+TEST(sparse_range, finds_the_entries_of_every_range_of_vertices) {
+  test::FixedRandom random(10);
+  for (int round = 0; round < 200; ++round) {
+    const auto sparse = runs_and_gaps(random, 1 + random.below(400));
+    const std::size_t first = random.below(450), count = random.below(450);
+    const SparseRange range = sparse_range(sparse.vertices, first, count);
+    const auto below = [&](std::size_t vertex) {
+      return static_cast<std::size_t>(std::count_if(sparse.vertices.begin(), sparse.vertices.end(), [&](std::uint32_t v) { return v < vertex; }));
+    };
+    EXPECT_EQ(range.begin, below(first));
+    EXPECT_EQ(range.end, below(first + count));
+  }
 }
 
 TEST(morph_vertices, N26_tiny_weights_are_flushed) {
