@@ -7,8 +7,8 @@
 #define SINEW_BLEND_COLUMNS_INL_H_
 #endif
 
-#include "runtime/jobs/tile_lanes-inl.h"
-#include "runtime/jobs/vertex_tiles.h"
+#include "runtime/jobs/joint_numbers.h"
+#include "runtime/jobs/vertex_tiles-inl.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/math/normal_transform.h"
 
@@ -27,13 +27,14 @@ template <int kCount>
 HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const VertexJoints<kCount>& vertex) {
   const TileTag d;
   MatrixParts sum;
-  const float* joint = &palette[vertex.joints[0]].column[0].x;
+  const JointNumbers<kCount> joints(vertex.joints);
+  const float* joint = &joints.entry(palette, 0)->column[0].x;
   for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
   if constexpr (kCount == 1) return sum;
   const Wide first = hn::Set(d, vertex.weights[0]);
   for (Wide& part : sum.part) part = hn::Mul(part, first);
   for (std::size_t i = 1; i < vertex.count(); ++i) {
-    joint = &palette[vertex.joints[i]].column[0].x;
+    joint = &joints.entry(palette, i)->column[0].x;
     const Wide weight = hn::Set(d, vertex.weights[i]);
     for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
   }

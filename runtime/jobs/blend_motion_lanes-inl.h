@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid motions and stretches of four vertices, blended in lanes of vertices.
+// Rigid motions and stretches of a tile of vertices: blended vertex by vertex, eight floats at once, then turned into lanes.
 #if defined(SINEW_BLEND_MOTION_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_MOTION_LANES_INL_H_
 #undef SINEW_BLEND_MOTION_LANES_INL_H_
@@ -7,93 +7,136 @@
 #define SINEW_BLEND_MOTION_LANES_INL_H_
 #endif
 
-#include "runtime/jobs/influence_dispatch.h"
+#include "runtime/jobs/joint_numbers.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/lanes-inl.h"
+#include "runtime/jobs/vertex_tiles-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Four motions, one per lane.
+/// Eight floats of one vertex in as many vectors as they take.
+using EightTag = hn::CappedTag<float, 8>;
+struct Eight {
+  static constexpr std::size_t kLanes = hn::MaxLanes(EightTag()), kCount = 8 / kLanes;
+  hn::Vec<EightTag> part[kCount];
+};
+
+HWY_INLINE Eight load_eight(const float* from) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Load(EightTag(), from + p * Eight::kLanes);
+  return out;
+}
+HWY_INLINE Eight times(const Eight& a, hn::Vec<EightTag> w) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);
+  return out;
+}
+HWY_INLINE Eight times_plus(const float* from, hn::Vec<EightTag> w, const Eight& sum) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::MulAdd(hn::Load(EightTag(), from + p * Eight::kLanes), w, sum.part[p]);
+  return out;
+}
+
+/// Four numbers for each lane.
+struct Lanes8 {
+  Lanes4 low, high;
+};
+
+/// Four by four within every block: lane i of the results comes from argument i.
+HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
+  const TileTag d;
+  const Wide ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
+  const Wide be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
+  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low), hn::InterleaveLower(d, ac_high, be_high),
+          hn::InterleaveUpper(d, ac_high, be_high)};
+}
+
+/// A tile's eights as lanes, the first four floats of each in `low`.
+HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+#if HWY_MAX_BYTES >= 64
+  const TileTag d;
+  const auto pair = [&](std::size_t first) HWY_ATTR { return hn::Combine(d, e[first + 8].part[0], e[first].part[0]); };
+  const Lanes4 a = transpose(pair(0), pair(1), pair(2), pair(3)), b = transpose(pair(4), pair(5), pair(6), pair(7));
+  const auto even = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(of_b), of_a); };
+  const auto odd = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(of_b, hn::SwapAdjacentBlocks(of_a)); };
+  return {{even(a.x, b.x), even(a.y, b.y), even(a.z, b.z), even(a.w, b.w)}, {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
+#elif HWY_MAX_BYTES >= 32
+  const TileTag d;
+  const Lanes4 a = transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]);
+  const Lanes4 b = transpose(e[4].part[0], e[5].part[0], e[6].part[0], e[7].part[0]);
+  const auto low = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatLowerLower(d, of_b, of_a); };
+  const auto high = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatUpperUpper(d, of_b, of_a); };
+  return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)}, {high(a.x, b.x), high(a.y, b.y), high(a.z, b.z), high(a.w, b.w)}};
+#else
+  return {transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]), transpose(e[0].part[1], e[1].part[1], e[2].part[1], e[3].part[1])};
+#endif
+}
+
+/// -weight where the rotations are on opposite sides (N17): the sum (x + y) + (z + w) of the products is less than zero.
+HWY_INLINE hn::Vec<EightTag> signed_weight(hn::Vec<EightTag> pivot, const float* real, float weight) {
+  const EightTag d;
+  const auto products = hn::Mul(pivot, hn::LoadDup128(d, real));
+  const auto pairs = hn::Add(products, hn::Shuffle2301(products));
+  const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)), hn::Zero(d));  // + 0: -0 is not less than zero
+  return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
+}
+
+/// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit
+template <int kCount>
+HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex) {
+  const EightTag d;
+  const JointNumbers<kCount> joints(vertex.joints);
+  const float* first = &joints.entry(split, 0)->rigid.real.x;
+  Eight sum = load_eight(first);
+  if constexpr (kCount == 1) return sum;
+  const auto pivot = hn::LoadDup128(d, first);
+  sum = times(sum, hn::Set(d, vertex.weights[0]));
+  for (std::size_t i = 1; i < vertex.count(); ++i) {
+    const float* next = &joints.entry(split, i)->rigid.real.x;
+    sum = times_plus(next, signed_weight(pivot, next, vertex.weights[i]), sum);
+  }
+  return sum;
+}
+
+/// Motions of a tile, one vertex a lane.
 struct MotionLanes {
   Lanes4 real, dual;
+  hn::Mask<TileTag> sound;  ///< the blend did not cancel
 };
 
-/// Symmetric matrices of four vertices.
+template <int kCount>
+HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile) {
+  const TileTag d;
+  Eight sums[kTileSize];
+  for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = blend_motion_parts(split, tile.at(k));
+  const Lanes8 sum = lanes_of(sums);
+  if constexpr (kCount == 1) return {sum.low, sum.high, hn::Eq(hn::Zero(d), hn::Zero(d))};
+  const Wide squared = dot(sum.low, sum.low);
+  const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
+  return {times(sum.low, scale), times(sum.high, scale), hn::Gt(squared, hn::Set(d, 1e-12f))};
+}
+
+/// Symmetric matrices of a tile.
 struct StretchLanes {
-  V4 xx, yy, zz, xy, xz, yz;
+  Wide xx, yy, zz, xy, xz, yz;
 };
 
-HWY_INLINE V4 dot(const Lanes4& a, const Lanes4& b) {
-  return hn::MulAdd(a.w, b.w, hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))));
-}
-
-HWY_INLINE Lanes4 times(const Lanes4& a, V4 s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)}; }
-
-HWY_INLINE Lanes4 times_plus(const Lanes4& a, V4 s, const Lanes4& sum) {
-  return {hn::MulAdd(a.x, s, sum.x), hn::MulAdd(a.y, s, sum.y), hn::MulAdd(a.z, s, sum.z), hn::MulAdd(a.w, s, sum.w)};
-}
-
-/// Four floats of each of the four joints, as columns: `first` picks where in a RigidStretch they begin.
-template <class First>
-HWY_INLINE Lanes4 gather(const RigidStretch* const (&joint)[4], const First& first) {
-  const D4 d;
-  return transpose(hn::LoadU(d, first(*joint[0])), hn::LoadU(d, first(*joint[1])), hn::LoadU(d, first(*joint[2])), hn::LoadU(d, first(*joint[3])));
-}
-
-HWY_INLINE MotionLanes load_motions(const RigidStretch* const (&joint)[4]) {
-  return {gather(joint, [](const RigidStretch& s) { return &s.rigid.real.x; }), gather(joint, [](const RigidStretch& s) { return &s.rigid.dual.x; })};
-}
-
-/// The i-th influence of each of the four vertices.
+/// eq   S = sum(w S_i)
 template <int kCount>
-struct Influence {
-  const RigidStretch* joint[4];
-  V4 weight;
-
-  HWY_INLINE Influence(const RigidStretch* split, const VertexJoints<kCount> (&vertices)[4], std::size_t i) {
-    float weights[4];
-    for (int k = 0; k < 4; ++k) {
-      joint[k] = split + vertices[k].joints[i];
-      weights[k] = vertices[k].weights[i];
-    }
-    weight = hn::LoadU(D4(), weights);
+HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInfluences<kCount>& tile) {
+  const EightTag d;
+  Eight sums[kTileSize];
+  for (std::size_t k = 0; k < kTileSize; ++k) {
+    const VertexJoints<kCount> vertex = tile.at(k);
+    const JointNumbers<kCount> joints(vertex.joints);
+    sums[k] = times(load_eight(joints.entry(split, 0)->stretch), hn::Set(d, vertex.weights[0]));
+    for (std::size_t i = 1; i < vertex.count(); ++i)
+      sums[k] = times_plus(joints.entry(split, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
   }
-};
-
-/// As blend_motion (blend_motion.h), four vertices at once. Answers false when some blend cancels.
-template <int kCount>
-HWY_INLINE bool blend_motions(const RigidStretch* split, const VertexJoints<kCount> (&vertices)[4], MotionLanes& out) {
-  const D4 d;
-  const Influence<kCount> heaviest(split, vertices, 0);
-  const MotionLanes pivot = load_motions(heaviest.joint);
-  if (vertices[0].count() == 1) return out = pivot, true;
-  MotionLanes sum{times(pivot.real, heaviest.weight), times(pivot.dual, heaviest.weight)};
-  for (std::size_t i = 1; i < vertices[0].count(); ++i) {
-    const Influence<kCount> influence(split, vertices, i);
-    const MotionLanes next = load_motions(influence.joint);
-    const auto opposite = hn::Lt(dot(pivot.real, next.real), hn::Zero(d));
-    const V4 weight = hn::IfThenElse(opposite, hn::Neg(influence.weight), influence.weight);
-    sum = {times_plus(next.real, weight, sum.real), times_plus(next.dual, weight, sum.dual)};
-  }
-  const V4 squared = dot(sum.real, sum.real);
-  if (!hn::AllTrue(d, hn::Gt(squared, hn::Set(d, 1e-12f)))) return false;
-  const V4 scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
-  out = {times(sum.real, scale), times(sum.dual, scale)};
-  return true;
-}
-
-template <int kCount>
-HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const VertexJoints<kCount> (&vertices)[4]) {
-  const V4 zero = hn::Zero(D4());
-  Lanes4 low{zero, zero, zero, zero}, high = low;
-  for (std::size_t i = 0; i < vertices[0].count(); ++i) {
-    const Influence<kCount> influence(split, vertices, i);
-    low = times_plus(gather(influence.joint, [](const RigidStretch& s) { return s.stretch; }), influence.weight, low);
-    high = times_plus(gather(influence.joint, [](const RigidStretch& s) { return s.stretch + 2; }), influence.weight, high);
-  }
-  return {low.x, low.y, low.z, low.w, high.z, high.w};  // high is zz xy xz yz
+  const Lanes8 s = lanes_of(sums);
+  return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};
 }
 
 HWY_INLINE Lanes3 apply(const StretchLanes& s, const Lanes3& v) {
@@ -102,7 +145,7 @@ HWY_INLINE Lanes3 apply(const StretchLanes& s, const Lanes3& v) {
 
 /// The cofactor matrix of a symmetric matrix is symmetric too.
 HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
-  const auto minor = [](V4 a, V4 b, V4 c, V4 e) HWY_ATTR { return hn::NegMulAdd(c, e, hn::Mul(a, b)); };  // a b - c e
+  const auto minor = [](Wide a, Wide b, Wide c, Wide e) HWY_ATTR { return hn::NegMulAdd(c, e, hn::Mul(a, b)); };  // a b - c e
   return {minor(s.yy, s.zz, s.yz, s.yz), minor(s.xx, s.zz, s.xz, s.xz), minor(s.xx, s.yy, s.xy, s.xy),
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
@@ -110,27 +153,23 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
 /// eq   n' = sign(det S) cof(S) n   (conventions.h)
 HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
   const StretchLanes cof = cofactor(s);
-  const V4 determinant = dot(Lanes3{s.xx, s.xy, s.xz}, Lanes3{cof.xx, cof.xy, cof.xz});
-  const V4 off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
-  const V4 squares = hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
+  const Wide determinant = dot(Lanes3{s.xx, s.xy, s.xz}, Lanes3{cof.xx, cof.xy, cof.xz});
+  const Wide off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
+  const Wide squares = hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
   return turned_outward(apply(cof, n), determinant, squares);
 }
 
 /// eq   v' = v + 2 w (r x v) + 2 r x (r x v)   for unit quaternions (r, w)
 HWY_INLINE Lanes3 rotate(const Lanes4& q, const Lanes3& v) {
-  const Lanes3 r{q.x, q.y, q.z};
-  const Lanes3 once = cross(r, v), twice{hn::Add(once.x, once.x), hn::Add(once.y, once.y), hn::Add(once.z, once.z)};
-  const Lanes3 again = cross(r, twice);
-  return {hn::Add(hn::MulAdd(twice.x, q.w, v.x), again.x), hn::Add(hn::MulAdd(twice.y, q.w, v.y), again.y),
-          hn::Add(hn::MulAdd(twice.z, q.w, v.z), again.z)};
+  const Lanes3 r{q.x, q.y, q.z}, once = cross(r, v), twice = plus(once, once);
+  return plus({hn::MulAdd(twice.x, q.w, v.x), hn::MulAdd(twice.y, q.w, v.y), hn::MulAdd(twice.z, q.w, v.z)}, cross(r, twice));
 }
 
 /// eq   t = 2 (r.w d.v - d.w r.v + r.v x d.v)
 HWY_INLINE Lanes3 translation(const MotionLanes& m) {
-  const Lanes3 r{m.real.x, m.real.y, m.real.z}, e{m.dual.x, m.dual.y, m.dual.z};
-  const Lanes3 c = cross(r, e);
-  const auto part = [&](V4 rv, V4 dv, V4 cross_part) HWY_ATTR {
-    const V4 half = hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part);
+  const Lanes3 r{m.real.x, m.real.y, m.real.z}, e{m.dual.x, m.dual.y, m.dual.z}, c = cross(r, e);
+  const auto part = [&](Wide rv, Wide dv, Wide cross_part) HWY_ATTR {
+    const Wide half = hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part);
     return hn::Add(half, half);
   };
   return {part(r.x, e.x, c.x), part(r.y, e.y, c.y), part(r.z, e.z, c.z)};

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "runtime/assets/skin.h"
+#include "runtime/jobs/vertex_checks.h"
 
 namespace sinew {
 
@@ -59,6 +60,15 @@ void with_attributes(bool normals, bool tangents, const Body& body) noexcept {
   else if (normals) body(std::true_type{}, std::false_type{});
   else if (tangents) body(std::false_type{}, std::true_type{});
   else body(std::false_type{}, std::false_type{});
+}
+
+/// Calls `body(group, influence count, normals, tangents)` for each group, the last three being constants of the type.
+template <class Body>
+void for_each_group(const VertexInfluences& influences, AttributesPresent wanted, const Body& body) noexcept {
+  with_attributes(wanted.normals, wanted.tangents, [&](auto normals, auto tangents) {
+    for (const InfluenceGroup& group : influences.groups)
+      with_influence_count(group.influence_count, [&](auto count) { body(group, count, normals, tangents); });
+  });
 }
 
 }  // namespace sinew

@@ -31,7 +31,7 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
 
 void run(const JointPaletteJob& job) noexcept {
   const std::size_t count = job.skin->joints.size();
-  for (std::size_t i = 0; i < count; ++i) 
+  for (std::size_t i = 0; i < count; ++i)
     job.palette[i] = joint_matrix_from(job.model[job.skin->joints[i]] * job.skin->inverse_bind[i]);
 }
 

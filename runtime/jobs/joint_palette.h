@@ -26,9 +26,10 @@ void run(const JointPaletteJob& job) noexcept;
 /// A skinning matrix split for dual-quaternion skinning: first stretch in bind space, then move rigidly (N19).
 /// eq   J = [R S | t]: R the rotation of the polar decomposition, S = stretch symmetric (xx yy zz xy xz yz);
 ///      for a mirrored J (det < 0) S is negative: R * S still is J (numeric case "polar")
-struct RigidStretch {
+struct alignas(64) RigidStretch {
   DualQuat rigid;
   float stretch[6] = {1, 1, 1, 0, 0, 0};
+  float unused[2] = {0, 0};  ///< read with the rest of the cache line
 };
 
 /// Splits every palette matrix.

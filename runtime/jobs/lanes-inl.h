@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Four vertices at a time, one per lane. Included once per SIMD target (Highway's foreach_target), hence the guard's form.
+// Vectors of a tile's vertices as structure of arrays: one vertex a lane, in order.
 #if defined(SINEW_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_INL_H_
 #undef SINEW_LANES_INL_H_
@@ -7,40 +7,28 @@
 #define SINEW_LANES_INL_H_
 #endif
 
-#include <hwy/highway.h>
-
-#include "runtime/math/conventions.h"
+#include "runtime/jobs/tile_lanes-inl.h"
 #include "runtime/math/normal_transform.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using D4 = hn::FixedTag<float, 4>;
-using V4 = hn::Vec<D4>;
-
-/// Four vectors, one per lane.
 struct Lanes3 {
-  V4 x, y, z;
+  Wide x, y, z;
 };
 
-/// Rows to columns: lane i of the results comes from argument i.
 struct Lanes4 {
-  V4 x, y, z, w;
+  Wide x, y, z, w;
 };
-
-HWY_INLINE Lanes4 transpose(V4 a, V4 b, V4 c, V4 e) {
-  const D4 d;
-  const V4 ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
-  const V4 be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
-  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low),
-          hn::InterleaveLower(d, ac_high, be_high), hn::InterleaveUpper(d, ac_high, be_high)};
-}
 
 /// eq   a.x b.x + a.y b.y + a.z b.z, summed in that order
-HWY_INLINE V4 dot(const Lanes3& a, const Lanes3& b) {
+HWY_INLINE Wide dot(const Lanes3& a, const Lanes3& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+
+HWY_INLINE Wide dot(const Lanes4& a, const Lanes4& b) {
+  return hn::MulAdd(a.w, b.w, hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x))));
 }
 
 HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
@@ -48,34 +36,44 @@ HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
           hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 
-HWY_INLINE Lanes3 scaled(const Lanes3& a, V4 s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE Lanes3 plus(const Lanes3& a, const Lanes3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE Lanes3 times(const Lanes3& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)}; }
 
-HWY_INLINE Lanes3 load3(const glm::vec3* four) {
+HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
   Lanes3 out;
-  hn::LoadInterleaved3(D4(), &four->x, out.x, out.y, out.z);
+  hn::LoadInterleaved3(TileTag(), &tile->x, out.x, out.y, out.z);
   return out;
 }
 
-HWY_INLINE void store3(const Lanes3& v, glm::vec3* four) { hn::StoreInterleaved3(v.x, v.y, v.z, D4(), &four->x); }
+HWY_INLINE void store3(const Lanes3& v, glm::vec3* tile) { hn::StoreInterleaved3(v.x, v.y, v.z, TileTag(), &tile->x); }
+
+HWY_INLINE Lanes4 load4(const glm::vec4* tile) {
+  Lanes4 out;
+  hn::LoadInterleaved4(TileTag(), &tile->x, out.x, out.y, out.z, out.w);
+  return out;
+}
+
+HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) { hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &tile->x); }
 
 /// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same choice
 /// as transform_normal_outward.
-HWY_INLINE Lanes3 turned_outward(const Lanes3& n, V4 determinant, V4 squared_norm) {
-  const D4 d;
-  const V4 flat = hn::Mul(hn::Mul(squared_norm, hn::Sqrt(squared_norm)), hn::Set(d, -kFlatDeterminant<float>));
+HWY_INLINE Lanes3 turned_outward(const Lanes3& n, Wide determinant, Wide squared_norm) {
+  const TileTag d;
+  const Wide flat = hn::Mul(hn::Mul(squared_norm, hn::Sqrt(squared_norm)), hn::Set(d, -kFlatDeterminant<float>));
   const auto mirrors = hn::Lt(determinant, flat);
-  const auto turned = [&](V4 v) HWY_ATTR { return hn::IfThenElse(mirrors, hn::Neg(v), v); };
+  const auto turned = [&](Wide v) HWY_ATTR { return hn::IfThenElse(mirrors, hn::Neg(v), v); };
   return {turned(n.x), turned(n.y), turned(n.z)};
 }
 
-/// Unit vectors, by an exact square root and division. Answers false when the square of some length leaves the range in
-/// which float keeps its digits: then the caller takes the careful way, vertex by vertex.
-HWY_INLINE bool normalise(Lanes3& v) {
-  const D4 d;
-  const V4 squared = dot(v, v);
-  if (!hn::AllTrue(d, hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f))))) return false;
-  v = scaled(v, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
-  return true;
+/// Unit vectors, by an exact square root and division. Answers the lanes whose square is in the range in which float keeps its
+/// digits; the others are for the careful way, vertex by vertex.
+HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
+  const TileTag d;
+  const Wide squared = dot(v, v);
+  v = times(v, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
+  return keeps_digits(squared);
 }
 
 }  // namespace sinew::HWY_NAMESPACE

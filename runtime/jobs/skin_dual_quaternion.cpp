@@ -7,7 +7,6 @@
 
 #include "runtime/jobs/blend_motion.h"
 #include "runtime/jobs/blend_motion_lanes-inl.h"
-#include "runtime/jobs/four_vertices.h"
 #include "runtime/jobs/vertex_checks.h"
 
 #ifndef SINEW_SKIN_DUAL_QUATERNION_ONCE
@@ -16,9 +15,8 @@ namespace sinew {
 namespace {
 
 /// One vertex, with every degenerate case: the only way of the scalar target, and the way out of the lanes.
-template <int kCount, bool kStretch, bool kNormals, bool kTangents>
-void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const VertexInput& in, const VertexOutput& out,
-                 std::size_t v) noexcept {
+template <int kCount, bool kStretch, bool kNormals, bool kTangents, class In, class Out>
+void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const In& in, const Out& out, std::size_t v) noexcept {
   const DualQuat motion = blend_motion(split, joints);
   glm::vec3 p = in.positions[v];
   Mat3<float> stretch(1.0f);
@@ -56,56 +54,47 @@ void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group) {
 
 #else
 
-/// Answers false, with nothing written, when some vertex needs the careful way.
+/// Skins a tile. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
 template <int kCount, bool kStretch, bool kNormals, bool kTangents>
-HWY_ATTR bool skin_four(std::span<const RigidStretch> split, const VertexJoints<kCount> (&joints)[4], const VertexInput& in, const VertexOutput& out) {
-  MotionLanes motion;
-  if (!blend_motions(split.data(), joints, motion)) return false;
+HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) {
+  const MotionLanes motion = blend_motions(job.split.data(), joints);
   StretchLanes stretch{};
-  if constexpr (kStretch) stretch = blend_stretches(split.data(), joints);
-  Lanes3 p = load3(in.positions.data()), n{}, t{};
-  V4 handedness{};
+  if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
+  auto sound = motion.sound;
+  Lanes3 p = load3(in.positions);
   if constexpr (kStretch) p = apply(stretch, p);
   if constexpr (kNormals) {
-    n = load3(in.normals.data());
+    Lanes3 n = load3(in.normals);
     if constexpr (kStretch) n = apply_to_normal(stretch, n);
     n = rotate(motion.real, n);
-    if (!normalise(n)) return false;
+    sound = hn::And(sound, normalise(n));
+    store3(n, out.normals);
   }
   if constexpr (kTangents) {
-    hn::LoadInterleaved4(D4(), &in.tangents[0].x, t.x, t.y, t.z, handedness);
+    const Lanes4 tangent = load4(in.tangents);
+    Lanes3 t{tangent.x, tangent.y, tangent.z};
     if constexpr (kStretch) t = apply(stretch, t);
     t = rotate(motion.real, t);
-    if (!normalise(t)) return false;
+    sound = hn::And(sound, normalise(t));
+    store4({t.x, t.y, t.z, tangent.w}, out.tangents);
   }
-  p = rotate(motion.real, p);
-  const Lanes3 moved = translation(motion);
-  store3({hn::Add(p.x, moved.x), hn::Add(p.y, moved.y), hn::Add(p.z, moved.z)}, out.positions.data());
-  if constexpr (kNormals) store3(n, out.normals.data());
-  if constexpr (kTangents) hn::StoreInterleaved4(t.x, t.y, t.z, handedness, D4(), &out.tangents[0].x);
-  return true;
+  store3(plus(rotate(motion.real, p), translation(motion)), out.positions);
+  for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch, kNormals, kTangents>(job.split, joints.at(v), in, out, v); });
 }
 
 template <int kCount, bool kStretch, bool kNormals, bool kTangents>
 void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group) {
-  for_each_four<kCount, kNormals, kTangents>(
-      *job.influences, group, job.vertices, job.out,
-      [&](const VertexJoints<kCount>(&joints)[4], const VertexInput& in, const VertexOutput& out) HWY_ATTR {
-        if (skin_four<kCount, kStretch, kNormals, kTangents>(job.split, joints, in, out)) return;
-        for (std::size_t k = 0; k < 4; ++k) skin_vertex<kCount, kStretch, kNormals, kTangents>(job.split, joints[k], in, out, k);
-      });
+  for_each_tile<kCount, kNormals, kTangents>(*job.influences, group, job.vertices, job.out,
+                                             [&](const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
+                                                 HWY_ATTR { skin_tile<kCount, kStretch, kNormals, kTangents>(job, joints, in, out); });
 }
 
 #endif  // HWY_TARGET
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
-  const auto wanted = present(job.vertices, job.out);
-  with_attributes(wanted.normals, wanted.tangents, [&](auto normals, auto tangents) {
-    for (const auto& group : job.influences->groups)
-      with_influence_count(group.influence_count, [&](auto count) {
-        if (job.any_stretch) skin_group<count, true, normals, tangents>(job, group);
-        else skin_group<count, false, normals, tangents>(job, group);
-      });
+  for_each_group(*job.influences, present(job.vertices, job.out), [&](const InfluenceGroup& group, auto count, auto normals, auto tangents) {
+    if (job.any_stretch) skin_group<count, true, normals, tangents>(job, group);
+    else skin_group<count, false, normals, tangents>(job, group);
   });
 }
 
@@ -120,8 +109,7 @@ HWY_EXPORT(skin_dual_quaternion);
 }  // namespace
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
-  if (const auto error = check_streams(job.vertices, job.out); error != ErrorCode::ok) return error;
-  return check_influences(job.influences, job.vertices.positions.size(), job.split.size());
+  return check_skinning(job.influences, job.vertices, job.out, job.split.size());
 }
 
 void run(const SkinDualQuaternionJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_dual_quaternion)(job); }

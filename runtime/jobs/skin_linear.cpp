@@ -55,37 +55,37 @@ struct SkinTile {
   const SkinLinearJob& job;
   const TileInfluences<kCount>& joints;
 
-  HWY_ATTR void run(const TileInput& in, const TileOutput& out) const {
+  HWY_INLINE void run(const TileInput& in, const TileOutput& out) const {
     const bool cofactor_rule = kNormals && job.normal_rule == NormalRule::cofactor;
     Wide positions[4], normals[4], tangents[4];
-    for (std::size_t q = 0; q < 4; ++q) {
-      const std::size_t at = q * kBlocks;
+    for_each_quarter([&](auto q) HWY_ATTR {
+      constexpr std::size_t at = q * kBlocks;
       const Columns m = blend_columns(job.palette.data(), joints, q);
       positions[q] = transform_points(m, load_spread(in.positions + at));
       if constexpr (kNormals) normals[q] = moved_normals(m, load_spread(in.normals + at), cofactor_rule);
       if constexpr (kTangents) tangents[q] = transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[at].x)));
-    }
+    });
     if constexpr (kNormals) write_normals(normals, cofactor_rule, in, out);
     if constexpr (kTangents) write_tangents(tangents, in, out);
     store_packed(positions, out.positions);
   }
 
  private:
-  HWY_ATTR void write_normals(Wide (&normals)[4], bool cofactor_rule, const TileInput& in, const TileOutput& out) const {
+  HWY_INLINE void write_normals(Wide (&normals)[4], bool cofactor_rule, const TileInput& in, const TileOutput& out) const {
     normalise_tile(
         normals, [&]() HWY_ATTR { store_packed(normals, out.normals); },
         [&](std::size_t v) { out.normals[v] = careful_normal(job.palette, joints.at(v), in.normals[v], cofactor_rule); });
   }
 
-  HWY_ATTR void write_tangents(Wide (&tangents)[4], const TileInput& in, const TileOutput& out) const {
+  HWY_INLINE void write_tangents(Wide (&tangents)[4], const TileInput& in, const TileOutput& out) const {
     const TileTag d;
     static constexpr LaneTable kHandedness([](std::size_t i) { return i % 4 == 3 ? -1 : 0; });
     const auto handedness = hn::MaskFromVec(hn::BitCast(d, hn::Load(hn::RebindToSigned<TileTag>(), kHandedness.lanes)));
     const auto store = [&]() HWY_ATTR {
-      for (std::size_t q = 0; q < 4; ++q) {
+      for_each_quarter([&](auto q) HWY_ATTR {
         const Wide source = hn::LoadU(d, &in.tangents[q * kBlocks].x);
         hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &out.tangents[q * kBlocks].x);
-      }
+      });
     };
     normalise_tile(tangents, store, [&](std::size_t v) {
       const glm::vec4 tangent = in.tangents[v];
@@ -96,7 +96,7 @@ struct SkinTile {
 
 template <int kCount, bool kNormals, bool kTangents>
 void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
-  for_each_tile<kCount, kTileSize, kNormals, kTangents>(
+  for_each_tile<kCount, kNormals, kTangents>(
       *job.influences, group, job.vertices, job.out, [&](const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
                                                          HWY_ATTR { SkinTile<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
 }
@@ -104,10 +104,8 @@ void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
 #endif  // HWY_TARGET
 
 void skin_linear(const SkinLinearJob& job) {
-  const auto wanted = present(job.vertices, job.out);
-  with_attributes(wanted.normals, wanted.tangents, [&](auto normals, auto tangents) {
-    for (const auto& group : job.influences->groups)
-      with_influence_count(group.influence_count, [&](auto count) { skin_group<count, normals, tangents>(job, group); });
+  for_each_group(*job.influences, present(job.vertices, job.out), [&](const InfluenceGroup& group, auto count, auto normals, auto tangents) {
+    skin_group<count, normals, tangents>(job, group);
   });
 }
 
@@ -122,8 +120,7 @@ HWY_EXPORT(skin_linear);
 }  // namespace
 
 ErrorCode check(const SkinLinearJob& job) noexcept {
-  if (const auto error = check_streams(job.vertices, job.out); error != ErrorCode::ok) return error;
-  return check_influences(job.influences, job.vertices.positions.size(), job.palette.size());
+  return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
 void run(const SkinLinearJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_linear)(job); }

@@ -10,6 +10,8 @@
 
 #include <hwy/highway.h>
 
+#include <type_traits>
+
 #include "runtime/math/conventions.h"
 
 #if HWY_TARGET != HWY_SCALAR
@@ -26,6 +28,13 @@ constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices of a quarter
 struct Spread3 {
   Wide x, y, z;
 };
+
+/// Calls `body(std::integral_constant)` for the four quarters: unrolled, so that what they compute stays in registers.
+template <class Body>
+HWY_INLINE void for_each_quarter(const Body& body) {
+  body(std::integral_constant<std::size_t, 0>{}), body(std::integral_constant<std::size_t, 1>{});
+  body(std::integral_constant<std::size_t, 2>{}), body(std::integral_constant<std::size_t, 3>{});
+}
 
 /// Lane numbers for TableLookupLanes, made by `lane(i)`.
 struct LaneTable {
@@ -74,6 +83,23 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
   hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
 }
 
+/// Squares of lengths that divide without loss of digits.
+HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
+  const TileTag d;
+  return hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
+}
+
+/// Calls `body(lane)` for the lanes that are not in the mask, which are few and far between.
+template <class Body>
+HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
+  const TileTag d;
+  if (HWY_LIKELY(hn::AllTrue(d, mask))) return;
+  HWY_ALIGN float flags[kTileSize];
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0f)), d, flags);
+  for (std::size_t lane = 0; lane < kTileSize; ++lane)
+    if (flags[lane] == 0.0f) body(lane);
+}
+
 /// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Lanes whose square leaves the range
 /// in which float keeps its digits come out wrong: then `careful(vertex of the tile)` is called for each, when the rest is done
 /// by `store()`.
@@ -90,12 +116,7 @@ HWY_INLINE void normalise_tile(Wide (&quarter)[4], const Store& store, const Car
   quarter[2] = hn::Mul(quarter[2], hn::Broadcast<2>(scale));
   quarter[3] = hn::Mul(quarter[3], hn::Broadcast<3>(scale));
   store();
-  const auto kept = hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
-  if (HWY_LIKELY(hn::AllTrue(d, kept))) return;
-  HWY_ALIGN float flags[kTileSize];
-  hn::Store(hn::IfThenElseZero(kept, hn::Set(d, 1.0f)), d, flags);
-  for (std::size_t lane = 0; lane < kTileSize; ++lane)
-    if (flags[lane] == 0.0f) careful(lane % 4 * kBlocks + lane / 4);
+  for_each_lane_not_in(keeps_digits(squared), [&](std::size_t lane) { careful(lane % 4 * kBlocks + lane / 4); });
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -33,4 +33,9 @@ ErrorCode check_influences(const VertexInfluences* influences, std::size_t verte
   return ErrorCode::ok;
 }
 
+ErrorCode check_skinning(const VertexInfluences* influences, const VertexInput& in, const VertexOutput& out, std::size_t joint_count) noexcept {
+  if (const ErrorCode error = check_streams(in, out); error != ErrorCode::ok) return error;
+  return check_influences(influences, in.positions.size(), joint_count);
+}
+
 }  // namespace sinew

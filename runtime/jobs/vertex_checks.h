@@ -21,4 +21,7 @@ ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept
 /// err  size_mismatch, index_out_of_range     cost O(influences)
 ErrorCode check_influences(const VertexInfluences* influences, std::size_t vertex_count, std::size_t joint_count) noexcept;
 
+/// Both of them.
+ErrorCode check_skinning(const VertexInfluences* influences, const VertexInput& in, const VertexOutput& out, std::size_t joint_count) noexcept;
+
 }  // namespace sinew

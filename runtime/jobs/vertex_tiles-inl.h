@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Cuts groups of vertices into tiles of as many as a vector has lanes.
+#if defined(SINEW_VERTEX_TILES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_VERTEX_TILES_INL_H_
+#undef SINEW_VERTEX_TILES_INL_H_
+#else
+#define SINEW_VERTEX_TILES_INL_H_
+#endif
+
+#include <algorithm>
+
+#include "runtime/jobs/influence_dispatch.h"
+#include "runtime/jobs/tile_lanes-inl.h"
+#include "runtime/jobs/vertex_streams.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Influences of a tile of vertices, `stride` apart; only a number known at run time has another stride than itself.
+template <int kCount>
+struct TileInfluences {
+  VertexJoints<kCount> first;
+  std::size_t runtime_stride;
+
+  HWY_INLINE VertexJoints<kCount> at(std::size_t k) const {
+    const std::size_t skip = k * (kCount > 0 ? static_cast<std::size_t>(kCount) : runtime_stride);
+    return {first.joints + skip, first.weights + skip, first.runtime_count};
+  }
+};
+
+/// Where the attributes of a tile begin; nullptr = not wanted.
+struct TileInput {
+  const glm::vec3* positions;
+  const glm::vec3* normals;
+  const glm::vec4* tangents;
+};
+struct TileOutput {
+  glm::vec3* positions;
+  glm::vec3* normals;
+  glm::vec4* tangents;
+};
+
+/// A tile that is not full goes through copies, so that nothing is read or written beyond the arrays.
+template <int kCount, bool kNormals, bool kTangents>
+struct TileCopies {
+  glm::vec3 positions[kTileSize + 2], normals[kTileSize + 2], out_positions[kTileSize], out_normals[kTileSize];
+  glm::vec4 tangents[kTileSize], out_tangents[kTileSize];
+  std::uint16_t joints[kTileSize * kCount + 1];
+  float weights[kTileSize * kCount + 1];
+
+  TileInput load(const TileInput& in, std::size_t count) {
+    fill(in.positions, count, positions);
+    if constexpr (kNormals) fill(in.normals, count, normals);
+    if constexpr (kTangents) fill(in.tangents, count, tangents);
+    return {positions, normals, tangents};
+  }
+  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first one.
+  TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
+    if constexpr (kCount == 0) return {in, 0};
+    for (std::size_t k = 0; k < kTileSize; ++k) {
+      const std::size_t from = std::min(k, count - 1) * kCount;
+      std::copy_n(in.joints + from, kCount, joints + k * kCount);
+      std::copy_n(in.weights + from, kCount, weights + k * kCount);
+    }
+    return {{joints, weights, kCount}, kCount};
+  }
+  TileOutput out() { return {out_positions, out_normals, out_tangents}; }
+  void store(const TileOutput& out, std::size_t count) const {
+    std::copy_n(out_positions, count, out.positions);
+    if constexpr (kNormals) std::copy_n(out_normals, count, out.normals);
+    if constexpr (kTangents) std::copy_n(out_tangents, count, out.tangents);
+  }
+
+ private:
+  template <class V, std::size_t kRoom>
+  static void fill(const V* from, std::size_t count, V (&to)[kRoom]) {
+    for (std::size_t k = 0; k < kRoom; ++k) to[k] = from[std::min(k, count - 1)];
+  }
+};
+
+/// Calls `tile(TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond its own.
+template <int kCount, bool kNormals, bool kTangents, class Tile>
+void for_each_tile(const VertexInfluences& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
+                   const Tile& tile) {
+  TileCopies<kCount, kNormals, kTangents> copies;
+  std::size_t done = 0;
+  for (std::size_t v = 0; v < group.vertex_count; v += done) {
+    const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
+    TileInfluences<kCount> joints{joints_of<kCount>(influences, group, v), group.influence_count};
+    TileInput from{in.positions.data() + at, in.normals.data() + at, in.tangents.data() + at};
+    const TileOutput to{out.positions.data() + at, out.normals.data() + at, out.tangents.data() + at};
+    const bool whole = left >= kTileSize + 2;
+    done = whole ? kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
+    if (HWY_UNLIKELY(!whole)) joints = copies.load(joints.first, done), from = copies.load(from, done);
+    tile(joints, from, whole ? to : copies.out());
+    if (HWY_UNLIKELY(!whole)) copies.store(to, done);
+  }
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+#endif
