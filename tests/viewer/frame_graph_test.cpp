@@ -22,7 +22,7 @@ TEST(frame_graph, runs_every_pass_in_order_when_everything_is_needed) {
                           Pass::transparent, Pass::tonemap, Pass::overlay));
 }
 
-TEST(frame_graph, has_no_occlusion_passes_or_images_when_occlusion_is_off_or_there_is_no_ambient_light) {
+TEST(frame_graph, P17_has_no_occlusion_passes_or_images_when_occlusion_is_off_or_there_is_no_ambient_light) {
   for (const FrameNeeds& needs :
        {FrameNeeds{.opaque = true, .occlusion = false}, FrameNeeds{.opaque = true, .ambient = false}}) {
     const FrameGraph graph(needs);
