@@ -6,7 +6,8 @@ namespace sinew {
 
 /// What a clock does at the ends of its clip.
 enum class PlayMode : std::uint8_t {
-  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once (G12)
+  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once (G12);
+              ///< no interpolation across the seam: who wants that closes the clip first (assets/close_loop.h)
   clamp,      ///< holds the end; turns back at once when the direction changes
   ping_pong,  ///< forth and back, each end shown once
   once,       ///< as clamp, and the clock is finished there until it is sought or turned back
