@@ -2,19 +2,17 @@
 #include "runtime/jobs/correct_pose.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "runtime/assets/pose_basis.h"
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 namespace {
 
-constexpr double kFlushBelow = 1e-20;
 constexpr double kSmallestShareSum = 0.01;
 
 void add(float& weight, double correction) noexcept {
-  const double sum = static_cast<double>(weight) + correction;
-  weight = std::fabs(sum) < kFlushBelow ? 0.0f : static_cast<float>(sum);
+  weight = flushed(static_cast<float>(static_cast<double>(weight) + correction));
 }
 
 /// eq   s' = clamp(s, 0, 1) / sum, where the sum is large enough

@@ -2,13 +2,13 @@
 #include "runtime/plan/blend_weights.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 
 void blend_weights(std::span<const BlendLayer> layers, std::span<const float> rest, std::span<float> first,
                    std::span<const float> others) noexcept {
-  constexpr double kFlushBelow = 1e-20;
   double total = 0.0;
   for (const BlendLayer& layer : layers) total += static_cast<double>(layer.weight);
   const double rest_share = std::max(0.0, 1.0 - total);
@@ -18,7 +18,7 @@ void blend_weights(std::span<const BlendLayer> layers, std::span<const float> re
     for (std::size_t l = 1; l < layers.size(); ++l)
       sum += static_cast<double>(layers[l].weight) * static_cast<double>(others[(l - 1) * count + i]);
     const double mean = (sum + rest_share * static_cast<double>(rest[i])) / (total + rest_share);
-    first[i] = std::fabs(mean) < kFlushBelow ? 0.0f : static_cast<float>(mean);
+    first[i] = flushed(static_cast<float>(mean));
   }
 }
 
