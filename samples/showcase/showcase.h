@@ -25,6 +25,10 @@ ShowcaseScene skull_flight();
 /// The same arm twisted 0..180 degrees twice: linear-blend skinning collapses, dual-quaternion skinning keeps its volume.
 ShowcaseScene twisted_arms();
 
+/// Twisted arms again, the left one under linear blending with corrective shapes: pose-space deformation gives it the volume
+/// that dual quaternions keep. Played by samples/correct_a_twist; not in the list below, since files cannot carry correctives.
+ShowcaseScene corrected_arms();
+
 /// A face of morph targets, with weights below 0 and above 1.
 ShowcaseScene morphed_face();
 
