@@ -2,21 +2,13 @@
 #include "importer/build/build_morph_sets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "importer/read/morph_targets.h"
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 namespace {
-
-/// Displacements too small to show are zero: they would only make denormal numbers (N26).
-template <class V>
-V flushed(V delta) {
-  for (int i = 0; i < V::length(); ++i)
-    if (std::abs(delta[i]) < 1e-20f) delta[i] = 0.0f;
-  return delta;
-}
 
 /// `dense` is in the file's order, source[v] is the file's vertex of vertex v (empty = unchanged).
 template <class V>
