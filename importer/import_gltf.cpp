@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "importer/add_centers_of_rotation.h"
 #include "importer/build/build_clips.h"
 #include "importer/build/build_instances.h"
 #include "importer/build/build_meshes.h"
@@ -113,7 +114,15 @@ class Import {
     build_placements(document_, order, scene, log_);
     progress("images", 0.7);
     scene.images = read_images(document_, options_, log_);
+    if (options_.make_centers_of_rotation && log_.ok()) add_centers(scene);
     return log_.ok();
+  }
+
+  void add_centers(Scene& scene) const {
+    CentersOptions how;
+    how.cache_folder = options_.centers_cache;
+    how.progress = [this](double done) { progress("centers of rotation", done); };
+    add_centers_of_rotation(scene, how);
   }
 
   void fill_facts(ImportedFile::Facts& facts) {

@@ -19,6 +19,8 @@ struct ImportOptions {
   bool keep_encoded_images = false;                    ///< Image::encoded, for writing images back unchanged
   bool make_normals = true;                            ///< where triangles have none
   bool make_tangents = true;                           ///< where a normal map needs them and the file has none
+  bool make_centers_of_rotation = false;               ///< of skinned meshes, for Skinning::center_of_rotation; may take long
+  std::filesystem::path centers_cache;                 ///< folder that keeps them for the next import; empty = none
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;   ///< of the file and all that it refers to
   std::uint32_t max_nodes = 1'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;

@@ -25,7 +25,10 @@ if(SINEW_IMPORTER)
   install(TARGETS sinew_importer EXPORT sinew_importer_targets)
   install(EXPORT sinew_importer_targets NAMESPACE sinew:: FILE sinew-importer.cmake DESTINATION ${sinew_package_dir})
   install(FILES ${PROJECT_SOURCE_DIR}/importer/import_gltf.h ${PROJECT_SOURCE_DIR}/importer/import_error.h
+    ${PROJECT_SOURCE_DIR}/importer/add_centers_of_rotation.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer)
+  install(FILES ${PROJECT_SOURCE_DIR}/importer/topology/centers_of_rotation.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer/topology)
   install(TARGETS sinew)
 endif()
 

@@ -11,6 +11,7 @@
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/skinning_choice.h"
 #include "runtime/plan/run_plan.h"
 
 namespace sinew::tool {
@@ -28,7 +29,7 @@ constexpr const char* kNeedNames[] = {"joints", "weights", "positions", "normals
 
 Needs needs_from(const PlanOptions& options) {
   Needs needs;
-  if (options.skinning == "dual-quaternion") needs.skinning = Skinning::dual_quaternion;
+  needs.skinning = kSkinningNames.at(options.skinning);
   if (options.needs.empty()) return needs;
   const auto asked = [&](const char* name) {
     return std::find(options.needs.begin(), options.needs.end(), name) != options.needs.end();
@@ -53,6 +54,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"vertices_morphed", work.vertices_morphed},
           {"vertices_skinned_linear", work.vertices_skinned_linear},
           {"vertices_skinned_dual_quaternion", work.vertices_skinned_dual_quaternion},
+          {"vertices_skinned_center_of_rotation", work.vertices_skinned_center_of_rotation},
           {"flat_triangles", work.flat_triangles},
           {"bounds_vertices", work.bounds_vertices}};
 }
@@ -97,6 +99,7 @@ void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
 ExitCode plan_file(const PlanOptions& options) {
   ImportOptions import;
   import.decode_images = false;
+  import.make_centers_of_rotation = kSkinningNames.at(options.skinning) == Skinning::center_of_rotation;
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto chosen = choose_clips(file->scene, options.clip);
@@ -131,7 +134,7 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kNeedNames), std::end(kNeedNames))));
   command->add_option("--skinning", options->skinning, "Skinning to plan for (default: linear)")
       ->type_name("METHOD")
-      ->check(CLI::IsMember({"linear", "dual-quaternion"}));
+      ->check(CLI::IsMember(skinning_names()));
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });
 }

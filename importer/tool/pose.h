@@ -14,14 +14,19 @@
 namespace sinew::tool {
 
 /// The vertex arrays of a pose file, in the order in which they are written.
-enum class VertexKind : std::size_t { positions, normals, tangents, dqs, dqs_normals };
+enum class VertexKind : std::size_t { positions, normals, tangents, dqs, dqs_normals, cors, cor_normals };
 struct VertexKindTraits {
   const char* key;    ///< in the file
   std::size_t width;  ///< numbers per vertex
   bool direction;     ///< unit vector: compared without a unit
 };
-inline constexpr std::array<VertexKindTraits, 5> kVertexKinds{
-    {{"positions", 3, false}, {"normals", 3, true}, {"tangents", 4, true}, {"dqs", 3, false}, {"dqsNormals", 3, true}}};
+inline constexpr std::array<VertexKindTraits, 7> kVertexKinds{{{"positions", 3, false},
+                                                              {"normals", 3, true},
+                                                              {"tangents", 4, true},
+                                                              {"dqs", 3, false},
+                                                              {"dqsNormals", 3, true},
+                                                              {"cors", 3, false},
+                                                              {"corNormals", 3, true}}};
 
 /// Deformed vertices of one primitive hung on one node, in world space. Node, mesh, primitive and vertex numbers are
 /// the file's. A NaN stands for "no value" (null in the file).

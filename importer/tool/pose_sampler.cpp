@@ -70,8 +70,10 @@ PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
     : plan(compile_plan(scene, Needs{.max_layers = 1, .skinning = skinning, .instance_skinning = {}})), frame(plan) {}
 
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene), with_bits_(content.bits) {
-  if (content.linear || !content.dual_quaternion) linear_ = std::make_unique<Method>(scene, Skinning::linear);
+  const bool turned = content.dual_quaternion || content.center_of_rotation;
+  if (content.linear || !turned) linear_ = std::make_unique<Method>(scene, Skinning::linear);
   if (content.dual_quaternion) dual_quaternion_ = std::make_unique<Method>(scene, Skinning::dual_quaternion);
+  if (content.center_of_rotation) center_of_rotation_ = std::make_unique<Method>(scene, Skinning::center_of_rotation);
   std::vector<std::size_t> first_choice;
   for (const Mesh& mesh : scene.meshes) {
     first_choice.push_back(choices_.size());
@@ -85,13 +87,16 @@ PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene
   }
 }
 
-const FrameResult& PoseSampler::any_frame() const { return (linear_ ? linear_ : dual_quaternion_)->frame.result(); }
+const FrameResult& PoseSampler::any_frame() const {
+  const auto& turned = dual_quaternion_ ? dual_quaternion_ : center_of_rotation_;
+  return (linear_ ? linear_ : turned)->frame.result();
+}
 
 ErrorCode PoseSampler::run(std::uint32_t clip, double time_s) {
   const ClipLayer layer{clip, time_s, 1.0f};
   const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}};
   time_s_ = time_s;
-  for (Method* method : {linear_.get(), dual_quaternion_.get()})
+  for (Method* method : {linear_.get(), dual_quaternion_.get(), center_of_rotation_.get()})
     if (method)
       if (const ErrorCode code = run_plan(method->plan, input, method->frame); code != ErrorCode::ok) return code;
   return ErrorCode::ok;
@@ -109,6 +114,7 @@ std::map<std::string, std::string> PoseSampler::bits() const {
   std::map<std::string, std::string> out{{"pose", text(hash_pose(any_frame()))}};
   if (linear_) out["linear"] = text(hash_vertices(linear_->frame.result()));
   if (dual_quaternion_) out["dualQuaternion"] = text(hash_vertices(dual_quaternion_->frame.result()));
+  if (center_of_rotation_) out["centerOfRotation"] = text(hash_vertices(center_of_rotation_->frame.result()));
   return out;
 }
 
@@ -145,7 +151,9 @@ PrimitivePose PoseSampler::primitive(std::size_t i) const {
   const bool skinned = instance.skin != kNone && !choice_of(drawn).influences.empty();
   if (!skinned) add_rigid(drawn, out);
   if (skinned && linear_) add_linear(drawn, out);
-  if (skinned && dual_quaternion_) add_dual_quaternion(drawn, out);
+  if (skinned && dual_quaternion_) add_turned(*dual_quaternion_, drawn, VertexKind::dqs, VertexKind::dqs_normals, out);
+  if (skinned && center_of_rotation_)
+    add_turned(*center_of_rotation_, drawn, VertexKind::cors, VertexKind::cor_normals, out);
   return out;
 }
 
@@ -186,10 +194,12 @@ void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
   if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), choice_of(drawn), deformed.tangents);
 }
 
-void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) const {
+/// Kinds of skinning that blend rotations have no value where a joint has none.
+void PoseSampler::add_turned(const Method& method, const Drawn& drawn, VertexKind positions, VertexKind normals,
+                             PrimitivePose& out) const {
   const MeshInstance& instance = scene_.instances[drawn.instance];
   const Primitive& own = scene_.meshes[out.mesh].primitives[out.primitive];
-  const FrameResult& frame = dual_quaternion_->frame.result();
+  const FrameResult& frame = method.frame.result();
   const DeformedPrimitive& deformed =
       frame.primitives[frame.instances[drawn.instance].first_primitive + drawn.primitive];
   const auto broken = entries_without_rotation(scene_.skins[instance.skin], frame.model);
@@ -199,8 +209,8 @@ void PoseSampler::add_dual_quaternion(const Drawn& drawn, PrimitivePose& out) co
     bool usable = true;
     for (std::uint32_t k = first; k < first + count; ++k) usable = usable && !broken[own.influences.joints[k]];
     const std::uint32_t v = choice_of(drawn).in_primitive[i];
-    append(out.of(VertexKind::dqs), usable ? Vec3d(deformed.positions[v]) : Vec3d(kNoValue));
-    if (with_normals) append(out.of(VertexKind::dqs_normals), usable ? Vec3d(deformed.normals[v]) : Vec3d(kNoValue));
+    append(out.of(positions), usable ? Vec3d(deformed.positions[v]) : Vec3d(kNoValue));
+    if (with_normals) append(out.of(normals), usable ? Vec3d(deformed.normals[v]) : Vec3d(kNoValue));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "importer/tool/pose_sampler.h"
 #include "importer/tool/progress_line.h"
 #include "importer/tool/sample_times.h"
+#include "importer/tool/skinning_choice.h"
 
 namespace sinew::tool {
 namespace {
@@ -111,11 +112,13 @@ ExitCode sample_file(const SampleOptions& options) {
 
   ImportOptions import;
   import.decode_images = false;
+  const auto asks_for = [&](const char* kind) { return options.skinning == kind || options.skinning == "all"; };
+  const PoseContent content{asks_for("linear"), asks_for("dual-quaternion"), asks_for("center-of-rotation"), *limit};
+  import.make_centers_of_rotation = content.center_of_rotation;
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return say_error(tasks.error()), ExitCode::wrong_usage;
-  const PoseContent content{options.skinning != "dual-quaternion", options.skinning != "linear", *limit};
   return write_poses(file->scene, *tasks, options, content);
 }
 
@@ -138,9 +141,10 @@ void add_sample(CLI::App& program, ExitCode& outcome) {
       ->excludes(times);
   command
       ->add_option("--skinning", options->skinning,
-                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; all (default)")
+                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals;\n"
+                   "center-of-rotation: cors, corNormals; all (default)")
       ->type_name("METHOD")
-      ->check(CLI::IsMember({"linear", "dual-quaternion", "all"}));
+      ->check(CLI::IsMember(skinning_names({"all"})));
   command
       ->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
       ->type_name("N|all");

@@ -43,9 +43,13 @@ bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
   return false;
 }
 
+bool holds_centers(const PoseFile& golden, bool exact) {
+  return holds(golden, {VertexKind::cors, VertexKind::cor_normals}) || (exact && holds_bits(golden, "centerOfRotation"));
+}
+
 /// Samples the scene at the golden times and compares.
 Result<void> compare_all(const Scene& scene, const PoseFile& golden, bool exact, PoseComparison& comparison) {
-  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), kAllVertices, exact};
+  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), holds_centers(golden, exact), kAllVertices, exact};
   if (exact) content.dual_quaternion |= holds_bits(golden, "dualQuaternion");
   PoseSampler sampler(scene, content);
   ProgressLine progress;
@@ -88,6 +92,7 @@ ExitCode verify_file(const VerifyOptions& options) {
   }
   ImportOptions import;
   import.decode_images = false;
+  import.make_centers_of_rotation = holds_centers(*golden, options.exact);
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
 

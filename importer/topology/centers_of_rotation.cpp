@@ -2,16 +2,13 @@
 #include "importer/topology/centers_of_rotation.h"
 
 #include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <mutex>
-#include <unordered_map>
+#include <set>
 #include <utility>
 
 #include "importer/topology/centers_cache.h"
@@ -27,8 +24,6 @@ struct Triangle {
   glm::dvec3 centroid;
   double area;
 };
-
-std::uint32_t pair_key(std::uint32_t j, std::uint32_t k) { return j << 16 | k; }
 
 std::vector<Weights> weights_of_vertices(const Primitive& primitive) {
   std::vector<Weights> all(primitive.vertex_count());
@@ -63,106 +58,142 @@ std::vector<Triangle> triangles_of(const Primitive& primitive, const std::vector
   return triangles;
 }
 
-/// For every pair of joints, the triangles that both of them move: no other triangle is similar to a vertex of that pair.
-std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> triangles_by_pair(const std::vector<Triangle>& triangles) {
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_pair;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const Weights& w = triangles[t].weights;
-    for (std::size_t j = 0; j < w.size(); ++j)
-      for (std::size_t k = j + 1; k < w.size(); ++k) by_pair[pair_key(w[j].first, w[k].first)].push_back(t);
-  }
-  return by_pair;
-}
+/// The part of one joint in the weights of a vertex or a triangle.
+struct Share {
+  std::uint32_t owner;
+  double weight;
+};
 
-double weight_of(const Weights& weights, std::uint16_t joint) {
-  const auto found = std::lower_bound(weights.begin(), weights.end(), joint, [](const auto& w, std::uint16_t j) { return w.first < j; });
-  return found != weights.end() && found->first == joint ? found->second : 0.0;
-}
-
-/// Each unordered pair counts twice in the paper's sum over j != k.
-double similarity(const Weights& u, const Weights& v, double sigma) {
-  double sum = 0.0;
-  for (std::size_t j = 0; j < u.size(); ++j)
-    for (std::size_t k = j + 1; k < u.size(); ++k) {
-      const double vj = weight_of(v, u[j].first), vk = weight_of(v, u[k].first);
-      if (vj == 0.0 || vk == 0.0) continue;
-      const double difference = (u[j].second * vk - u[k].second * vj) / sigma;
-      sum += 2.0 * u[j].second * u[k].second * vj * vk * std::exp(-difference * difference);
+/// Shares by joint, owners rising.
+class SharesByJoint {
+ public:
+  void add(std::uint32_t owner, const Weights& weights) {
+    for (const auto& [joint, weight] : weights) {
+      if (joint >= shares_.size()) shares_.resize(joint + std::size_t{1});
+      shares_[joint].push_back({owner, weight});
     }
-  return sum;
-}
+  }
 
+  /// Calls `take(owner, weight of j, weight of k)` for every owner that both joints have a share in.
+  template <class Take>
+  void for_each_of_both(std::uint16_t j, std::uint16_t k, const Take& take) const {
+    if (std::max(j, k) >= shares_.size()) return;
+    auto b = shares_[k].begin();
+    for (const Share& a : shares_[j]) {
+      while (b != shares_[k].end() && b->owner < a.owner) ++b;
+      if (b == shares_[k].end()) return;
+      if (b->owner == a.owner) take(a.owner, a.weight, b->weight);
+    }
+  }
+
+ private:
+  std::vector<std::vector<Share>> shares_;
+};
+
+/// A sum of points by weight.
+struct WeightedSum {
+  glm::dvec3 points{0.0};
+  double weight = 0.0;
+
+  void add(const glm::dvec3& weighted_points, double w) { points += weighted_points, weight += w; }
+};
+
+/// Surface on which two joints have the weights j and k: triangles of equal weights count as one.
+struct PairSurface {
+  double j, k;
+  WeightedSum area;
+
+  friend bool operator<(const PairSurface& a, const PairSurface& b) { return std::pair(a.j, a.k) < std::pair(b.j, b.k); }
+  bool has_weights_of(const PairSurface& other) const { return j == other.j && k == other.k; }
+};
+
+struct PairVertex {
+  std::uint32_t vertex;
+  double j, k;
+};
+
+/// The sum over triangles and pairs of joints, taken pair by pair: only what both joints of a pair move has a part in it.
 class CenterSearch {
  public:
-  CenterSearch(const Primitive& primitive, const CentersOptions& options)
-      : options_(options),
-        weights_(weights_of_vertices(primitive)),
-        triangles_(triangles_of(primitive, weights_)),
-        by_pair_(triangles_by_pair(triangles_)) {}
+  CenterSearch(const Primitive& primitive, const CentersOptions& options) : options_(options) {
+    const std::vector<Weights> weights = weights_of_vertices(primitive);
+    triangles_ = triangles_of(primitive, weights);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangle_shares_.add(t, triangles_[t].weights);
+    std::map<Weights, std::vector<std::uint32_t>> by_weights;  // vertices of equal weights share their center
+    for (std::uint32_t v = 0; v < weights.size(); ++v) by_weights[weights[v]].push_back(v);
+    for (auto& [of_all, vertices] : by_weights) {
+      vertex_shares_.add(static_cast<std::uint32_t>(vertices_.size()), of_all);
+      for (std::size_t j = 0; j < of_all.size(); ++j)
+        for (std::size_t k = j + 1; k < of_all.size(); ++k) pairs_.emplace(of_all[j].first, of_all[k].first);
+      vertices_.push_back(std::move(vertices));
+    }
+    sums_.resize(vertices_.size());
+  }
 
   std::vector<glm::vec3> run(const Primitive& primitive) {
-    std::map<Weights, std::vector<std::uint32_t>> vertices_of;  // vertices of equal weights share their center
-    for (std::uint32_t v = 0; v < weights_.size(); ++v) vertices_of[weights_[v]].push_back(v);
-    std::vector<const std::pair<const Weights, std::vector<std::uint32_t>>*> work;
-    for (const auto& entry : vertices_of)
-      if (entry.first.size() > 1) work.push_back(&entry);
-
+    std::size_t done = 0;
+    for (const auto& [j, k] : pairs_) {
+      add_pair(j, k, static_cast<double>(done) / static_cast<double>(pairs_.size()));
+      ++done;
+    }
+    if (options_.progress) options_.progress(1.0);
     std::vector<glm::vec3> centers = primitive.positions;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, work.size()), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        glm::dvec3 center;
-        if (find(work[i]->first, center))
-          for (const std::uint32_t v : work[i]->second) centers[v] = glm::vec3(center);
-        report(work.size());
-      }
-    });
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      const glm::dvec3 center = sums_[i].points / sums_[i].weight;
+      if (!(sums_[i].weight > 0.0) || !std::isfinite(center.x + center.y + center.z)) continue;
+      for (const std::uint32_t v : vertices_[i]) centers[v] = glm::vec3(center);
+    }
     return centers;
   }
 
  private:
-  struct Seen {
-    std::vector<std::uint32_t> stamp;
-    std::uint32_t now = 0;
-  };
-
-  /// Triangles are visited in one fixed order per weight vector, so that results do not depend on threads.
-  bool find(const Weights& weights, glm::dvec3& center) {
-    Seen& seen = seen_.local();
-    seen.stamp.resize(triangles_.size(), 0);
-    ++seen.now;
-    glm::dvec3 sum(0.0);
-    double total = 0.0;
-    for (std::size_t j = 0; j < weights.size(); ++j)
-      for (std::size_t k = j + 1; k < weights.size(); ++k) {
-        const auto candidates = by_pair_.find(pair_key(weights[j].first, weights[k].first));
-        if (candidates == by_pair_.end()) continue;
-        for (const std::uint32_t t : candidates->second) {
-          if (std::exchange(seen.stamp[t], seen.now) == seen.now) continue;
-          const double share = similarity(weights, triangles_[t].weights, options_.sigma) * triangles_[t].area;
-          sum += share * triangles_[t].centroid;
-          total += share;
-        }
+  void add_pair(std::uint16_t j, std::uint16_t k, double done_before) {
+    std::vector<PairVertex> vertices;
+    vertex_shares_.for_each_of_both(j, k, [&](std::uint32_t v, double wj, double wk) { vertices.push_back({v, wj, wk}); });
+    const std::vector<PairSurface> surface = surface_of(j, k);
+    constexpr std::size_t kBlock = 1024;  // of vertices between two reports
+    for (std::size_t first = 0; first < vertices.size(); first += kBlock) {
+      const std::size_t end = std::min(vertices.size(), first + kBlock);
+      if (options_.progress) {
+        const double part = static_cast<double>(first) / static_cast<double>(vertices.size());
+        options_.progress(done_before + part / static_cast<double>(pairs_.size()));
       }
-    center = sum / total;
-    return total > 0.0 && std::isfinite(center.x + center.y + center.z);
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) add(surface, vertices[i], sums_[vertices[i].vertex]);
+      });
+    }
   }
 
-  void report(std::size_t count) {
-    const std::size_t done = ++done_;
-    if (!options_.progress || (done % 256 != 0 && done != count)) return;
-    const std::lock_guard lock(progress_mutex_);
-    reported_ = std::max(reported_, static_cast<double>(done) / static_cast<double>(count));
-    options_.progress(reported_);
+  std::vector<PairSurface> surface_of(std::uint16_t j, std::uint16_t k) const {
+    std::vector<PairSurface> all;
+    triangle_shares_.for_each_of_both(j, k, [&](std::uint32_t t, double wj, double wk) {
+      all.push_back({wj, wk, {triangles_[t].centroid * triangles_[t].area, triangles_[t].area}});
+    });
+    std::stable_sort(all.begin(), all.end());
+    std::size_t count = 0;
+    for (const PairSurface& next : all) {
+      if (count > 0 && all[count - 1].has_weights_of(next)) all[count - 1].area.add(next.area.points, next.area.weight);
+      else all[count++] = next;
+    }
+    all.resize(count);
+    return all;
+  }
+
+  /// The terms of one pair of joints in one vertex. Each unordered pair counts twice in the paper's sum over j != k.
+  void add(const std::vector<PairSurface>& surface, const PairVertex& v, WeightedSum& sum) const {
+    for (const PairSurface& s : surface) {
+      const double difference = (v.j * s.k - v.k * s.j) / options_.sigma;
+      const double similarity = 2.0 * v.j * v.k * s.j * s.k * std::exp(-difference * difference);
+      sum.add(similarity * s.area.points, similarity * s.area.weight);
+    }
   }
 
   const CentersOptions& options_;
-  std::vector<Weights> weights_;
   std::vector<Triangle> triangles_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_pair_;
-  tbb::enumerable_thread_specific<Seen> seen_;
-  std::atomic<std::size_t> done_{0};
-  std::mutex progress_mutex_;
-  double reported_ = 0.0;
+  SharesByJoint triangle_shares_, vertex_shares_;      // of vertices: of each distinct weight vector
+  std::vector<std::vector<std::uint32_t>> vertices_;   // that have this weight vector
+  std::set<std::pair<std::uint16_t, std::uint16_t>> pairs_;
+  std::vector<WeightedSum> sums_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace sinew {
 
 struct CentersOptions {
   double sigma = 0.1;                                   ///< width of the similarity kernel; the paper's value
-  std::function<void(double done_0_to_1)> progress;     ///< called now and then, from any thread but never twice at once
+  std::function<void(double done_0_to_1)> progress;     ///< called now and then, on the calling thread
   std::filesystem::path cache_folder;                   ///< empty = no cache; one file per mesh content and sigma
 };
 
@@ -22,7 +22,8 @@ struct CentersOptions {
 /// in   primitive   skinned triangles: positions, indices, influences
 /// out  [V]  mesh space. A vertex without two influences, or without any similar triangle, gets its own position, which makes
 ///      center-of-rotation skinning equal to linear-blend skinning there (N21)
-/// cost O(V * triangles that share a pair of joints), in double, over all cores; vertices of equal weights are done once.
+/// cost O(V * triangles that share a pair of joints), in double, over all cores; vertices of equal weights are done once,
+///      triangles of equal weights count as one.
 ///      With a cache folder a second call reads the result; a damaged cache file is replaced.
 std::vector<glm::vec3> centers_of_rotation(const Primitive& primitive, const CentersOptions& options = {});
 

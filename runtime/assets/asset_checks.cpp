@@ -140,12 +140,14 @@ void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t 
 
 void check_primitive(const Primitive& p, std::size_t target_count, std::size_t material_count, Findings& f) noexcept {
   const std::size_t vertices = p.vertex_count();
-  for (const std::size_t size : {p.normals.size(), p.tangents.size(), p.colors.size(), p.source_vertex.size()})
+  for (const std::size_t size : {p.normals.size(), p.tangents.size(), p.colors.size(), p.centers_of_rotation.size(),
+                                 p.source_vertex.size()})
     f.require_size_or_none(size, vertices);
   f.require_finite(p.positions);
   f.require_finite(p.normals);
   f.require_finite(p.tangents);
   f.require_finite(p.colors);
+  f.require_finite(p.centers_of_rotation);
   for (const auto& set : p.texcoords) {
     f.require_size_or_none(set.size(), vertices);
     f.require_finite(set);

@@ -32,6 +32,8 @@ struct Primitive {
   std::vector<std::vector<glm::vec2>> texcoords;
   std::vector<glm::vec4> colors;               ///< [V] COLOR_0, linear
   VertexInfluences influences;                 ///< empty = not skinned
+  std::vector<glm::vec3> centers_of_rotation;  ///< [V] rest space, what Skinning::center_of_rotation turns about; empty =
+                                               ///< none, made only when asked for (importer/add_centers_of_rotation.h)
   MorphSet morphs;
   std::uint32_t material = kNone;
   std::vector<std::uint32_t> source_vertex;    ///< [V] vertex index in the file; empty = unchanged

@@ -51,7 +51,8 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
 /// Morph and skin touch an attribute only where it is, someone asks for it, and something moves it (P10, P11, P13).
 PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning skinning, const Needs& needs) {
   PrimitivePlan plan;
-  plan.skinning = skinning;
+  plan.lacks_centers = skinning == Skinning::center_of_rotation && primitive.centers_of_rotation.empty();
+  plan.skinning = plan.lacks_centers ? Skinning::linear : skinning;
   const MorphedAttributes moved = morphed_by(primitive.morphs);
   const bool skinned = has_skin && !primitive.influences.empty();
   plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
@@ -82,7 +83,7 @@ void plan_primitives(Plan& plan) {
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       if (planned.skin.any()) {
         plan.palette[instance.skin] = true;
-        if (planned.skinning == Skinning::dual_quaternion) plan.split[instance.skin] = true;
+        if (planned.skinning != Skinning::linear) plan.split[instance.skin] = true;
       }
       plan.primitives.push_back(planned);
     }

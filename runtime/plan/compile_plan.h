@@ -33,6 +33,7 @@ struct PrimitivePlan {
   bool morph_colors = false;
   bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
   Skinning skinning = Skinning::linear;
+  bool lacks_centers = false;   ///< `skinning` is linear in place of center_of_rotation
   std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;  ///< byte offsets into the frame memory
 
   bool deformed() const noexcept { return morph.any() || skin.any() || morph_colors || flat_normals; }

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "runtime/jobs/morph_vertices.h"
+#include "runtime/jobs/skin_center_of_rotation.h"
 #include "runtime/jobs/skin_dual_quaternion.h"
 #include "runtime/jobs/skin_linear.h"
 #include "runtime/plan/flat_normals.h"
@@ -70,28 +71,12 @@ struct Deformation {
   }
 
   void skin() noexcept {
-    const std::uint32_t skin = plan.scene->instances[planned.instance].skin;
-    const std::size_t joints = plan.scene->skins[skin].joints.size();
     const VertexOutput out = output_at(memory, planned.skin, planned.positions_at, planned.normals_at,
                                        planned.tangents_at, primitive.vertex_count());
-    if (planned.skinning == Skinning::dual_quaternion) {
-      const SkinDualQuaternionJob job{.influences = &primitive.influences,
-                                      .split = memory.array<RigidStretch>(plan.split_at[skin], joints),
-                                      .any_stretch = memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
-                                      .vertices = now,
-                                      .out = out};
-      assert(check(job) == ErrorCode::ok);
-      run(job);
-      work.vertices_skinned_dual_quaternion += primitive.vertex_count();
-    } else {
-      const SkinLinearJob job{.influences = &primitive.influences,
-                              .palette = memory.array<JointMatrix>(plan.palette_at[skin], joints),
-                              .vertices = now,
-                              .out = out,
-                              .normal_rule = plan.needs.normal_rule};
-      assert(check(job) == ErrorCode::ok);
-      run(job);
-      work.vertices_skinned_linear += primitive.vertex_count();
+    switch (planned.skinning) {
+      case Skinning::linear: skin_linear(out); break;
+      case Skinning::dual_quaternion: skin_dual_quaternion(out); break;
+      case Skinning::center_of_rotation: skin_center_of_rotation(out); break;
     }
     replace(out);
   }
@@ -104,6 +89,52 @@ struct Deformation {
   }
 
  private:
+  std::uint32_t skin_index() const noexcept { return plan.scene->instances[planned.instance].skin; }
+  std::size_t joint_count() const noexcept { return plan.scene->skins[skin_index()].joints.size(); }
+  std::span<const JointMatrix> palette() const noexcept {
+    return memory.array<JointMatrix>(plan.palette_at[skin_index()], joint_count());
+  }
+  std::span<const RigidStretch> split() const noexcept {
+    return memory.array<RigidStretch>(plan.split_at[skin_index()], joint_count());
+  }
+  bool any_stretch() const noexcept { return memory.array<bool>(plan.stretch_at, plan.split.size())[skin_index()]; }
+
+  template <class Job>
+  void run_checked(const Job& job, std::uint64_t& counter) noexcept {
+    assert(check(job) == ErrorCode::ok);
+    run(job);
+    counter += primitive.vertex_count();
+  }
+
+  void skin_linear(const VertexOutput& out) noexcept {
+    const SkinLinearJob job{.influences = &primitive.influences,
+                            .palette = palette(),
+                            .vertices = now,
+                            .out = out,
+                            .normal_rule = plan.needs.normal_rule};
+    run_checked(job, work.vertices_skinned_linear);
+  }
+
+  void skin_dual_quaternion(const VertexOutput& out) noexcept {
+    const SkinDualQuaternionJob job{.influences = &primitive.influences,
+                                    .split = split(),
+                                    .any_stretch = any_stretch(),
+                                    .vertices = now,
+                                    .out = out};
+    run_checked(job, work.vertices_skinned_dual_quaternion);
+  }
+
+  void skin_center_of_rotation(const VertexOutput& out) noexcept {
+    const SkinCenterOfRotationJob job{.influences = &primitive.influences,
+                                      .palette = palette(),
+                                      .split = split(),
+                                      .any_stretch = any_stretch(),
+                                      .centers = primitive.centers_of_rotation,
+                                      .vertices = now,
+                                      .out = out};
+    run_checked(job, work.vertices_skinned_center_of_rotation);
+  }
+
   void replace(const VertexOutput& written) noexcept {
     if (!written.positions.empty()) now.positions = written.positions;
     if (!written.normals.empty()) now.normals = written.normals;

@@ -7,8 +7,9 @@
 
 namespace sinew {
 
-/// How skinned vertices follow their joints.
-enum class Skinning : std::uint8_t { linear, dual_quaternion };
+/// How skinned vertices follow their joints. `center_of_rotation` needs Primitive::centers_of_rotation; a primitive that
+/// has none is skinned linearly, which is what a vertex without a center gets too (N21).
+enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation };
 
 /// What the consumer of frames asks for. A stage that neither the needs nor the scene call for is left out of the plan.
 struct Needs {
@@ -21,7 +22,7 @@ struct Needs {
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
-  NormalRule normal_rule = NormalRule::linear;
+  NormalRule normal_rule = NormalRule::linear;  ///< of linear blending; the other kinds turn normals exactly
 
   Skinning skinning_of(std::size_t instance) const noexcept {
     return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;

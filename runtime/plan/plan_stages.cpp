@@ -103,6 +103,19 @@ PlanStage describe_morph(const Plan& plan) {
   return stage;
 }
 
+/// Primitives that ask for center-of-rotation skinning and have no centers.
+std::uint64_t without_centers(const Plan& plan) {
+  std::uint64_t count = 0;
+  for (const PrimitivePlan& p : plan.primitives) count += p.skin.any() && p.lacks_centers;
+  return count;
+}
+
+std::string why_other_skinning(const Plan& plan, Skinning kind) {
+  const std::uint64_t fallen_back = kind == Skinning::center_of_rotation ? without_centers(plan) : 0;
+  if (fallen_back == 0) return "all skinned primitives use another kind of skinning";
+  return primitives(fallen_back) + " without centers of rotation: skinned linearly";
+}
+
 PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
   PlanStage stage{std::move(name), false, "", 0, 0};
   std::uint64_t skinned = 0, skinned_otherwise = 0;
@@ -120,9 +133,11 @@ PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
   if (stage.runs)
     stage.reason = primitives(skinned) + " with joints and weights";
   else if (skinned_otherwise > 0)
-    stage.reason = "all skinned primitives use the other kind of skinning";
+    stage.reason = why_other_skinning(plan, kind);
   else
     stage.reason = why_no_skinning(plan);
+  if (const std::uint64_t lacking = without_centers(plan); stage.runs && kind == Skinning::linear && lacking > 0)
+    stage.reason += "; " + std::to_string(lacking) + " for want of centers of rotation";
   return stage;
 }
 
@@ -156,7 +171,7 @@ PlanStage describe_bounds(const Plan& plan) {
 }  // namespace
 
 std::vector<PlanStage> describe_stages(const Plan& plan) {
-  const std::string no_split = "no primitive is skinned with dual quaternions";
+  const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
   return {describe_sample(plan),
           describe_blend(plan),
           describe_correctives(plan),
@@ -166,6 +181,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
           describe_morph(plan),
           describe_skin(plan, "skin_linear", Skinning::linear),
           describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
+          describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
           describe_flat_normals(plan),
           describe_bounds(plan)};
 }

@@ -16,6 +16,7 @@ struct WorkCounters {
   std::uint64_t vertices_morphed = 0;
   std::uint64_t vertices_skinned_linear = 0;
   std::uint64_t vertices_skinned_dual_quaternion = 0;
+  std::uint64_t vertices_skinned_center_of_rotation = 0;
   std::uint64_t flat_triangles = 0;
   std::uint64_t bounds_vertices = 0;
 

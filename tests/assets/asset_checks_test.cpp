@@ -69,6 +69,8 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"half a triangle", [](Scene& s) { s.meshes[0].primitives[0].indices.pop_back(); }, ErrorCode::size_mismatch},
       {"normals too short", [](Scene& s) { s.meshes[0].primitives[0].normals.pop_back(); }, ErrorCode::size_mismatch},
       {"position not finite", [](Scene& s) { s.meshes[0].primitives[0].positions[1].x = kNan; }, ErrorCode::not_finite},
+      {"centers too short", [](Scene& s) { s.meshes[0].primitives[0].centers_of_rotation.resize(1); }, ErrorCode::size_mismatch},
+      {"center not finite", [](Scene& s) { s.meshes[0].primitives[0].centers_of_rotation.assign(3, glm::vec3(kNan)); }, ErrorCode::not_finite},
       {"material index", [](Scene& s) { s.meshes[0].primitives[0].material = 1; }, ErrorCode::index_out_of_range},
       {"target count", [](Scene& s) { s.meshes[0].primitives[0].morphs.targets.emplace_back(); }, ErrorCode::size_mismatch},
       {"delta vertex", [](Scene& s) { s.meshes[0].primitives[0].morphs.targets[0].positions.vertices[1] = 3; }, ErrorCode::index_out_of_range},

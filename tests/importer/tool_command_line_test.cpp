@@ -41,7 +41,8 @@ TEST(command_line, wrong_usage_is_2_with_a_message_and_no_result) {
       {"sample", model.path(), "--fps", "0"},
       {"sample", model.path(), "--fps", "1e9"},
       {"sample", model.path(), "--fps", "30", "--times", "1"},
-      {"sample", model.path(), "--skinning", "center-of-rotation"},
+      {"sample", model.path(), "--skinning", "spherical"},
+      {"plan", model.path(), "--skinning", "all"},
       {"sample", model.path(), "--vertices", "many"},
       {"sample", model.path(), "-o", "/no such folder/out.json"},
       {"verify", model.path()},
@@ -152,7 +153,7 @@ TEST(command_line, verify_exact_compares_the_bits_of_everything_and_tells_which_
   EXPECT_EQ(run_tool({"verify", model.path(), golden, "--exact"}).status, 0);
   json poses = json::parse(std::ifstream(golden));
   json& bits = poses["clips"][1]["samples"][0]["bits"];
-  for (const char* kind : {"pose", "linear", "dualQuaternion"}) {
+  for (const char* kind : {"pose", "linear", "dualQuaternion", "centerOfRotation"}) {
     ASSERT_EQ(bits[kind].get<std::string>().size(), 16u) << kind;
     const std::string kept = bits[kind];
     bits[kind] = "0123456789abcdef";
@@ -192,6 +193,36 @@ TEST(command_line, verify_exact_needs_a_golden_file_with_bits) {
   EXPECT_THAT(outcome.err, HasSubstr("holds no bits"));
 }
 
+TEST(command_line, sample_fills_the_keys_of_the_kind_of_skinning_that_is_asked_for) {
+  const ToolModelFile model;
+  const auto strip = [&](const char* kind) {
+    const CommandOutcome outcome = run_tool({"sample", model.path(), "--clip", "0", "--times", "1", "--skinning", kind});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(outcome.out)["clips"][0]["samples"][0]["skinned"][0];
+  };
+  const json centers = strip("center-of-rotation"), all = strip("all");
+  EXPECT_FALSE(centers.contains("positions") || centers.contains("dqs"));
+  ASSERT_EQ(centers["cors"].size(), 4u);
+  ASSERT_EQ(centers["corNormals"].size(), 4u);
+  for (const char* key : {"positions", "normals", "dqs", "dqsNormals", "cors", "corNormals"}) EXPECT_TRUE(all.contains(key)) << key;
+  EXPECT_EQ(all["cors"], centers["cors"]);
+  EXPECT_FALSE(strip("linear").contains("cors") || strip("dual-quaternion").contains("cors"));
+}
+
+TEST(command_line, N21_verify_compares_positions_about_centers_of_rotation) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json"), moved = model.beside("moved.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "--skinning", "center-of-rotation", "-o", golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", model.path(), golden, "--tolerance", "0"}).status, 0);
+  json poses = json::parse(std::ifstream(golden));
+  json& cor = poses["clips"][1]["samples"][0]["skinned"][0]["cors"][2][1];
+  cor = cor.get<double>() + 0.25;
+  std::ofstream(moved) << poses;
+  const CommandOutcome outcome = run_tool({"verify", model.path(), moved});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("vertex 2, cors: off by 0.25 m"));
+}
+
 TEST(command_line, verify_refuses_a_golden_file_that_is_none) {
   const ToolModelFile model;
   const std::string empty = model.beside("empty.json");
@@ -220,6 +251,13 @@ TEST(command_line, plan_names_each_stage_with_its_reason) {
   }
   EXPECT_EQ(plan["work"]["vertices_skinned_linear"], 4);
   EXPECT_EQ(plan["work"]["vertices_skinned_dual_quaternion"], 0);
+  EXPECT_EQ(stage(plan, "skin_center_of_rotation")["runs"], false);
+  const json centers =
+      json::parse(run_tool({"plan", model.path(), "--skinning", "center-of-rotation", "--clip", "0", "--json"}).out);
+  EXPECT_EQ(stage(centers, "skin_center_of_rotation")["runs"], true);
+  EXPECT_EQ(stage(centers, "split_palette")["runs"], true);
+  EXPECT_EQ(centers["work"]["vertices_skinned_center_of_rotation"], 4);
+  EXPECT_EQ(centers["work"]["vertices_skinned_linear"], 0);
   const json joints = json::parse(run_tool({"plan", model.path(), "--needs", "joints", "--clip", "0", "--json"}).out);
   EXPECT_EQ(stage(joints, "skin_linear")["runs"], false);
   EXPECT_EQ(joints["work"]["vertices_skinned_linear"], 0);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "importer/import_gltf.h"
@@ -73,16 +74,30 @@ TEST(pose_sampler, G42_morphs_before_the_nodes_matrix_and_has_no_flat_normals) {
 
 TEST(pose_sampler, each_kind_of_skinning_fills_its_own_keys) {
   const ImportedFile file = model();
-  const auto filled = [&](bool linear, bool dual_quaternion) {
-    const Pose pose = *PoseSampler(file.scene, {linear, dual_quaternion, 64}).sample(0, 0.5);
+  const auto filled = [&](bool linear, bool dual_quaternion, bool center_of_rotation) {
+    const Pose pose = *PoseSampler(file.scene, {linear, dual_quaternion, center_of_rotation, 64}).sample(0, 0.5);
     EXPECT_FALSE(primitive_at(pose, 3).of(VertexKind::positions).empty());  // unskinned: always
     const PrimitivePose& strip = primitive_at(pose, 0);
-    return std::pair(!strip.of(VertexKind::positions).empty() && !strip.of(VertexKind::normals).empty(),
-                     !strip.of(VertexKind::dqs).empty() && !strip.of(VertexKind::dqs_normals).empty());
+    const auto has = [&](VertexKind kind) { return !strip.of(kind).empty(); };
+    return std::array{has(VertexKind::positions) && has(VertexKind::normals),
+                      has(VertexKind::dqs) && has(VertexKind::dqs_normals),
+                      has(VertexKind::cors) && has(VertexKind::cor_normals)};
   };
-  EXPECT_EQ(filled(true, false), std::pair(true, false));
-  EXPECT_EQ(filled(false, true), std::pair(false, true));
-  EXPECT_EQ(filled(true, true), std::pair(true, true));
+  for (const auto& kinds : {std::array{true, false, false}, {false, true, false}, {false, false, true}, {true, true, true}})
+    EXPECT_EQ(filled(kinds[0], kinds[1], kinds[2]), kinds);
+}
+
+TEST(pose_sampler, N21_a_bent_joint_turns_what_lies_around_a_center_of_rotation) {
+  ImportedFile file = model();
+  Primitive& strip = file.scene.meshes[0].primitives[0];
+  strip.centers_of_rotation = strip.positions;
+  for (std::size_t v = 0; v < 4; ++v)
+    if (strip.source_vertex[v] == 1) strip.centers_of_rotation[v] = {0, 0.5f, 0};
+  const Pose bent = *PoseSampler(file.scene, {}).sample(0, 1.0);
+  const PrimitivePose& pose = primitive_at(bent, 0);
+  const double half = std::sqrt(0.5);  // the center goes to half of (0 .5) and half of (.5 1), the arm of half a metre turns by 45 degrees
+  EXPECT_THAT(pose.of(VertexKind::cors), near({0, 0, 0, 0.25 - half / 2, 0.75 + half / 2, 0, -0.5, 1, 0, -1, 1, 0}));
+  EXPECT_THAT(pose.of(VertexKind::cor_normals), near({1, 0, 0, half, half, 0, 0, 1, 0, 0, 1, 0}));
 }
 
 TEST(pose_sampler, a_joint_that_mirrors_or_collapses_space_has_no_dual_quaternion) {

@@ -9,6 +9,9 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <random>
+#include <span>
+
+#include "tests/support/skinning_ways.h"
 
 namespace sinew {
 namespace {
@@ -81,6 +84,42 @@ std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_coun
     centers[v] = sum / total;
   }
   return centers;
+}
+
+/// Volume within the tube's side and the fans that close its ends.
+double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions, std::uint32_t columns) {
+  const auto signed_volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) { return glm::dot(a, glm::cross(b, c)) / 6.0; };
+  double sum = 0.0;
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    sum += signed_volume(positions[triangles[i]], positions[triangles[i + 1]], positions[triangles[i + 2]]);
+  const std::size_t top = positions.size() - columns;
+  for (std::uint32_t c = 1; c + 1 < columns; ++c) {
+    sum += signed_volume(positions[0], positions[c + 1], positions[c]);
+    sum += signed_volume(positions[top], positions[top + c], positions[top + c + 1]);
+  }
+  return sum;
+}
+
+TEST(centers_of_rotation, N20_about_them_a_bent_tube_keeps_more_volume_than_linearly_and_swells_less_than_with_dual_quaternions) {
+  constexpr std::uint32_t kColumns = 24;
+  const Primitive p = two_bone_tube(kColumns, 40);
+  const auto centers = centers_of_rotation(p);
+  const double rest = volume_of(p.indices, p.positions, kColumns);
+  ASSERT_NEAR(rest, std::numbers::pi * 10.0, 0.5);
+  test::SkinnedVertices s;
+  s.positions = p.positions, s.influences = p.influences;
+  s.out_positions.resize(p.vertex_count());
+  for (const double degrees : {45.0, 90.0, 120.0}) {
+    const double half = degrees * std::numbers::pi / 360.0;
+    const Affine bend = affine_from_transform(Transform{{0, 0, 0}, quat_cast<float>(quat_xyzw(0.0, 0.0, std::sin(half), std::cos(half))), glm::vec3(1)});
+    const Affine up = affine_from(Mat3<float>(1), {0, 5, 0}), down = affine_from(Mat3<float>(1), {0, -5, 0});
+    s.palette = {JointMatrix{}, joint_matrix_from(up * bend * down)};  // at the middle of the tube
+    const auto share = [&](test::Way way) { return skin(way, s, centers), volume_of(p.indices, s.out_positions, kColumns) / rest; };
+    const double linear = share(test::Way::linear), dual = share(test::Way::dual_quaternion), center = share(test::Way::center_of_rotation);
+    EXPECT_LT(linear, center) << degrees;
+    EXPECT_LT(std::abs(center - 1.0), std::abs(linear - 1.0)) << degrees;
+    EXPECT_LE(center, dual) << degrees;
+  }
 }
 
 struct TemporaryFolder {

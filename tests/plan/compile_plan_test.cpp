@@ -21,10 +21,11 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: joints are asked for\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
-            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
             "- morph [0, 0 B]: no mesh instance has morph targets\n"
             "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
             "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
+            "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
             "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
             "- bounds [0, 0 B]: boxes are not asked for\n");
 }
@@ -39,10 +40,11 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [3, 144 B]: joints are asked for\n"
             "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
-            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
             "- morph [0, 0 B]: no mesh instance has morph targets\n"
             "+ skin_linear [4, 96 B]: 1 primitive with joints and weights\n"
-            "- skin_dual_quaternion [0, 0 B]: all skinned primitives use the other kind of skinning\n"
+            "- skin_dual_quaternion [0, 0 B]: all skinned primitives use another kind of skinning\n"
+            "- skin_center_of_rotation [0, 0 B]: all skinned primitives use another kind of skinning\n"
             "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
             "- bounds [0, 0 B]: boxes are not asked for\n");
 }
@@ -57,10 +59,11 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: mesh instances hang on joints\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
-            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions\n"
+            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
             "+ morph [4, 160 B]: 1 primitive with targets that move something; targets of weight 0 cost nothing\n"
             "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
             "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
+            "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
             "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
             "+ bounds [4, 24 B]: boxes are asked for; rigid meshes move the box of their rest pose\n");
 }
@@ -84,6 +87,30 @@ TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
   EXPECT_EQ(stage(mixed, "split_palette").count, scene.skins[1].joints.size());
   EXPECT_EQ(stage(mixed, "skin_linear").count + stage(mixed, "skin_dual_quaternion").count,
             stage(linear, "skin_linear").count);
+}
+
+TEST(compile_plan, center_of_rotation_skinning_takes_palette_and_split_of_primitives_with_centers) {
+  Scene scene = arm_scene();
+  Primitive& arm = scene.meshes[0].primitives[0];
+  arm.centers_of_rotation = arm.positions;
+  const Needs needs{.skinning = Skinning::center_of_rotation, .instance_skinning = {}};
+  const Plan plan = compile_plan(scene, needs);
+  EXPECT_TRUE(stage(plan, "palette").runs);
+  EXPECT_TRUE(stage(plan, "split_palette").runs);
+  EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive with joints and weights");
+  EXPECT_EQ(stage(plan, "skin_center_of_rotation").count, 4u);
+  EXPECT_FALSE(stage(plan, "skin_linear").runs);
+  EXPECT_FALSE(stage(plan, "skin_dual_quaternion").runs);
+}
+
+TEST(compile_plan, N21_a_primitive_without_centers_is_skinned_linearly_and_the_plan_says_so) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}});
+  EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive without centers of rotation: skinned linearly");
+  EXPECT_FALSE(stage(plan, "skin_center_of_rotation").runs);
+  EXPECT_EQ(stage(plan, "skin_linear").reason, "1 primitive with joints and weights; 1 for want of centers of rotation");
+  EXPECT_FALSE(stage(plan, "split_palette").runs);
+  EXPECT_EQ(compile_plan(scene, {}).frame_bytes, plan.frame_bytes);
 }
 
 TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {

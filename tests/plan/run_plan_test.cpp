@@ -76,6 +76,37 @@ TEST(run_plan, dual_quaternions_keep_the_radius_where_linear_blending_cuts_the_c
   EXPECT_EQ(frame.result().work.vertices_skinned_linear, 0u);
 }
 
+TEST(run_plan, N21_skin_turns_about_its_centers_of_rotation) {
+  Scene scene = arm_scene();
+  Primitive& arm = scene.meshes[0].primitives[0];
+  arm.centers_of_rotation = arm.positions;
+  arm.centers_of_rotation[2] = arm.centers_of_rotation[3] = {0, 1.5f, 0};  // half a metre beyond the elbow
+  const ClipLayer layer{0, 1.0, 1.0f};
+  const Frame frame(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}},
+                    {.layers = {&layer, 1}, .weights = {}, .root = {}});
+  ASSERT_EQ(frame.error, ErrorCode::ok);
+  const float half = std::sqrt(0.5f);  // 45 degrees; the center itself: half of (0 1.5), half of (-.5 1)
+  const glm::vec3 center(-0.25f, 1.25f, 0), arm_of_2 = {half * 0.75f, -half * 0.25f, 0};
+  EXPECT_TRUE(is_near(frame.result().primitives[0].positions[2], center + arm_of_2, 1e-6));
+  EXPECT_TRUE(is_near(frame.result().primitives[0].positions[1], glm::vec3(-1, 1, 0), 1e-6));
+  EXPECT_TRUE(is_near(frame.result().primitives[0].normals[2], glm::vec3(0, 0, 1), 1e-6));
+  EXPECT_EQ(frame.result().work, (WorkCounters{.tracks_sampled = 1,
+                                               .joints_composed = 3,
+                                               .palette_entries = 2,
+                                               .palette_entries_split = 2,
+                                               .vertices_skinned_center_of_rotation = 4}));
+}
+
+TEST(run_plan, N21_without_centers_it_has_the_bits_of_linear_blending) {
+  const Scene scene = arm_scene();
+  const ClipLayer layer{0, 0.7, 1.0f};
+  const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+  const Frame linear(scene, {}, input), center(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}}, input);
+  const auto a = linear.result().primitives[0].positions, b = center.result().primitives[0].positions;
+  EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+  EXPECT_EQ(linear.result().work, center.result().work);
+}
+
 TEST(run_plan, G43_weights_come_from_the_clip_else_from_rest_and_the_caller_overrides_both) {
   const Scene scene = face_scene();
   Frame frame(scene, {});

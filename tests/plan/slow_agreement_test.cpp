@@ -67,6 +67,7 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
   for (std::uint64_t seed = 100; seed < 112; ++seed) {
     RandomSceneOptions options;
     options.flat_normals = c.flat, options.mirrored_joints = c.mirrored;
+    options.centers = c.skinning == Skinning::center_of_rotation;
     const Scene scene = random_scene(seed, options);
     Needs needs;
     needs.skinning = c.skinning, needs.normal_rule = c.rule;
@@ -98,6 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"linear_G46_flat_G48_mirrored", Skinning::linear, NormalRule::linear, true, true},
                       Case{"linear_cofactor_G46_flat_mirrored", Skinning::linear, NormalRule::cofactor, true, true},
                       Case{"dual_quaternion", Skinning::dual_quaternion, NormalRule::linear, false, false},
+                      Case{"center_of_rotation_N21", Skinning::center_of_rotation, NormalRule::linear, false, false},
+                      Case{"center_of_rotation_G46_flat_mirrored", Skinning::center_of_rotation, NormalRule::linear,
+                           true, true},
                       Case{"dual_quaternion_G46_flat_mirrored", Skinning::dual_quaternion, NormalRule::linear, true,
                            true}),
     [](const auto& test) { return std::string(test.param.name); });

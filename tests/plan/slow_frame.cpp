@@ -147,22 +147,42 @@ void skin_linear(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, 
   if (!shape.tangents.empty()) shape.tangents[v] = transform_vector(m, shape.tangents[v]);
 }
 
-void skin_dual_quaternion(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint) {
+/// The matrices of a vertex, split into rigid motions and stretches.
+struct SplitJoint {
+  explicit SplitJoint(const VertexJoint& joint) {
+    for (const Affined& m : joint.matrices) {
+      const auto polar = decompose_polar(linear_part(m));
+      motions.push_back(dual_quat_from(polar.quat, translation_of(m)));
+      stretches.push_back(matrix_from_stretch(polar.stretch));
+    }
+  }
   std::vector<DualQuatd> motions;
   std::vector<Mat3<double>> stretches;
-  for (const Affined& m : joint.matrices) {
-    const auto polar = decompose_polar(linear_part(m));
-    motions.push_back(dual_quat_from(polar.quat, translation_of(m)));
-    stretches.push_back(matrix_from_stretch(polar.stretch));
-  }
+};
+
+/// `skin(split, position, normal)` answers a reference::SkinnedT.
+template <class Skin>
+void skin_turned(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, const Skin& skin) {
+  const SplitJoint split(joint);
   const Vec3d normal = shape.normals.empty() ? Vec3d(0, 1, 0) : shape.normals[v];
-  const auto skinned =
-      reference::skin_dual_quaternion<double>(motions, stretches, joint.weights, shape.positions[v], normal);
+  const reference::SkinnedT<double> skinned = skin(split, shape.positions[v], normal);
   shape.positions[v] = skinned.position;
   if (!shape.normals.empty()) shape.normals[v] = skinned.normal;
   if (!shape.tangents.empty())
-    shape.tangents[v] = rotate_vector(skinned.rotation,
-                                      reference::blend_stretches<double>(stretches, joint.weights) * shape.tangents[v]);
+    shape.tangents[v] = rotate_vector(
+        skinned.rotation, reference::blend_stretches<double>(split.stretches, joint.weights) * shape.tangents[v]);
+}
+
+void skin_dual_quaternion(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint) {
+  skin_turned(shape, v, joint, [&](const SplitJoint& split, const Vec3d& p, const Vec3d& n) {
+    return reference::skin_dual_quaternion<double>(split.motions, split.stretches, joint.weights, p, n);
+  });
+}
+
+void skin_center_of_rotation(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, const Vec3d& center) {
+  skin_turned(shape, v, joint, [&](const SplitJoint& split, const Vec3d& p, const Vec3d& n) {
+    return reference::skin_center_of_rotation<double>(split.motions, joint.matrices, joint.weights, p, n, center, split.stretches);
+  });
 }
 
 /// eq   n = (b - a) x (c - a), on the outside
@@ -180,7 +200,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
   SlowPrimitive shape =
       morphed(primitive, std::span(frame.weights).subspan(scene.first_weight[i], instance.rest_weights.size()));
   const bool skinned = instance.skin != kNone && !primitive.influences.empty();
-  const bool dual = needs.skinning_of(i) == Skinning::dual_quaternion;
+  const Skinning kind = needs.skinning_of(i);
   if (skinned) {
     const Skin& skin = scene.skins[instance.skin];
     std::vector<Affined> palette;
@@ -188,8 +208,10 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
       palette.push_back(frame.model[skin.joints[k]] * affine_cast<double>(skin.inverse_bind[k]));
     for (std::uint32_t v = 0; v < primitive.vertex_count(); ++v) {
       const VertexJoint joint = joints_of(primitive.influences, palette, v);
-      if (dual)
+      if (kind == Skinning::dual_quaternion)
         skin_dual_quaternion(shape, v, joint);
+      else if (kind == Skinning::center_of_rotation)
+        skin_center_of_rotation(shape, v, joint, Vec3d(primitive.centers_of_rotation[v]));
       else
         skin_linear(shape, v, joint, needs.normal_rule);
     }

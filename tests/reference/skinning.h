@@ -93,15 +93,19 @@ SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::spa
   return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal_outward(stretch, n)), motion.real};
 }
 
-/// eq   p' = R (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of
-///      rotation (Le and Hodgins 2016, algorithm 1)
+/// eq   p' = R S (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of
+///      rotation (Le and Hodgins 2016, algorithm 1); S the blended stretch, with which one joint alone is its matrix
+/// in   stretches  empty = none of the motions has one
 template <class T>
 SkinnedT<T> skin_center_of_rotation(std::span<const DualQuatT<T>> motions, std::span<const AffineT<T>> matrices,
                                     std::span<const T> weights, const Vec3<T>& p, const Vec3<T>& n,
-                                    const Vec3<T>& center) {
+                                    const Vec3<T>& center, std::span<const Mat3<T>> stretches = {}) {
   const Quat<T> rotation = blend_motions(motions, weights).motion.real;
   const Vec3<T> moved = skin_linear(matrices, weights, center);
-  return {rotate_vector(rotation, p - center) + moved, rotate_vector(rotation, n), rotation};
+  if (stretches.empty()) return {rotate_vector(rotation, p - center) + moved, rotate_vector(rotation, n), rotation};
+  const Mat3<T> stretch = blend_stretches(stretches, weights);
+  return {rotate_vector(rotation, stretch * (p - center)) + moved,
+          rotate_vector(rotation, transform_normal_outward(stretch, n)), rotation};
 }
 
 }  // namespace sinew::reference

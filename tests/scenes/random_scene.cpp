@@ -83,6 +83,8 @@ class Maker {
     }
     primitive.flat_normals = flat;
     if (options_.skins > 0) primitive.influences = make_influences(count);
+    for (std::uint32_t v = 0; v < count && options_.centers && options_.skins > 0; ++v)
+      primitive.centers_of_rotation.push_back(random_.vec3(-1, 1));
     for (std::uint32_t t = 0; t < options_.targets; ++t) primitive.morphs.targets.push_back(make_target(primitive));
     return primitive;
   }

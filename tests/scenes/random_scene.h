@@ -18,6 +18,7 @@ struct RandomSceneOptions {
   std::uint32_t most_influences = 6;
   bool normals = true, tangents = true, colors = true;
   bool flat_normals = false;  ///< every second primitive
+  bool centers = false;          ///< of rotation, for skinned meshes
   bool mirrored_joints = false;
   std::uint32_t correctives = 0;  ///< needs targets
 };
