@@ -26,10 +26,11 @@ struct Method {
 };
 
 std::vector<Method> methods() {
-  Needs linear, cofactor, dual_quaternion;
+  Needs linear, cofactor, dual_quaternion, center_of_rotation;
   cofactor.normal_rule = NormalRule::cofactor;
   dual_quaternion.skinning = Skinning::dual_quaternion;
-  return {{"linear", linear}, {"cofactor", cofactor}, {"dual-quaternion", dual_quaternion}};
+  center_of_rotation.skinning = Skinning::center_of_rotation;
+  return {{"linear", linear}, {"cofactor", cofactor}, {"dual-quaternion", dual_quaternion}, {"center-of-rotation", center_of_rotation}};
 }
 
 /// Frames of one scene under one method: each clip alone at the golden times, and two clips blended.

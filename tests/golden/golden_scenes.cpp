@@ -40,13 +40,20 @@ void snap(Animation& animation) {
   for (auto& [instance, track] : animation.weights) snap(track.values);
 }
 
+/// Halfway between each vertex and the origin, so that center-of-rotation skinning is neither of the other two.
+void place_centers(Primitive& p) {
+  p.centers_of_rotation.clear();
+  if (p.influences.empty()) return;
+  for (const glm::vec3& position : p.positions) p.centers_of_rotation.push_back(position * 0.5f);
+}
+
 Scene snapped(Scene scene) {
   for (Transform& t : scene.skeleton.rest) snap(t.translation), snap(t.rotation), snap(t.scale);
   snap(scene.skeleton.fixed_matrices);
   for (Skin& skin : scene.skins) snap(skin.inverse_bind);
   for (Mesh& mesh : scene.meshes) {
     snap(mesh.default_weights);
-    for (Primitive& p : mesh.primitives) snap(p);
+    for (Primitive& p : mesh.primitives) snap(p), place_centers(p);
   }
   for (MeshInstance& instance : scene.instances) snap(instance.rest_weights);
   for (Animation& animation : scene.animations) snap(animation);
