@@ -46,6 +46,7 @@ Needs needs_from(const PlanOptions& options) {
 nlohmann::ordered_json work_json(const WorkCounters& work) {
   return {{"tracks_sampled", work.tracks_sampled},
           {"poses_blended", work.poses_blended},
+          {"poses_added", work.poses_added},
           {"poses_compared", work.poses_compared},
           {"joints_composed", work.joints_composed},
           {"palette_entries", work.palette_entries},

@@ -17,7 +17,7 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// Linear-blend skinning.
 /// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59);  t' = normalise(mat3(M) t)
 /// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
-/// out  vertices    world space when the palette is; a normal that collapses to zero keeps its input value (N22)
+/// out  vertices    must not overlap the input; world space when the palette is; a normal that collapses to zero keeps its input value (N22)
 /// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
 struct SkinLinearJob {
   const VertexInfluences* influences = nullptr;

@@ -2,6 +2,7 @@
 #include "runtime/plan/compile_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/base/contract.h"
 #include "runtime/jobs/correct_pose.h"
@@ -113,6 +114,10 @@ void place_primitives(Plan& plan, BlockLayout& block) {
   plan.scratch_at = block.take_array<glm::vec3>(scratch);
 }
 
+bool is_mask(const std::vector<float>& mask, std::size_t joint_count) {
+  return mask.size() == joint_count && std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
+}
+
 void place(Plan& plan) {
   const Scene& scene = *plan.scene;
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
@@ -127,6 +132,10 @@ void place(Plan& plan) {
     for (const PoseCorrective& corrective : scene.correctives)
       plan.corrective_scratch_count = std::max(plan.corrective_scratch_count, scratch_size(corrective));
   plan.corrective_scratch_at = block.take_array<double>(plan.corrective_scratch_count);
+  plan.added_pose_at = block.take(plan.add ? pose_bytes : 0);
+  plan.reference_pose_at = block.take(plan.add ? pose_bytes : 0);
+  plan.added_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
+  plan.reference_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
@@ -147,6 +156,7 @@ bool any_morphs(const Plan& plan) noexcept {
 
 Plan compile_plan(const Scene& scene, const Needs& needs) {
   CONTRACT(needs.max_layers > 0);
+  CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(), [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
   CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
   Plan plan;
   plan.scene = &scene;
@@ -162,7 +172,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan.local_to_model =
       scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
   plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0);
-  plan.blend = plan.sample && needs.max_layers > 1;
+  plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
+  plan.add = plan.sample && needs.additive;
   plan.bounds = needs.bounds && !scene.instances.empty();
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));

@@ -55,13 +55,15 @@ struct Plan {
   std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
   std::vector<ClipTracks> clip_tracks;         ///< [clips]
   std::vector<float> rest_weights;             ///< [W]
-  bool sample = false, blend = false, correctives = false, local_to_model = false, bounds = false;
+  bool sample = false, blend = false, add = false, correctives = false, local_to_model = false, bounds = false;
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
 
   // Byte offsets into the frame memory. The rest pose is written once, the rest by every frame.
   std::size_t rest_pose_at = 0, pose_at = 0, layer_poses_at = 0;  ///< layers after the first have a pose of their own
   std::size_t weights_at = 0, layer_weights_at = 0;
   std::size_t corrective_scratch_at = 0, corrective_scratch_count = 0;  ///< of doubles, for one corrective at a time
+  std::size_t added_pose_at = 0, reference_pose_at = 0;           ///< of the layer that is being added
+  std::size_t added_weights_at = 0, reference_weights_at = 0;
   std::size_t model_at = 0;
   std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
   std::size_t stretch_at = 0;                                     ///< bool[skins]: the split found stretch
@@ -74,7 +76,8 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
   return plan.scene->meshes[plan.scene->instances[planned.instance].mesh].primitives[planned.primitive];
 }
 
-/// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance
+/// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance, masks of one
+///                                                     finite weight >= 0 per joint
 /// cost O(size of the scene), allocates the plan
 Plan compile_plan(const Scene& scene, const Needs& needs);
 

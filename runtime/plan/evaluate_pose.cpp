@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "runtime/jobs/add_pose.h"
 #include "runtime/jobs/sample_clip.h"
+#include "runtime/math/negligible.h"
 #include "runtime/plan/blend_weights.h"
 
 namespace sinew {
@@ -36,26 +38,29 @@ void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool wit
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
 }
 
-}  // namespace
+std::span<const float> mask_of(const Plan& plan, const ClipLayer& layer) noexcept {
+  return layer.mask == kNone ? std::span<const float>{} : std::span<const float>(plan.needs.masks[layer.mask]);
+}
 
-PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-                       WorkCounters& work) noexcept {
+bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
+  return plan.sample && layer.weight != 0.0f && (layer.kind != LayerKind::blend) == adds;
+}
+
+/// The mean of the layers that blend, and of their weights when these are the frame's own.
+PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers, bool own_weights,
+               WorkCounters& work) noexcept {
   const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.scene->skeleton.joint_count());
   const LayerPlace first = place_of_layer(plan, memory, 0);
-  const bool own_weights = input.weights.empty() && !first.weights.empty();
   std::size_t count = 0;
   for (const ClipLayer& layer : input.layers) {
-    if (!plan.sample || layer.weight == 0.0f) continue;
+    if (!takes_part(plan, layer, false)) continue;
     const LayerPlace place = place_of_layer(plan, memory, count);
     sample(plan, layer, place, own_weights, work);
-    layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = {}};
+    layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
   }
-  if (!own_weights)
-    std::copy(input.weights.begin(), input.weights.end(), first.weights.begin());
-  else if (count == 0)
-    std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
+  if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
   if (count == 0) return rest;
-  if (count == 1 && layers[0].weight >= 1.0f) return first.pose;
+  if (count == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return first.pose;
 
   const BlendPosesJob job{.layers = layers.first(count), .rest = rest, .pose = first.pose};
   assert(check(job) == ErrorCode::ok);
@@ -63,9 +68,46 @@ PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory me
   work.poses_blended += count;
   const std::size_t others = (count - 1) * first.weights.size();
   if (own_weights)
-    blend_weights(layers.first(count), plan.rest_weights, first.weights,
-                  memory.array<float>(plan.layer_weights_at, others));
+    blend_weights(layers.first(count), plan.rest_weights, first.weights, memory.array<float>(plan.layer_weights_at, others));
   return first.pose;
+}
+
+/// Adds one layer to the pose, which is the frame's own, and to its weights.
+void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, WorkCounters& work) noexcept {
+  const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
+  const LayerPlace own = place_of_layer(plan, memory, 0);
+  const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights)};
+  LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}};
+  std::span<const float> reference_weights = plan.rest_weights;
+  sample(plan, layer, added, own_weights, work);
+  if (layer.kind == LayerKind::add_to_start) {
+    reference = {memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights)};
+    reference_weights = reference.weights;
+    sample(plan, {.clip = layer.clip}, reference, own_weights, work);
+  }
+  const AddPoseJob job{.layer = added.pose, .reference = reference.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer), .pose = own.pose};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.poses_added += 1;
+  if (own_weights)
+    for (std::size_t i = 0; i < weights; ++i) own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference_weights[i]));
+}
+
+}  // namespace
+
+PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
+                       WorkCounters& work) noexcept {
+  const LayerPlace own = place_of_layer(plan, memory, 0);
+  const bool own_weights = input.weights.empty() && !own.weights.empty();
+  if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
+  PoseSpan pose = blend(plan, input, memory, layers, own_weights, work);
+  for (const ClipLayer& layer : input.layers) {
+    if (!takes_part(plan, layer, true)) continue;
+    if (pose.planes != own.pose.planes) std::copy_n(pose.planes, PoseSpan::floats_for(pose.joint_count), own.pose.planes);
+    pose = own.pose;
+    add(plan, layer, memory, own_weights, work);
+  }
+  return pose;
 }
 
 }  // namespace sinew

@@ -20,6 +20,9 @@ struct Needs {
   bool weights = true;        ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool bounds = false;        ///< boxes of the mesh instances (P14)
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
+                              ///< Layers that add do not count
+  bool additive = false;      ///< some layers add to the pose
+  std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;  ///< of linear blending; the other kinds turn normals exactly

@@ -33,8 +33,15 @@ PlanStage describe_blend(const Plan& plan) {
   const std::uint64_t layers = plan.needs.max_layers;
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
   if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
-  return {"blend", true, "up to " + std::to_string(layers) + " layers; a single one of full weight skips the stage",
-          plan.scene->skeleton.joint_count(), pose_bytes(plan) * (layers - 1)};
+  const std::string limit = layers == 1 ? "one layer, which a mask may limit" : "up to " + std::to_string(layers) + " layers";
+  return {"blend", true, limit + "; a single one of full weight skips the stage", plan.scene->skeleton.joint_count(),
+          pose_bytes(plan) * std::max<std::uint64_t>(layers - 1, 1)};
+}
+
+PlanStage describe_add(const Plan& plan) {
+  if (!plan.sample) return {"add", false, "nothing is sampled", 0, 0};
+  if (!plan.add) return {"add", false, "no layers that add are asked for", 0, 0};
+  return {"add", true, "layers that add are asked for, one after another", plan.scene->skeleton.joint_count(), 2 * pose_bytes(plan)};
 }
 
 PlanStage describe_correctives(const Plan& plan) {
@@ -174,6 +181,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
   return {describe_sample(plan),
           describe_blend(plan),
+          describe_add(plan),
           describe_correctives(plan),
           describe_local_to_model(plan),
           describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix), why_no_skinning(plan)),

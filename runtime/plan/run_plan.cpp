@@ -25,7 +25,10 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
   for (const ClipLayer& layer : input.layers) {
     if (layer.clip >= plan.scene->clips.size()) return ErrorCode::index_out_of_range;
     if (!std::isfinite(layer.time_s) || !std::isfinite(layer.weight)) return ErrorCode::not_finite;
-    if (layer.weight < 0.0f) return ErrorCode::unsupported;
+    if (layer.mask != kNone && layer.mask >= plan.needs.masks.size()) return ErrorCode::index_out_of_range;
+    const bool adds = layer.kind != LayerKind::blend;
+    if (layer.weight < 0.0f || (adds && !plan.needs.additive)) return ErrorCode::unsupported;
+    if (adds) continue;
     active += layer.weight != 0.0f;
     total_weight += static_cast<double>(layer.weight);
   }

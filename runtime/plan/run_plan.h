@@ -13,15 +13,22 @@
 
 namespace sinew {
 
-/// One clip playing at one time, with a blend weight.
+/// How a layer enters the pose: averaged with its like, or added on top of their mean (add_pose.h), as far as the clip differs
+/// from the rest pose or from its own first instant.
+enum class LayerKind : std::uint8_t { blend, add_to_rest, add_to_start };
+
+/// One clip playing at one time, with a weight.
 struct ClipLayer {
   std::uint32_t clip = 0;
   double time_s = 0.0;
   float weight = 1.0f;
+  std::uint32_t mask = kNone;          ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights have none
+  LayerKind kind = LayerKind::blend;
 };
 
 /// What to evaluate. No layers = rest pose (also when the scene has no clips at all). Layers are averaged by weight,
-/// where the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent.
+/// where the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent. Layers that add
+/// follow in their order.
 struct FrameInput {
   std::span<const ClipLayer> layers;
   std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest.
@@ -54,9 +61,9 @@ class FrameBuffer {
 };
 
 /// Runs every stage of the plan for one character; afterwards `frame.result()` holds the outcome.
-/// err  index_out_of_range (clip); size_mismatch (weights, more layers than Needs::max_layers, or a frame buffer of
-///      another plan); not_finite (layer time or weight, morph weight); unsupported (a layer of negative weight, or of
-///      weight below 1 in a plan without blending). After an error the frame buffer still holds its last good frame.
+/// err  index_out_of_range (clip, mask); size_mismatch (weights, more layers than Needs::max_layers, or a frame buffer of
+///      another plan); not_finite (layer time or weight, morph weight); unsupported (a layer of negative weight, of weight
+///      below 1 in a plan without blending, or one that adds without Needs::additive). After an error the frame buffer still holds its last good frame.
 /// cost the sum of the plan's stages, no allocation; the same input gives the same bits
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept;
 

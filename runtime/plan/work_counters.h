@@ -8,6 +8,7 @@ namespace sinew {
 struct WorkCounters {
   std::uint64_t tracks_sampled = 0;
   std::uint64_t poses_blended = 0;
+  std::uint64_t poses_added = 0;
   std::uint64_t poses_compared = 0;   ///< with the samples of correctives
   std::uint64_t joints_composed = 0;
   std::uint64_t palette_entries = 0;

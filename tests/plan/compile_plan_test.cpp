@@ -18,6 +18,7 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
   EXPECT_EQ(dump(compile_plan(scene, {})),
             "- sample [0, 0 B]: no clips: the rest pose is written once\n"
             "- blend [0, 0 B]: nothing is sampled\n"
+            "- add [0, 0 B]: nothing is sampled\n"
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: joints are asked for\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
@@ -37,6 +38,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   EXPECT_EQ(dump(compile_plan(scene, needs)),
             "+ sample [1, 640 B]: 1 clip; the count is of the one with most tracks\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
+            "- add [0, 0 B]: no layers that add are asked for\n"
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [3, 144 B]: joints are asked for\n"
             "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
@@ -56,6 +58,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   EXPECT_EQ(dump(compile_plan(scene, needs)),
             "+ sample [2, 648 B]: 1 clip; the count is of the one with most tracks\n"
             "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
+            "- add [0, 0 B]: no layers that add are asked for\n"
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
             "+ local_to_model [1, 48 B]: mesh instances hang on joints\n"
             "- palette [0, 0 B]: no mesh instance is skinned\n"
@@ -178,7 +181,9 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   RandomSceneOptions options;
   options.flat_normals = true;
   const Scene scene = random_scene(5, options);
-  const Plan plan = compile_plan(scene, {});
+  Needs needs;
+  needs.additive = true;
+  const Plan plan = compile_plan(scene, needs);
   std::vector<std::pair<std::size_t, std::size_t>> places;
   const auto take = [&](std::size_t at, std::size_t bytes) {
     if (bytes > 0) places.emplace_back(at, at + bytes);
@@ -186,6 +191,8 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   take(plan.rest_pose_at, pose_bytes), take(plan.pose_at, pose_bytes), take(plan.layer_poses_at, 3 * pose_bytes);
   take(plan.weights_at, 4 * scene.weight_count()), take(plan.layer_weights_at, 3 * 4 * scene.weight_count());
+  take(plan.added_pose_at, pose_bytes), take(plan.reference_pose_at, pose_bytes);
+  take(plan.added_weights_at, 4 * scene.weight_count()), take(plan.reference_weights_at, 4 * scene.weight_count());
   take(plan.model_at, sizeof(Affine) * scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
     if (plan.palette[s]) take(plan.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());

@@ -19,6 +19,7 @@ struct NamedCount {
 std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
   return {{"sample", w.tracks_sampled},
           {"blend", w.poses_blended},
+          {"add", w.poses_added},
           {"correctives", w.poses_compared},
           {"local_to_model", w.joints_composed},
           {"palette", w.palette_entries},
@@ -35,7 +36,7 @@ Needs needs_by_bits(std::uint32_t bits) {
   needs.joints = bits & 1, needs.positions = bits & 2, needs.normals = bits & 4, needs.tangents = bits & 8;
   needs.bounds = bits & 16, needs.max_layers = bits & 32 ? 1 : 3;
   needs.skinning = bits & 64 ? Skinning::dual_quaternion : Skinning::linear;
-  needs.weights = (bits & 1) == 0;
+  needs.weights = (bits & 1) == 0, needs.additive = bits & 8;
   return needs;
 }
 
@@ -48,9 +49,11 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
     for (std::uint32_t bits = 0; bits < 128; ++bits) {
       const Plan plan = compile_plan(scene, needs_by_bits(bits));
       FrameBuffer frame(plan);
-      const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}};
-      const std::size_t count = scene.clips.empty() ? 0 : plan.needs.max_layers == 1 ? 1 : 2;
-      ASSERT_EQ(run_plan(plan, {.layers = std::span(layers, count), .weights = {}, .root = {}}, frame), ErrorCode::ok);
+      std::vector<ClipLayer> layers;
+      if (!scene.clips.empty()) layers.push_back({0, 0.4, 1.0f});
+      if (!scene.clips.empty() && plan.needs.max_layers > 1) layers.push_back({1, 0.9, 0.5f});
+      if (!scene.clips.empty() && plan.needs.additive) layers.push_back({1, 0.7, 0.5f, kNone, LayerKind::add_to_start});
+      ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
       for (const auto& [name, work] : work_of_stages(frame.result().work))
         EXPECT_EQ(work > 0, stage(plan, name).runs && (name != std::string("bounds") || stage(plan, name).count > 0))
             << name << " seed " << seed << " needs " << bits;

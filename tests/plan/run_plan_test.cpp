@@ -268,6 +268,8 @@ TEST(run_plan, rejects_what_it_cannot_show_and_keeps_the_last_good_frame) {
                {{{0, inf, 1.0f}}, {}, ErrorCode::not_finite},
                {{{0, 0.0, kNan}}, {}, ErrorCode::not_finite},
                {{{0, 0.0, -0.5f}}, {}, ErrorCode::unsupported},
+               {{{0, 0.0, 1.0f, 0}}, {}, ErrorCode::index_out_of_range},
+               {{{0, 0.0, 1.0f, kNone, LayerKind::add_to_rest}}, {}, ErrorCode::unsupported},
                {{{0, 0.0, 1.0f}, {0, 0.0, 1.0f}, {0, 0.0, 1.0f}}, {}, ErrorCode::size_mismatch},
                {{}, one, ErrorCode::size_mismatch},
                {{}, bad, ErrorCode::not_finite}};
@@ -288,6 +290,22 @@ TEST(run_plan, a_plan_without_blending_rejects_partial_weights) {
   EXPECT_EQ(frame.error, ErrorCode::unsupported);
   frame.run({.layers = {&full, 1}, .weights = {}, .root = {}});
   EXPECT_EQ(frame.error, ErrorCode::ok);
+}
+
+TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_their_memory) {
+  const Scene scene = face_scene();
+  Needs needs;
+  needs.additive = true, needs.max_layers = 1;
+  Frame frame(scene, needs, {});
+  const Affine rest = frame.result().model[0];
+  const ClipLayer added[] = {{0, 1.0, 1.0f, kNone, LayerKind::add_to_rest}};
+  const std::vector<float> on_top(frame.run({.layers = added, .weights = {}, .root = {}}).weights.begin(), frame.result().weights.end());
+  EXPECT_EQ(frame.error, ErrorCode::ok);
+  const ClipLayer alone[] = {{0, 1.0, 1.0f}};
+  const std::vector<float> played(frame.run({.layers = alone, .weights = {}, .root = {}}).weights.begin(), frame.result().weights.end());
+  EXPECT_EQ(on_top, played);  // what the clip adds to rest, on rest, is the clip
+  frame.run({});
+  EXPECT_EQ(frame.result().model[0], rest);
 }
 
 TEST(run_plan, rejects_the_frame_buffer_of_another_plan) {

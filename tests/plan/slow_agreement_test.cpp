@@ -6,6 +6,7 @@
 
 #include "tests/plan/slow_frame.h"
 #include "tests/scenes/random_scene.h"
+#include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
 namespace sinew::test {
@@ -105,6 +106,29 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"dual_quaternion_G46_flat_mirrored", Skinning::dual_quaternion, NormalRule::linear, true,
                            true}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) {
+  for (std::uint64_t seed = 200; seed < 216; ++seed) {
+    const Scene scene = random_scene(seed);
+    FixedRandom random(seed);
+    Needs needs;
+    needs.additive = true, needs.max_layers = 2, needs.masks.resize(2);
+    for (auto& mask : needs.masks)
+      for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j)
+        mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const ClipLayer layers[] = {{0, 0.31, 0.6f, 0}, {1, 1.63, 0.7f, 1}, {0, 0.9, 0.8f, kNone, LayerKind::add_to_start}, {1, 0.4, 0.5f, 1, LayerKind::add_to_rest}};
+    for (const auto& [first, count] : {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}}) {
+      const FrameInput input{.layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)), .weights = {}, .root = {}};
+      ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      const Errors e = compare(frame.result(), evaluate_slowly(scene, needs, input));
+      EXPECT_LE(e.model, 6e-6) << "seed " << seed << " layers " << first << ' ' << count;
+      EXPECT_LE(e.weights, 6e-7) << "seed " << seed << " layers " << first << ' ' << count;
+      EXPECT_LE(e.positions, 6e-6) << "seed " << seed << " layers " << first << ' ' << count;
+    }
+  }
+}
 
 // The slow path does not look at plans, clips or jobs: where it cannot differ from them it would prove nothing.
 TEST(slow_frame, differs_when_its_input_differs) {

@@ -24,21 +24,30 @@ Transformd joint_at(const Scene& scene, const ClipLayer& layer, std::uint32_t jo
   return rest;
 }
 
+bool blends(const ClipLayer& layer) { return layer.kind == LayerKind::blend; }
+
+double weight_of(const Needs& needs, const ClipLayer& layer, std::uint32_t joint) {
+  const double mask = layer.mask == kNone ? 1.0 : static_cast<double>(needs.masks[layer.mask][joint]);
+  return mask * static_cast<double>(layer.weight);
+}
+
 double total_weight(const FrameInput& input) {
   double total = 0.0;
-  for (const ClipLayer& layer : input.layers) total += static_cast<double>(layer.weight);
+  for (const ClipLayer& layer : input.layers) total += blends(layer) ? static_cast<double>(layer.weight) : 0.0;
   return total;
 }
 
 /// eq   mean over the layers, the rest pose with weight max(0, 1 - total); rotations by normalised sum, aligned to the
 /// rest
-Transformd blended_joint(const Scene& scene, const FrameInput& input, std::uint32_t joint) {
+Transformd blended_joint(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
   const Transformd rest = to_double(scene.skeleton.rest[joint]);
-  const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
-  if (input.layers.size() == 1 && total >= 1.0) return joint_at(scene, input.layers[0], joint);
+  double total = 0.0;
+  for (const ClipLayer& layer : input.layers) total += blends(layer) ? weight_of(needs, layer, joint) : 0.0;
+  const double fill = std::max(0.0, 1.0 - total);
   Transformd sum{rest.translation * fill, rest.rotation * fill, rest.scale * fill};
   for (const ClipLayer& layer : input.layers) {
-    const double w = static_cast<double>(layer.weight);
+    const double w = blends(layer) ? weight_of(needs, layer, joint) : 0.0;
+    if (w == total && fill == 0.0) return joint_at(scene, layer, joint);
     const Transformd pose = joint_at(scene, layer, joint);
     sum.translation += pose.translation * w;
     sum.rotation = sum.rotation + aligned_with(rest.rotation, pose.rotation) * w;
@@ -46,6 +55,24 @@ Transformd blended_joint(const Scene& scene, const FrameInput& input, std::uint3
   }
   const double share = 1.0 / (total + fill);
   return {sum.translation * share, normalised(sum.rotation), sum.scale * share};
+}
+
+ClipLayer start_of(const ClipLayer& layer) { return {.clip = layer.clip}; }
+
+/// The equations of add_pose.h on top of the blended joint.
+Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
+  Transformd sum = blended_joint(scene, needs, input, joint);
+  for (const ClipLayer& layer : input.layers) {
+    const double w = weight_of(needs, layer, joint);
+    if (blends(layer) || w == 0.0) continue;
+    const Transformd added = joint_at(scene, layer, joint);
+    const Transformd reference = layer.kind == LayerKind::add_to_rest ? to_double(scene.skeleton.rest[joint]) : joint_at(scene, start_of(layer), joint);
+    const Quat<double> one = quat_xyzw(0.0, 0.0, 0.0, 1.0), turn = aligned_with(one, added.rotation * quat_conjugate(reference.rotation));
+    sum.translation += w * (added.translation - reference.translation);
+    sum.rotation = normalised((one * (1.0 - w) + turn * w) * sum.rotation);
+    sum.scale *= 1.0 + w * (added.scale / reference.scale - 1.0);
+  }
+  return sum;
 }
 
 std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const std::vector<double>& rest) {
@@ -66,32 +93,39 @@ std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   std::vector<double> sum(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) sum[i] = fill * rest[i];
   for (const ClipLayer& layer : input.layers) {
+    if (!blends(layer)) continue;
     const std::vector<double> weights = weights_at(scene, layer, rest);
     for (std::size_t i = 0; i < rest.size(); ++i) sum[i] += static_cast<double>(layer.weight) * weights[i];
   }
   for (double& w : sum) w /= total + fill;
+  for (const ClipLayer& layer : input.layers) {
+    if (blends(layer)) continue;
+    const std::vector<double> weights = weights_at(scene, layer, rest);
+    const std::vector<double> reference = layer.kind == LayerKind::add_to_rest ? rest : weights_at(scene, start_of(layer), rest);
+    for (std::size_t i = 0; i < rest.size(); ++i) sum[i] += static_cast<double>(layer.weight) * (weights[i] - reference[i]);
+  }
   return sum;
 }
 
 /// Correctives add to the weights, whether these are given or sampled.
-void correct_weights(const Scene& scene, const FrameInput& input, std::vector<double>& weights) {
+void correct_weights(const Scene& scene, const Needs& needs, const FrameInput& input, std::vector<double>& weights) {
   for (const PoseCorrective& corrective : scene.correctives) {
     reference::Pose pose;
     for (const PoseDriver& driver : corrective.samples.drivers)
-      pose.push_back(reference::rotation_of(blended_joint(scene, input, driver.joint).rotation));
+      pose.push_back(reference::rotation_of(posed_joint(scene, needs, input, driver.joint).rotation));
     const reference::Row added = reference::correct_pose(corrective.samples, pose);
     for (std::size_t i = 0; i < added.size(); ++i)
       weights[corrective.samples.weights[i]] += static_cast<double>(added[i]);
   }
 }
 
-std::vector<Affined> world_matrices(const Scene& scene, const FrameInput& input) {
+std::vector<Affined> world_matrices(const Scene& scene, const Needs& needs, const FrameInput& input) {
   std::vector<Affined> model;
   const Skeleton& skeleton = scene.skeleton;
   for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
     const Affined above = skeleton.parents[j] == kNone ? affine_cast<double>(input.root) : model[skeleton.parents[j]];
     const std::uint32_t fixed = skeleton.fixed_matrix_of[j];
-    model.push_back(above * (fixed == kNone ? affine_from_transform(blended_joint(scene, input, j))
+    model.push_back(above * (fixed == kNone ? affine_from_transform(posed_joint(scene, needs, input, j))
                                             : affine_cast<double>(skeleton.fixed_matrices[fixed])));
   }
   return model;
@@ -230,9 +264,9 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
 
 SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input) {
   SlowFrame frame;
-  frame.model = world_matrices(scene, input);
+  frame.model = world_matrices(scene, needs, input);
   frame.weights = all_weights(scene, input);
-  correct_weights(scene, input, frame.weights);
+  correct_weights(scene, needs, input, frame.weights);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
     Affined placed = frame.model[instance.joint];
