@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "runtime/plan/run_plan.h"
+#include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
+#include "tests/plan/slow_frame.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/skinned_surface.h"
 #include "tests/scenes/swinging.h"
@@ -39,35 +41,49 @@ struct PlannedFrames {
   FrameBuffer frame;
   double time_s = 0.0;
 
-  explicit PlannedFrames(const Scene& shown) : scene(shown), plan(compile_plan(shown, {})), frame(plan) {}
+  PlannedFrames(const Scene& shown, const Needs& needs) : scene(shown), plan(compile_plan(shown, needs)), frame(plan) {}
 
+  FrameInput input(std::uint32_t layer_count) {
+    layers_[0] = {0, clip_time(scene, 0, time_s), layer_count == 1 ? 1.0f : 0.7f};
+    if (layer_count > 1) layers_[1] = {1, clip_time(scene, 1, time_s), 0.3f};
+    return {.layers = std::span(layers_, layer_count), .weights = {}, .root = {}};
+  }
   void next(std::uint32_t layer_count) {
-    const ClipLayer layers[] = {{0, clip_time(scene, 0, time_s), layer_count == 1 ? 1.0f : 0.7f},
-                                {1, clip_time(scene, 1, time_s), 0.3f}};
-    const FrameInput input{.layers = std::span(layers, layer_count), .weights = {}, .root = {}};
-    if (run_plan(plan, input, frame) != ErrorCode::ok) std::abort();
+    if (run_plan(plan, input(layer_count), frame) != ErrorCode::ok) std::abort();
     time_s += kStepS;
   }
+
+ private:
+  ClipLayer layers_[2];
 };
 
 /// The same frames as plain GLM code: sample, blend, matrices, palette, skin.
 struct PlainFrames {
+  struct Skinned {
+    const Primitive* primitive;
+    std::size_t skin;
+    std::vector<glm::vec3> positions, normals;
+  };
   const Scene& scene;
+  bool normals;
   std::vector<glm_pose::Joint> pose;
   std::vector<std::vector<glm_pose::Joint>> layers;
-  std::vector<glm::mat4> model, palette, inverse_bind;
-  std::vector<glm::vec3> positions, normals;
+  std::vector<glm::mat4> model;
+  std::vector<std::vector<glm::mat4>> palettes, inverse_binds;
+  std::vector<Skinned> skinned;
   double time_s = 0.0;
 
-  explicit PlainFrames(const Scene& shown)
-      : scene(shown),
-        pose(shown.skeleton.joint_count()),
-        layers(2, pose),
-        model(pose.size()),
-        palette(shown.skins[0].joints.size()) {
-    for (const Affine& m : scene.skins[0].inverse_bind) inverse_bind.push_back(mat4_from_affine(m));
-    positions.resize(scene.meshes[0].primitives[0].vertex_count());
-    normals.resize(positions.size());
+  PlainFrames(const Scene& shown, const Needs& needs)
+      : scene(shown), normals(needs.normals), pose(shown.skeleton.joint_count()), layers(2, pose), model(pose.size()) {
+    for (const Skin& skin : scene.skins) {
+      palettes.emplace_back(skin.joints.size());
+      inverse_binds.emplace_back();
+      for (const Affine& m : skin.inverse_bind) inverse_binds.back().push_back(mat4_from_affine(m));
+    }
+    for (const MeshInstance& instance : scene.instances)
+      for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
+        if (instance.skin != kNone && !primitive.influences.empty())
+          skinned.push_back({&primitive, instance.skin, std::vector<glm::vec3>(primitive.vertex_count()), std::vector<glm::vec3>(primitive.vertex_count())});
   }
 
   void sample(std::uint32_t clip, std::span<glm_pose::Joint> out) {
@@ -83,37 +99,82 @@ struct PlainFrames {
       glm_pose::blend(layers, weights, pose);
     }
     glm_pose::local_to_model(scene.skeleton.parents, pose, model);
-    const Skin& skin = scene.skins[0];
-    for (std::size_t i = 0; i < palette.size(); ++i) palette[i] = model[skin.joints[i]] * inverse_bind[i];
-    const Primitive& body = scene.meshes[0].primitives[0];
-    glm_skin::skin_linear(body.influences, palette, {body.positions, body.normals, {}}, {positions, normals, {}},
-                          {true, false});
+    for (std::size_t s = 0; s < palettes.size(); ++s)
+      for (std::size_t i = 0; i < palettes[s].size(); ++i) palettes[s][i] = model[scene.skins[s].joints[i]] * inverse_binds[s][i];
+    for (Skinned& s : skinned) {
+      const bool with_normals = normals && !s.primitive->normals.empty();
+      const std::span<const glm::vec3> in_normals = with_normals ? std::span<const glm::vec3>(s.primitive->normals) : std::span<const glm::vec3>();
+      glm_skin::skin_linear(s.primitive->influences, palettes[s.skin], {s.primitive->positions, in_normals, {}}, {s.positions, s.normals, {}}, {with_normals, false});
+    }
     time_s += kStepS;
   }
 };
 
-/// Both sides of a pair must show the same frame.
-void require_same(std::span<const glm::vec3> ours, std::span<const glm::vec3> plain) {
-  for (std::size_t v = 0; v < plain.size(); ++v)
-    if (!(glm::length(ours[v] - plain[v]) < 1e-4f)) std::abort();
+/// Largest distance of a deformed vertex from the slow evaluation in double precision, metres over the size of the frame.
+double error_of(const FrameResult& frame, const test::SlowFrame& truth) {
+  double worst = 0.0, size = 1e-9;
+  for (std::size_t p = 0; p < frame.primitives.size(); ++p)
+    for (std::size_t v = 0; v < frame.primitives[p].positions.size(); ++v) {
+      const Vec3<double>& t = truth.primitives[p].positions[v];
+      worst = std::max(worst, glm::length(Vec3<double>(frame.primitives[p].positions[v]) - t));
+      size = std::max({size, std::abs(t.x), std::abs(t.y), std::abs(t.z)});
+    }
+  return worst / size;
 }
 
-void add_case(const std::shared_ptr<const Scene>& scene, std::uint32_t layer_count, const std::string& tail) {
-  const auto planned = std::make_shared<PlannedFrames>(*scene);
-  const auto plain = std::make_shared<PlainFrames>(*scene);
+/// Both sides of a pair must show the same frame.
+void require_same(const FrameResult& ours, const PlainFrames& plain) {
+  std::size_t next = 0;
+  for (const DeformedPrimitive& p : ours.primitives) {
+    if (p.positions.empty()) continue;
+    const std::vector<glm::vec3>& others = plain.skinned.at(next++).positions;
+    float size = 1.0f;
+    for (const glm::vec3& v : others) size = std::max(size, glm::length(v));
+    for (std::size_t v = 0; v < others.size(); ++v)
+      if (!(glm::length(p.positions[v] - others[v]) < 1e-4f * size)) std::abort();
+  }
+}
+
+void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std::uint32_t layer_count, const std::string& tail) {
+  const auto planned = std::make_shared<PlannedFrames>(*scene, needs);
+  const auto plain = std::make_shared<PlainFrames>(*scene, needs);
+  const test::SlowFrame truth = test::evaluate_slowly(*scene, needs, planned->input(layer_count));
   planned->next(layer_count), plain->next(layer_count);
-  require_same(planned->frame.result().primitives[0].positions, plain->positions);
-  add("frame/sinew/" + tail, 1, [scene, planned, layer_count] { planned->next(layer_count); });
+  require_same(planned->frame.result(), *plain);
+  const Facts facts{error_of(planned->frame.result(), truth), 0};
+  add("frame/sinew/" + tail, 1, [scene, planned, layer_count] { planned->next(layer_count); }, facts);
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
+}
+
+/// The plain version has no flat normals: where a file has none, both sides leave normals out.
+bool has_flat_normals(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      if (primitive.flat_normals) return true;
+  return false;
+}
+
+bool morphs(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.target_count() > 0) return true;
+  return false;
 }
 
 }  // namespace
 
 void add_frame() {
   const auto biped = std::make_shared<const Scene>(character(scenes::biped(), 3'273));
-  add_case(biped, 1, "biped/1layer/PN/4/3k");
-  add_case(biped, 2, "biped/2layers/PN/4/3k");
-  add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), 1, "biped/1layer/PN/4/100k");
+  Needs needs;
+  needs.tangents = false;
+  add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
+  add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
+  add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), needs, 1, "biped/1layer/PN/4/100k");
+  for (const NamedScene& model : corpus_scenes()) {
+    if (morphs(*model.scene)) continue;
+    Needs file_needs = needs;
+    file_needs.normals = !has_flat_normals(*model.scene);
+    add_case(model.scene, file_needs, 1, model.name + "/1layer/" + (file_needs.normals ? "PN" : "P"));
+  }
 }
 
 }  // namespace sinew::bench

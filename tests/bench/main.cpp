@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <string_view>
+
 #include "tests/bench/measure.h"
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  sinew::bench::add_memory();
-  sinew::bench::add_import();
-  sinew::bench::add_sample();
-  sinew::bench::add_blend();
-  sinew::bench::add_local_to_model();
-  sinew::bench::add_morph();
-  sinew::bench::add_skin();
-  sinew::bench::add_frame();
+  using namespace sinew::bench;
+  const bool instructions = argc == 2 && std::string_view(argv[1]) == "--instructions";
+  if (!instructions) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  }
+  add_memory();
+  add_import();
+  add_sample();
+  add_blend();
+  add_local_to_model();
+  add_crowd();
+  add_morph();
+  add_skin();
+  add_frame();
+  if (instructions) {
+    if (count_instructions()) return 0;
+    std::fputs("sinew-bench --instructions runs under valgrind --tool=callgrind only\n", stderr);
+    return 3;
+  }
+  register_cases();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

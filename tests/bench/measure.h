@@ -3,26 +3,43 @@
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace sinew::bench {
 
-/// Registers `job/implementation/case`. `work()` is one run over `item_count` joints or vertices; the column `per_item` is
-/// the time of one of them, in seconds with an SI prefix.
+/// What is known of a case besides its time.
+struct Facts {
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< largest, against double precision: radians, metres, or relative
+  std::size_t bytes = 0;                                    ///< that one run reads and writes at least
+};
+
+/// One case: `job/implementation/case`; `work()` is one run over `item_count` joints or vertices.
+struct Case {
+  std::string name;
+  std::size_t item_count;
+  std::function<void()> work;
+  Facts facts;
+};
+
+/// All cases in the order in which they were added.
+std::vector<Case>& cases();
+
 template <class Work>
-void add(const std::string& name, std::size_t item_count, Work work) {
-  benchmark::RegisterBenchmark(name.c_str(), [item_count, work](benchmark::State& state) mutable {
-    for (auto _ : state) {
-      work();
-      benchmark::ClobberMemory();
-    }
-    const auto items = static_cast<double>(state.iterations()) * static_cast<double>(item_count);
-    state.SetItemsProcessed(static_cast<std::int64_t>(items));
-    state.counters["per_item"] = benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  });
+void add(const std::string& name, std::size_t item_count, Work work, Facts facts = {}) {
+  cases().push_back({name, item_count, std::move(work), facts});
 }
+
+/// Hands all cases to Google Benchmark. The column `per_item` is the time of one item, in seconds with an SI prefix.
+void register_cases();
+
+/// Runs each case of at most 100,000 items once under callgrind and dumps the instructions of each.
+/// err  false: not under valgrind
+bool count_instructions();
 
 /// Each file of benchmarks has one such function; main calls them all.
 void add_import();
@@ -30,6 +47,7 @@ void add_memory();
 void add_sample();
 void add_blend();
 void add_local_to_model();
+void add_crowd();
 void add_morph();
 void add_skin();
 void add_frame();

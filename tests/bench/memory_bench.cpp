@@ -8,18 +8,16 @@ namespace sinew::bench {
 
 /// What copying costs on this machine: the floor under every job that reads and writes as many bytes.
 void add_memory() {
-  for (const auto& [label, bytes] : {std::pair{"32k", 32u << 10}, {"256k", 256u << 10}, {"4M", 4u << 20}, {"64M", 64u << 20}}) {
-    benchmark::RegisterBenchmark((std::string("memory/copy/") + label).c_str(), [bytes = bytes](benchmark::State& state) {
-      std::vector<char> from(bytes, 1), to(bytes);
-      for (auto _ : state) {
-        std::memcpy(to.data(), from.data(), bytes);
-        benchmark::DoNotOptimize(to.data());
-        benchmark::ClobberMemory();
-      }
-      const auto total = static_cast<double>(state.iterations()) * bytes;
-      state.SetBytesProcessed(static_cast<std::int64_t>(total));
-      state.counters["per_item"] = benchmark::Counter(total, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    });
+  struct Buffers {
+    std::vector<char> from, to;
+    explicit Buffers(std::size_t bytes) : from(bytes, 1), to(bytes) {}
+  };
+  for (const auto& [label, bytes] : {std::pair{"32k", std::size_t{32} << 10}, {"256k", std::size_t{256} << 10}, {"4M", std::size_t{4} << 20}, {"64M", std::size_t{64} << 20}}) {
+    const auto buffers = std::make_shared<Buffers>(bytes);
+    add(std::string("memory/copy/") + label, bytes, [buffers] {
+      std::memcpy(buffers->to.data(), buffers->from.data(), buffers->from.size());
+      benchmark::DoNotOptimize(buffers->to.data());
+    }, {Facts{}.error, 2 * bytes});
   }
 }
 

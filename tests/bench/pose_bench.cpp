@@ -1,46 +1,36 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/sample_clip.h"
+#include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/measure.h"
-#include "tests/scenes/skeletons.h"
-#include "tests/scenes/swinging.h"
+#include "tests/bench/pose_truth.h"
 #include "tests/support/tiny_assets.h"
 
 namespace sinew::bench {
 namespace {
 
-/// A skeleton with its clip in both forms, and room for poses of both implementations.
-struct Character {
-  Skeleton skeleton;
-  Animation animation;
-  Clip clip;
+using Shared = std::shared_ptr<const Character>;
+
+/// Room for one pose and its matrices in both forms.
+struct Room {
+  Shared of;
   test::PoseBuffer pose;
   std::vector<glm_pose::Joint> glm_joints;
   std::vector<Affine> model;
   std::vector<glm::mat4> glm_model;
 
-  Character(Skeleton s, std::size_t key_count)
-      : skeleton(std::move(s)), animation(scenes::swinging(skeleton, key_count)), clip(test::clip_of(animation, skeleton)),
-        pose(skeleton.joint_count()), glm_joints(skeleton.joint_count()), model(skeleton.joint_count()), glm_model(skeleton.joint_count()) {}
+  explicit Room(const Shared& c) : of(c), pose(c->joint_count()), glm_joints(c->joint_count()), model(c->joint_count()), glm_model(c->joint_count()) {}
 
-  void sample(double time_s) { run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}}); }
-  void sample_glm(double time_s) { glm_pose::sample(animation, skeleton.rest, static_cast<float>(time_s), glm_joints); }
+  void sample(double time_s) { run(SampleClipJob{.clip = &of->clip, .time_s = time_s, .pose = pose.span(), .weights = {}}); }
+  void sample_glm(double time_s) { glm_pose::sample(of->animation, of->skeleton.rest, static_cast<float>(time_s), glm_joints); }
+  Transform joint(std::size_t j) { return pose.span().get(j); }
+  Transform glm_joint(std::size_t j) const { return {glm_joints[j].translation, glm_joints[j].rotation, glm_joints[j].scale}; }
 };
-
-struct Case {
-  const char* name;
-  std::shared_ptr<Character> character;
-};
-
-std::vector<Case> cases() {
-  return {{"biped67", std::make_shared<Character>(scenes::biped(), 300)},
-          {"tree1024", std::make_shared<Character>(scenes::wide_tree(1024), 120)},
-          {"chain1024", std::make_shared<Character>(scenes::long_chain(1024), 120)}};
-}
 
 /// Times of steady play at 60 Hz, or of jumps all over the clip.
 struct Times {
@@ -61,55 +51,91 @@ struct Layers {
   std::vector<std::vector<glm_pose::Joint>> glm_layers;
   std::vector<float> weights;
   test::PoseBuffer rest, out;
+  std::vector<glm_pose::Joint> glm_out;
 
-  Layers(Character& c, std::size_t layer_count) : rest(c.skeleton.joint_count()), out(c.skeleton.joint_count()) {
+  Layers(const Shared& c, std::size_t layer_count) : rest(c->joint_count()), out(c->joint_count()), glm_out(c->joint_count()) {
     weights.assign(layer_count, 1.0f / static_cast<float>(layer_count));
+    Room room(c);
     for (std::size_t l = 0; l < layer_count; ++l) {
-      const double time_s = 0.3 + 0.37 * static_cast<double>(l);
-      c.sample(time_s), c.sample_glm(time_s);
-      poses.push_back(c.pose);
-      glm_layers.push_back(c.glm_joints);
+      const double time_s = std::fmod(0.3 + 0.37 * static_cast<double>(l), c->animation.duration_s);
+      room.sample(time_s), room.sample_glm(time_s);
+      poses.push_back(room.pose);
+      glm_layers.push_back(room.glm_joints);
     }
     for (std::size_t l = 0; l < layer_count; ++l) layers.push_back({poses[l].span(), weights[l], {}});
+  }
+  void blend() { run(BlendPosesJob{layers, rest.span(), out.span()}); }
+};
+
+constexpr std::size_t kCrowd = 1024;
+
+/// Many characters that play one clip, each at a time of its own: their poses together are larger than the nearest caches.
+struct Crowd {
+  std::vector<std::unique_ptr<Room>> rooms;
+  double time_s = 0.0;
+
+  explicit Crowd(const Shared& c) {
+    for (std::size_t i = 0; i < kCrowd; ++i) rooms.push_back(std::make_unique<Room>(c));
+  }
+  template <class Step>
+  void each(const Step& step) {
+    time_s += 1.0 / 60.0;
+    const double duration_s = rooms[0]->of->animation.duration_s;
+    for (std::size_t i = 0; i < kCrowd; ++i) step(*rooms[i], std::fmod(time_s + 0.618 * static_cast<double>(i), duration_s));
   }
 };
 
 }  // namespace
 
 void add_sample() {
-  for (const Case& c : cases())
+  for (const Shared& c : characters()) {
+    const auto room = std::make_shared<Room>(c);
+    const auto sampled = [&](double t) { return room->sample(t), [r = room.get()](std::size_t j) { return r->joint(j); }; };
+    const auto glm_sampled = [&](double t) { return room->sample_glm(t), [r = room.get()](std::size_t j) { return r->glm_joint(j); }; };
+    const Facts ours{sampling_error_rad(*c, sampled), 0}, plain{sampling_error_rad(*c, glm_sampled), 0};
     for (const bool forward : {true, false}) {
-      const std::string tail = std::string(c.name) + (forward ? "/forward" : "/seek");
-      Times times{forward, c.character->animation.duration_s};
-      const std::size_t joints = c.character->skeleton.joint_count();
-      add("sample/sinew/" + tail, joints, [character = c.character, times]() mutable { character->sample(times.next()); });
-      add("sample/glm/" + tail, joints, [character = c.character, times]() mutable { character->sample_glm(times.next()); });
+      const std::string tail = c->name + (forward ? "/forward" : "/seek");
+      Times times{forward, c->animation.duration_s};
+      add("sample/sinew/" + tail, c->joint_count(), [room, times]() mutable { room->sample(times.next()); }, ours);
+      add("sample/glm/" + tail, c->joint_count(), [room, times]() mutable { room->sample_glm(times.next()); }, plain);
     }
+  }
 }
 
 void add_blend() {
-  for (const Case& c : cases())
+  for (const Shared& c : characters())
     for (const std::size_t count : {std::size_t{2}, std::size_t{4}}) {
-      const auto layers = std::make_shared<Layers>(*c.character, count);
-      const std::size_t joints = c.character->skeleton.joint_count();
-      const std::string tail = std::string(c.name) + "/" + std::to_string(count);
-      add("blend/sinew/" + tail, joints, [layers] { run(BlendPosesJob{layers->layers, layers->rest.span(), layers->out.span()}); });
-      add("blend/glm/" + tail, joints,
-          [layers, character = c.character] { glm_pose::blend(layers->glm_layers, layers->weights, character->glm_joints); });
+      const auto layers = std::make_shared<Layers>(c, count);
+      layers->blend();
+      glm_pose::blend(layers->glm_layers, layers->weights, layers->glm_out);
+      const auto inputs = [&](std::size_t l, std::size_t j) { return layers->poses[l].span().get(j); };
+      const Facts ours{blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->out.span().get(j).rotation; }), 0};
+      const Facts plain{blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->glm_out[j].rotation; }), 0};
+      const std::string tail = c->name + "/" + std::to_string(count);
+      add("blend/sinew/" + tail, c->joint_count(), [layers] { layers->blend(); }, ours);
+      add("blend/glm/" + tail, c->joint_count(), [layers] { glm_pose::blend(layers->glm_layers, layers->weights, layers->glm_out); }, plain);
     }
 }
 
 void add_local_to_model() {
-  for (const Case& c : cases()) {
-    c.character->sample(0.4), c.character->sample_glm(0.4);
-    const std::size_t joints = c.character->skeleton.joint_count();
-    add(std::string("local_to_model/sinew/") + c.name, joints, [character = c.character] {
-      run(LocalToModelJob{&character->skeleton, character->pose.span(), {}, character->model});
-    });
-    add(std::string("local_to_model/glm/") + c.name, joints, [character = c.character] {
-      glm_pose::local_to_model(character->skeleton.parents, character->glm_joints, character->glm_model);
-    });
+  for (const Shared& c : characters()) {
+    const auto room = std::make_shared<Room>(c);
+    room->sample(0.4 * c->animation.duration_s), room->sample_glm(0.4 * c->animation.duration_s);
+    const auto ours = [room] { run(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model}); };
+    const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton.parents, room->glm_joints, room->glm_model); };
+    ours(), plain();
+    const double error = model_error(*c, [&](std::size_t j) { return room->joint(j); }, [&](std::size_t j) { return translation_of(room->model[j]); });
+    const double glm_error = model_error(*c, [&](std::size_t j) { return room->glm_joint(j); }, [&](std::size_t j) { return glm::vec3(room->glm_model[j][3]); });
+    add("local_to_model/sinew/" + c->name, c->joint_count(), ours, {error, 0});
+    add("local_to_model/glm/" + c->name, c->joint_count(), plain, {glm_error, 0});
   }
+}
+
+void add_crowd() {
+  const auto crowd = std::make_shared<Crowd>(characters().front());
+  const std::size_t joints = kCrowd * characters().front()->joint_count();
+  add("sample/sinew/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample(t); }); });
+  add("sample/glm/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample_glm(t); }); });
 }
 
 }  // namespace sinew::bench

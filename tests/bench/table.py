@@ -2,56 +2,95 @@
 # SPDX-License-Identifier: MIT
 """Prints the results of sinew-bench as a Markdown table: each job and case, ours beside the plain GLM version.
 
-    table.py BENCH.json          table of a finished run (--benchmark_out of sinew-bench)
-    table.py --run SINEW_BENCH   runs every benchmark once, briefly, and fails when one of ours has no GLM partner
+    table.py BENCH.json [DIR]      table of a finished run (--benchmark_out of sinew-bench), with the instructions that callgrind
+                                   counted in DIR when there are any
+    table.py --run SINEW_BENCH     runs every benchmark once, briefly, and fails when one of ours has no GLM partner
 """
+import glob
 import json
+import math
+import os
 import subprocess
 import sys
 
+PAIRS = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion", "frame")
+BASELINES = ("glm", "tinygltf", "stream", "copy")
+
 
 def read(report):
-    """{(job, case): {implementation: seconds per item}}; medians where the run was repeated."""
-    found = {}
+    """{(job, case): {implementation: entry}}; medians where the run was repeated, with the relative spread added."""
+    found, spreads = {}, {}
     for entry in report["benchmarks"]:
-        if entry.get("aggregate_name", "median") != "median":
-            continue
         if entry.get("error_occurred"):
             sys.exit(f"{entry['name']}: {entry['error_message']}")
         job, implementation, *case = entry["run_name"].split("/")
-        found.setdefault((job, "/".join(case)), {})[implementation] = entry["per_item"]
+        aggregate = entry.get("aggregate_name", "median")
+        if aggregate == "cv":
+            spreads[job, "/".join(case), implementation] = entry["per_item"]
+        if aggregate == "median":
+            found.setdefault((job, "/".join(case)), {})[implementation] = entry
+    for (job, case, implementation), spread in spreads.items():
+        found[job, case][implementation]["spread"] = spread
     return found
 
 
-def nanoseconds(seconds):
-    return "" if seconds is None else f"{seconds * 1e9:.2f}"
+def read_instructions(folder):
+    """{run name: instructions per item}, from the dumps of callgrind."""
+    counts = {}
+    for path in glob.glob(os.path.join(folder, "callgrind.*")) if folder else []:
+        label = total = None
+        with open(path, encoding="utf-8", errors="replace") as file:
+            for line in file:
+                if line.startswith("desc: Trigger: Client Request: "):
+                    label = line.split(": ", 3)[3].split()
+                if line.startswith(("summary: ", "totals: ")):
+                    total = int(line.split()[1])
+        if label and total:
+            counts[label[0]] = total / int(label[1])
+    return counts
 
 
-def print_table(found):
-    print("| job | case | sinew ns/item | baseline ns/item | ratio |")
-    print("|---|---|---|---|---|")
-    for (job, case), times in sorted(found.items()):
-        if "copy" in times:
-            print(f"| {job} | copy {case} | | | {1e-9 / times['copy']:.1f} GB/s |")
-            continue
-        ours, plain = times.get("sinew"), times.get("glm", times.get("tinygltf"))
-        ratio = f"{ours / plain:.2f}" if ours and plain else ""
-        print(f"| {job} | {case} | {nanoseconds(ours)} | {nanoseconds(plain)} | {ratio} |")
+def number(value, form):
+    return "" if value is None or (isinstance(value, float) and math.isnan(value)) else form % value
+
+
+def row(job, case, entry, plain, stream, instructions):
+    time = entry["per_item"] * 1e9
+    ratio = time / (plain["per_item"] * 1e9) if plain else None
+    rate = entry.get("bytes_per_second")
+    of_stream = f" ({stream['per_item'] / entry['per_item'] * 100:.0f} %)" if stream and rate else ""
+    spread = entry.get("spread")
+    cells = [job, case, number(time, "%.2f"), number(spread * 100 if spread is not None else None, "%.0f %%"),
+             number(plain["per_item"] * 1e9 if plain else None, "%.2f"), number(ratio, "%.2f"), number(entry.get("error"), "%.1e"),
+             number(plain.get("error") if plain else None, "%.1e"), number(instructions.get(entry["run_name"]), "%.1f"),
+             (number(rate / 1e9, "%.0f") if rate and job != "import" else "") + of_stream]
+    print("| " + " | ".join(cells) + " |")
+
+
+def print_table(found, instructions):
+    print("| job | case | ns/item | spread | GLM ns | ratio | error | GLM error | instructions | GB/s (of stream) |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for (job, case), entries in sorted(found.items()):
+        plain, stream = entries.get("glm", entries.get("tinygltf")), entries.get("stream")
+        if "copy" in entries:
+            row(job, "copy " + case, entries["copy"], None, None, {})
+        for implementation, entry in entries.items():
+            if implementation not in BASELINES:
+                row(job, case if implementation == "sinew" else f"{case}, {implementation}", entry, plain, stream, instructions)
 
 
 def main():
     if len(sys.argv) == 3 and sys.argv[1] == "--run":
         command = [sys.argv[2], "--benchmark_format=json", "--benchmark_min_time=0.0001"]
         found = read(json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout))
-        pairs = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion", "frame")
-        alone = [key for key, times in found.items() if key[0] in pairs and not {"sinew", "glm"} <= times.keys()]
-        missing = [job for job in pairs if not any(key[0] == job for key in found)]
+        alone = [key for key, entries in found.items() if key[0] in PAIRS and not {"sinew", "glm"} <= entries.keys()]
+        missing = [job for job in PAIRS if not any(key[0] == job for key in found)]
         if alone or missing:
             sys.exit(f"without a partner: {alone}; missing: {missing}")
-        print_table(found)
-    elif len(sys.argv) == 2:
+        print_table(found, {})
+    elif len(sys.argv) in (2, 3) and not sys.argv[1].startswith("--"):
         with open(sys.argv[1], encoding="utf-8") as file:
-            print_table(read(json.load(file)))
+            print_table(read(json.load(file)), read_instructions(sys.argv[2] if len(sys.argv) == 3 else None))
     else:
         sys.exit(__doc__)
 

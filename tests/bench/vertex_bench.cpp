@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/morph_vertices.h"
@@ -7,6 +10,9 @@
 #include "runtime/jobs/skin_linear.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
+#include "tests/bench/slower_variants.h"
+#include "tests/bench/stream.h"
+#include "tests/reference/skinning.h"
 #include "tests/scenes/face.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/skinned_surface.h"
@@ -56,6 +62,37 @@ struct Surface {
             wanted.tangents ? std::span(primitive.tangents) : std::span<const glm::vec4>()};
   }
   VertexOutput output() { return {out.positions, out.normals, out.tangents}; }
+
+  /// Bytes that one vertex takes in, and that it gives.
+  std::size_t bytes_in(glm_skin::Attributes wanted) const {
+    return bytes_out(wanted) + primitive.influences.groups[0].influence_count * (sizeof(float) + sizeof(std::uint16_t));
+  }
+  static std::size_t bytes_out(glm_skin::Attributes wanted) {
+    return sizeof(glm::vec3) + (wanted.normals ? sizeof(glm::vec3) : 0) + (wanted.tangents ? sizeof(glm::vec4) : 0);
+  }
+
+  /// Largest distance in metres of the last output from double precision, over a thousandth of the vertices at least.
+  double error_m(bool dual_quaternions) const {
+    const InfluenceGroup& group = primitive.influences.groups[0];
+    double worst = 0.0;
+    for (std::size_t v = 0; v < primitive.vertex_count(); v += 1 + primitive.vertex_count() / 5000) {
+      std::vector<DualQuatd> motions;
+      std::vector<Affined> matrices;
+      std::vector<double> weights;
+      for (std::size_t i = 0; i < group.influence_count; ++i) {
+        const std::size_t at = v * group.influence_count + i, joint = primitive.influences.joints[at];
+        motions.push_back({quat_cast<double>(split[joint].rigid.real), quat_cast<double>(split[joint].rigid.dual)});
+        matrices.push_back(affine_cast<double>(affine_from(palette[joint])));
+        weights.push_back(static_cast<double>(primitive.influences.weights[at]));
+      }
+      const Vec3<double> p(primitive.positions[v]), n(primitive.normals[v]);
+      const Vec3<double> truth = dual_quaternions ? reference::skin_dual_quaternion<double>(motions, {}, weights, p, n).position
+                                                  : reference::skin_linear<double>(matrices, weights, p);
+      const Vec3<double> d = Vec3<double>(out.positions[v]) - truth;
+      worst = std::max(worst, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+    }
+    return worst;
+  }
 };
 
 struct Kind {
@@ -63,20 +100,37 @@ struct Kind {
   glm_skin::Attributes wanted;
 };
 
-void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const std::string& tail) {
+/// Adds one implementation with its error, measured here.
+template <class Work>
+void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted, bool dual_quaternions, Work work) {
+  work();
   const std::size_t count = s->primitive.vertex_count();
+  add(name, count, std::move(work), {s->error_m(dual_quaternions), count * (s->bytes_in(wanted) + Surface::bytes_out(wanted))});
+}
+
+void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const std::string& tail) {
   const auto wanted = kind.wanted;
-  add("skin_linear/sinew/" + tail, count, [s, wanted] {
+  const std::size_t count = s->primitive.vertex_count();
+  add_with_error("skin_linear/sinew/" + tail, s, wanted, false, [s, wanted] {
     run(SkinLinearJob{&s->primitive.influences, s->palette, s->in(wanted), s->output(), NormalRule::linear});
   });
-  add("skin_linear/glm/" + tail, count, [s, wanted] {
+  add_with_error("skin_linear/glm/" + tail, s, wanted, false, [s, wanted] {
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
-  add("skin_dual_quaternion/sinew/" + tail, count, [s, wanted] {
+  add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, true, [s, wanted] {
     run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output()});
   });
-  add("skin_dual_quaternion/glm/" + tail, count, [s, wanted] {
+  add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, true, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
+  });
+  const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
+  add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
+  if (wanted.tangents || !wanted.normals) return;
+  add_with_error("skin_linear/vertexwise/" + tail, s, wanted, false, [s, wanted] {
+    vertexwise_linear(s->primitive.influences, s->palette, s->in(wanted), s->output());
+  });
+  add_with_error("skin_dual_quaternion/vertexwise/" + tail, s, wanted, true, [s, wanted] {
+    vertexwise_dual_quaternion(s->primitive.influences, s->split, s->in(wanted), s->output());
   });
 }
 
@@ -86,8 +140,8 @@ void add_skin() {
   const Kind kinds[] = {{"P", {}}, {"PN", {true, false}}, {"PNT", {true, true}}};
   const std::pair<const char*, std::uint32_t> sizes[] = {{"10k", 10'000}, {"1M", 1'000'000}};
   for (const auto& [label, count] : sizes)
-    for (const std::uint32_t influences : {1u, 4u}) {
-      if (count > 10'000 && influences == 1) continue;
+    for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
+      if (count > 10'000 && influences != 4) continue;
       const auto surface = std::make_shared<Surface>(count, influences);
       for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/" + label);
     }
@@ -97,18 +151,32 @@ void add_morph() {
   struct Face {
     Primitive primitive = scenes::face(10'000, 16);
     Deformed out{10'000};
+
+    /// Largest distance in metres of the last output from double precision.
+    double error_m(const std::vector<float>& weights) const {
+      std::vector<Vec3<double>> truth(primitive.positions.begin(), primitive.positions.end());
+      for (std::size_t t = 0; t < weights.size(); ++t) {
+        const SparseDeltas<glm::vec3>& moved = primitive.morphs.targets[t].positions;
+        for (std::size_t i = 0; i < moved.vertices.size(); ++i) truth[moved.vertices[i]] += static_cast<double>(weights[t]) * Vec3<double>(moved.deltas[i]);
+      }
+      double worst = 0.0;
+      for (std::size_t v = 0; v < truth.size(); ++v) worst = std::max(worst, glm::length(Vec3<double>(out.positions[v]) - truth[v]));
+      return worst;
+    }
   };
   const auto f = std::make_shared<Face>();
+  const auto in = [f] { return VertexInput{f->primitive.positions, f->primitive.normals, {}}; };
+  const auto out = [f] { return VertexOutput{f->out.positions, f->out.normals, {}}; };
   for (const std::size_t active : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{16}}) {
     std::vector<float> weights(16, 0.0f);
     std::fill_n(weights.begin(), active, 0.4f);
     const std::string tail = "PN/16targets/" + std::to_string(active) + "active/10k";
-    const auto in = [f] { return VertexInput{f->primitive.positions, f->primitive.normals, {}}; };
-    const auto out = [f] { return VertexOutput{f->out.positions, f->out.normals, {}}; };
-    add("morph/sinew/" + tail, 10'000, [=] {
-      run(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true});
-    });
-    add("morph/glm/" + tail, 10'000, [=] { glm_skin::morph(f->primitive.morphs, weights, in(), out()); });
+    const auto add_measured = [&](const char* implementation, auto work) {
+      work();
+      add(std::string("morph/") + implementation + "/" + tail, 10'000, work, {f->error_m(weights), 0});
+    };
+    add_measured("sinew", [=] { run(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true}); });
+    add_measured("glm", [=] { glm_skin::morph(f->primitive.morphs, weights, in(), out()); });
   }
 }
 

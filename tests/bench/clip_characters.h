@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/assets/scene.h"
+
+namespace sinew::bench {
+
+/// A skeleton with one clip, in both forms.
+struct Character {
+  std::string name;
+  Skeleton skeleton;
+  Animation animation;
+  Clip clip;
+
+  Character(std::string named, Skeleton s, Animation a);
+  std::size_t joint_count() const { return skeleton.joint_count(); }
+};
+
+/// Generated ones, those of the showcase, and those of the corpus when there is one: models of at least sixteen joints, up to
+/// three clips of each, of linear tracks, which is what the plain GLM version samples.
+const std::vector<std::shared_ptr<const Character>>& characters();
+
+/// Skinned and animated files of the corpus whose clips the plain GLM version can play.
+struct NamedScene {
+  std::string name;
+  std::shared_ptr<const Scene> scene;
+};
+const std::vector<NamedScene>& corpus_scenes();
+
+}  // namespace sinew::bench

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/measure.h"
+
+#include <valgrind/callgrind.h>
+
+#include <cmath>
+
+namespace sinew::bench {
+
+std::vector<Case>& cases() {
+  static std::vector<Case> all;
+  return all;
+}
+
+void register_cases() {
+  for (const Case& c : cases())
+    benchmark::RegisterBenchmark(c.name.c_str(), [&c](benchmark::State& state) {
+      for (auto _ : state) {
+        c.work();
+        benchmark::ClobberMemory();
+      }
+      const auto runs = static_cast<double>(state.iterations());
+      const double items = runs * static_cast<double>(c.item_count);
+      state.SetItemsProcessed(static_cast<std::int64_t>(items));
+      if (c.facts.bytes > 0) state.SetBytesProcessed(static_cast<std::int64_t>(runs * static_cast<double>(c.facts.bytes)));
+      state.counters["per_item"] = benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+      if (!std::isnan(c.facts.error)) state.counters["error"] = c.facts.error;
+    });
+}
+
+bool count_instructions() {
+  if (RUNNING_ON_VALGRIND == 0) return false;
+  for (const Case& c : cases()) {
+    if (c.item_count > 100'000 || c.name.starts_with("import/") || c.name.starts_with("memory/")) continue;
+    c.work();  // pages and caches of the program, once
+    const std::string label = c.name + " " + std::to_string(c.item_count);
+    CALLGRIND_START_INSTRUMENTATION;
+    CALLGRIND_ZERO_STATS;
+    c.work();
+    CALLGRIND_DUMP_STATS_AT(label.c_str());
+    CALLGRIND_STOP_INSTRUMENTATION;
+  }
+  return true;
+}
+
+}  // namespace sinew::bench

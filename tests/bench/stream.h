@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace sinew::bench {
+
+/// The memory traffic of a job without its arithmetic: reads and writes as many bytes, the latter past the caches when they are
+/// more than these hold. What no job that touches as much can beat.
+class StreamTraffic {
+ public:
+  StreamTraffic(std::size_t bytes_in, std::size_t bytes_out);
+  void run();
+  std::size_t bytes() const { return (in_.size() + out_.size()) * sizeof(Line); }
+
+ private:
+  struct alignas(64) Line {
+    float floats[16] = {};
+  };
+  std::vector<Line> in_, out_;
+};
+
+}  // namespace sinew::bench
