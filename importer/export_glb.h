@@ -20,6 +20,7 @@ struct ExportOptions {
 /// left out, since a missing NORMAL means flat; vertices keep the numbers that they had in their file where that is possible. What glTF cannot leave empty gets a
 /// harmless entry: a clip without tracks a channel without node, a missing image one visible pixel.
 /// Centers of rotation are left out: an import that wants them makes them again.
+/// Correctives have no place in glTF and are not written.
 /// The overload with a file writes it whole or not at all.
 /// err  "squad-in-gltf" (glTF has no such interpolation), "glb-size" (4 GiB and more), "write-file"
 /// cost O(scene); holds the binary part twice while writing

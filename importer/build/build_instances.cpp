@@ -5,6 +5,7 @@
 #include <string>
 
 #include "importer/file/json_pointer.h"
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 namespace {
@@ -15,7 +16,7 @@ std::vector<float> rest_weights(const gltf::Node& node, std::uint32_t index, con
     log.report(Rule::node_weights_count, pointer("nodes", index, "weights"), std::to_string(node.weights.size()) + " weights for " +
                    std::to_string(mesh.target_count()) + " targets; cut or filled with zeros");
   std::vector<float> weights(mesh.target_count(), 0.0f);
-  for (std::size_t t = 0; t < std::min(weights.size(), node.weights.size()); ++t) weights[t] = static_cast<float>(node.weights[t]);
+  for (std::size_t t = 0; t < std::min(weights.size(), node.weights.size()); ++t) weights[t] = flushed(static_cast<float>(node.weights[t]));
   return weights;
 }
 

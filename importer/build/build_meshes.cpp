@@ -10,6 +10,7 @@
 #include "importer/file/json_pointer.h"
 #include "importer/topology/normals.h"
 #include "importer/topology/tangents.h"
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 namespace {
@@ -75,7 +76,7 @@ std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, 
     log.report(Rule::mesh_weights_count, pointer("meshes", index, "weights"), std::to_string(mesh.weights.size()) + " weights for " +
                    std::to_string(targets) + " targets; cut or filled with zeros");
   std::vector<float> weights(targets, 0.0f);
-  for (std::size_t t = 0; t < std::min(targets, mesh.weights.size()); ++t) weights[t] = static_cast<float>(mesh.weights[t]);
+  for (std::size_t t = 0; t < std::min(targets, mesh.weights.size()); ++t) weights[t] = flushed(static_cast<float>(mesh.weights[t]));
   return weights;
 }
 

@@ -76,6 +76,8 @@ DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh
       continue;
     }
     if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
+    if (semantic->attribute == Attribute::texcoord)
+      log.report(Rule::morph_texcoord, place, "texture coordinates stay as they are when the mesh is morphed");
     store(out, *semantic, read_finite(document, accessor, place, log), document.accessors[accessor].type == gltf::ElementType::vec4);
   }
   return out;

@@ -17,7 +17,8 @@ struct DenseTarget {
 };
 
 /// Reads one target of a primitive whose attributes have been read into `base`.
-/// err  mesh-attribute-format, mesh-attribute-count, not-finite;  warning morph-no-base (attribute that the mesh lacks)
+/// err  mesh-attribute-format, mesh-attribute-count, not-finite;  warning morph-no-base (attribute that the mesh lacks),
+///      morph-texcoord (read, but not evaluated)
 DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t target,
                               const Primitive& base, IssueLog& log);
 

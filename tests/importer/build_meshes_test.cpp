@@ -182,6 +182,31 @@ TEST(build_meshes, G47_targets_may_omit_attributes_but_not_invent_them) {
   EXPECT_THAT(result->scene.instances[0].rest_weights, ElementsAre(0, 0, 0));
 }
 
+TEST(build_meshes, G47_displaced_texture_coordinates_are_kept_and_the_file_is_told_that_nothing_adds_them) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>(6), "VEC2", 5126, 2);
+  primitive["targets"] = Json::array({{{"TEXCOORD_0", file.add(std::vector<float>{0, 0, .5f, 0, 0, 0}, "VEC2", 5126, 2)}}});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "morph-texcoord", "/meshes/0/primitives/0/targets/0/TEXCOORD_0"));
+  ASSERT_THAT(only(result).morphs.targets[0].texcoords, SizeIs(1));
+  EXPECT_THAT(only(result).morphs.targets[0].texcoords[0].vertices, ElementsAre(1));
+}
+
+TEST(build_meshes, N26_weights_and_displacements_too_small_to_show_are_zero_from_the_start) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["targets"] = Json::array({{{"POSITION", file.vec3({1e-30f, -1e-41f, 0, 1e-21f, 2, 1e-38f, 1e-20f, 0, 0})}}});
+  file.root["meshes"][0]["weights"] = {1e-39};
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const auto& moved = only(result).morphs.targets[0].positions;
+  EXPECT_THAT(moved.vertices, ElementsAre(1, 2));
+  EXPECT_THAT(moved.deltas, ElementsAre(glm::vec3(0, 2, 0), glm::vec3(1e-20f, 0, 0)));
+  EXPECT_EQ(result->scene.meshes[0].default_weights[0], 0.0f);
+  EXPECT_EQ(result->scene.instances[0].rest_weights[0], 0.0f);
+}
+
 TEST(build_meshes, primitives_with_fewer_targets_are_filled_up) {
   TinyGltf file;
   file.add_triangle()["targets"] = Json::array({{{"POSITION", file.vec3(std::vector<float>(9, .5f))}}});
