@@ -83,9 +83,9 @@ HWY_INLINE hn::Vec<EightTag> signed_weight(hn::Vec<EightTag> pivot, const float*
   return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
 }
 
-/// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit
+/// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be +
 template <int kCount>
-HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex) {
+HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex, bool one_side) {
   const EightTag d;
   const JointNumbers<kCount> joints(vertex.joints);
   const float* first = &joints.entry(split, 0)->rigid.real.x;
@@ -93,6 +93,10 @@ HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoint
   if constexpr (kCount == 1) return sum;
   const auto pivot = hn::LoadDup128(d, first);
   sum = times(sum, hn::Set(d, vertex.weights[0]));
+  if (one_side) {
+    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&joints.entry(split, i)->rigid.real.x, hn::Set(d, vertex.weights[i]), sum);
+    return sum;
+  }
   for (std::size_t i = 1; i < vertex.count(); ++i) {
     const float* next = &joints.entry(split, i)->rigid.real.x;
     sum = times_plus(next, signed_weight(pivot, next, vertex.weights[i]), sum);
@@ -107,10 +111,10 @@ struct MotionLanes {
 };
 
 template <int kCount>
-HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile) {
+HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
   const TileTag d;
   Eight sums[kTileSize];
-  for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = blend_motion_parts(split, tile.at(k));
+  for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = blend_motion_parts(split, tile.at(k), one_side);
   const Lanes8 sum = lanes_of(sums);
   if constexpr (kCount == 1) return {sum.low, sum.high, hn::Eq(hn::Zero(d), hn::Zero(d))};
   const Wide squared = dot(sum.low, sum.low);

@@ -36,7 +36,10 @@ void run(const JointPaletteJob& job) noexcept {
 }
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
-  return job.split.size() < job.palette.size() ? ErrorCode::size_mismatch : ErrorCode::ok;
+  const std::size_t count = job.palette.size();
+  const auto outside = [count](const JointPair& pair) { return pair.first >= count || pair.second >= count; };
+  if (std::any_of(job.follow.begin(), job.follow.end(), outside)) return ErrorCode::index_out_of_range;
+  return job.split.size() < count ? ErrorCode::size_mismatch : ErrorCode::ok;
 }
 
 void run(const SplitPaletteJob& job) noexcept {
@@ -48,6 +51,10 @@ void run(const SplitPaletteJob& job) noexcept {
     out.rigid = dual_quat_from(polar.quat, translation_of(matrix));
     std::copy(std::begin(polar.stretch), std::end(polar.stretch), out.stretch);
     any_stretch |= is_stretched(out.stretch);
+  }
+  for (const JointPair& pair : job.follow) {
+    DualQuat& motion = job.split[pair.second].rigid;
+    if (quat_dot(job.split[pair.first].rigid.real, motion.real) < 0.0f) motion = {-motion.real, -motion.dual};
   }
   if (job.any_stretch) *job.any_stretch = any_stretch;
 }

@@ -32,13 +32,21 @@ struct alignas(64) RigidStretch {
   float unused[2] = {0, 0};  ///< read with the rest of the cache line
 };
 
+/// Two entries of a palette.
+struct JointPair {
+  std::uint16_t first = 0, second = 0;
+};
+
 /// Splits every palette matrix.
+/// in   follow[any]  in this order, the quaternion of `second` takes the sign that is on the side of `first`; empty: signs as
+///                   they come
 /// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase is needed (P12)
-/// err  size_mismatch     cost O(N), no allocation; a singular matrix gives some rotation with R * S = J
+/// err  size_mismatch, index_out_of_range     cost O(N), no allocation; a singular matrix gives some rotation with R * S = J
 struct SplitPaletteJob {
   std::span<const JointMatrix> palette;
   std::span<RigidStretch> split;
   bool* any_stretch = nullptr;
+  std::span<const JointPair> follow;
 };
 
 ErrorCode check(const SplitPaletteJob& job) noexcept;

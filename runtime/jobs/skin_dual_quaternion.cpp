@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/jobs/skin_dual_quaternion.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/jobs/skin_dual_quaternion.cpp"
 #include <hwy/foreach_target.h>
@@ -35,6 +37,15 @@ void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>
   out.positions[v] = transform_point(motion, p);
 }
 
+/// Far enough from zero that no order of summing the dot product comes to another sign.
+constexpr float kOneSide = 1e-5f;
+
+bool are_on_one_side(const SkinDualQuaternionJob& job) noexcept {
+  return !job.pairs.empty() && std::all_of(job.pairs.begin(), job.pairs.end(), [&](const JointPair& pair) {
+    return quat_dot(job.split[pair.first].rigid.real, job.split[pair.second].rigid.real) > kOneSide;
+  });
+}
+
 }  // namespace
 }  // namespace sinew
 #endif
@@ -46,7 +57,7 @@ namespace {
 #if HWY_TARGET == HWY_SCALAR
 
 template <int kCount, bool kStretch, bool kNormals, bool kTangents>
-void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group) {
+void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group, bool) {
   for (std::size_t i = 0; i < group.vertex_count; ++i)
     skin_vertex<kCount, kStretch, kNormals, kTangents>(job.split, joints_of<kCount>(*job.influences, group, i), job.vertices, job.out,
                                                        group.first_vertex + i);
@@ -56,8 +67,9 @@ void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group) {
 
 /// Skins a tile. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
 template <int kCount, bool kStretch, bool kNormals, bool kTangents>
-HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) {
-  const MotionLanes motion = blend_motions(job.split.data(), joints);
+HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, bool one_side, const TileInfluences<kCount>& joints, const TileInput& in,
+                          const TileOutput& out) {
+  const MotionLanes motion = blend_motions(job.split.data(), joints, one_side);
   StretchLanes stretch{};
   if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
   auto sound = motion.sound;
@@ -83,18 +95,19 @@ HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, const TileInfluences
 }
 
 template <int kCount, bool kStretch, bool kNormals, bool kTangents>
-void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group) {
+void skin_group(const SkinDualQuaternionJob& job, const InfluenceGroup& group, bool one_side) {
   for_each_tile<kCount, kNormals, kTangents>(*job.influences, group, job.vertices, job.out,
-                                             [&](const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
-                                                 HWY_ATTR { skin_tile<kCount, kStretch, kNormals, kTangents>(job, joints, in, out); });
+                                             [&](const TilePlace&, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
+                                                 HWY_ATTR { skin_tile<kCount, kStretch, kNormals, kTangents>(job, one_side, joints, in, out); });
 }
 
 #endif  // HWY_TARGET
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
+  const bool one_side = are_on_one_side(job);
   for_each_group(*job.influences, present(job.vertices, job.out), [&](const InfluenceGroup& group, auto count, auto normals, auto tangents) {
-    if (job.any_stretch) skin_group<count, true, normals, tangents>(job, group);
-    else skin_group<count, false, normals, tangents>(job, group);
+    if (job.any_stretch) skin_group<count, true, normals, tangents>(job, group, one_side);
+    else skin_group<count, false, normals, tangents>(job, group, one_side);
   });
 }
 
@@ -109,7 +122,10 @@ HWY_EXPORT(skin_dual_quaternion);
 }  // namespace
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
-  return check_skinning(job.influences, job.vertices, job.out, job.split.size());
+  const std::size_t count = job.split.size();
+  const auto outside = [count](const JointPair& pair) { return pair.first >= count || pair.second >= count; };
+  if (std::any_of(job.pairs.begin(), job.pairs.end(), outside)) return ErrorCode::index_out_of_range;
+  return check_skinning(job.influences, job.vertices, job.out, count);
 }
 
 void run(const SkinDualQuaternionJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_dual_quaternion)(job); }

@@ -14,6 +14,8 @@ namespace sinew {
 ///      on ties (N17, N18);  d = d / |real(d)|;  p' = d p1 d*;   n' = rotate(d, normalise(sign(det S) cof(S) n)),
 ///      S = sum(w S_i): to the outside also where joints mirror (conventions.h)
 /// in   split[N]        from SplitPaletteJob;   any_stretch  false skips the first phase (P12)
+///      pairs[any]      all distinct (heaviest joint, other joint) of the vertices: when each is on one side, signs are not
+///                      looked at vertex by vertex; the same bits. Empty: not known
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation;
 ///      a blend whose real part cancels (norm^2 < 1e-12) follows the pivot alone
@@ -23,6 +25,7 @@ struct SkinDualQuaternionJob {
   bool any_stretch = true;
   VertexInput vertices;
   VertexOutput out;
+  std::span<const JointPair> pairs;
 };
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept;

@@ -97,7 +97,7 @@ struct SkinTile {
 template <int kCount, bool kNormals, bool kTangents>
 void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
   for_each_tile<kCount, kNormals, kTangents>(
-      *job.influences, group, job.vertices, job.out, [&](const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
+      *job.influences, group, job.vertices, job.out, [&](const TilePlace&, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
                                                          HWY_ATTR { SkinTile<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
 }
 

@@ -79,7 +79,13 @@ struct TileCopies {
   }
 };
 
-/// Calls `tile(TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond its own.
+/// Which vertices a tile is about; one that is not whole is filled up with copies of its last.
+struct TilePlace {
+  std::size_t first_vertex, count;
+  bool whole;
+};
+
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond its own.
 template <int kCount, bool kNormals, bool kTangents, class Tile>
 void for_each_tile(const VertexInfluences& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
                    const Tile& tile) {
@@ -93,7 +99,7 @@ void for_each_tile(const VertexInfluences& influences, const InfluenceGroup& gro
     const bool whole = left >= kTileSize + 2;
     done = whole ? kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
     if (HWY_UNLIKELY(!whole)) joints = copies.load(joints.first, done), from = copies.load(from, done);
-    tile(joints, from, whole ? to : copies.out());
+    tile(TilePlace{at, done, whole}, joints, from, whole ? to : copies.out());
     if (HWY_UNLIKELY(!whole)) copies.store(to, done);
   }
 }

@@ -9,6 +9,7 @@
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/pose.h"
 #include "runtime/plan/plan_stages.h"
+#include "runtime/plan/sign_pairs.h"
 
 namespace sinew {
 namespace {
@@ -84,7 +85,10 @@ void plan_primitives(Plan& plan) {
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       if (planned.skin.any()) {
         plan.palette[instance.skin] = true;
-        if (planned.skinning != Skinning::linear) plan.split[instance.skin] = true;
+        if (planned.skinning != Skinning::linear) {
+          plan.split[instance.skin] = true;
+          planned.pairs = sharing_pairs(primitives[p].influences, scene.skins[instance.skin].joints.size());
+        }
       }
       plan.primitives.push_back(planned);
     }
@@ -177,6 +181,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan.bounds = needs.bounds && !scene.instances.empty();
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));
+  for (std::size_t s = 0; s < scene.skins.size(); ++s)
+    plan.sign_edges.push_back(plan.split[s] ? sign_edges(scene.skeleton, scene.skins[s]) : std::vector<JointPair>{});
   place(plan);
   plan.stages = describe_stages(plan);
   return plan;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/assets/scene.h"
+#include "runtime/jobs/joint_palette.h"
 #include "runtime/plan/needs.h"
 
 namespace sinew {
@@ -33,6 +34,7 @@ struct PrimitivePlan {
   bool morph_colors = false;
   bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
   Skinning skinning = Skinning::linear;
+  std::vector<JointPair> pairs;  ///< joints that share vertices, for dual quaternions (sign_pairs.h)
   bool lacks_centers = false;   ///< `skinning` is linear in place of center_of_rotation
   std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;  ///< byte offsets into the frame memory
 
@@ -57,6 +59,7 @@ struct Plan {
   std::vector<float> rest_weights;             ///< [W]
   bool sample = false, blend = false, add = false, correctives = false, local_to_model = false, bounds = false;
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
+  std::vector<std::vector<JointPair>> sign_edges;  ///< [skins] of those that are split (sign_pairs.h)
 
   // Byte offsets into the frame memory. The rest pose is written once, the rest by every frame.
   std::size_t rest_pose_at = 0, pose_at = 0, layer_poses_at = 0;  ///< layers after the first have a pose of their own

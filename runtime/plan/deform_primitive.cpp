@@ -120,7 +120,8 @@ struct Deformation {
                                     .split = split(),
                                     .any_stretch = any_stretch(),
                                     .vertices = now,
-                                    .out = out};
+                                    .out = out,
+                                    .pairs = planned.pairs};
     run_checked(job, work.vertices_skinned_dual_quaternion);
   }
 

@@ -80,7 +80,8 @@ void make_palettes(const Plan& plan, std::span<const Affine> model, FrameMemory 
     if (!plan.split[s]) continue;
     const SplitPaletteJob split{.palette = palette,
                                 .split = memory.array<RigidStretch>(plan.split_at[s], palette.size()),
-                                .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[s]};
+                                .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[s],
+                                .follow = plan.sign_edges[s]};
     assert(check(split) == ErrorCode::ok);
     run(split);
     work.palette_entries_split += palette.size();

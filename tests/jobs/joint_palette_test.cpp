@@ -79,6 +79,27 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   }
 }
 
+TEST(split_palette, N17_signs_follow_the_joints_that_they_are_told_to) {
+  test::FixedRandom random(8);
+  std::vector<JointMatrix> palette;
+  for (int i = 0; i < 40; ++i) palette.push_back(joint_matrix_from(affine_from_transform(Transform{random.vec3(), random.rotation(), glm::vec3(1)})));
+  std::vector<RigidStretch> split(40), plain(40);
+  std::vector<JointPair> follow;
+  for (std::uint16_t i = 1; i < 40; ++i) follow.push_back({static_cast<std::uint16_t>(i / 2), i});
+  run(SplitPaletteJob{palette, plain, nullptr, {}});
+  run(SplitPaletteJob{palette, split, nullptr, follow});
+  int turned = 0;
+  for (const JointPair& pair : follow) {
+    EXPECT_GE(quat_dot(split[pair.first].rigid.real, split[pair.second].rigid.real), 0.0f);
+    const bool same = split[pair.second].rigid.real == plain[pair.second].rigid.real;
+    turned += !same;
+    EXPECT_EQ(split[pair.second].rigid.dual, same ? plain[pair.second].rigid.dual : -plain[pair.second].rigid.dual);
+  }
+  EXPECT_GT(turned, 0);
+  const JointPair outside[] = {{0, 40}};
+  EXPECT_EQ(check(SplitPaletteJob{palette, split, nullptr, outside}), ErrorCode::index_out_of_range);
+}
+
 TEST(split_palette, P12_rigid_palettes_need_no_stretch_phase) {
   test::FixedRandom random(6);
   std::vector<JointMatrix> palette;

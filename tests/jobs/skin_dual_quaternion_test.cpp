@@ -101,6 +101,35 @@ TEST(skin_dual_quaternion, N17_signs_of_the_same_rotation_do_not_matter) {
   for (std::size_t v = 0; v < before.size(); ++v) EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], before[v], 1e-6)) << v;
 }
 
+TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
+  test::FixedRandom random(44);
+  for (const double turn_rad : {0.5, 3.0}) {
+    Split s(test::random_skinned_vertices(random, kCounts, 40, 24, false));
+    for (auto& m : s.vertices.palette) m = joint_matrix_from(affine_from_transform(Transform{random.vec3(), random.rotation_by(turn_rad), glm::vec3(1)}));
+    std::vector<JointPair> follow, pairs;
+    for (std::uint16_t j = 1; j < 24; ++j) follow.push_back({0, j});
+    for (std::uint16_t j = 0; j < 24; ++j)
+      for (std::uint16_t k = 0; k < 24; ++k) pairs.push_back({j, k});
+    run(SplitPaletteJob{s.vertices.palette, s.split, &s.any_stretch, follow});
+    run(s.job());
+    const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
+    auto job = s.job();
+    job.pairs = pairs;
+    ASSERT_EQ(check(job), ErrorCode::ok);
+    run(job);
+    EXPECT_TRUE(s.vertices.out_positions == positions) << turn_rad;
+    EXPECT_TRUE(s.vertices.out_normals == normals) << turn_rad;
+    s.split[3].rigid = {-s.split[3].rigid.real, -s.split[3].rigid.dual};
+    const JointPair wrong[] = {{1, 2}};  // a list that misses pairs is believed
+    job.pairs = wrong;
+    run(job);
+    EXPECT_EQ(s.vertices.out_positions == positions, turn_rad > 1.0 && !(quat_dot(s.split[1].rigid.real, s.split[2].rigid.real) > 1e-5f)) << turn_rad;
+    job.pairs = pairs;
+    run(job);
+    EXPECT_TRUE(s.vertices.out_positions == positions) << turn_rad;
+  }
+}
+
 TEST(skin_dual_quaternion, N20_half_and_half_twist_keeps_the_radius) {
   test::SkinnedVertices v;
   v.positions = {{0, 0, 1}};
