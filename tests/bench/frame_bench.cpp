@@ -98,7 +98,7 @@ struct PlainFrames {
       for (std::uint32_t l = 0; l < 2; ++l) sample(l, layers[l]);
       glm_pose::blend(layers, weights, pose);
     }
-    glm_pose::local_to_model(scene.skeleton.parents, pose, model);
+    glm_pose::local_to_model(scene.skeleton, pose, model);
     for (std::size_t s = 0; s < palettes.size(); ++s)
       for (std::size_t i = 0; i < palettes[s].size(); ++i) palettes[s][i] = model[scene.skins[s].joints[i]] * inverse_binds[s][i];
     for (Skinned& s : skinned) {

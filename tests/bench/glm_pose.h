@@ -9,6 +9,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "runtime/assets/bone_animation.h"
+#include "runtime/assets/skeleton.h"
 
 /// The pose jobs as plain GLM code writes them: arrays of structures, one binary search per track, glm::slerp, mat4.
 namespace sinew::bench::glm_pose {
@@ -71,11 +72,12 @@ inline void blend(std::span<const std::vector<Joint>> layers, std::span<const fl
   }
 }
 
-inline void local_to_model(std::span<const std::uint32_t> parents, std::span<const Joint> local, std::span<glm::mat4> model) {
+inline void local_to_model(const Skeleton& skeleton, std::span<const Joint> local, std::span<glm::mat4> model) {
   for (std::size_t j = 0; j < local.size(); ++j) {
-    const glm::mat4 m = glm::translate(glm::mat4(1), local[j].translation) * glm::mat4_cast(local[j].rotation) *
+    glm::mat4 m = glm::translate(glm::mat4(1), local[j].translation) * glm::mat4_cast(local[j].rotation) *
                         glm::scale(glm::mat4(1), local[j].scale);
-    model[j] = parents[j] == kNone ? m : model[parents[j]] * m;
+    if (skeleton.fixed_matrix_of[j] != kNone) m = mat4_from_affine(skeleton.fixed_matrices[skeleton.fixed_matrix_of[j]]);
+    model[j] = skeleton.parents[j] == kNone ? m : model[skeleton.parents[j]] * m;
   }
 }
 

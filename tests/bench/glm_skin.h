@@ -70,4 +70,24 @@ inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<c
     }
 }
 
+/// Rotation about each vertex's center, the center itself linearly blended.
+inline void skin_center_of_rotation(const VertexInfluences& influences, std::span<const glm::mat4> matrices, std::span<const Rigid> palette,
+                                    std::span<const glm::vec3> centers, const VertexInput& in, const VertexOutput& out) {
+  for (const InfluenceGroup& group : influences.groups)
+    for (std::uint32_t i = 0; i < group.vertex_count; ++i) {
+      const std::size_t v = group.first_vertex + i, first = group.first_influence + std::size_t{i} * group.influence_count;
+      glm::mat4 m = matrices[influences.joints[first]] * influences.weights[first];
+      const Rigid& pivot = palette[influences.joints[first]];
+      glm::quat real = pivot.real * influences.weights[first];
+      for (std::size_t k = first + 1; k < first + group.influence_count; ++k) {
+        m += matrices[influences.joints[k]] * influences.weights[k];
+        const glm::quat next = palette[influences.joints[k]].real;
+        real += next * (glm::dot(pivot.real, next) < 0 ? -influences.weights[k] : influences.weights[k]);
+      }
+      real = glm::normalize(real);
+      out.positions[v] = real * (in.positions[v] - centers[v]) + glm::vec3(m * glm::vec4(centers[v], 1));
+      out.normals[v] = real * in.normals[v];
+    }
+}
+
 }  // namespace sinew::bench::glm_skin

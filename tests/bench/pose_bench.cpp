@@ -122,7 +122,7 @@ void add_local_to_model() {
     const auto room = std::make_shared<Room>(c);
     room->sample(0.4 * c->animation.duration_s), room->sample_glm(0.4 * c->animation.duration_s);
     const auto ours = [room] { run(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model}); };
-    const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton.parents, room->glm_joints, room->glm_model); };
+    const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton, room->glm_joints, room->glm_model); };
     ours(), plain();
     const double error = model_error(*c, [&](std::size_t j) { return room->joint(j); }, [&](std::size_t j) { return translation_of(room->model[j]); });
     const double glm_error = model_error(*c, [&](std::size_t j) { return room->glm_joint(j); }, [&](std::size_t j) { return glm::vec3(room->glm_model[j][3]); });

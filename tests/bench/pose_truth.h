@@ -55,7 +55,9 @@ double model_error(const Character& c, const Local& local, const Position& posit
   double worst = 0.0, size = 1e-9;
   for (std::size_t j = 0; j < model.size(); ++j) {
     const Transform t = local(j);
-    model[j] = affine_from_transform(Transformd{Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)});
+    const std::uint32_t fixed = c.skeleton.fixed_matrix_of[j];
+    if (fixed != kNone) model[j] = affine_cast<double>(c.skeleton.fixed_matrices[fixed]);
+    else model[j] = affine_from_transform(Transformd{Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)});
     if (c.skeleton.parents[j] != kNone) model[j] = model[c.skeleton.parents[j]] * model[j];
     const Vec3<double> at = translation_of(model[j]), d = Vec3<double>(position(j)) - at;
     worst = std::max(worst, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));

@@ -13,7 +13,8 @@ import os
 import subprocess
 import sys
 
-PAIRS = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion", "frame")
+PAIRS = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion",
+         "skin_center_of_rotation", "frame")
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 
 

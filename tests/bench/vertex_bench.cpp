@@ -6,8 +6,10 @@
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/morph_vertices.h"
 #include "runtime/jobs/sample_clip.h"
+#include "runtime/jobs/skin_center_of_rotation.h"
 #include "runtime/jobs/skin_dual_quaternion.h"
 #include "runtime/jobs/skin_linear.h"
+#include "runtime/plan/sign_pairs.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/slower_variants.h"
@@ -37,6 +39,7 @@ struct Surface {
   std::vector<JointMatrix> palette;
   std::vector<RigidStretch> split;
   bool any_stretch = false;
+  std::vector<JointPair> pairs;
   std::vector<glm::mat4> glm_palette;
   std::vector<glm_skin::Rigid> glm_rigid;
 
@@ -52,7 +55,8 @@ struct Surface {
     palette.resize(skin.joints.size());
     split.resize(skin.joints.size());
     run(JointPaletteJob{&skin, model, palette});
-    run(SplitPaletteJob{palette, split, &any_stretch});
+    pairs = sharing_pairs(primitive.influences, palette.size());
+    run(SplitPaletteJob{palette, split, &any_stretch, sign_edges(skeleton, skin)});
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
     for (const RigidStretch& s : split) glm_rigid.push_back({s.rigid.real, s.rigid.dual});
   }
@@ -118,10 +122,13 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
   add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, true, [s, wanted] {
-    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output()});
+    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), s->pairs});
   });
   add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, true, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
+  });
+  add_with_error("skin_dual_quaternion/signs_by_vertex/" + tail, s, wanted, true, [s, wanted] {
+    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), {}});
   });
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
@@ -134,6 +141,20 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   });
 }
 
+
+/// Both ways of one case; a center lies a little below its vertex.
+void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::string& tail) {
+  const auto centers = std::make_shared<std::vector<glm::vec3>>(s->primitive.positions);
+  for (std::size_t v = 0; v < centers->size(); ++v) (*centers)[v] -= 0.03f * s->primitive.normals[v];
+  const std::size_t count = s->primitive.vertex_count();
+  add("skin_center_of_rotation/sinew/" + tail, count, [s, centers] {
+    run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers, s->in({true, false}), s->output()});
+  });
+  add("skin_center_of_rotation/glm/" + tail, count, [s, centers] {
+    glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in({true, false}), s->output());
+  });
+}
+
 }  // namespace
 
 void add_skin() {
@@ -143,6 +164,7 @@ void add_skin() {
     for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
       if (count > 10'000 && influences != 4) continue;
       const auto surface = std::make_shared<Surface>(count, influences);
+      if (influences == 4) add_center_of_rotation_case(surface, "PN/4/" + std::string(label));
       for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/" + label);
     }
 }
