@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "importer/file/sandboxed_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
+#include <span>
 #include <system_error>
 
 namespace sinew {
@@ -34,6 +40,39 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end();
 }
+
+/// A file that is open before it is asked what it is, so that it cannot be another one when it is read. Opening neither waits
+/// for the other end of a pipe nor takes over a terminal.
+class OpenFile {
+ public:
+  explicit OpenFile(const fs::path& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
+  ~OpenFile() {
+    if (opened()) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  bool opened() const noexcept { return descriptor_ >= 0; }
+
+  std::optional<std::uint64_t> regular_size() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::uint64_t>(status.st_size);
+  }
+
+  bool read(std::span<std::byte> out) const {
+    while (!out.empty()) {
+      const ssize_t count = ::read(descriptor_, out.data(), out.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return false;
+      out = out.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+
+ private:
+  int descriptor_ = -1;
+};
 
 }  // namespace
 
@@ -87,15 +126,13 @@ bool SandboxedFiles::take(std::uint64_t bytes) noexcept {
 
 tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_path(const fs::path& path) {
   using Kind = FileFault::Kind;
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return fault(Kind::missing, error ? error.message() : "not a regular file");
-  const std::uint64_t size = fs::file_size(path, error);
-  if (error) return fault(Kind::missing, error.message());
-  if (!take(size)) return fault(Kind::too_large, std::to_string(size) + " bytes are more than allowed");
-  std::ifstream stream(path, std::ios::binary);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream || static_cast<std::uint64_t>(stream.gcount()) != size) return fault(Kind::missing, "the file cannot be read");
+  const OpenFile file(path);
+  if (!file.opened()) return fault(Kind::missing, std::strerror(errno));
+  const auto size = file.regular_size();
+  if (!size) return fault(Kind::missing, "not a regular file");
+  if (!take(*size)) return fault(Kind::too_large, std::to_string(*size) + " bytes are more than allowed");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(*size));
+  if (!file.read(bytes)) return fault(Kind::missing, "the file cannot be read");
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 #include "importer/file/sandboxed_files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -64,6 +65,43 @@ TEST_F(sandboxed_files, G64_links_that_lead_out_are_refused) {
   EXPECT_EQ(read("link.bin"), "<forbidden>");
   EXPECT_EQ(read("up/secret.bin"), "<forbidden>");
   EXPECT_EQ(read("inside.bin"), "abcd");
+}
+
+TEST_F(sandboxed_files, G64_pipes_and_devices_are_not_opened_and_do_not_block) {
+  ASSERT_EQ(::mkfifo((root_ / "asset" / "pipe.bin").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", root_ / "asset" / "zero.bin");
+  EXPECT_EQ(read("pipe.bin"), "<missing>");
+  EXPECT_EQ(read("zero.bin"), "<forbidden>");
+  EXPECT_EQ(outcome(import_gltf(root_ / "asset" / "pipe.bin")), "file-unreadable at ");
+  EXPECT_EQ(outcome(import_gltf(fs::path("/dev/zero"))), "file-unreadable at ");
+}
+
+TEST_F(sandboxed_files, G64_a_link_to_the_whole_folder_is_its_folder) {
+  fs::create_directory_symlink(root_ / "asset", root_ / "elsewhere");
+  SandboxedFiles files(root_ / "elsewhere", 100);
+  EXPECT_TRUE(files.read("a.bin"));
+  EXPECT_FALSE(files.read("../secret.bin"));
+}
+
+TEST_F(sandboxed_files, G63_json_escapes_spaces_and_percent_name_the_same_buffer) {
+  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":6,"uri":"Box With Spaces.bin"},)"
+                                    R"({"byteLength":6,"uri":"Box%20With%20Spaces.bin"},{"byteLength":6,"uri":"Box\u0020With\u0020Spaces.bin"}]})");
+  const auto result = import_gltf(root_ / "asset" / "x.gltf");
+  EXPECT_EQ(outcome(result), "ok");
+  EXPECT_TRUE(result && result->warnings.empty());
+}
+
+TEST_F(sandboxed_files, G64_images_stay_in_the_folder_too) {
+  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"../secret.bin"},{"uri":"http://127.0.0.1/a.png"}]})");
+  const auto result = import_gltf(root_ / "asset" / "x.gltf");
+  EXPECT_TRUE(warns(result, "image-missing", "/images/0") && warns(result, "image-missing", "/images/1"));
+}
+
+TEST_F(sandboxed_files, G67_a_buffer_past_the_allowance_names_itself) {
+  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"a.bin"}]})");
+  ImportOptions options;
+  options.max_file_bytes = fs::file_size(root_ / "asset" / "x.gltf") + 3;
+  EXPECT_EQ(outcome(import_gltf(root_ / "asset" / "x.gltf", options)), "file-too-large at /buffers/0/uri");
 }
 
 TEST_F(sandboxed_files, only_regular_files_are_opened) {
