@@ -25,13 +25,20 @@ ImportResult<std::vector<std::byte>> export_glb(const Scene& scene, const Export
   model.asset.version = "2.0";
   model.asset.generator = "sinew";
   model.asset.copyright = options.copyright;
+  const auto begin = [&](const char* stage, double done) {
+    if (options.progress) options.progress(stage, done);
+  };
   write::GlbBuffer buffer(model);
+  begin("writing images", 0.0);
   write::write_images(scene, model, buffer);
   write::write_materials(scene, model);
+  begin("writing meshes", 0.3);
   write::write_meshes(scene, model, buffer);
   write::write_cameras_and_lights(scene, model);
+  begin("writing clips", 0.6);
   const std::vector<int> node_of_instance = write::write_nodes(scene, model, buffer);
   if (auto issue = write::write_animations(scene, node_of_instance, model, buffer)) return tl::unexpected(failure(*std::move(issue)));
+  begin("writing the file", 0.9);
   if (auto file = write::glb_file(model)) return *std::move(file);
   return tl::unexpected(failure({Severity::error, "glb-size", "/buffers/0", "the scene does not fit into a GLB of 4 GiB"}));
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace sinew {
 /// What a file says about itself beside the scene.
 struct ExportOptions {
   std::string copyright;               ///< asset.copyright
+  std::function<void(const char* stage, double done_0_to_1)> progress;  ///< may be empty
 };
 
 /// The scene as one binary glTF 2.0 file: nodes, meshes, skins, animations, morph targets (sparse where that is smaller),

@@ -19,7 +19,8 @@ struct ImportIssue {
   std::string detail;         ///< this case, with the numbers that broke the rule and, for a warning, the repair
 };
 
-/// Why an import failed: the first error, the other errors that were found together with it, and every warning so far.
+/// Why an import failed: the first error, the other errors of the file as far as they can be told apart from their
+/// consequences, and every warning.
 struct ImportError {
   std::string file;
   ImportIssue issue;

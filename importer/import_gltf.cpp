@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "importer/add_centers_of_rotation.h"
@@ -12,6 +13,7 @@
 #include "importer/build/build_placements.h"
 #include "importer/build/build_skeleton.h"
 #include "importer/build/build_skins.h"
+#include "importer/build/check_texcoords.h"
 #include "importer/decode/decode_draco.h"
 #include "importer/decode/decode_meshopt.h"
 #include "importer/file/check_capabilities.h"
@@ -20,10 +22,12 @@
 #include "importer/file/gltf_shape.h"
 #include "importer/file/load_buffers.h"
 #include "importer/file/parse_json.h"
+#include "importer/file/quarantine.h"
 #include "importer/file/sandboxed_files.h"
 #include "importer/file/tinygltf_reader.h"
 #include "importer/issue_log.h"
 #include "importer/read/check_accessors.h"
+#include "importer/read/check_bounds.h"
 #include "importer/read/images.h"
 #include "importer/read/materials.h"
 #include "importer/read/textures.h"
@@ -35,8 +39,8 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import from bytes to scene. Each step may rely on what the steps before it proved, and the import stops after the
-/// first step that reports an error.
+/// One import from bytes to scene. Each step may rely on what the steps before it proved. After errors the import goes on
+/// without what is broken, to name the other errors too, and ends without a scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log) : files_(files), options_(options), log_(log) {}
@@ -48,7 +52,7 @@ class Import {
     if (!load()) return std::nullopt;
     progress("scene", 0.3);
     ImportedFile out;
-    if (!build(out.scene)) return std::nullopt;
+    if (!build(out.scene) || log_.error_count() > 0) return std::nullopt;
     progress("clips", 0.9);
     finish_scene(out.scene);
     if (const ErrorCode code = check(out.scene); code != ErrorCode::ok) {
@@ -70,52 +74,65 @@ class Import {
       parts = *glb;
     }
     bin_ = parts.bin;
-    const auto json = parse_json(parts.json, log_);
+    auto json = parse_json(parts.json, log_);
     if (!json) return false;
     check_shape(*json, gltf_shape(), "", log_);
-    if (!log_.ok()) return false;
+    if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
     check_capabilities(*json, options_.max_nodes, log_);
     if (!log_.ok()) return false;
     auto document = read_document(*json, log_);
     if (!document) return false;
     document_ = std::move(*document);
     check_references(document_, log_);
-    return log_.ok();
+    if (!go_on()) return false;
+    check_accessor_layout(document_, log_);
+    return go_on();
   }
+
+  /// After a step: all is well, or what is broken has been put aside.
+  bool go_on() { return log_.error_count() == 0 || quarantine_.isolate(document_, log_); }
 
   bool load() {
     load_buffers(document_, files_, bin_, log_);
-    if (!log_.ok()) return false;
-    DecodeBudget budget(files_.bytes_read());
+    if (!go_on()) return false;
+    point_views(document_, log_);
+    if (!go_on()) return false;
+    DecodeBudget budget(files_.bytes_read(), options_.max_unpacked_bytes);
     decode_meshopt(document_, budget, log_);
-    if (!log_.ok()) return false;
+    if (!go_on()) return false;
     decode_draco(document_, budget, log_);
-    if (!log_.ok()) return false;
+    if (!go_on()) return false;
     check_accessors(document_, log_);
-    if (!log_.ok()) return false;
-    check_memory_budget(document_, files_.bytes_read(), log_);
-    if (!log_.ok()) return false;
+    if (!go_on()) return false;
+    check_memory_budget(document_, files_.bytes_read(), options_.max_unpacked_bytes, log_);
+    if (!go_on()) return false;
+    if (options_.check_bounds) check_bounds(document_, log_);
     if (options_.decode_images) load_images(document_, files_, log_);
     return true;
   }
 
   bool build(Scene& scene) {
     const JointOrder order = order_joints(document_);
+    if (const std::size_t depth = order.level_begin.size() - 1; depth > options_.max_node_depth) {
+      log_.report(Rule::too_many, "/nodes", std::to_string(depth) + " levels, at most " + std::to_string(options_.max_node_depth) + " are allowed");
+      return false;
+    }
     scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
     scene.skins = build_skins(document_, order, log_);
     scene.materials = read_materials(document_, log_);
     scene.textures = read_textures(document_, log_);
-    if (!log_.ok()) return false;
+    if (!go_on()) return false;
     scene.meshes = build_meshes(document_, options_, log_);
-    if (!log_.ok()) return false;
+    if (!go_on()) return false;
+    check_texcoords(scene, log_);
     Instances instances = build_instances(document_, order, scene.meshes, log_);
     scene.animations = build_clips(document_, order, instances, log_);
     scene.instances = std::move(instances.list);
     build_placements(document_, order, scene, log_);
     progress("images", 0.7);
     scene.images = read_images(document_, options_, log_);
-    if (options_.make_centers_of_rotation && log_.ok()) add_centers(scene);
-    return log_.ok();
+    if (options_.make_centers_of_rotation && log_.error_count() == 0) add_centers(scene);
+    return true;
   }
 
   void add_centers(Scene& scene) const {
@@ -142,6 +159,7 @@ class Import {
   const ImportOptions& options_;
   IssueLog& log_;
   Document document_;
+  Quarantine quarantine_;
   std::optional<Bytes> bin_;
 };
 

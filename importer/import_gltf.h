@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "importer/import_error.h"
@@ -21,8 +22,11 @@ struct ImportOptions {
   bool make_tangents = true;                           ///< where a normal map needs them and the file has none
   bool make_centers_of_rotation = false;               ///< of skinned meshes, for Skinning::center_of_rotation; may take long
   std::filesystem::path centers_cache;                 ///< folder that keeps them for the next import; empty = none
+  bool check_bounds = false;                           ///< compare min and max of accessors, which are never used, with the data
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;   ///< of the file and all that it refers to
-  std::uint32_t max_nodes = 1'000'000;
+  std::uint64_t max_unpacked_bytes = std::uint64_t{16} << 30;  ///< decompressed, and as vertices and keys; at most 64 MiB + 64 x file
+  std::uint32_t max_nodes = 1'000'000;                 ///< and accessors, buffer views, meshes; of other lists at most 65536
+  std::uint32_t max_node_depth = 1'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;
   std::function<void(const char* stage, double done_0_to_1)> progress;  ///< called on the importing thread, may be empty
 };
@@ -38,6 +42,11 @@ struct ImportedFile {
     std::uint64_t file_bytes = 0;                      ///< with all buffers and images read
   } facts;
 };
+
+/// What the importer does about an extension: reads it; reads past it, since it only refines what is read; or does not know
+/// it, and refuses files that require it (G57).
+enum class ExtensionSupport : std::uint8_t { read, read_past, unknown };
+ExtensionSupport extension_support(std::string_view name) noexcept;
 
 /// Reads a .gltf or .glb file (told apart by content) with its buffers and images. URIs are relative to the file's
 /// folder and cannot leave it. No exception escapes, nothing is guessed: a broken rule that would make data unusable is an

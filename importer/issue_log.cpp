@@ -15,12 +15,31 @@ std::string in_quotes(std::string_view text) {
 
 void IssueLog::report(Rule rule, std::string json_pointer, std::string detail) {
   const RuleText& text = describe(rule);
-  if (text.severity == Severity::error) ++error_count_;
+  const bool muted = is_muted(json_pointer);
+  if (text.severity == Severity::error) {
+    ++error_count_;
+    if (fresh_places_.size() < kMaxPlaces) fresh_places_.push_back(json_pointer);
+    else unlisted_error_ = true;
+  }
+  if (muted) return;
   seen_.resize(all_rules().size(), 0);
   const std::size_t seen = ++seen_[static_cast<std::size_t>(rule)];
   if (seen > kMaxPerRule) return;
   if (seen == kMaxPerRule) detail += " (further cases of this rule are not listed)";
   issues_.push_back({text.severity, std::string(text.id), std::move(json_pointer), std::move(detail)});
+}
+
+bool IssueLog::is_muted(std::string_view json_pointer) const {
+  for (auto end = json_pointer.size(); !muted_.empty() && end != json_pointer.npos && end > 0;
+       end = json_pointer.rfind('/', end - 1))
+    if (muted_.contains(json_pointer.substr(0, end))) return true;
+  return false;
+}
+
+std::optional<std::vector<std::string>> IssueLog::settle() {
+  settled_ = error_count_;
+  if (unlisted_error_) return std::nullopt;
+  return std::exchange(fresh_places_, {});
 }
 
 std::vector<ImportIssue> IssueLog::take_warnings() { return std::exchange(issues_, {}); }

@@ -58,7 +58,7 @@ class ClipBuilder {
     weights_.clear();
     targets_.clear();
     out_.name = document_.animations[animation].name;
-    for (std::uint32_t c = 0; c < document_.animations[animation].channels.size() && log_.ok(); ++c) add_channel(c);
+    for (std::uint32_t c = 0; c < document_.animations[animation].channels.size(); ++c) add_channel(c);
     for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
     for (auto& [instance, track] : weights_) out_.weights.push_back({instance, std::move(track)});
     return std::move(out_);
@@ -75,7 +75,7 @@ class ClipBuilder {
     if (target->property == AnimatedProperty::weights)
       add_weights(*target, channel, place);
     else
-      add_bone(*target, channel, place);
+      add_bone(*target, channel);
   }
 
   std::optional<SamplerData> read(std::uint32_t channel, AnimatedProperty property, std::uint32_t components) {
@@ -85,7 +85,7 @@ class ClipBuilder {
     return data;
   }
 
-  void add_bone(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
+  void add_bone(const ChannelTarget& target, std::uint32_t channel) {
     auto data = read(channel, target.property, target.property == AnimatedProperty::rotation ? 4 : 3);
     if (!data) return;
     const std::uint32_t joint = order_.joint_of_node[target.node];
@@ -93,7 +93,7 @@ class ClipBuilder {
     bone.joint = joint;
     switch (target.property) {
       case AnimatedProperty::translation: bone.translation = vec3_track(std::move(*data)); break;
-      case AnimatedProperty::rotation: bone.rotation = quat_track(std::move(*data), place, log_); break;
+      case AnimatedProperty::rotation: bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_); break;
       case AnimatedProperty::scale: bone.scale = vec3_track(std::move(*data)); break;
       case AnimatedProperty::weights: break;
     }
@@ -126,7 +126,7 @@ std::vector<Animation> build_clips(const gltf::Document& document, const JointOr
   std::vector<Animation> animations;
   animations.reserve(document.animations.size());
   ClipBuilder builder(document, order, instances, log);
-  for (std::uint32_t a = 0; a < document.animations.size() && log.ok(); ++a) animations.push_back(builder.build(a));
+  for (std::uint32_t a = 0; a < document.animations.size(); ++a) animations.push_back(builder.build(a));
   return animations;
 }
 

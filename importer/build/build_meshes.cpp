@@ -28,11 +28,11 @@ std::size_t target_count(const gltf::Document& document, std::uint32_t mesh, Iss
   const auto& primitives = document.meshes[mesh].primitives;
   std::size_t most = 0;
   for (const auto& primitive : primitives) most = std::max(most, primitive.targets.size());
-  for (std::size_t p = 0; p < primitives.size(); ++p)
-    if (primitives[p].targets.size() != most)
+  for (std::size_t p = 1; p < primitives.size(); ++p)
+    if (primitives[p].targets.size() != primitives[0].targets.size())
       log.report(Rule::mesh_target_count, pointer("meshes", mesh, "primitives", p, "targets"),
-                 std::to_string(primitives[p].targets.size()) + " targets, another primitive has " + std::to_string(most) +
-                     "; the missing ones move nothing");
+                 std::to_string(primitives[p].targets.size()) + " targets, the first primitive has " +
+                     std::to_string(primitives[0].targets.size()) + "; missing ones move nothing");
   return most;
 }
 
@@ -58,16 +58,19 @@ void make_missing(const gltf::Document& document, const ImportOptions& options, 
 
 Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t targets,
                           std::uint32_t joint_limit, const ImportOptions& options, IssueLog& log) {
+  const std::size_t errors = log.error_count();
+  const auto broken = [&] { return log.error_count() != errors; };
   PrimitiveData data = read_primitive(document, mesh, index, log);
   Primitive& primitive = data.primitive;
-  if (!log.ok()) return std::move(primitive);
+  if (broken()) return {};
   const std::string place = pointer("meshes", mesh, "primitives", index, "attributes");
   const auto merged = merge_influences(data.influence_sets, primitive.vertex_count(), joint_limit, place, log);
-  if (!log.ok()) return std::move(primitive);
+  if (broken()) return {};
   group_vertices(primitive, merged);
   build_morph_set(document, mesh, index, targets, primitive, log);
   for (const auto& p : primitive.positions) primitive.bounds.add(p);
-  if (log.ok()) make_missing(document, options, primitive);
+  if (broken()) return {};
+  make_missing(document, options, primitive);
   return std::move(primitive);
 }
 
@@ -86,14 +89,14 @@ std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptio
   std::vector<Mesh> meshes;
   meshes.reserve(document.meshes.size());
   const auto limits = joint_limits(document);
-  for (std::uint32_t m = 0; m < document.meshes.size() && log.ok(); ++m) {
+  for (std::uint32_t m = 0; m < document.meshes.size(); ++m) {
     const gltf::Mesh& source = document.meshes[m];
     Mesh mesh;
     mesh.name = source.name;
     const std::size_t targets = target_count(document, m, log);
     mesh.default_weights = default_weights(source, m, targets, log);
     if (source.target_names.size() == targets) mesh.target_names = source.target_names;
-    for (std::uint32_t p = 0; p < source.primitives.size() && log.ok(); ++p)
+    for (std::uint32_t p = 0; p < source.primitives.size(); ++p)
       mesh.primitives.push_back(build_primitive(document, m, p, targets, limits[m], options, log));
     meshes.push_back(std::move(mesh));
     if (options.progress) options.progress("meshes", static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));

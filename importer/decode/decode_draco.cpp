@@ -62,8 +62,9 @@ class DracoDecoder {
   void decode(gltf::Primitive& primitive, const std::string& primitive_place) {
     const gltf::Json& extension = primitive.extensions[kName];
     place_ = pointer(primitive_place, "extensions", kName);
+    const std::size_t errors = log_.error_count();
     check_shape(extension, kShape, place_, log_);
-    if (!log_.ok()) return;
+    if (log_.error_count() != errors) return;
     const bool strip = primitive.mode == gltf::PrimitiveMode::triangle_strip;
     if (!strip && primitive.mode != gltf::PrimitiveMode::triangles)
       return fail("only triangles and strips can be compressed");
@@ -76,7 +77,7 @@ class DracoDecoder {
     if (strip) indices.count = 3 * std::uint64_t{mesh->num_faces()};
     fill_indices(*mesh, indices);
     for (const auto& [semantic, id] : extension["attributes"].items()) {
-      if (!log_.ok()) return;
+      if (log_.error_count() != errors) return;
       const auto found = primitive.attributes.find(semantic);
       if (found == primitive.attributes.end()) return fail(semantic + " is no attribute of the primitive");
       fill_attribute(*mesh, static_cast<std::uint32_t>(id.get<double>()), semantic, document_.accessors[found->second]);
@@ -173,7 +174,7 @@ class DracoDecoder {
 void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log) {
   DracoDecoder decoder(document, budget, log);
   for (std::size_t m = 0; m < document.meshes.size(); ++m)
-    for (std::size_t p = 0; p < document.meshes[m].primitives.size() && log.ok(); ++p) {
+    for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
       auto& primitive = document.meshes[m].primitives[p];
       if (primitive.extensions.is_object() && primitive.extensions.contains(kName))
         decoder.decode(primitive, pointer("meshes", m, "primitives", p));

@@ -88,8 +88,9 @@ void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budg
   auto& view = document.buffer_views[index];
   const MeshoptExtension extension = meshopt_extension(view.extensions);
   const std::string place = pointer("bufferViews", index, "extensions", extension.name);
+  const std::size_t errors = log.error_count();
   check_shape(*extension.value, kShape, place, log);
-  if (!log.ok()) return;
+  if (log.error_count() != errors) return;
   const Stream stream = read_stream(*extension.value);
   if (stream.buffer >= document.buffers.size())
     return log.report(
@@ -117,7 +118,7 @@ void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budg
 }  // namespace
 
 void decode_meshopt(gltf::Document& document, DecodeBudget& budget, IssueLog& log) {
-  for (std::size_t i = 0; i < document.buffer_views.size() && log.ok(); ++i)
+  for (std::size_t i = 0; i < document.buffer_views.size(); ++i)
     if (meshopt_extension(document.buffer_views[i].extensions)) decode_view(document, i, budget, log);
 }
 

@@ -7,18 +7,22 @@
 #include <string>
 
 #include "importer/file/json_pointer.h"
+#include "importer/import_gltf.h"
 
 namespace sinew {
 namespace {
 
 using gltf::Json;
 
-constexpr std::string_view kSupported[] = {
+constexpr std::string_view kRead[] = {
     "EXT_meshopt_compression",    "KHR_draco_mesh_compression",  "KHR_meshopt_compression",
     "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
     "KHR_mesh_quantization",      "KHR_texture_transform",       "KHR_materials_emissive_strength",
     "KHR_materials_unlit",        "KHR_materials_pbrSpecularGlossiness",
-    // read past: these only refine how a surface reflects light
+};
+
+/// These only refine how a surface reflects light.
+constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",   "KHR_materials_clearcoat",     "KHR_materials_dispersion",
     "KHR_materials_ior",          "KHR_materials_iridescence",   "KHR_materials_sheen",
     "KHR_materials_specular",     "KHR_materials_transmission",  "KHR_materials_variants",
@@ -67,14 +71,18 @@ void check_list_sizes(const Json& json, std::uint32_t max_nodes, IssueLog& log) 
 
 }  // namespace
 
-std::span<const std::string_view> supported_extensions() noexcept { return kSupported; }
+ExtensionSupport extension_support(std::string_view name) noexcept {
+  if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) return ExtensionSupport::read;
+  if (std::find(std::begin(kReadPast), std::end(kReadPast), name) != std::end(kReadPast)) return ExtensionSupport::read_past;
+  return ExtensionSupport::unknown;
+}
 
 void check_capabilities(const Json& json, std::uint32_t max_nodes, IssueLog& log) {
   check_version(json["asset"], log);
   if (const auto required = json.find("extensionsRequired"); required != json.end())
     for (std::size_t i = 0; i < required->size(); ++i) {
       const auto name = (*required)[i].get<std::string>();
-      if (std::find(std::begin(kSupported), std::end(kSupported), name) == std::end(kSupported))
+      if (extension_support(name) == ExtensionSupport::unknown)
         log.report(Rule::extension_required, pointer("extensionsRequired", i), in_quotes(name) + " is not supported");
     }
   check_list_sizes(json, max_nodes, log);

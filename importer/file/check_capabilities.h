@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 #include "importer/file/document.h"
 #include "importer/issue_log.h"
 
 namespace sinew {
-
-/// Extensions that a file may require: those whose data the importer reads, and those that only change how surfaces
-/// look in ways that may be left out.
-std::span<const std::string_view> supported_extensions() noexcept;
 
 /// What must hold before the rest of a document is worth reading.
 /// in   json with the right shape

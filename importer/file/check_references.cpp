@@ -42,6 +42,10 @@ class ReferenceCheck {
       index(accessor.buffer_view, d_.buffer_views, "accessors", i, "bufferView");
       index(accessor.sparse.indices_view, d_.buffer_views, "accessors", i, "sparse", "indices", "bufferView");
       index(accessor.sparse.values_view, d_.buffer_views, "accessors", i, "sparse", "values", "bufferView");
+      if (accessor.count == 0)
+        log_.report(Rule::accessor_empty, pointer("accessors", i, "count"), "has no elements; what uses it is left out");
+      if (accessor.sparse.count == 0 && accessor.sparse.indices_view != kNone)
+        log_.report(Rule::accessor_empty, pointer("accessors", i, "sparse", "count"), "has no replacements");
     }
   }
 
@@ -70,18 +74,20 @@ class ReferenceCheck {
         const std::uint32_t child = node.children[c];
         index(child, d_.nodes, "nodes", n, "children", c);
         if (child >= d_.nodes.size()) continue;
-        if (parent[child] != kNone)
+        if (parent[child] == kNone)
+          parent[child] = static_cast<std::uint32_t>(n);
+        else
           log_.report(Rule::node_parents, pointer("nodes", n, "children", c),
                       "node " + std::to_string(child) + " is a child of node " + std::to_string(parent[child]) + " already");
-        parent[child] = static_cast<std::uint32_t>(n);
       }
     }
-    if (log_.ok()) check_cycles(parent);
+    check_cycles(parent);
     is_child_.assign(parent.size(), false);
     for (std::size_t n = 0; n < parent.size(); ++n) is_child_[n] = parent[n] != kNone;
   }
 
-  /// Every node has at most one parent here, so a walk upwards ends at a root, at a node known to be good, or on itself.
+  /// Every node has at most one parent here, so a walk upwards ends at a root, at a node seen before, or on itself. Every
+  /// node of a cycle is named.
   void check_cycles(const std::vector<std::uint32_t>& parent) {
     std::vector<std::uint32_t> seen_by(parent.size(), kNone);
     for (std::uint32_t start = 0; start < parent.size(); ++start) {
@@ -90,8 +96,12 @@ class ReferenceCheck {
         seen_by[node] = start;
         node = parent[node];
       }
-      if (node != kNone && seen_by[node] == start)
-        return log_.report(Rule::node_cycle, pointer("nodes", node, "children"), "the node is its own ancestor");
+      if (node == kNone || seen_by[node] != start) continue;
+      const std::uint32_t first = node;
+      do {
+        log_.report(Rule::node_cycle, pointer("nodes", node), "the node is its own ancestor");
+        node = parent[node];
+      } while (node != first);
     }
   }
 

@@ -38,9 +38,10 @@ struct BufferUse {
 std::vector<BufferUse> find_uses(const Document& document) {
   std::vector<BufferUse> uses(document.buffers.size());
   for (const auto& view : document.buffer_views)
-    (meshopt_extension(view.extensions) ? uses[view.buffer].compressed_view : uses[view.buffer].plain_view) = true;
+    if (view.buffer != kNone)
+      (meshopt_extension(view.extensions) ? uses[view.buffer].compressed_view : uses[view.buffer].plain_view) = true;
   const auto mark = [&](std::uint32_t view) {
-    if (view != kNone) uses[document.buffer_views[view].buffer].in_accessor = true;
+    if (view != kNone && document.buffer_views[view].buffer != kNone) uses[document.buffer_views[view].buffer].in_accessor = true;
   };
   for (const auto& accessor : document.accessors)
     mark(accessor.buffer_view), mark(accessor.sparse.indices_view), mark(accessor.sparse.values_view);
@@ -82,7 +83,7 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
     return report_missing(buffer, use, place, "has no uri and the file has no BIN chunk for it", log);
   }
   if (bytes.size() < buffer.byte_length)
-    return log.report(Rule::buffer_short, pointer(place, "byteLength"),
+    return log.report(Rule::buffer_short, place,
                       std::to_string(buffer.byte_length) + " bytes, there are " + std::to_string(bytes.size()));
   if (buffer.uri.empty() && bytes.size() - buffer.byte_length > 3)
     log.report(Rule::buffer_longer, pointer(place, "byteLength"),
@@ -96,7 +97,8 @@ void point_view(Document& document, std::size_t index, const BufferUse& use, Iss
   const std::string place = pointer("bufferViews", index);
   if (view.byte_length == 0) log.report(Rule::buffer_view_empty, pointer(place, "byteLength"), "has no bytes");
   if (view.byte_offset > buffer.byte_length || view.byte_length > buffer.byte_length - view.byte_offset)
-    return log.report(Rule::buffer_view_range, place, std::to_string(view.byte_length) + " bytes from byte " + std::to_string(view.byte_offset) +
+    return log.report(Rule::buffer_view_range, pointer(place, view.byte_offset >= buffer.byte_length ? "byteOffset" : "byteLength"),
+                      std::to_string(view.byte_length) + " bytes from byte " + std::to_string(view.byte_offset) +
                           " leave the " + std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
   if (!buffer.placeholder)
     view.bytes = buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
@@ -109,8 +111,12 @@ void point_view(Document& document, std::size_t index, const BufferUse& use, Iss
 void load_buffers(Document& document, SandboxedFiles& files, std::optional<Bytes> bin, IssueLog& log) {
   const auto uses = find_uses(document);
   for (std::uint32_t i = 0; i < document.buffers.size(); ++i) load_buffer(document, i, uses[i], files, bin, log);
-  if (!log.ok()) return;
-  for (std::size_t i = 0; i < document.buffer_views.size(); ++i) point_view(document, i, uses[document.buffer_views[i].buffer], log);
+}
+
+void point_views(Document& document, IssueLog& log) {
+  const auto uses = find_uses(document);
+  for (std::size_t i = 0; i < document.buffer_views.size(); ++i)
+    if (const std::uint32_t buffer = document.buffer_views[i].buffer; buffer != kNone) point_view(document, i, uses[buffer], log);
 }
 
 void load_images(Document& document, SandboxedFiles& files, IssueLog& log) {

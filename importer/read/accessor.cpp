@@ -72,6 +72,19 @@ void copy(ComponentType type, bool, const std::byte* from, std::uint64_t stride,
   }
 }
 
+void copy(ComponentType type, bool, const std::byte* from, std::uint64_t stride, std::size_t count,
+          const ElementLayout& layout, double* to) {
+  const auto same = [](auto c) { return static_cast<double>(c); };
+  switch (type) {
+    case ComponentType::i8: return copy_elements<std::int8_t>(from, stride, count, layout, to, same);
+    case ComponentType::u8: return copy_elements<std::uint8_t>(from, stride, count, layout, to, same);
+    case ComponentType::i16: return copy_elements<std::int16_t>(from, stride, count, layout, to, same);
+    case ComponentType::u16: return copy_elements<std::uint16_t>(from, stride, count, layout, to, same);
+    case ComponentType::u32: return copy_elements<std::uint32_t>(from, stride, count, layout, to, same);
+    case ComponentType::f32: return copy_elements<float>(from, stride, count, layout, to, same);
+  }
+}
+
 template <class Out>
 void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<Out>& out) {
   const auto& sparse = accessor.sparse;
@@ -136,5 +149,7 @@ std::vector<float> read_floats(const Document& document, std::uint32_t accessor)
 std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t accessor) {
   return read<std::uint32_t>(document, accessor);
 }
+
+std::vector<double> read_stored(const Document& document, std::uint32_t accessor) { return read<double>(document, accessor); }
 
 }  // namespace sinew

@@ -37,4 +37,7 @@ std::vector<float> read_floats(const gltf::Document& document, std::uint32_t acc
 /// The same for unsigned integers (indices, joints), never normalised. Other component types give zeros.
 std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);
 
+/// Components as stored, integers not decoded.
+std::vector<double> read_stored(const gltf::Document& document, std::uint32_t accessor);
+
 }  // namespace sinew

@@ -131,7 +131,7 @@ class SamplerReader {
       log_.report(Rule::animation_stride, pointer(place_, name), "its buffer view has a byteStride; read with it");
     const auto& bounds = document_.accessors[accessor];
     if (std::string_view(name) == "input" && (bounds.min.empty() || bounds.max.empty()))
-      log_.report(Rule::animation_bounds, pointer("accessors", accessor), "key times without min and max; taken from the data");
+      log_.report(Rule::animation_bounds, pointer(place_, name), "key times without min and max; taken from the data");
   }
 
   bool check_times(const std::vector<float>& times) {

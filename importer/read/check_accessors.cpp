@@ -2,6 +2,8 @@
 #include "importer/read/check_accessors.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
@@ -26,60 +28,42 @@ bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::
   return count == 1 || (available - offset - size) / stride >= count - 1;
 }
 
+/// Looks at one accessor, with views as long as `available` says: by the document or by their bytes.
 class AccessorCheck {
  public:
-  AccessorCheck(const Document& document, std::size_t index, std::uint64_t& sparse_total, IssueLog& log)
+  AccessorCheck(const Document& document, std::size_t index, IssueLog& log)
       : document_(document), accessor_(document.accessors[index]), layout_(element_layout(accessor_)),
-        place_(pointer("accessors", index)), sparse_total_(sparse_total), log_(log) {}
+        place_(pointer("accessors", index)), log_(log) {}
 
-  void run() {
-    if (accessor_.count == 0) log_.report(Rule::accessor_empty, place_, "has no elements; what uses it is left out");
-    if (accessor_.count > kMaxCount)
-      return log_.report(Rule::accessor_fit, pointer(place_, "count"), std::to_string(accessor_.count) + " elements");
+  /// What is odd, though it can be read.
+  void warn() {
     const bool integer = accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
     if (accessor_.normalized && !integer)
       log_.report(Rule::accessor_normalized, pointer(place_, "normalized"), "only 8- and 16-bit integers are normalised; ignored");
-    if (accessor_.buffer_view != kNone) check_base();
-    if (accessor_.sparse.count > 0) check_sparse();
+    if (accessor_.buffer_view != kNone) warn_alignment();
+    if (accessor_.sparse.count == 0) return;
+    warn_stride(accessor_.sparse.indices_view, "indices");
+    warn_stride(accessor_.sparse.values_view, "values");
   }
 
- private:
-  void check_base() {
-    const auto& view = document_.buffer_views[accessor_.buffer_view];
-    const std::uint64_t stride = element_stride(document_, accessor_);
-    if (stride < layout_.element_bytes)
-      return log_.report(Rule::accessor_stride, pointer("bufferViews", accessor_.buffer_view, "byteStride"),
-                         std::to_string(stride) + " bytes, one element of " + place_ + " has " + std::to_string(layout_.element_bytes));
-    if (!fits(accessor_.byte_offset, stride, accessor_.count, layout_.element_bytes, view.bytes.size()))
-      return log_.report(Rule::accessor_fit, place_, std::to_string(accessor_.count) + " elements of " +
-                             std::to_string(layout_.element_bytes) + " bytes, " + std::to_string(stride) + " apart, from byte " +
-                             std::to_string(accessor_.byte_offset) + " do not fit into the " + std::to_string(view.bytes.size()) +
-                             " bytes of " + pointer("bufferViews", accessor_.buffer_view));
-    if ((view.byte_offset + accessor_.byte_offset) % layout_.component_bytes != 0)
-      log_.report(Rule::accessor_alignment, pointer(place_, "byteOffset"),
-                  "elements are not aligned to " + std::to_string(layout_.component_bytes) + " bytes; read byte by byte");
+  /// False after an error.
+  template <class Available>
+  bool fits_views(Available available) {
+    if (accessor_.count > kMaxCount)
+      return fail(Rule::accessor_fit, pointer(place_, "count"), std::to_string(accessor_.count) + " elements");
+    if (accessor_.buffer_view != kNone && !fits_base(available(document_.buffer_views[accessor_.buffer_view]))) return false;
+    return accessor_.sparse.count == 0 || fits_sparse(available(document_.buffer_views[accessor_.sparse.indices_view]),
+                                                      available(document_.buffer_views[accessor_.sparse.values_view]));
   }
 
-  void check_sparse() {
+  /// in   fits_views()
+  void check_sparse_indices(std::uint64_t& sparse_total) {
     const auto& sparse = accessor_.sparse;
+    if (sparse.count == 0) return;
     const std::string place = pointer(place_, "sparse");
-    if (sparse.count > accessor_.count)
-      return log_.report(Rule::accessor_sparse, pointer(place, "count"), std::to_string(sparse.count) + " replacements of " +
-                                                                             std::to_string(accessor_.count) + " elements");
-    const std::uint32_t index_bytes = component_bytes(sparse.index_type);
-    const auto &indices = document_.buffer_views[sparse.indices_view].bytes, &values = document_.buffer_views[sparse.values_view].bytes;
-    if (!fits(sparse.indices_offset, index_bytes, sparse.count, index_bytes, indices.size()))
-      return log_.report(Rule::accessor_fit, pointer(place, "indices"), "do not fit into their buffer view");
-    if (!fits(sparse.values_offset, layout_.element_bytes, sparse.count, layout_.element_bytes, values.size()))
-      return log_.report(Rule::accessor_fit, pointer(place, "values"), "do not fit into their buffer view");
-    sparse_total_ += sparse.count;
-    if (sparse_total_ > kMaxSparse)
+    sparse_total += sparse.count;
+    if (sparse_total > kMaxSparse)
       return log_.report(Rule::memory_budget, place, "more sparse replacements in all than the importer allows");
-    check_sparse_order(place);
-  }
-
-  void check_sparse_order(const std::string& place) {
-    const auto& sparse = accessor_.sparse;
     const std::uint32_t size = component_bytes(sparse.index_type);
     const std::byte* at = document_.buffer_views[sparse.indices_view].bytes.data() + sparse.indices_offset;
     std::uint64_t previous = 0;
@@ -88,35 +72,103 @@ class AccessorCheck {
       std::uint64_t index = 0;
       for (std::uint32_t byte = size; byte-- > 0;) index = index << 8 | std::to_integer<std::uint64_t>(at[byte]);
       if (index >= accessor_.count)
-        return log_.report(Rule::accessor_sparse, pointer(place, "indices"), "index " + std::to_string(index) + " of " +
-                                                                                 std::to_string(accessor_.count) + " elements");
+        return log_.report(Rule::accessor_sparse, place, "index " + std::to_string(index) + " of " + std::to_string(accessor_.count) + " elements");
       ordered = ordered && (i == 0 || index > previous);
       previous = index;
     }
-    if (!ordered)
-      log_.report(Rule::accessor_sparse_order, pointer(place, "indices"), "do not strictly increase; applied in their order");
+    if (!ordered) log_.report(Rule::accessor_sparse_order, place, "indices do not strictly increase; applied in their order");
+  }
+
+ private:
+  bool fail(Rule rule, std::string place, std::string detail) {
+    log_.report(rule, std::move(place), std::move(detail));
+    return false;
+  }
+
+  void warn_alignment() {
+    const auto& view = document_.buffer_views[accessor_.buffer_view];
+    const bool own_offset = accessor_.byte_offset % layout_.component_bytes != 0;
+    if (own_offset || (view.byte_offset + accessor_.byte_offset) % layout_.component_bytes != 0)
+      log_.report(Rule::accessor_alignment, own_offset ? pointer(place_, "byteOffset") : place_,
+                  "elements are not aligned to " + std::to_string(layout_.component_bytes) + " bytes; read byte by byte");
+  }
+
+  void warn_stride(std::uint32_t view, const char* part) {
+    if (document_.buffer_views[view].byte_stride != 0)
+      log_.report(Rule::accessor_sparse_stride, pointer(place_, "sparse", part, "bufferView"), "has a byteStride; read as if it had none");
+  }
+
+  bool fits_base(std::uint64_t available) {
+    const std::uint64_t stride = element_stride(document_, accessor_);
+    const std::string view = pointer("bufferViews", accessor_.buffer_view);
+    if (stride < layout_.element_bytes)
+      return fail(Rule::accessor_stride, place_, "byteStride of " + view + " is " + std::to_string(stride) + " bytes, one element has " +
+                                                     std::to_string(layout_.element_bytes));
+    if (fits(accessor_.byte_offset, stride, accessor_.count, layout_.element_bytes, available)) return true;
+    return fail(Rule::accessor_fit, accessor_.byte_offset > available ? pointer(place_, "byteOffset") : place_,
+                std::to_string(accessor_.count) + " elements of " + std::to_string(layout_.element_bytes) + " bytes, " +
+                    std::to_string(stride) + " apart, from byte " + std::to_string(accessor_.byte_offset) + " do not fit into the " +
+                    std::to_string(available) + " bytes of " + view);
+  }
+
+  bool fits_sparse(std::uint64_t index_space, std::uint64_t value_space) {
+    const auto& sparse = accessor_.sparse;
+    const std::string place = pointer(place_, "sparse");
+    if (sparse.count > accessor_.count)
+      return fail(Rule::accessor_sparse, pointer(place, "count"), std::to_string(sparse.count) + " replacements of " +
+                                                                      std::to_string(accessor_.count) + " elements");
+    const std::uint32_t index_bytes = component_bytes(sparse.index_type);
+    if (!fits(sparse.indices_offset, index_bytes, sparse.count, index_bytes, index_space))
+      return fail(Rule::accessor_fit, pointer(place, "indices"), "do not fit into their buffer view");
+    if (!fits(sparse.values_offset, layout_.element_bytes, sparse.count, layout_.element_bytes, value_space))
+      return fail(Rule::accessor_fit, pointer(place, "values"), "do not fit into their buffer view");
+    return true;
   }
 
   const Document& document_;
   const Accessor& accessor_;
   ElementLayout layout_;
   std::string place_;
-  std::uint64_t& sparse_total_;
   IssueLog& log_;
 };
 
+/// Accessors that a Draco stream fills: what they say of views does not count (G62).
+std::vector<bool> filled_by_draco(const Document& document) {
+  std::vector<bool> filled(document.accessors.size(), false);
+  for (const auto& mesh : document.meshes)
+    for (const auto& primitive : mesh.primitives) {
+      if (!primitive.extensions.is_object() || !primitive.extensions.contains("KHR_draco_mesh_compression")) continue;
+      for (const auto& [name, accessor] : primitive.attributes) filled[accessor] = true;
+      if (primitive.indices != kNone) filled[primitive.indices] = true;
+    }
+  return filled;
+}
+
 }  // namespace
 
-void check_accessors(const Document& document, IssueLog& log) {
+void check_accessor_layout(const Document& document, IssueLog& log) {
   for (std::size_t i = 0; i < document.buffer_views.size(); ++i) {
     const std::uint32_t stride = document.buffer_views[i].byte_stride;
     if (stride != 0 && (stride % 4 != 0 || stride > 252))
       log.report(Rule::buffer_view_stride, pointer("bufferViews", i, "byteStride"),
                  std::to_string(stride) + " is not a multiple of 4 up to 252; used as it is");
   }
+  const auto skipped = filled_by_draco(document);
+  for (std::size_t i = 0; i < document.accessors.size(); ++i) {
+    if (skipped[i]) continue;
+    AccessorCheck accessor(document, i, log);
+    accessor.warn();
+    accessor.fits_views([](const gltf::BufferView& view) { return view.byte_length; });
+  }
+}
+
+void check_accessors(const Document& document, IssueLog& log) {
   std::uint64_t sparse_total = 0;
-  for (std::size_t i = 0; i < document.accessors.size() && sparse_total <= kMaxSparse; ++i)
-    AccessorCheck(document, i, sparse_total, log).run();
+  for (std::size_t i = 0; i < document.accessors.size() && sparse_total <= kMaxSparse; ++i) {
+    AccessorCheck accessor(document, i, log);
+    if (accessor.fits_views([](const gltf::BufferView& view) { return std::uint64_t{view.bytes.size()}; }))
+      accessor.check_sparse_indices(sparse_total);
+  }
 }
 
 }  // namespace sinew

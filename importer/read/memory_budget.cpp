@@ -31,7 +31,7 @@ class Budget {
 
 }  // namespace
 
-void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, IssueLog& log) {
+void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log) {
   constexpr std::uint64_t kFree = std::uint64_t{64} << 20;
   constexpr std::uint64_t kPerByte = 64;
   Budget budget(document);
@@ -48,7 +48,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
       budget.add(animation.samplers[channel.sampler].output);
     }
   for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
-  const std::uint64_t allowed = kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40);
+  const std::uint64_t allowed = std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));
   if (budget.total() > allowed)
     log.report(Rule::memory_budget, "", "vertices and keys would take " + std::to_string(budget.total()) + " bytes, a file of " +
                                             std::to_string(file_bytes) + " bytes may take " + std::to_string(allowed));

@@ -49,7 +49,7 @@ class PrimitiveReader {
     for (const auto& [name, accessor] : source_.attributes) read_attribute(name, accessor);
     collect_texcoords();
     collect_influences();
-    if (!log_.ok()) return std::move(data_);
+    if (log_.error_count() != errors_before_) return std::move(data_);
     data_.primitive.indices = read_indices(document_, source_, static_cast<std::uint32_t>(count_), place_, log_);
     if (!data_.primitive.tangents.empty() && data_.primitive.normals.empty())
       log_.report(Rule::mesh_tangent_without_normal, pointer(place_, "attributes", "TANGENT"), "tangents without normals are ignored");
@@ -146,6 +146,7 @@ class PrimitiveReader {
   const gltf::Primitive& source_;
   std::string place_;
   IssueLog& log_;
+  const std::size_t errors_before_ = log_.error_count();
   std::uint64_t count_ = 0;
   PrimitiveData data_;
   std::map<std::uint32_t, std::vector<glm::vec2>> texcoords_;

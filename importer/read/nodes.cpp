@@ -35,7 +35,7 @@ NodeTransform read_matrix(const gltf::Node& node, const std::string& place, Issu
 NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, IssueLog& log) {
   const std::string place = pointer("nodes", index);
   if (node.has_matrix) {
-    if (node.has_trs) log.report(Rule::node_matrix_trs, place, "has a matrix and translation, rotation or scale; the matrix is used");
+    if (node.has_trs) log.report(Rule::node_matrix_trs, pointer(place, "matrix"), "the node has a matrix and translation, rotation or scale; the matrix is used");
     return read_matrix(node, place, log);
   }
   const auto& r = node.rotation;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -21,11 +23,14 @@ struct CheckOptions {
 std::vector<ImportIssue> broken_rules(const std::string& file) {
   ProgressLine progress;
   ImportOptions options;
+  options.check_bounds = true;
   options.progress = [&](const char* stage, double done) { progress.show(stage, done); };
   auto imported = import_gltf(file, options);
   if (imported) return std::move(imported->warnings);
-  std::vector<ImportIssue> issues = std::move(imported.error().warnings);
-  issues.insert(issues.begin(), std::move(imported.error().issue));
+  ImportError& error = imported.error();
+  std::vector<ImportIssue> issues{std::move(error.issue)};
+  std::move(error.more_errors.begin(), error.more_errors.end(), std::back_inserter(issues));
+  std::move(error.warnings.begin(), error.warnings.end(), std::back_inserter(issues));
   return issues;
 }
 

@@ -10,6 +10,7 @@
 #include "importer/export_glb.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/progress_line.h"
 
 namespace sinew::tool {
 namespace fs = std::filesystem;
@@ -36,7 +37,10 @@ ExitCode convert_file(const ConvertOptions& options) {
   import.keep_encoded_images = true;
   const auto file = load_file(options.in, import);
   if (!file) return ExitCode::input_at_fault;
-  const auto written = export_glb(file->scene, options.out, {file->facts.copyright});
+  ProgressLine progress;
+  const auto show = [&](const char* stage, double done) { progress.show(stage, done); };
+  const auto written = export_glb(file->scene, options.out, {file->facts.copyright, show});
+  progress.wipe();
   if (written) {
     fmt::print("{}: {} bytes\n", options.out, *written);
     return ExitCode::done;

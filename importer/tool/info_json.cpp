@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "importer/tool/skin_statistics.h"
+
 namespace sinew::tool {
 namespace {
 
@@ -41,17 +43,8 @@ std::size_t non_zero_deltas(const MorphTarget& target) {
   return count;
 }
 
-std::size_t file_vertex_count(const Primitive& primitive) {
-  if (primitive.source_vertex.empty()) return primitive.vertex_count();
-  std::vector<std::uint32_t> source = primitive.source_vertex;
-  std::sort(source.begin(), source.end());
-  return static_cast<std::size_t>(std::unique(source.begin(), source.end()) - source.begin());
-}
-
-Json primitive_json(const Primitive& primitive, std::map<std::uint32_t, std::uint64_t>& histogram) {
+Json primitive_json(const Primitive& primitive) {
   constexpr std::size_t kCorners[] = {1, 2, 3};
-  for (const InfluenceGroup& group : primitive.influences.groups)
-    histogram[group.influence_count] += group.vertex_count;
   Json out = {{"topology", name_of(primitive.topology, kTopologyNames)},
               {"vertices", file_vertex_count(primitive)},
               {"vertices_after_splitting", primitive.vertex_count()},
@@ -67,24 +60,17 @@ Json primitive_json(const Primitive& primitive, std::map<std::uint32_t, std::uin
 }
 
 Json mesh_json(const Mesh& mesh) {
-  std::map<std::uint32_t, std::uint64_t> histogram;
   std::size_t vertices = 0, triangles = 0;
   Json primitives = Json::array();
   std::vector<std::size_t> deltas(mesh.target_count(), 0);
   for (const Primitive& primitive : mesh.primitives) {
-    primitives.push_back(primitive_json(primitive, histogram));
+    primitives.push_back(primitive_json(primitive));
     vertices += file_vertex_count(primitive);
     if (primitive.topology == Topology::triangles) triangles += primitive.indices.size() / 3;
     for (std::size_t t = 0; t < deltas.size() && t < primitive.morphs.targets.size(); ++t)
       deltas[t] += non_zero_deltas(primitive.morphs.targets[t]);
   }
-  Json influences = Json::object();
-  for (const auto& [count, of_vertices] : histogram) influences[std::to_string(count)] = of_vertices;
-  Json out = {{"name", mesh.name},
-              {"vertices", vertices},
-              {"triangles", triangles},
-              {"influences", influences},
-              {"primitives", primitives}};
+  Json out = {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles}, {"primitives", primitives}};
   if (mesh.target_count() == 0) return out;
   Json targets = Json::array();
   for (std::size_t t = 0; t < mesh.target_count(); ++t)
@@ -98,13 +84,15 @@ Json mesh_json(const Mesh& mesh) {
 /// Channels of an animation by property, their keys and interpolation modes.
 struct ChannelTally {
   std::map<std::string, std::uint64_t> by_property, by_mode;
-  std::uint64_t channels = 0, keys = 0;
+  std::uint64_t channels = 0, keys = 0, most_keys = 0, bytes = 0;
 
   template <class AnyTrack>
   void add(const char* property, const AnyTrack& track) {
     if (track.empty()) return;
     ++channels;
     keys += track.key_count();
+    most_keys = std::max<std::uint64_t>(most_keys, track.key_count());
+    bytes += track.times_s.size() * sizeof(float) + track.values.size() * sizeof(track.values[0]);
     ++by_property[property];
     ++by_mode[name_of(track.interpolation, kInterpolationNames)];
   }
@@ -124,9 +112,11 @@ Json clip_json(const Animation& animation, const Clip& clip) {
           {"channels_by_property", tally.by_property},
           {"modes", tally.by_mode},
           {"keys", tally.keys},
-          {"folded_tracks", clip.counts().folded},
+          {"most_keys_of_a_channel", tally.most_keys},
+          {"constant_tracks", clip.counts().folded},
           {"key_searches", clip.counts().time_groups},
-          {"bytes", clip.byte_size()}};
+          {"bytes_of_keys", tally.bytes},
+          {"bytes_compiled", clip.byte_size()}};
 }
 
 Json instance_json(const Scene& scene, const MeshInstance& instance) {
@@ -153,24 +143,60 @@ Json material_json(const Material& material) {
             {"emissive", material.emissive_texture.used()}}}};
 }
 
+Json skin_json(const Scene& scene, std::uint32_t index) {
+  const SkinStatistics statistics = skin_statistics(scene, index);
+  Json histogram = Json::object();
+  for (const auto& [count, vertices] : statistics.vertices_by_influences) histogram[std::to_string(count)] = vertices;
+  return {{"name", scene.skins[index].name},
+          {"joints", scene.skins[index].joints.size()},
+          {"joints_with_weight", statistics.joints_with_weight},
+          {"root", index_or_null(node_of(scene, scene.skins[index].skeleton_root))},
+          {"vertices_by_influences", histogram}};
+}
+
 Json image_json(const Image& image) {
   return {{"name", image.name},
+          {"format", image.mime_type.empty() ? Json(nullptr) : Json(image.mime_type)},
           {"width", image.width},
           {"height", image.height},
+          {"bytes", image.encoded_size},
+          {"bytes_decoded", image.rgba.size()},
           {"missing", image.missing_reason.empty() ? Json(nullptr) : Json(image.missing_reason)}};
 }
 
 Json camera_json(const Scene& scene, const Camera& camera) {
   return {{"name", camera.name},
           {"node", index_or_null(node_of(scene, camera.joint))},
-          {"kind", camera.perspective ? "perspective" : "orthographic"}};
+          {"kind", camera.perspective ? "perspective" : "orthographic"},
+          {"fov_y_rad", camera.perspective ? Json(camera.fov_y_rad) : Json(nullptr)},
+          {"half_height", camera.perspective ? Json(nullptr) : Json(camera.half_height)},
+          {"near_m", camera.near_m},
+          {"far_m", camera.far_m > 0.0f ? Json(camera.far_m) : Json(nullptr)}};
 }
 
 Json light_json(const Scene& scene, const Light& light) {
   return {{"name", light.name},
           {"node", index_or_null(node_of(scene, light.joint))},
           {"kind", name_of(light.kind, kLightNames)},
-          {"intensity", light.intensity}};
+          {"color", {light.color.r, light.color.g, light.color.b}},
+          {"intensity", light.intensity},
+          {"range_m", light.range_m > 0.0f ? Json(light.range_m) : Json(nullptr)}};
+}
+
+Json extensions_json(const ImportedFile::Facts& facts) {
+  constexpr const char* kWords[] = {"read", "read past", "unknown"};
+  const auto holds = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  std::vector<std::string> names = facts.extensions_used;
+  for (const auto& name : facts.extensions_required)
+    if (!holds(names, name)) names.push_back(name);
+  Json out = Json::array();
+  for (const auto& name : names)
+    out.push_back({{"name", name},
+                   {"required", holds(facts.extensions_required, name)},
+                   {"handling", kWords[static_cast<std::size_t>(extension_support(name))]}});
+  return out;
 }
 
 /// One entry per element of `list`, made by `entry`.
@@ -190,16 +216,14 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
               {"version", file.facts.version},
               {"generator", file.facts.generator},
               {"copyright", file.facts.copyright},
-              {"extensions_used", file.facts.extensions_used},
-              {"extensions_required", file.facts.extensions_required},
+              {"extensions", extensions_json(file.facts)},
               {"nodes", nodes_json(scene.skeleton)},
               {"scenes", scene.scenes.size()},
               {"default_scene", index_or_null(scene.default_scene)}};
   out["meshes"] = array_of(scene.meshes, mesh_json);
   out["mesh_instances"] = array_of(scene.instances, [&](const MeshInstance& i) { return instance_json(scene, i); });
-  out["skins"] = array_of(scene.skins, [](const Skin& skin) {
-    return Json{{"name", skin.name}, {"joints", skin.joints.size()}};
-  });
+  out["skins"] = Json::array();
+  for (std::uint32_t s = 0; s < scene.skins.size(); ++s) out["skins"].push_back(skin_json(scene, s));
   out["clips"] = Json::array();
   for (std::size_t i = 0; i < scene.animations.size(); ++i)
     out["clips"].push_back(clip_json(scene.animations[i], scene.clips[i]));

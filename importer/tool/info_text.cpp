@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/info_text.h"
 
+#include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "importer/tool/text_table.h"
 
 namespace sinew::tool {
 namespace {
@@ -24,10 +29,25 @@ std::string pairs(const Json& object, const char* separator) {
   return out;
 }
 
-std::string list(const Json& strings) {
+/// "1.5 MB", so that sizes can be compared at a glance.
+std::string size_text(const Json& bytes) {
+  const double size = bytes.get<double>();
+  if (size < 10'000) return fmt::format("{:.0f} B", size);
+  if (size < 10'000'000) return fmt::format("{:.1f} kB", size / 1e3);
+  return fmt::format("{:.1f} MB", size / 1e6);
+}
+
+std::string number(const Json& value) { return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : ""; }
+
+std::string flag(const Json& value, const char* word) { return value.get<bool>() ? word : ""; }
+
+/// The textures of a material that are used, "base color, normal".
+std::string texture_names(const Json& textures) {
   std::string out;
-  for (const Json& entry : strings) out += (out.empty() ? "" : ", ") + text_of(entry);
-  return out.empty() ? "none" : out;
+  for (const auto& [name, used] : textures.items())
+    if (used.get<bool>()) out += (out.empty() ? "" : ", ") + name;
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
 }
 
 class InfoText {
@@ -36,12 +56,15 @@ class InfoText {
 
   std::string make() {
     head();
+    extensions();
     meshes();
+    morph_targets();
     skins();
     clips();
     materials();
-    named("cameras", [](const Json& c) { return text_of(c["kind"]); });
-    named("lights", [](const Json& l) { return text_of(l["kind"]); });
+    images();
+    cameras();
+    lights();
     line("warnings: {}", info_["warnings"].size());
     for (const Json& w : info_["warnings"])
       line("  {}: {}: {}", text_of(w["pointer"]), text_of(w["rule"]), text_of(w["message"]));
@@ -57,65 +80,91 @@ class InfoText {
 
   void head() {
     line("{}", text_of(info_["file"]));
-    line("glTF {}, {} bytes with all that it refers to", text_of(info_["version"]),
-         info_["bytes"].get<std::uint64_t>());
+    line("glTF {}, {} with all that it refers to", text_of(info_["version"]), size_text(info_["bytes"]));
     if (!text_of(info_["generator"]).empty()) line("made with: {}", text_of(info_["generator"]));
     if (!text_of(info_["copyright"]).empty()) line("copyright: {}", text_of(info_["copyright"]));
-    line("extensions used: {}; required: {}", list(info_["extensions_used"]), list(info_["extensions_required"]));
     const Json& nodes = info_["nodes"];
-    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(),
-         nodes["depth"].dump(), info_["scenes"].dump());
+    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(), nodes["depth"].dump(),
+         info_["scenes"].dump());
+  }
+
+  /// A heading with the count, then one row per entry, numbered; `cells` says what follows number and name.
+  template <class Cells>
+  void table(const char* title, const Json& list, std::vector<std::string> columns, const Cells& cells) {
+    line("{}: {}", title, list.size());
+    columns.insert(columns.begin(), {"#", "name"});
+    TextTable table(std::move(columns));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      std::vector<std::string> row = cells(list[i]);
+      row.insert(row.begin(), {std::to_string(i), text_of(list[i]["name"]).empty() ? "" : quoted(list[i]["name"])});
+      table.add(std::move(row));
+    }
+    text_ += table.text();
+  }
+
+  void extensions() {
+    table("extensions", info_["extensions"], {"required", "handling"},
+          [](const Json& e) { return std::vector{std::string(flag(e["required"], "required")), text_of(e["handling"])}; });
   }
 
   void meshes() {
-    line("meshes: {}, shown {} times", info_["meshes"].size(), info_["mesh_instances"].size());
-    for (std::size_t i = 0; i < info_["meshes"].size(); ++i) {
-      const Json& mesh = info_["meshes"][i];
-      line("  {} {}: {} vertices, {} triangles, {} primitives", i, quoted(mesh["name"]), mesh["vertices"].dump(),
-           mesh["triangles"].dump(), mesh["primitives"].size());
-      if (!mesh["influences"].empty())
-        line("    vertices by number of influences: {}", pairs(mesh["influences"], ": "));
-      if (!mesh.contains("morph_targets")) continue;
-      line("    morph targets: {}", mesh["morph_targets"].size());
-      for (std::size_t t = 0; t < mesh["morph_targets"].size(); ++t)
-        line("      {} {}: {} non-zero deltas", t, quoted(mesh["morph_targets"][t]["name"]),
-             mesh["morph_targets"][t]["non_zero_deltas"].dump());
-    }
-  }
-
-  void skins() {
-    line("skins: {}", info_["skins"].size());
-    for (std::size_t i = 0; i < info_["skins"].size(); ++i)
-      line("  {} {}: {} joints", i, quoted(info_["skins"][i]["name"]), info_["skins"][i]["joints"].dump());
-  }
-
-  void clips() {
-    line("clips: {}", info_["clips"].size());
-    for (std::size_t i = 0; i < info_["clips"].size(); ++i) {
-      const Json& clip = info_["clips"][i];
-      line("  {} {}: {:.6g} s, {} channels ({}), {} keys, modes: {}", i, quoted(clip["name"]),
-           clip["duration_s"].get<double>(), clip["channels"].dump(), pairs(clip["channels_by_property"], ": "),
-           clip["keys"].dump(), pairs(clip["modes"], ": "));
-      line("    compiled: {} bytes, {} tracks folded away, {} key searches a sample", clip["bytes"].dump(),
-           clip["folded_tracks"].dump(), clip["key_searches"].dump());
-    }
-  }
-
-  void materials() {
-    named("materials",
-          [](const Json& m) { return text_of(m["alpha"]) + (m["double_sided"].get<bool>() ? ", double-sided" : ""); });
-    named("images", [](const Json& image) {
-      return image["missing"].is_null() ? fmt::format("{} x {}", image["width"].dump(), image["height"].dump())
-                                        : "missing: " + text_of(image["missing"]);
+    line("mesh instances: {}", info_["mesh_instances"].size());
+    table("meshes", info_["meshes"], {"vertices", "triangles", "primitives", "morph targets"}, [](const Json& m) {
+      return std::vector{m["vertices"].dump(), m["triangles"].dump(), std::to_string(m["primitives"].size()),
+                         m.contains("morph_targets") ? std::to_string(m["morph_targets"].size()) : std::string()};
     });
   }
 
-  /// A count, then one line per entry with its name and what `describe` says.
-  template <class Describe>
-  void named(const char* key, const Describe& describe) {
-    line("{}: {}", key, info_[key].size());
-    for (std::size_t i = 0; i < info_[key].size(); ++i)
-      line("  {} {}: {}", i, quoted(info_[key][i]["name"]), describe(info_[key][i]));
+  void morph_targets() {
+    for (std::size_t i = 0; i < info_["meshes"].size(); ++i)
+      if (const Json& mesh = info_["meshes"][i]; mesh.contains("morph_targets"))
+        table(fmt::format("morph targets of mesh {}", i).c_str(), mesh["morph_targets"], {"non-zero deltas", "default weight"},
+              [](const Json& t) { return std::vector{t["non_zero_deltas"].dump(), number(t["default_weight"])}; });
+  }
+
+  void skins() {
+    table("skins", info_["skins"], {"joints", "with weight", "vertices by number of influences"}, [](const Json& s) {
+      return std::vector{s["joints"].dump(), s["joints_with_weight"].dump(), pairs(s["vertices_by_influences"], ": ")};
+    });
+  }
+
+  void clips() {
+    table("clips", info_["clips"], {"seconds", "channels", "keys", "most keys", "constant", "size of keys", "size compiled", "modes", "properties"},
+          [](const Json& c) {
+            return std::vector{number(c["duration_s"]), c["channels"].dump(), c["keys"].dump(), c["most_keys_of_a_channel"].dump(),
+                               c["constant_tracks"].dump(), size_text(c["bytes_of_keys"]), size_text(c["bytes_compiled"]),
+                               pairs(c["modes"], ": "), pairs(c["channels_by_property"], ": ")};
+          });
+  }
+
+  void materials() {
+    table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"}, [](const Json& m) {
+      return std::vector{text_of(m["alpha"]), flag(m["double_sided"], "both"), flag(m["unlit"], "unlit"), number(m["metallic"]),
+                         number(m["roughness"]), texture_names(m["textures"])};
+    });
+  }
+
+  void images() {
+    table("images", info_["images"], {"format", "width", "height", "in the file", "decoded", "missing because"}, [](const Json& i) {
+      if (!i["missing"].is_null()) return std::vector<std::string>{"", "", "", "", "", text_of(i["missing"])};
+      return std::vector<std::string>{i["format"].is_null() ? "" : text_of(i["format"]), i["width"].dump(), i["height"].dump(),
+                                      size_text(i["bytes"]), size_text(i["bytes_decoded"]), ""};
+    });
+  }
+
+  void cameras() {
+    table("cameras", info_["cameras"], {"node", "kind", "field of view", "half height", "near", "far"}, [](const Json& c) {
+      constexpr double kDegrees = 57.29577951308232;
+      return std::vector{number(c["node"]), text_of(c["kind"]),
+                         c["fov_y_rad"].is_null() ? std::string() : fmt::format("{:.4g} deg", kDegrees * c["fov_y_rad"].get<double>()),
+                         number(c["half_height"]), number(c["near_m"]), number(c["far_m"])};
+    });
+  }
+
+  void lights() {
+    table("lights", info_["lights"], {"node", "kind", "intensity", "range"}, [](const Json& l) {
+      return std::vector{number(l["node"]), text_of(l["kind"]), number(l["intensity"]), number(l["range_m"])};
+    });
   }
 
   const Json& info_;

@@ -16,6 +16,7 @@ std::optional<ImportedFile> load_file(const std::string& file, ImportOptions opt
   for (const ImportIssue& warning : imported ? imported->warnings : imported.error().warnings) say_issue(file, warning);
   if (imported) return std::move(*imported);
   say_issue(file, imported.error().issue);
+  for (const ImportIssue& error : imported.error().more_errors) say_issue(file, error);
   return std::nullopt;
 }
 

@@ -25,6 +25,7 @@ struct Rows {
 constexpr Rows kMustBeCovered[] = {
     {'N', 1, 36},
     {'G', 1, 68},
+    {'T', 1, 11},
 };
 
 bool must_be_covered(std::string_view id) {

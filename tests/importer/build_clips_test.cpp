@@ -72,7 +72,7 @@ TEST(build_clips, G05_cubic_rotations_are_left_as_stored) {
   const auto& track = result->scene.animations[0].bones[0].rotation;
   EXPECT_EQ(track.values[1].w, 2.0f);
   EXPECT_EQ(track.values[4].w, -1.0f);
-  EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/target"));
+  EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/sampler"));
 }
 
 TEST(build_clips, G08_one_key_is_constant_but_too_few_for_a_cubic) {
@@ -122,7 +122,7 @@ TEST(build_clips, G15_duration_is_from_the_data_not_from_min_and_max) {
   file.root["accessors"][0]["max"] = {99};
   EXPECT_EQ(file.import()->scene.animations[0].duration_s, 2.0);
   file.root["accessors"][0].erase("max");
-  EXPECT_TRUE(warns(file.import(), "animation-bounds", "/accessors/0"));
+  EXPECT_TRUE(warns(file.import(), "animation-bounds", "/animations/0/samplers/0/input"));
 }
 
 TEST(build_clips, G16_the_shape_of_the_output_is_checked) {
@@ -164,8 +164,8 @@ TEST(build_clips, G52_long_and_zero_rotation_keys_are_repaired_and_named) {
   const std::size_t input = file.times({0, 1});
   file.animate("rotation", input, file.vec4({0, 0, 0, 2, 0, 0, 0, 0}));
   const auto result = file.import();
-  EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/target"));
-  EXPECT_TRUE(warns(result, "rotation-zero", "/animations/0/channels/0/target"));
+  EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/sampler"));
+  EXPECT_TRUE(warns(result, "rotation-zero", "/animations/0/channels/0/sampler"));
   for (const auto& q : result->scene.animations[0].bones[0].rotation.values) EXPECT_EQ(q.w, 1.0f);
 }
 

@@ -50,7 +50,7 @@ TEST(build_skeleton, G50_T3_of_matrix_and_trs_the_matrix_counts) {
   TinyGltf file;
   file.root["nodes"] = Json::array({{{"matrix", matrix()}, {"translation", {1, 2, 3}}}});
   const auto result = file.import();
-  EXPECT_TRUE(warns(result, "node-matrix-trs", "/nodes/0"));
+  EXPECT_TRUE(warns(result, "node-matrix-trs", "/nodes/0/matrix"));
   EXPECT_EQ(result->scene.skeleton.fixed_matrices[0].row[0].w, 5.0f);
   file.root["nodes"][0] = {{"matrix", matrix(0.5f)}};
   EXPECT_TRUE(warns(file.import(), "node-matrix-row", "/nodes/0/matrix"));

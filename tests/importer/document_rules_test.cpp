@@ -112,8 +112,8 @@ TEST(document_rules, all_errors_of_a_step_are_reported_together) {
 }
 
 TEST(document_rules, G55_the_nodes_are_a_forest) {
-  EXPECT_EQ(import_json(R"("nodes":[{"children":[1]},{"children":[0]}])"), "node-cycle at /nodes/0/children");
-  EXPECT_EQ(import_json(R"("nodes":[{"children":[0]}])"), "node-cycle at /nodes/0/children");
+  EXPECT_EQ(import_json(R"("nodes":[{"children":[1]},{"children":[0]}])"), "node-cycle at /nodes/0");
+  EXPECT_EQ(import_json(R"("nodes":[{"children":[0]}])"), "node-cycle at /nodes/0");
   EXPECT_EQ(import_json(R"("nodes":[{"children":[2]},{"children":[2]},{}])"), "node-parents at /nodes/1/children/0");
   EXPECT_EQ(import_json(R"("nodes":[{"children":[1,1]},{}])"), "node-parents at /nodes/0/children/1");
 }
@@ -145,9 +145,9 @@ TEST(document_rules, G66_a_missing_buffer_fails_only_who_reads_it) {
   const char* read = R"("buffers":[{"byteLength":4}],"bufferViews":[{"buffer":0,"byteLength":4}],)"
                      R"("accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"SCALAR"}])";
   EXPECT_EQ(import_json(read), "buffer-missing at /buffers/0");
-  EXPECT_EQ(import_json(R"("buffers":[{"byteLength":4,"uri":"data:;base64,YWI="}])"), "buffer-short at /buffers/0/byteLength");
+  EXPECT_EQ(import_json(R"("buffers":[{"byteLength":4,"uri":"data:;base64,YWI="}])"), "buffer-short at /buffers/0");
   EXPECT_EQ(import_json(R"("buffers":[{"byteLength":2,"uri":"data:;base64,YWI="}],"bufferViews":[{"buffer":0,"byteOffset":1,"byteLength":2}])"),
-            "buffer-view-range at /bufferViews/0");
+            "buffer-view-range at /bufferViews/0/byteLength");
 }
 
 TEST(document_rules, G66_a_missing_image_is_a_warning) {
@@ -168,6 +168,21 @@ TEST(document_rules, G68_counts_without_bytes_do_not_allocate) {
   std::string shared = R"("accessors":[{"componentType":5126,"count":100000,"type":"VEC3"}],"meshes":[{"primitives":[)";
   for (int p = 0; p < 1000; ++p) shared += std::string(p ? "," : "") + R"({"attributes":{"POSITION":0}})";
   EXPECT_EQ(import_json((shared + "]}]").c_str()), "memory-budget at ") << "many users of one accessor";
+}
+
+TEST(document_rules, G68_depth_and_unpacked_bytes_are_bounded_by_options) {
+  ImportOptions options;
+  options.max_node_depth = 2;
+  const std::string deep = R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[2]},{}]})";
+  EXPECT_EQ(outcome(import_gltf(bytes_of(deep), "x", options)), "too-many at /nodes");
+  options.max_node_depth = 3;
+  EXPECT_EQ(outcome(import_gltf(bytes_of(deep), "x", options)), "ok");
+  TinyGltf file;
+  file.add_triangle();
+  options.max_unpacked_bytes = 35;
+  EXPECT_EQ(outcome(file.import(options)), "memory-budget at ") << "three positions take 36 bytes";
+  options.max_unpacked_bytes = 36;
+  EXPECT_EQ(outcome(file.import(options)), "ok");
 }
 
 TEST(document_rules, G68_lists_are_bounded) {

@@ -94,7 +94,8 @@ TEST(command_line, info_tells_what_is_inside) {
   EXPECT_EQ(info["nodes"]["depth"], 2);
   EXPECT_EQ(info["generator"], "sinew tests");
   EXPECT_EQ(info["meshes"][0]["vertices"], 4);
-  EXPECT_EQ(info["meshes"][0]["influences"], (json{{"1", 3}, {"2", 1}}));
+  EXPECT_EQ(info["skins"][0]["vertices_by_influences"], (json{{"1", 3}, {"2", 1}}));
+  EXPECT_EQ(info["skins"][0]["joints_with_weight"], 2);
   EXPECT_EQ(info["meshes"][1]["triangles"], 1);
   EXPECT_EQ(info["meshes"][1]["morph_targets"].size(), 2u);
   EXPECT_EQ(info["meshes"][1]["morph_targets"][1]["non_zero_deltas"], 1);
@@ -102,11 +103,13 @@ TEST(command_line, info_tells_what_is_inside) {
   EXPECT_EQ(info["clips"][0]["name"], "bend");
   EXPECT_EQ(info["clips"][0]["duration_s"], 1.0);
   EXPECT_EQ(info["clips"][0]["channels_by_property"], (json{{"rotation", 1}}));
+  EXPECT_EQ(info["clips"][0]["bytes_of_keys"], 2 * 4 + 2 * 16);
+  EXPECT_EQ(info["clips"][0]["most_keys_of_a_channel"], 2);
   EXPECT_EQ(info["clips"][1]["keys"], 2);
   EXPECT_EQ(info["clips"][1]["modes"], (json{{"linear", 1}}));
   const CommandOutcome text = run_tool({"info", model.path()});
   EXPECT_EQ(text.status, 0);
-  for (const char* words : {"nodes: 4", "\"bend\": 1 s", "1: 3, 2: 1", "morph targets: 2", "skins: 1", "warnings: 0"})
+  for (const char* words : {"nodes: 4", "\"bend\"", "1: 3, 2: 1", "morph targets of mesh 1: 2", "skins: 1", "warnings: 0"})
     EXPECT_THAT(text.out, HasSubstr(words));
 }
 

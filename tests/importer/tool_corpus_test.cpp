@@ -51,5 +51,17 @@ TEST(tool_corpus, info_check_and_plan_answer_for_all_models) {
     }
 }
 
+TEST(tool_corpus, check_ends_with_0_or_1_for_malformed_files) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  for (const auto& file : corpus_files("malformed", {".gltf", ".glb"})) {
+    const CommandOutcome outcome = run_tool({"check", file.string(), "--json"});
+    EXPECT_TRUE(outcome.status == 0 || outcome.status == 1) << file << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out, nullptr, false);
+    ASSERT_TRUE(report.is_object()) << file;
+    EXPECT_EQ(outcome.status, report["errors"] > 0 ? 1 : 0) << file;
+    EXPECT_EQ(run_tool({"info", file.string()}).status, outcome.status) << file;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

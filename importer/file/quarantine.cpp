@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "importer/file/quarantine.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "importer/file/json_pointer.h"
+
+namespace sinew {
+namespace {
+
+using gltf::Document;
+using gltf::Json;
+
+struct ListTraits {
+  std::string_view name;
+  const char* smallest;  ///< entry that is valid JSON of this list
+};
+constexpr ListTraits kTraits[Quarantine::kLists] = {
+    {"accessors", R"({"componentType":5126,"count":0,"type":"SCALAR"})"},
+    {"animations", R"({"channels":[],"samplers":[]})"},
+    {"buffers", R"({"byteLength":0})"},
+    {"bufferViews", R"({"buffer":0,"byteLength":0})"},
+    {"cameras", R"({"type":"perspective","perspective":{"yfov":1,"znear":0.1}})"},
+    {"images", "{}"},
+    {"materials", "{}"},
+    {"meshes", R"({"primitives":[]})"},
+    {"nodes", "{}"},
+    {"samplers", "{}"},
+    {"scenes", "{}"},
+    {"skins", R"({"joints":[]})"},
+    {"textures", "{}"},
+};
+
+/// "/meshes/3/primitives/1/indices": the list, the entry, and the primitive where one is meant.
+struct BrokenPlace {
+  std::size_t list = 0;
+  std::uint32_t index = 0;
+  std::optional<std::uint32_t> primitive;
+};
+
+std::string_view next_token(std::string_view& place) {
+  if (!place.starts_with('/')) return {};
+  const auto end = place.find('/', 1);
+  const auto token = place.substr(1, end == place.npos ? end : end - 1);
+  place.remove_prefix(std::min(token.size() + 1, place.size()));
+  return token;
+}
+
+std::optional<std::uint32_t> as_index(std::string_view token) {
+  std::uint32_t index = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
+  return error == std::errc() && end == token.data() + token.size() && !token.empty() ? std::optional(index) : std::nullopt;
+}
+
+std::optional<BrokenPlace> parse_place(std::string_view place) {
+  const auto name = next_token(place);
+  const auto list = std::find_if(std::begin(kTraits), std::end(kTraits), [&](const ListTraits& t) { return t.name == name; });
+  const auto index = as_index(next_token(place));
+  if (list == std::end(kTraits) || !index) return std::nullopt;
+  BrokenPlace out{static_cast<std::size_t>(list - kTraits), *index, std::nullopt};
+  if (out.list == Quarantine::meshes && next_token(place) == "primitives") out.primitive = as_index(next_token(place));
+  return out;
+}
+
+/// Marks those who use what is broken, then empties all that is marked. Each list is walked once.
+class Emptying {
+ public:
+  Emptying(Document& document, std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken,
+           std::set<std::pair<std::uint32_t, std::uint32_t>>& primitives, IssueLog& log)
+      : d_(document), broken_(broken), primitives_(primitives), log_(log) {}
+
+  void run() {
+    for (auto& buffer : marked(d_.buffers, Quarantine::buffers)) buffer->placeholder = true, buffer->byte_length = 0, buffer->bytes = {};
+    empty_views();
+    empty_accessors();
+    empty_images();
+    empty_meshes();
+    empty_skins();
+    empty_nodes();
+    empty_animations();
+    for (auto& material : marked(d_.materials, Quarantine::materials)) *material = {};
+    for (auto& texture : marked(d_.textures, Quarantine::textures)) *texture = {};
+    for (auto& sampler : marked(d_.samplers, Quarantine::samplers)) *sampler = {};
+    for (auto& camera : marked(d_.cameras, Quarantine::cameras)) *camera = {};
+    for (auto& scene : marked(d_.scenes, Quarantine::scenes)) *scene = {};
+  }
+
+ private:
+  bool is(Quarantine::List list, std::uint32_t index) const { return broken_[list].contains(index); }
+
+  /// The entries of a list that are broken; what is said of them from here on is muted.
+  template <class T>
+  std::vector<T*> marked(std::vector<T>& list, Quarantine::List kind) {
+    std::vector<T*> out;
+    for (const std::uint32_t i : broken_[kind]) {
+      if (i >= list.size()) continue;
+      log_.mute(pointer(kTraits[kind].name, i));
+      out.push_back(&list[i]);
+    }
+    return out;
+  }
+
+  void empty_views() {
+    for (std::uint32_t v = 0; v < d_.buffer_views.size(); ++v)
+      if (is(Quarantine::buffers, d_.buffer_views[v].buffer)) broken_[Quarantine::buffer_views].insert(v);
+    for (auto& view : marked(d_.buffer_views, Quarantine::buffer_views)) *view = {};
+  }
+
+  void empty_accessors() {
+    for (std::uint32_t a = 0; a < d_.accessors.size(); ++a) {
+      const auto& accessor = d_.accessors[a];
+      if (is(Quarantine::buffer_views, accessor.buffer_view) || is(Quarantine::buffer_views, accessor.sparse.indices_view) ||
+          is(Quarantine::buffer_views, accessor.sparse.values_view))
+        broken_[Quarantine::accessors].insert(a);
+    }
+    for (auto& accessor : marked(d_.accessors, Quarantine::accessors))
+      accessor->buffer_view = kNone, accessor->count = 0, accessor->sparse = {};
+  }
+
+  void empty_images() {
+    for (std::uint32_t i = 0; i < d_.images.size(); ++i)
+      if (is(Quarantine::buffer_views, d_.images[i].buffer_view)) broken_[Quarantine::images].insert(i);
+    for (auto& image : marked(d_.images, Quarantine::images)) *image = {};
+  }
+
+  bool uses_broken_accessor(const std::map<std::string, std::uint32_t>& attributes) const {
+    return std::any_of(attributes.begin(), attributes.end(), [&](const auto& entry) { return is(Quarantine::accessors, entry.second); });
+  }
+
+  bool is_broken(const gltf::Primitive& primitive) const {
+    return uses_broken_accessor(primitive.attributes) || is(Quarantine::accessors, primitive.indices) ||
+           std::any_of(primitive.targets.begin(), primitive.targets.end(), [&](const auto& t) { return uses_broken_accessor(t.attributes); });
+  }
+
+  /// An empty primitive keeps its number of targets: its neighbours are compared with it.
+  void empty_meshes() {
+    for (std::uint32_t m = 0; m < d_.meshes.size(); ++m)
+      for (std::uint32_t p = 0; p < d_.meshes[m].primitives.size(); ++p) {
+        auto& primitive = d_.meshes[m].primitives[p];
+        if (is(Quarantine::meshes, m) || is_broken(primitive)) primitives_.emplace(m, p);
+        if (!primitives_.contains({m, p})) continue;
+        log_.mute(pointer("meshes", m, "primitives", p));
+        const std::size_t targets = primitive.targets.size();
+        primitive = {};
+        primitive.targets.resize(targets);
+      }
+    marked(d_.meshes, Quarantine::meshes);
+  }
+
+  void empty_skins() {
+    for (std::uint32_t s = 0; s < d_.skins.size(); ++s) {
+      if (is(Quarantine::accessors, d_.skins[s].inverse_bind_matrices)) {
+        log_.mute(pointer("skins", s, "inverseBindMatrices"));
+        d_.skins[s].inverse_bind_matrices = kNone;
+      }
+      if (!broken_[Quarantine::nodes].empty()) log_.mute(pointer("skins", s, "joints"));  // trees are cut
+    }
+    for (auto& skin : marked(d_.skins, Quarantine::skins)) *skin = {};
+  }
+
+  bool has_broken_mesh(const gltf::Node& node) const {
+    const auto first = primitives_.lower_bound({node.mesh, 0});
+    return node.mesh != kNone && (is(Quarantine::meshes, node.mesh) || (first != primitives_.end() && first->first == node.mesh));
+  }
+
+  void empty_nodes() {
+    for (std::uint32_t n = 0; n < d_.nodes.size(); ++n) {
+      auto& node = d_.nodes[n];
+      if (is(Quarantine::skins, node.skin)) node.skin = kNone;
+      if (has_broken_mesh(node)) log_.mute(pointer("nodes", n, "skin")), log_.mute(pointer("nodes", n, "weights"));
+    }
+    for (auto& node : marked(d_.nodes, Quarantine::nodes)) *node = {};
+  }
+
+  void empty_animations() {
+    for (std::uint32_t a = 0; a < d_.animations.size(); ++a) {
+      const auto& animation = d_.animations[a];
+      for (std::uint32_t s = 0; s < animation.samplers.size(); ++s)
+        if (is(Quarantine::accessors, animation.samplers[s].input) || is(Quarantine::accessors, animation.samplers[s].output))
+          log_.mute(pointer("animations", a, "samplers", s));
+      for (std::uint32_t c = 0; c < animation.channels.size(); ++c) {
+        const std::uint32_t node = animation.channels[c].node;
+        if (is(Quarantine::nodes, node) || (node < d_.nodes.size() && has_broken_mesh(d_.nodes[node])))
+          log_.mute(pointer("animations", a, "channels", c, "target"));
+      }
+    }
+    for (auto& animation : marked(d_.animations, Quarantine::animations)) *animation = {};
+  }
+
+  Document& d_;
+  std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>>& primitives_;
+  IssueLog& log_;
+};
+
+}  // namespace
+
+bool Quarantine::mark_errors(IssueLog& log) {
+  const auto places = log.settle();
+  if (!places) return false;
+  for (const std::string& text : *places) {
+    const auto place = parse_place(text);
+    if (!place) return false;
+    if (place->primitive) broken_primitives_.emplace(place->index, *place->primitive);
+    else broken_[place->list].insert(place->index);
+  }
+  return true;
+}
+
+bool Quarantine::isolate(Json& document, IssueLog& log) {
+  if (!mark_errors(log)) return false;
+  for (const auto& [mesh, primitive] : broken_primitives_) broken_[meshes].insert(mesh);
+  broken_primitives_.clear();
+  for (std::size_t list = 0; list < kLists; ++list)
+    for (const std::uint32_t index : broken_[list]) {
+      log.mute(pointer(kTraits[list].name, index));
+      document[std::string(kTraits[list].name)][index] = Json::parse(kTraits[list].smallest);
+    }
+  return true;
+}
+
+bool Quarantine::isolate(Document& document, IssueLog& log) {
+  if (!mark_errors(log)) return false;
+  Emptying(document, broken_, broken_primitives_, log).run();
+  return true;
+}
+
+}  // namespace sinew

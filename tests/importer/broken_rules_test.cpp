@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Every rule of importer/rules.inc is broken by a small file, and answers with its code, severity and JSON pointer. Files in
+// broken/ are named after the rule and say in asset.extras.at where; containers and limits, which no .gltf can break, follow
+// in code.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "importer/rules.h"
+#include "tests/importer/tiny_gltf.h"
+
+namespace sinew::test {
+namespace {
+namespace fs = std::filesystem;
+
+/// Rules that no file breaks: they guard the importer against its own mistakes.
+const std::set<std::string_view> kGuards{"scene-check", "internal"};
+
+std::vector<ImportIssue> issues_of(ImportResult<ImportedFile> result) {
+  if (result) return std::move(result->warnings);
+  ImportError& error = result.error();
+  std::vector<ImportIssue> all{std::move(error.issue)};
+  all.insert(all.end(), error.more_errors.begin(), error.more_errors.end());
+  all.insert(all.end(), error.warnings.begin(), error.warnings.end());
+  return all;
+}
+
+std::string list(const std::vector<ImportIssue>& issues) {
+  std::string text;
+  for (const auto& issue : issues) text += describe("file", issue) + '\n';
+  return text;
+}
+
+bool names(const std::vector<ImportIssue>& issues, const RuleText& rule, const std::string& place) {
+  return std::any_of(issues.begin(), issues.end(), [&](const ImportIssue& issue) {
+    return issue.rule == rule.id && issue.json_pointer == place && issue.severity == rule.severity && !issue.detail.empty();
+  });
+}
+
+const RuleText* find_rule(std::string_view id) {
+  for (const RuleText& rule : all_rules())
+    if (rule.id == id) return &rule;
+  return nullptr;
+}
+
+std::string container(const std::vector<std::pair<std::string, std::string>>& chunks, const std::string& after = "") {
+  const auto number = [](std::size_t n) {
+    std::string out;
+    for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(n >> shift & 255);
+    return out;
+  };
+  std::string body;
+  for (const auto& [type, data] : chunks) body += number(data.size()) + type + data;
+  return "glTF" + number(2) + number(12 + body.size()) + body + after;
+}
+
+const std::string kEmpty = R"({"asset":{"version":"2.0"}} )";
+const std::string kBin("BIN\0", 4);
+
+/// What no .gltf file can break, as {rule, answer of the importer}.
+std::multimap<std::string_view, std::vector<ImportIssue>> cases_in_code() {
+  const auto text = [](const std::string& bytes, const ImportOptions& options = {}) {
+    return issues_of(import_gltf(bytes_of(bytes), "case", options));
+  };
+  ImportOptions two_nodes, ten_bytes;
+  two_nodes.max_nodes = 2;
+  ten_bytes.max_file_bytes = 10;
+  std::multimap<std::string_view, std::vector<ImportIssue>> cases;
+  cases.emplace("file-unreadable", issues_of(import_gltf(fs::path("/nonexistent/x.gltf"))));
+  cases.emplace("file-too-large", text(kEmpty, ten_bytes));
+  cases.emplace("glb-header", text("glTF\x03"));
+  cases.emplace("glb-header", text(container({{"JSON", kEmpty}}).substr(0, 30)));
+  cases.emplace("glb-chunk", text(container({{kBin, "1234"}})));
+  cases.emplace("glb-chunk", text(container({{"JSON", kEmpty}, {"JSON", kEmpty}})));
+  cases.emplace("glb-chunk", text(container({{"JSON", kEmpty}, {kBin, "1234"}, {kBin, "1234"}})));
+  cases.emplace("glb-chunk", text(container({{"JSON", kEmpty + "123"}})));
+  cases.emplace("glb-extra-data", text(container({{"JSON", kEmpty}}, "more")));
+  cases.emplace("glb-extra-data", text(container({{"JSON", kEmpty}, {"XYZW", "1234"}})));
+  cases.emplace("json-syntax", text(R"({"asset":)"));
+  cases.emplace("json-syntax", text("{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xff\"}}"));
+  cases.emplace("json-bom", text("\xEF\xBB\xBF" + kEmpty));
+  cases.emplace("json-depth", text(std::string(100'000, '[')));
+  cases.emplace("too-many", text(R"({"asset":{"version":"2.0"},"nodes":[{},{},{}]})", two_nodes));
+  cases.emplace("buffer-longer", text(container({{"JSON", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )"}, {kBin, "12345678"}})));
+  return cases;
+}
+
+const std::map<std::string_view, std::string> kPlaceInCode{{"too-many", "/nodes"}, {"buffer-longer", "/buffers/0/byteLength"}};
+
+fs::path broken_folder() { return fs::path(SINEW_SOURCE_DIR) / "tests" / "importer" / "broken"; }
+
+TEST(broken_rules, T1_G26_G36_each_file_of_a_few_lines_names_its_rule_and_place) {
+  ImportOptions thorough;
+  thorough.check_bounds = true;
+  for (const auto& entry : fs::directory_iterator(broken_folder())) {
+    SCOPED_TRACE(entry.path().filename().string());
+    const RuleText* rule = find_rule(entry.path().stem().string());
+    ASSERT_NE(rule, nullptr) << "no rule of this name";
+    std::ifstream stream(entry.path());
+    const Json json = Json::parse(stream);
+    const auto issues = issues_of(import_gltf(entry.path(), thorough));
+    EXPECT_TRUE(names(issues, *rule, json["asset"]["extras"]["at"])) << json["asset"]["extras"]["at"] << "\n" << list(issues);
+    EXPECT_LT(fs::file_size(entry.path()), 4000u) << "a few lines";
+  }
+}
+
+TEST(broken_rules, broken_containers_and_limits_name_their_rule) {
+  for (const auto& [id, issues] : cases_in_code()) {
+    const RuleText* rule = find_rule(id);
+    ASSERT_NE(rule, nullptr) << id;
+    const auto place = kPlaceInCode.find(id);
+    EXPECT_TRUE(names(issues, *rule, place == kPlaceInCode.end() ? "" : place->second)) << id << '\n' << list(issues);
+  }
+}
+
+TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
+  const auto in_code = cases_in_code();
+  for (const RuleText& rule : all_rules()) {
+    if (kGuards.contains(rule.id)) continue;
+    const bool in_folder = fs::exists(broken_folder() / (std::string(rule.id) + ".gltf"));
+    EXPECT_TRUE(in_folder || in_code.contains(rule.id)) << rule.id << ": add tests/importer/broken/" << rule.id << ".gltf";
+  }
+}
+
+/// A rule that says "warning" lets the file load, one that says "error" does not.
+TEST(broken_rules, severity_decides_whether_the_file_loads) {
+  for (const auto& entry : fs::directory_iterator(broken_folder())) {
+    const RuleText* rule = find_rule(entry.path().stem().string());
+    ASSERT_NE(rule, nullptr) << entry.path();
+    EXPECT_EQ(import_gltf(entry.path()).has_value(), rule->severity == Severity::warning) << entry.path();
+  }
+}
+
+TEST(broken_rules, one_run_finds_errors_of_every_step) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["indices"] = file.add<std::uint16_t>({0, 1, 7}, "SCALAR", 5123, 1);
+  file.root["nodes"].push_back({{"rotation", "none"}});
+  file.root["nodes"].push_back({{"mesh", 9}});
+  file.root["accessors"].push_back({{"bufferView", 0}, {"componentType", 5126}, {"count", 50}, {"type", "VEC3"}});
+  file.animate("translation", file.scalars({0, 1}), file.scalars({0, 1}));
+  const auto issues = issues_of(file.import());
+  std::set<std::string> found;
+  for (const auto& issue : issues)
+    if (issue.severity == Severity::error) found.insert(issue.rule + " at " + issue.json_pointer);
+  EXPECT_EQ(found, (std::set<std::string>{"json-type at /nodes/1/rotation", "reference at /nodes/2/mesh", "accessor-fit at /accessors/2",
+                                          "mesh-index at /meshes/0/primitives/0/indices", "animation-output at /animations/0/samplers/0/output"}))
+      << list(issues);
+}
+
+TEST(broken_rules, what_only_suffers_from_an_error_is_not_reported) {
+  TinyGltf file;
+  file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  file.root["accessors"][1]["count"] = 100;  // JOINTS_0
+  file.animate("weights", file.times({0, 1}), file.scalars({0, 1}));
+  const auto issues = issues_of(file.import());
+  ASSERT_EQ(issues.size(), 1u) << list(issues);
+  EXPECT_EQ(issues[0].rule, "accessor-fit");
+}
+
+TEST(broken_rules, all_nodes_of_a_cycle_are_named_and_the_rest_of_the_file_is_checked) {
+  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[2]},{"children":[0]},{"mesh":3}],)"
+                           R"("accessors":[{"componentType":5126,"count":1,"type":"SCALAR","bufferView":4}]})";
+  std::set<std::string> places;
+  for (const auto& issue : issues_of(import_gltf(bytes_of(text), "x"))) places.insert(issue.json_pointer);
+  EXPECT_EQ(places, (std::set<std::string>{"/nodes/0", "/nodes/1", "/nodes/2", "/nodes/3/mesh", "/accessors/0/bufferView"}));
+}
+
+TEST(broken_rules, G68_a_flood_of_errors_is_cut_and_ends) {
+  std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"mesh":1})";
+  for (int n = 0; n < 20'000; ++n) text += R"(,{"mesh":1})";
+  const auto issues = issues_of(import_gltf(bytes_of(text + "]}"), "x"));
+  EXPECT_EQ(issues.size(), 64u);
+  EXPECT_NE(issues.back().detail.find("not listed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sinew::test
