@@ -91,6 +91,25 @@ TEST_F(drawing, N22_mirrored_and_flattened_meshes_keep_outward_normals) {
   }
 }
 
+TEST_F(drawing, G48_relief_keeps_its_direction_where_a_mesh_is_mirrored) {
+  const auto lit = [](unsigned char up, float mirror) {
+    BuiltScene built;
+    built.scene.images.push_back({"relief", 1, 1, {128, up, 218, 255}, ""});  // leans along the bitangent, 45 degrees up or down
+    built.scene.textures.push_back({0, {}});
+    Material material = matte({0.6f, 0.6f, 0.6f});
+    material.normal_texture.texture = 0;
+    Primitive p = facing_square();
+    p.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+    Affine m;
+    m.row[0].x = mirror;
+    built.add(p, built.add_material(material), m, mirror < 0.0f);
+    return middle(draw(built));
+  };
+  EXPECT_GT(glm::length(lit(218, 1.0f) - lit(38, 1.0f)), 0.02f) << "the relief is seen";
+  EXPECT_LT(glm::length(lit(218, -1.0f) - lit(218, 1.0f)), 2e-3f);
+  EXPECT_LT(glm::length(lit(38, -1.0f) - lit(38, 1.0f)), 2e-3f);
+}
+
 TEST_F(drawing, double_sided_backs_are_lit_from_behind) {
   BuiltScene built;
   Material material = matte({1, 1, 1});

@@ -63,6 +63,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
         draw.index_count = own.index_count;
         draw.material = resources.materials.set_of(primitive.material);
         draw.constants = constants_of(primitive, view_from_mesh, point_size);
+        if (placed.mirrored) draw.constants.flags |= kMirrored;
         draw.topology = primitive.topology;
         draw.masked = alpha == AlphaMode::mask;
         draw.double_sided = material && material->double_sided;

@@ -15,7 +15,7 @@ struct DrawConstants {
   std::uint32_t flags = 0;
   float point_size = 1.0f;
 };
-inline constexpr std::uint32_t kFlatNormals = 1, kHasNormals = 2, kHasTangents = 4;
+inline constexpr std::uint32_t kFlatNormals = 1, kHasNormals = 2, kHasTangents = 4, kMirrored = 8;
 
 /// One draw call. Buffers are bound per attribute: the deformed one, else the mesh's own, else a default with stride 0.
 struct Draw {

@@ -11,3 +11,4 @@ layout(push_constant) uniform Draw {
 const uint kFlatNormals = 1u;   // faces are flat: normals from the shape itself (G46)
 const uint kHasNormals = 2u;
 const uint kHasTangents = 4u;
+const uint kMirrored = 8u;      // the bitangent is -w cross(n, t) (runtime/math/conventions.h)

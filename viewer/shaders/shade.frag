@@ -30,7 +30,7 @@ vec3 mapped_normal(vec3 n) {
   if (dot(t, t) == 0.0) return n;
   t = normalize(t);
   // On back faces n is turned round; t and the handedness turn with it, so that the relief keeps its direction.
-  float turn = gl_FrontFacing ? 1.0 : -1.0;
+  float turn = gl_FrontFacing == ((draw.flags & kMirrored) == 0u) ? 1.0 : -1.0;
   vec3 b = cross(n, t) * view_tangent.w * turn;
   vec3 relief = texture(normal_texture, texcoord_of(2, texcoords)).xyz * 2.0 - 1.0;
   return normalize(t * relief.x * material.surface.z + b * relief.y * material.surface.z + n * relief.z);
