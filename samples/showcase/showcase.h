@@ -22,7 +22,8 @@ struct ShowcaseScene {
 /// One BoneAnimation of five keyframes drives it.
 ShowcaseScene skull_flight();
 
-/// The same arm twisted 0..180 degrees twice: linear-blend skinning collapses, dual-quaternion skinning keeps its volume.
+/// The same arm twisted 0..180 degrees three times: linear-blend skinning collapses, dual quaternions and centers of rotation
+/// keep its volume. Who shows it makes the centers (add_centers_of_rotation); without them the third arm is the first again.
 ShowcaseScene twisted_arms();
 
 /// Twisted arms again, the left one under linear blending with corrective shapes: pose-space deformation gives it the volume

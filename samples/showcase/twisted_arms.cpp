@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kLength = 4.0f;       // shoulder to finger tips
 constexpr float kElbow = 1.4f, kWrist = 3.0f;
-constexpr float kSpacing = 1.6f;      // half the distance between the two arms
+constexpr int kArms = 3;
+constexpr float kSpacing = 2.2f;      // between neighbouring arms
 constexpr float kFloorY = 0.08f;      // the arms stand a little in the floor, which hides their lower rim
 
 /// Radius of the arm along its length, v in [0, 1]: upper arm, elbow, forearm, wrist, fist.
@@ -108,19 +109,19 @@ ShowcaseScene twisted_arms() {
   const std::uint32_t stone = builder.add_material("stone", {0.55f, 0.56f, 0.60f}, 0.9f);
   builder.add_prop("floor", grid([](float u, float v) { return glm::vec3(14.0f * (u - 0.5f), kFloorY, 14.0f * (0.5f - v)); }, 4, 4), stone);
 
-  const char* const names[] = {"linear blend", "dual quaternion"};
-  std::uint32_t shoulders[2], wrists[2];
-  for (int arm = 0; arm < 2; ++arm) {
+  const char* const names[kArms] = {"linear blend", "dual quaternion", "center of rotation"};
+  std::uint32_t shoulders[kArms], wrists[kArms], holders[kArms];
+  for (int arm = 0; arm < kArms; ++arm) {
     Transform rest;
-    rest.translation.x = arm == 0 ? -kSpacing : kSpacing;
+    rest.translation.x = kSpacing * static_cast<float>(arm - 1);
     shoulders[arm] = builder.add_joint(std::string(names[arm]) + " shoulder", kNone, rest);
   }
-  const std::uint32_t holders[2] = {builder.add_joint(names[0], kNone, {}), builder.add_joint(names[1], kNone, {})};
+  for (int arm = 0; arm < kArms; ++arm) holders[arm] = builder.add_joint(names[arm], kNone, {});
   const std::uint32_t mesh = builder.add_mesh(arm_mesh(skin_paint));
   Animation animation;
   animation.name = "twist";
   animation.duration_s = 7.0;
-  for (int arm = 0; arm < 2; ++arm) {
+  for (int arm = 0; arm < kArms; ++arm) {
     Transform rest;
     rest.translation.y = kWrist;
     wrists[arm] = builder.add_joint(std::string(names[arm]) + " wrist", shoulders[arm], rest);
@@ -135,11 +136,12 @@ ShowcaseScene twisted_arms() {
 
   ShowcaseScene out;
   out.name = "twisted arms";
-  out.what_to_look_at = "Left: linear-blend skinning loses the forearm's volume as the wrist turns. Right: dual quaternions keep it.";
+  out.what_to_look_at =
+      "Left: linear-blend skinning loses the forearm's volume as the wrist turns. "
+      "Dual quaternions in the middle and centers of rotation on the right keep it.";
   out.scene = builder.finish();
-  out.needs.instance_skinning.assign(out.scene.instances.size(), Skinning::linear);
-  out.needs.instance_skinning.back() = Skinning::dual_quaternion;
-  out.eye = {1.5f, 3.2f, 9.0f};
+  out.needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation};
+  out.eye = {1.5f, 3.2f, 10.5f};
   out.target = {0.0f, 2.0f, 0.0f};
   out.fov_y_rad = 0.60f;
   return out;

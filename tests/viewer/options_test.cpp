@@ -71,6 +71,7 @@ TEST(options, accept_each_word_of_show_and_skinning) {
   EXPECT_EQ(accepted({"--show", "ao"}).show, Show::ao);
   EXPECT_EQ(accepted({"--show", "depth"}).show, Show::depth);
   EXPECT_EQ(accepted({"--skinning", "linear"}).skinning, Skinning::linear);
+  EXPECT_EQ(accepted({"--skinning", "center-of-rotation"}).skinning, Skinning::center_of_rotation);
 }
 
 struct WrongUsage {
@@ -88,7 +89,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--size", "640"}, "640"},
       {{"--size", "16385x2"}, "16385x2"},
       {{"--size", "640x360x"}, "640x360x"},
-      {{"--skinning", "cubic"}, "linear, dual-quaternion"},
+      {{"--skinning", "cubic"}, "linear, dual-quaternion, center-of-rotation"},
       {{"--show", "colour"}, "color, ao, normals, depth"},
       {{"--eye", "1,2,3"}, "--target"},
       {{"--target", "1,2,3"}, "--eye"},

@@ -105,6 +105,8 @@ TEST_F(PanelTest, switches_change_the_settings) {
   Playback playback(scene_);
   click("dual quaternion", playback);
   EXPECT_EQ(settings_.skinning, Skinning::dual_quaternion);
+  click("center of rotation", playback);
+  EXPECT_EQ(settings_.skinning, Skinning::center_of_rotation);
   click("linear blend", playback);
   EXPECT_EQ(settings_.skinning, Skinning::linear);
   click("ambient occlusion", playback);

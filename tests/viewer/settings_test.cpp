@@ -41,10 +41,10 @@ TEST(settings, show_and_skinning_go_around) {
     next_show(settings);
     EXPECT_EQ(settings.show, expected);
   }
-  toggle_skinning(settings);
-  EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
-  toggle_skinning(settings);
-  EXPECT_EQ(settings.skinning, Skinning::linear);
+  for (const Skinning expected : {Skinning::dual_quaternion, Skinning::center_of_rotation, Skinning::linear}) {
+    next_skinning(settings);
+    EXPECT_EQ(settings.skinning, expected);
+  }
 }
 
 TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/exhibit.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
 
@@ -55,6 +57,16 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
     exhibits.push_back(std::move(*exhibit));
   }
   return exhibits;
+}
+
+void add_missing_centers(Exhibit& exhibit, Skinning skinning, const std::function<void(double)>& progress) {
+  const auto& own = exhibit.instance_skinning;
+  const bool asked_for = own.empty() ? skinning == Skinning::center_of_rotation
+                                     : std::find(own.begin(), own.end(), Skinning::center_of_rotation) != own.end();
+  if (!asked_for) return;
+  CentersOptions how;
+  how.progress = progress;
+  add_centers_of_rotation(exhibit.scene, how);
 }
 
 }  // namespace sinew::viewer

@@ -36,4 +36,8 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress);
 
+/// Makes the centers of rotation of the scene's skinned meshes, once, if this kind of skinning or the scene's own choice
+/// asks for them. Large meshes take seconds.
+void add_missing_centers(Exhibit& exhibit, Skinning skinning, const std::function<void(double)>& progress = {});
+
 }  // namespace sinew::viewer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew-viewer: shows a glTF file's animations in a window, or writes pictures of them.
 #include <cstdio>
+#include <functional>
 #include <new>
 
 #include <unistd.h>
@@ -17,14 +18,19 @@ namespace {
 
 void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
-void show_progress(double done) {
-  std::fprintf(stderr, done < 1.0 ? "\rreading: %3.0f %%" : "\r\033[K", 100.0 * done);
+/// Writes how far `work` is, on a terminal.
+std::function<void(double)> progress_of(const char* work) {
+  if (!isatty(STDERR_FILENO)) return nullptr;
+  return [work](double done) {
+    if (done < 1.0) std::fprintf(stderr, "\r%s: %3.0f %%", work, 100.0 * done);
+    else std::fputs("\r\033[K", stderr);
+  };
 }
 
 int show(const Options& options) {
-  const auto progress = isatty(STDERR_FILENO) ? std::function<void(double)>(show_progress) : nullptr;
-  const auto exhibits = load_exhibits(options, say, progress);
-  if (progress) show_progress(1.0);
+  const auto progress = progress_of("reading");
+  auto exhibits = load_exhibits(options, say, progress);
+  if (progress) progress(1.0);
   if (!exhibits) {
     say(exhibits.error().message);
     return exhibits.error().exit_code;
@@ -40,7 +46,9 @@ int show(const Options& options) {
     clip = *chosen;
   }
   if (options.headless.empty()) return run_window(options, *exhibits, clip);
-  return write_pictures(options, (*exhibits)[options.showcase_scene], clip);
+  Exhibit& exhibit = (*exhibits)[options.showcase_scene];
+  add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
+  return write_pictures(options, exhibit, clip);
 }
 
 }  // namespace

@@ -106,9 +106,10 @@ CLI::Option* text_option(CLI::App& app, const char* name, const char* type, cons
 void add_picture_options(CLI::App& app, Options& options) {
   text_option(app, "--size", "WxH", "pixels of picture or window (1280x720)",
               [&](const std::string& text) { read_size(text, options); });
-  text_option(app, "--skinning", "KIND", "linear or dual-quaternion (linear)", [&](const std::string& text) {
-    options.skinning = named<Skinning>("--skinning", text,
-                                       {{"linear", Skinning::linear}, {"dual-quaternion", Skinning::dual_quaternion}});
+  text_option(app, "--skinning", "KIND", "linear, dual-quaternion or center-of-rotation (linear)", [&](const std::string& text) {
+    options.skinning = named<Skinning>("--skinning", text, {{"linear", Skinning::linear},
+                                                            {"dual-quaternion", Skinning::dual_quaternion},
+                                                            {"center-of-rotation", Skinning::center_of_rotation}});
   });
   text_option(app, "--show", "WHAT", "color, ao, normals or depth (color)", [&](const std::string& text) {
     options.show = named<Show>("--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals},

@@ -17,8 +17,12 @@ void toggle_ao_only(Settings& settings) noexcept {
   if (settings.show == Show::ao) settings.ambient_occlusion = true;  // else there is nothing to see
 }
 
-void toggle_skinning(Settings& settings) noexcept {
-  settings.skinning = settings.skinning == Skinning::linear ? Skinning::dual_quaternion : Skinning::linear;
+void next_skinning(Settings& settings) noexcept {
+  switch (settings.skinning) {
+    case Skinning::linear: settings.skinning = Skinning::dual_quaternion; break;
+    case Skinning::dual_quaternion: settings.skinning = Skinning::center_of_rotation; break;
+    case Skinning::center_of_rotation: settings.skinning = Skinning::linear; break;
+  }
 }
 
 void next_show(Settings& settings) noexcept {

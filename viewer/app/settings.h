@@ -24,7 +24,8 @@ Settings settings_from(const Options& options, const Scene& scene);
 /// Turns ambient occlusion only on, and back to the lit picture.
 void toggle_ao_only(Settings& settings) noexcept;
 
-void toggle_skinning(Settings& settings) noexcept;
+/// Linear, dual quaternion, center of rotation, and again.
+void next_skinning(Settings& settings) noexcept;
 
 /// Color, ao, normals, depth, and again.
 void next_show(Settings& settings) noexcept;

@@ -15,9 +15,13 @@ ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning
   set_skinning(skinning);
 }
 
-void ShownScene::set_skinning(Skinning skinning) {
+void ShownScene::stop() noexcept {
   jobs_.reset();   // before the plan that it runs
   newest_ = nullptr;
+}
+
+void ShownScene::set_skinning(Skinning skinning) {
+  stop();
   Needs needs;
   needs.max_layers = 1;
   needs.skinning = skinning;

@@ -23,6 +23,9 @@ class ShownScene {
   const Plan& plan() const noexcept { return *plan_; }
   Playback& playback() noexcept { return playback_; }
 
+  /// Ends the evaluation: until the next set_skinning only that may be called.
+  void stop() noexcept;
+
   /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
   void set_skinning(Skinning skinning);
 

@@ -37,7 +37,7 @@ DeviceOptions device_options(const Options& options, const Window& window) {
 
 class WindowLoop {
  public:
-  WindowLoop(const Options& options, const std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip)
+  WindowLoop(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip)
       : options_(options),
         exhibits_(exhibits),
         window_(options.width, options.height, "sinew"),
@@ -68,7 +68,7 @@ class WindowLoop {
   void keep_pace();
 
   const Options& options_;
-  const std::vector<Exhibit>& exhibits_;
+  std::vector<Exhibit>& exhibits_;
   std::vector<std::string> names_;
   Window window_;
   Device device_;
@@ -89,6 +89,7 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   device_.wait_idle();
   exhibit_ = index;
   shown_.reset();   // its memory first
+  add_missing_centers(exhibits_[index], settings_.skinning);
   shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.skinning, Frame::kSlots);
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
@@ -145,7 +146,7 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::toggle_ao_only: toggle_ao_only(settings_); return true;
     case Action::next_show: next_show(settings_); return true;
     case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
-    case Action::toggle_skinning: toggle_skinning(settings_); return true;
+    case Action::next_skinning: next_skinning(settings_); return true;
     case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
     case Action::frame_all: frame_all(); return true;
     default: return false;
@@ -199,7 +200,10 @@ void WindowLoop::draw() {
 void WindowLoop::grant_wishes() {
   if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
   wished_exhibit_.reset();
-  if (settings_.skinning != shown_->plan().needs.skinning) shown_->set_skinning(settings_.skinning);
+  if (settings_.skinning == shown_->plan().needs.skinning) return;
+  shown_->stop();   // nothing may read the scene meanwhile
+  add_missing_centers(exhibits_[exhibit_], settings_.skinning);
+  shown_->set_skinning(settings_.skinning);
 }
 
 void WindowLoop::keep_pace() {
@@ -233,7 +237,7 @@ int WindowLoop::run() {
 
 }  // namespace
 
-int run_window(const Options& options, const std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip) {
+int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip) {
   WindowLoop loop(options, exhibits, clip);
   return loop.run();
 }
