@@ -96,7 +96,6 @@ void skinning_choice(const PanelFacts& facts, Settings& settings) {
   ImGui::SameLine();
   if (ImGui::RadioButton("dual quaternion", settings.skinning == Skinning::dual_quaternion))
     settings.skinning = Skinning::dual_quaternion;
-  ImGui::SameLine();
   if (ImGui::RadioButton("center of rotation", settings.skinning == Skinning::center_of_rotation))
     settings.skinning = Skinning::center_of_rotation;
 }
