@@ -18,8 +18,9 @@ int main(int argc, char** argv) {
   add_local_to_model();
   add_crowd();
   add_morph();
-  add_skin();
-  add_frame();
+  const std::size_t most_vertices = instructions ? 10'000 : 1'000'000;  // valgrind takes its time over the larger ones
+  add_skin(most_vertices);
+  add_frame(most_vertices);
   if (instructions) {
     if (count_instructions()) return 0;
     std::fputs("sinew-bench --instructions runs under valgrind --tool=callgrind only\n", stderr);

@@ -157,12 +157,12 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
 
 }  // namespace
 
-void add_skin() {
+void add_skin(std::size_t most_vertices) {
   const Kind kinds[] = {{"P", {}}, {"PN", {true, false}}, {"PNT", {true, true}}};
   const std::pair<const char*, std::uint32_t> sizes[] = {{"10k", 10'000}, {"1M", 1'000'000}};
   for (const auto& [label, count] : sizes)
     for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
-      if (count > 10'000 && influences != 4) continue;
+      if (count > most_vertices || (count > 10'000 && influences != 4)) continue;
       const auto surface = std::make_shared<Surface>(count, influences);
       if (influences == 4) add_center_of_rotation_case(surface, "PN/4/" + std::string(label));
       for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/" + label);
