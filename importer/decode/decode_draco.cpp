@@ -128,6 +128,8 @@ class DracoDecoder {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(id);
     if (attribute == nullptr)
       return fail("the Draco stream has no attribute " + std::to_string(id) + " for " + semantic);
+    if (attribute->data_type() == draco::DT_BOOL)  // any byte may stand where a truth value should
+      return fail(semantic + " holds truth values in the Draco stream");
     const ElementLayout layout = element_layout(accessor);
     if (layout.columns != 1 || attribute->num_components() != layout.rows)
       return fail(semantic + " has " + std::to_string(attribute->num_components()) + " components in the Draco stream");

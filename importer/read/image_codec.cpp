@@ -43,6 +43,18 @@ std::optional<ImageHeader> png_size(Bytes encoded) {
   return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/png"};
 }
 
+/// False where a chunk claims more bytes than the file has left: stb_image takes memory for all of it before it looks.
+bool png_chunks_fit(Bytes encoded) noexcept {
+  constexpr std::size_t kSignature = 8, kAroundData = 12;  // length, type and checksum
+  for (std::size_t at = kSignature; at + kAroundData <= encoded.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::to_integer<std::size_t>(encoded[at + i]);
+    if (length > encoded.size() - at - kAroundData) return false;
+    at += kAroundData + length;
+  }
+  return true;
+}
+
 /// libjpeg-turbo's decompressor for the time of one call.
 class Jpeg {
  public:
@@ -94,6 +106,7 @@ tl::expected<std::vector<std::uint8_t>, std::string> decode_image(Bytes encoded)
   if (const auto size = jpeg.size()) return jpeg.pixels(*size);
   const auto size = png_size(encoded);
   if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
+  if (!png_chunks_fit(encoded)) return tl::make_unexpected("cannot be decoded: a chunk of the PNG leaves the file");
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels, 4),

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,8 +54,9 @@ class PoseReader {
   }
 
   double number(const json& value, const std::string& at) {
-    if (value.is_number() && std::isfinite(value.get<double>())) return value.get<double>();
-    return complain(at, "is not a finite number"), 0.0;
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    if (value.is_number() && std::abs(value.get<double>()) <= kLargest) return value.get<double>();
+    return complain(at, "is not a finite number of single precision"), 0.0;
   }
 
   /// Values of a pose were floats once and are so again: an unchanged pose compares equal.
@@ -93,6 +97,7 @@ class PoseReader {
     if (!sample.is_object() || !sample.contains("time")) return complain(at + "/time", "a time is missing here"), out;
     out.time_s = number(sample["time"], at + "/time");
     if (sample.contains("nonUnit")) out.non_unit = number(sample["nonUnit"], at + "/nonUnit");
+    if (out.non_unit < 0.0) complain(at + "/nonUnit", "is negative");
     if (sample.contains("bits")) hashes(sample["bits"], at + "/bits", out.bits);
     each(sample, at, "nodes",
          [&](const json& node, const std::string& n) { out.nodes.push_back(node_world(node, n)); });
@@ -100,6 +105,9 @@ class PoseReader {
          [&](const json& node, const std::string& n) { out.weights.push_back(node_weights(node, n)); });
     each(sample, at, "skinned",
          [&](const json& p, const std::string& n) { out.primitives.push_back(primitive(p, n)); });
+    named_once(out.nodes, at + "/nodes", [](const NodeWorld& node) { return node.node; });
+    named_once(out.weights, at + "/weights", [](const NodeWeights& node) { return node.node; });
+    named_once(out.primitives, at + "/skinned", [](const PrimitivePose& p) { return std::pair(p.node, p.primitive); });
     return out;
   }
 
@@ -109,6 +117,14 @@ class PoseReader {
       if (!hash.is_string()) return complain(at + "/" + name, "is not a hash");
       out[name] = hash.get<std::string>();
     }
+  }
+
+  /// Two values for one thing would leave open which of them holds.
+  template <class Entry, class Name>
+  void named_once(const std::vector<Entry>& list, const std::string& at, const Name& name) {
+    std::set<decltype(name(list.front()))> names;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (!names.insert(name(list[i])).second) complain(fmt::format("{}/{}", at, i), "repeats what an earlier entry names");
   }
 
   NodeWorld node_world(const json& node, const std::string& at) {
@@ -135,6 +151,8 @@ class PoseReader {
     out.primitive = index(primitive, at, "primitive");
     each(primitive, at, "vertices",
          [&](const json& value, const std::string& v) { out.vertices.push_back(index(value, v)); });
+    if (std::adjacent_find(out.vertices.begin(), out.vertices.end(), std::greater_equal<>()) != out.vertices.end())
+      complain(at + "/vertices", "do not increase");
     for (std::size_t kind = 0; kind < kVertexKinds.size() && !issue; ++kind) {
       const auto& [key, width, direction] = kVertexKinds[kind];
       if (!primitive.contains(key)) continue;

@@ -32,7 +32,7 @@ class AccessorFile {
     for (std::uint32_t n = 1 + in_.u8() % 12; n > 0; --n) add_accessor();
     add_uses();
     std::vector<std::byte> bin(in_.rest().begin(), in_.rest().end());
-    root_["buffers"] = {{{"byteLength", bin.size()}}};
+    root_["buffers"] = Json::array({{{"byteLength", bin.size()}}});
     return test::make_glb(root_.dump(), std::move(bin));
   }
 
@@ -67,7 +67,7 @@ class AccessorFile {
   }
 
   void add_uses() {
-    Json attributes{{"POSITION", any_accessor(in_.u8())}}, primitive = Json::object(), skin{{"joints", {1, 2}}};
+    Json attributes{{"POSITION", any_accessor(in_.u8())}}, primitive = Json::object(), skin{{"joints", Json::array({1, 2})}};
     for (const char* semantic : kSemantics) use(attributes, semantic);
     primitive["attributes"] = std::move(attributes);
     use(primitive, "indices");
@@ -78,9 +78,9 @@ class AccessorFile {
       primitive["targets"].push_back(std::move(target));
     }
     use(skin, "inverseBindMatrices");
-    root_["meshes"] = {{{"primitives", {std::move(primitive)}}}};
-    root_["skins"] = {std::move(skin)};
-    root_["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"children", {2}}}, Json::object()};
+    root_["meshes"] = Json::array({{{"primitives", Json::array({std::move(primitive)})}}});
+    root_["skins"] = Json::array({std::move(skin)});
+    root_["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}, {{"children", Json::array({2})}}, Json::object()});
     add_animation();
   }
 
@@ -90,7 +90,7 @@ class AccessorFile {
       channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", in_.u8() % 3}, {"path", in_.one_of(kPaths)}}}});
       samplers.push_back({{"input", any_accessor(in_.u8())}, {"output", any_accessor(in_.u8())}, {"interpolation", in_.one_of(kInterpolations)}});
     }
-    if (!channels.empty()) root_["animations"] = {{{"samplers", std::move(samplers)}, {"channels", std::move(channels)}}};
+    if (!channels.empty()) root_["animations"] = Json::array({{{"samplers", std::move(samplers)}, {"channels", std::move(channels)}}});
   }
 
   InputReader in_;
@@ -99,6 +99,8 @@ class AccessorFile {
 
 }  // namespace
 
-void read_accessors(Bytes input) { import_and_evaluate(AccessorFile(input).glb()); }
+std::vector<std::byte> accessor_file(Bytes input) { return AccessorFile(input).glb(); }
+
+void read_accessors(Bytes input) { import_and_evaluate(accessor_file(input)); }
 
 }  // namespace sinew::fuzz

@@ -10,6 +10,7 @@
 
 #include "importer/import_gltf.h"
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/import_target.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/seeds.h"
 
@@ -47,6 +48,21 @@ TEST(found_inputs, every_target_takes_its_seeds) {
     ++count[seed.target];
   }
   EXPECT_EQ(count.size(), targets().size());
+}
+
+TEST(found_inputs, valid_accessors_reach_meshes_skins_and_clips) {
+  int files = 0;
+  for (const Seed& seed : own_seeds())
+    if (seed.target == "accessors") {
+      const auto file = import_gltf(accessor_file(seed.bytes), "seed");
+      ASSERT_TRUE(file) << describe("seed", file.error().issue);
+      const Primitive& primitive = file->scene.meshes.at(0).primitives.at(0);
+      EXPECT_FALSE(primitive.influences.empty());
+      EXPECT_FALSE(primitive.morphs.targets.at(0).positions.vertices.empty());
+      EXPECT_EQ(file->scene.animations.at(0).bones.size(), 1u);
+      ++files;
+    }
+  EXPECT_EQ(files, 1);
 }
 
 TEST(json_mutator, changes_a_document_and_keeps_it_json) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace sinew::fuzz {
@@ -7,5 +10,8 @@ namespace sinew::fuzz {
 /// Imports the bytes. What is refused must name a rule; what is taken must pass the checks of the runtime, and one frame of
 /// its first clip must run.
 void import_and_evaluate(Bytes file);
+
+/// The .glb that read_accessors() makes of an input.
+std::vector<std::byte> accessor_file(Bytes input);
 
 }  // namespace sinew::fuzz
