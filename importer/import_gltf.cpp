@@ -80,7 +80,7 @@ class Import {
     if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
     check_capabilities(*json, options_.max_nodes, log_);
     if (!log_.ok()) return false;
-    auto document = read_document(*json, log_);
+    auto document = read_document(*std::move(json), log_);
     if (!document) return false;
     document_ = std::move(*document);
     check_references(document_, log_);

@@ -99,7 +99,7 @@ std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptio
     for (std::uint32_t p = 0; p < source.primitives.size(); ++p)
       mesh.primitives.push_back(build_primitive(document, m, p, targets, limits[m], options, log));
     meshes.push_back(std::move(mesh));
-    if (options.progress) options.progress("meshes", static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
+    if (options.progress) options.progress("meshes", 0.3 + 0.4 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
   }
   return meshes;
 }

@@ -24,6 +24,19 @@ struct Oddities {
   double worst_deviation = 0.0;
 };
 
+/// Four elements as a rule, mostly in order: there insertion beats the general sort, which allocates.
+template <class Less>
+void sort_influences(std::vector<Influence>& list, Less less) {
+  constexpr std::size_t kFew = 32;
+  if (list.size() > kFew) return std::stable_sort(list.begin(), list.end(), less);
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const Influence moved = list[i];
+    std::size_t at = i;
+    for (; at > 0 && less(moved, list[at - 1]); --at) list[at] = list[at - 1];
+    list[at] = moved;
+  }
+}
+
 class Merger {
  public:
   Merger(std::span<const InfluenceSet> sets, std::uint32_t joint_limit, const std::string& place, IssueLog& log)
@@ -32,6 +45,8 @@ class Merger {
   MergedInfluences run(std::size_t vertex_count) {
     MergedInfluences out;
     out.first.reserve(vertex_count + 1);
+    out.joints.reserve(4 * vertex_count);
+    out.weights.reserve(4 * vertex_count);
     out.first.push_back(0);
     for (std::size_t v = 0; v < vertex_count; ++v) {
       if (!gather(v)) return {};
@@ -80,7 +95,7 @@ class Merger {
     const double deviation = std::abs(sum_ - 1.0);
     odd_.worst_deviation = std::max(odd_.worst_deviation, deviation);
     if (deviation > 2e-7 * static_cast<double>(vertex_.size())) ++odd_.off_sum;
-    std::sort(vertex_.begin(), vertex_.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+    sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
     std::size_t kept = 0;
     for (std::size_t i = 1; i < vertex_.size(); ++i) {
       if (vertex_[i].joint == vertex_[kept].joint) {
@@ -91,7 +106,7 @@ class Merger {
       }
     }
     vertex_.resize(kept + 1);
-    std::stable_sort(vertex_.begin(), vertex_.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+    sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
     if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
     for (auto& influence : vertex_) influence.weight /= sum_;
   }

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// A document whose shape has been checked (gltf_shape.h), as plain data. Nothing is read but the JSON: buffers and images
-/// keep their URIs (load_buffers.h).
+/// A document whose shape has been checked (gltf_shape.h), as plain data. Nothing is read but the JSON, and parts of it are moved
+/// into the answer: buffers and images keep their URIs (load_buffers.h).
 /// err  json-syntax with the parser's words
-std::optional<gltf::Document> read_document(const gltf::Json& json, IssueLog& log);
+std::optional<gltf::Document> read_document(gltf::Json json, IssueLog& log);
 
 }  // namespace sinew

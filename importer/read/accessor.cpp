@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
@@ -10,7 +11,6 @@ namespace sinew {
 namespace {
 
 using gltf::Accessor;
-using gltf::Bytes;
 using gltf::ComponentType;
 using gltf::Document;
 using gltf::ElementType;
@@ -22,98 +22,135 @@ T load(const std::byte* at) noexcept {
   return value;
 }
 
-template <class Component>
-float normalised(Component c) noexcept {
-  const float f = static_cast<float>(c) / static_cast<float>(std::numeric_limits<Component>::max());
-  return std::max(f, -1.0f);
+/// What a stored component means: itself, or a fraction of the largest integer.
+template <bool normalized, class Out, class Component>
+Out decoded(Component c) noexcept {
+  if constexpr (normalized) return std::max(static_cast<float>(c) / static_cast<float>(std::numeric_limits<Component>::max()), -1.0f);
+  else return static_cast<Out>(c);
 }
 
-/// Reads `count` elements, `stride` bytes apart, into tight components.
-template <class Component, class Out, class Convert>
-void copy_elements(const std::byte* from, std::uint64_t stride, std::size_t count, const ElementLayout& layout, Out* to,
-                   Convert convert) {
-  for (std::size_t i = 0; i < count; ++i, from += stride)
-    for (std::uint32_t column = 0; column < layout.columns; ++column)
-      for (std::uint32_t row = 0; row < layout.rows; ++row)
-        *to++ = convert(load<Component>(from + column * layout.column_bytes + row * sizeof(Component)));
-}
+/// Elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector made from two of these takes each byte
+/// once: its memory is not cleared first.
+template <class V, class Component, bool normalized>
+class ElementIterator {
+ public:
+  using iterator_category = std::random_access_iterator_tag;
+  using value_type = V;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const V*;
+  using reference = V;
 
-template <class Component>
-void copy_as(const std::byte* from, std::uint64_t stride, std::size_t count, const ElementLayout& layout, bool normalized,
-             float* to) {
-  if constexpr (!std::is_floating_point_v<Component>) {
-    if (normalized) return copy_elements<Component>(from, stride, count, layout, to, normalised<Component>);
+  ElementIterator(const std::byte* first, std::size_t stride, difference_type index = 0) : first_(first), stride_(stride), index_(index) {}
+
+  V operator*() const noexcept {
+    const std::byte* at = first_ + static_cast<std::size_t>(index_) * stride_;
+    if constexpr (std::is_arithmetic_v<V>) {
+      return decoded<normalized, V>(load<Component>(at));
+    } else {
+      V out;
+      for (int c = 0; c < V::length(); ++c)
+        out[c] = decoded<normalized, typename V::value_type>(load<Component>(at + static_cast<std::size_t>(c) * sizeof(Component)));
+      return out;
+    }
   }
-  copy_elements<Component>(from, stride, count, layout, to, [](Component c) { return static_cast<float>(c); });
-}
+  ElementIterator& operator++() noexcept { return ++index_, *this; }
+  ElementIterator operator++(int) noexcept { return {first_, stride_, index_++}; }
+  ElementIterator& operator--() noexcept { return --index_, *this; }
+  ElementIterator& operator+=(difference_type n) noexcept { return index_ += n, *this; }
+  ElementIterator operator+(difference_type n) const noexcept { return {first_, stride_, index_ + n}; }
+  difference_type operator-(const ElementIterator& other) const noexcept { return index_ - other.index_; }
+  bool operator==(const ElementIterator& other) const noexcept { return index_ == other.index_; }
 
-void copy(ComponentType type, bool normalized, const std::byte* from, std::uint64_t stride, std::size_t count,
-          const ElementLayout& layout, float* to) {
+ private:
+  const std::byte* first_;
+  std::size_t stride_;
+  difference_type index_;
+};
+
+/// Calls `use(begin)` with the iterator that fits the stored components. Unsigned integers and doubles come as they are stored.
+template <class V, class Use>
+auto with_elements(ComponentType type, bool normalized, const std::byte* first, std::size_t stride, Use use) {
+  const auto go = [&]<class Component>(Component) {
+    if constexpr (std::is_integral_v<Component> && sizeof(Component) < 4 && !std::is_same_v<V, std::uint32_t> && !std::is_same_v<V, double>)
+      if (normalized) return use(ElementIterator<V, Component, true>(first, stride));
+    return use(ElementIterator<V, Component, false>(first, stride));
+  };
   switch (type) {
-    case ComponentType::i8: return copy_as<std::int8_t>(from, stride, count, layout, normalized, to);
-    case ComponentType::u8: return copy_as<std::uint8_t>(from, stride, count, layout, normalized, to);
-    case ComponentType::i16: return copy_as<std::int16_t>(from, stride, count, layout, normalized, to);
-    case ComponentType::u16: return copy_as<std::uint16_t>(from, stride, count, layout, normalized, to);
-    case ComponentType::u32: return copy_as<std::uint32_t>(from, stride, count, layout, false, to);
-    case ComponentType::f32: return copy_as<float>(from, stride, count, layout, false, to);
+    case ComponentType::i8: return go(std::int8_t{});
+    case ComponentType::u8: return go(std::uint8_t{});
+    case ComponentType::i16: return go(std::int16_t{});
+    case ComponentType::u16: return go(std::uint16_t{});
+    case ComponentType::u32: return go(std::uint32_t{});
+    case ComponentType::f32: break;
+  }
+  return go(float{});
+}
+
+/// Components of one V.
+template <class V>
+constexpr std::size_t width_of() {
+  if constexpr (std::is_arithmetic_v<V>) return 1;
+  else return static_cast<std::size_t>(V::length());
+}
+
+/// Appends `count` elements: each a V, or all their components, column after column, where V is a number.
+template <class V>
+void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& layout, const std::byte* first, std::size_t stride,
+            std::size_t count) {
+  const auto add = [&](const std::byte* from, std::size_t step, std::size_t n) {
+    with_elements<V>(accessor.component_type, accessor.normalized, from, step,
+                     [&](auto it) { out.insert(out.end(), it, it + static_cast<std::ptrdiff_t>(n)); });
+  };
+  if constexpr (!std::is_arithmetic_v<V>) {
+    add(first, stride, count);
+  } else if (stride == layout.components() * layout.component_bytes) {
+    add(first, layout.component_bytes, count * layout.components());
+  } else {
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::uint32_t column = 0; column < layout.columns; ++column)
+        add(first + i * stride + column * layout.column_bytes, layout.component_bytes, layout.rows);
   }
 }
 
-void copy(ComponentType type, bool, const std::byte* from, std::uint64_t stride, std::size_t count,
-          const ElementLayout& layout, std::uint32_t* to) {
-  const auto same = [](auto c) { return static_cast<std::uint32_t>(c); };
-  switch (type) {
-    case ComponentType::u8: return copy_elements<std::uint8_t>(from, stride, count, layout, to, same);
-    case ComponentType::u16: return copy_elements<std::uint16_t>(from, stride, count, layout, to, same);
-    case ComponentType::u32: return copy_elements<std::uint32_t>(from, stride, count, layout, to, same);
-    case ComponentType::i8:
-    case ComponentType::i16:
-    case ComponentType::f32: return;
-  }
-}
-
-void copy(ComponentType type, bool, const std::byte* from, std::uint64_t stride, std::size_t count,
-          const ElementLayout& layout, double* to) {
-  const auto same = [](auto c) { return static_cast<double>(c); };
-  switch (type) {
-    case ComponentType::i8: return copy_elements<std::int8_t>(from, stride, count, layout, to, same);
-    case ComponentType::u8: return copy_elements<std::uint8_t>(from, stride, count, layout, to, same);
-    case ComponentType::i16: return copy_elements<std::int16_t>(from, stride, count, layout, to, same);
-    case ComponentType::u16: return copy_elements<std::uint16_t>(from, stride, count, layout, to, same);
-    case ComponentType::u32: return copy_elements<std::uint32_t>(from, stride, count, layout, to, same);
-    case ComponentType::f32: return copy_elements<float>(from, stride, count, layout, to, same);
-  }
-}
-
-template <class Out>
-void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<Out>& out) {
+template <class V>
+void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<V>& out) {
   const auto& sparse = accessor.sparse;
   const auto count = static_cast<std::size_t>(sparse.count);
   const std::byte* index_bytes = document.buffer_views[sparse.indices_view].bytes.data() + sparse.indices_offset;
   const std::byte* value_bytes = document.buffer_views[sparse.values_view].bytes.data() + sparse.values_offset;
-  std::vector<std::uint32_t> indices(count);
-  copy(sparse.index_type, false, index_bytes, component_bytes(sparse.index_type), count,
-       element_layout(ElementType::scalar, sparse.index_type), indices.data());
-  for (std::size_t i = 0; i < count; ++i)
-    copy(accessor.component_type, accessor.normalized, value_bytes + i * layout.element_bytes, layout.element_bytes, 1, layout,
-         out.data() + std::size_t{indices[i]} * layout.components());
+  std::vector<V> values;
+  append(values, accessor, layout, value_bytes, layout.element_bytes, count);
+  const std::size_t entries = layout.components() / width_of<V>();  // of `out` per element
+  with_elements<std::uint32_t>(sparse.index_type, false, index_bytes, component_bytes(sparse.index_type), [&](auto index) {
+    for (std::size_t i = 0; i < count; ++i, ++index)
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * entries), entries,
+                  out.begin() + static_cast<std::ptrdiff_t>(*index * entries));
+  });
 }
 
-template <class Out>
-std::vector<Out> read(const Document& document, std::uint32_t index) {
+template <class V>
+std::vector<V> read(const Document& document, std::uint32_t index) {
   const Accessor& accessor = document.accessors[index];
   const ElementLayout layout = element_layout(accessor);
   const auto count = static_cast<std::size_t>(accessor.count);
-  std::vector<Out> out(count * layout.components());
-  if (accessor.buffer_view != kNone && count > 0)
-    copy(accessor.component_type, accessor.normalized, document.buffer_views[accessor.buffer_view].bytes.data() + accessor.byte_offset,
-         element_stride(document, accessor), count, layout, out.data());
+  const std::size_t size = count * layout.components() / width_of<V>();
+  std::vector<V> out;
+  if (accessor.buffer_view == kNone || count == 0) {
+    out.assign(size, V(0));
+  } else {
+    out.reserve(size);
+    append(out, accessor, layout, document.buffer_views[accessor.buffer_view].bytes.data() + accessor.byte_offset,
+           static_cast<std::size_t>(element_stride(document, accessor)), count);
+  }
   if (accessor.sparse.count > 0) apply_sparse(document, accessor, layout, out);
   return out;
 }
 
-}  // namespace
+bool is_unsigned(ComponentType type) noexcept {
+  return type == ComponentType::u8 || type == ComponentType::u16 || type == ComponentType::u32;
+}
 
+}  // namespace
 std::uint32_t component_bytes(ComponentType type) noexcept {
   switch (type) {
     case ComponentType::i8:
@@ -146,10 +183,20 @@ std::uint64_t element_stride(const Document& document, const Accessor& accessor)
 
 std::vector<float> read_floats(const Document& document, std::uint32_t accessor) { return read<float>(document, accessor); }
 
-std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t accessor) {
-  return read<std::uint32_t>(document, accessor);
+std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t index) {
+  const Accessor& accessor = document.accessors[index];
+  if (is_unsigned(accessor.component_type)) return read<std::uint32_t>(document, index);
+  return std::vector<std::uint32_t>(static_cast<std::size_t>(accessor.count) * element_layout(accessor).components());
 }
 
 std::vector<double> read_stored(const Document& document, std::uint32_t accessor) { return read<double>(document, accessor); }
+
+template <class V>
+std::vector<V> read_vectors(const Document& document, std::uint32_t accessor) {
+  return read<V>(document, accessor);
+}
+template std::vector<glm::vec2> read_vectors(const Document&, std::uint32_t);
+template std::vector<glm::vec3> read_vectors(const Document&, std::uint32_t);
+template std::vector<glm::vec4> read_vectors(const Document&, std::uint32_t);
 
 }  // namespace sinew

@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include "importer/file/document.h"
 
 namespace sinew {
@@ -33,6 +37,10 @@ std::uint64_t element_stride(const gltf::Document& document, const gltf::Accesso
 /// in   an accessor that passed check_accessors
 /// out  [count * components]   cost O(count)
 std::vector<float> read_floats(const gltf::Document& document, std::uint32_t accessor);
+
+/// The same as vectors: V is glm::vec2, vec3 or vec4, with as many components as the accessor, which is no matrix.
+template <class V>
+std::vector<V> read_vectors(const gltf::Document& document, std::uint32_t accessor);
 
 /// The same for unsigned integers (indices, joints), never normalised. Other component types give zeros.
 std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);

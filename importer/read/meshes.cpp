@@ -3,31 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
+#include <type_traits>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
 #include "importer/read/primitive_indices.h"
 #include "importer/read/vertex_formats.h"
+#include "runtime/base/all_finite.h"
 
 namespace sinew {
 namespace {
 
 constexpr float kUnitTolerance = 0.00674f;  // of an 8-bit normal, as common validators take it
 
-template <class V>
-std::vector<V> as_vectors(const std::vector<float>& numbers) {
-  std::vector<V> out(numbers.size() / static_cast<std::size_t>(V::length()));
-  if (!out.empty()) std::memcpy(out.data(), numbers.data(), out.size() * sizeof(V));
-  return out;
-}
-
-std::vector<glm::vec4> as_colors(const std::vector<float>& numbers, bool with_alpha) {
-  if (with_alpha) return as_vectors<glm::vec4>(numbers);
+std::vector<glm::vec4> opaque(const std::vector<glm::vec3>& colors) {
   std::vector<glm::vec4> out;
-  out.reserve(numbers.size() / 3);
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) out.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2], 1.0f);
+  out.reserve(colors.size());
+  for (const auto& c : colors) out.emplace_back(c, 1.0f);
   return out;
 }
 
@@ -73,26 +66,33 @@ class PrimitiveReader {
       joints_[semantic->set] = read_unsigned(document_, accessor);
       return;
     }
-    store(*semantic, accessor, read_finite(document_, accessor, place, log_), place);
+    store(*semantic, accessor, place);
   }
 
-  void store(const Semantic& semantic, std::uint32_t accessor, std::vector<float> numbers, const std::string& place) {
+  template <class V>
+  std::vector<V> numbers(std::uint32_t accessor, const std::string& place) {
+    return read_finite<V>(document_, accessor, place, log_);
+  }
+
+  void store(const Semantic& semantic, std::uint32_t accessor, const std::string& place) {
     auto& primitive = data_.primitive;
     switch (semantic.attribute) {
-      case Attribute::position: primitive.positions = as_vectors<glm::vec3>(numbers); break;
+      case Attribute::position: primitive.positions = numbers<glm::vec3>(accessor, place); break;
       case Attribute::normal:
-        primitive.normals = as_vectors<glm::vec3>(numbers);
+        primitive.normals = numbers<glm::vec3>(accessor, place);
         make_unit(place);
         break;
       case Attribute::tangent:
-        primitive.tangents = as_vectors<glm::vec4>(numbers);
+        primitive.tangents = numbers<glm::vec4>(accessor, place);
         make_signs(place);
         break;
-      case Attribute::texcoord: texcoords_[semantic.set] = as_vectors<glm::vec2>(numbers); break;
+      case Attribute::texcoord: texcoords_[semantic.set] = numbers<glm::vec2>(accessor, place); break;
       case Attribute::color:
-        if (semantic.set == 0) primitive.colors = as_colors(numbers, document_.accessors[accessor].type == gltf::ElementType::vec4);
+        if (semantic.set != 0) numbers<float>(accessor, place);
+        else if (document_.accessors[accessor].type == gltf::ElementType::vec4) primitive.colors = numbers<glm::vec4>(accessor, place);
+        else primitive.colors = opaque(numbers<glm::vec3>(accessor, place));
         break;
-      case Attribute::weights: weights_[semantic.set] = std::move(numbers); break;
+      case Attribute::weights: weights_[semantic.set] = numbers<float>(accessor, place); break;
       case Attribute::joints: break;
     }
   }
@@ -156,14 +156,23 @@ class PrimitiveReader {
 
 }  // namespace
 
-std::vector<float> read_finite(const gltf::Document& document, std::uint32_t accessor, const std::string& place, IssueLog& log) {
-  std::vector<float> numbers = read_floats(document, accessor);
-  const auto bad = std::find_if(numbers.begin(), numbers.end(), [](float f) { return !std::isfinite(f); });
-  if (bad == numbers.end()) return numbers;
-  const auto element = static_cast<std::size_t>(bad - numbers.begin()) / element_layout(document.accessors[accessor]).components();
+template <class V>
+std::vector<V> read_finite(const gltf::Document& document, std::uint32_t index, const std::string& place, IssueLog& log) {
+  const gltf::Accessor& accessor = document.accessors[index];
+  std::vector<V> values;
+  if constexpr (std::is_same_v<V, float>) values = read_floats(document, index);
+  else values = read_vectors<V>(document, index);
+  if (accessor.component_type != gltf::ComponentType::f32 || all_finite(std::span<const V>(values))) return values;
+  const auto* first = reinterpret_cast<const float*>(values.data());
+  const auto* bad = std::find_if(first, first + accessor.count * element_layout(accessor).components(), [](float f) { return !std::isfinite(f); });
+  const auto element = static_cast<std::size_t>(bad - first) / element_layout(accessor).components();
   log.report(Rule::not_finite, place, "element " + std::to_string(element) + " holds NaN or infinity");
   return {};
 }
+template std::vector<float> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
+template std::vector<glm::vec2> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
+template std::vector<glm::vec3> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
+template std::vector<glm::vec4> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
 
 PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log) {
   return PrimitiveReader(document, mesh, primitive, log).read();

@@ -29,7 +29,9 @@ struct PrimitiveData {
 ///         mesh-tangent-without-normal, mesh-indices-stride, mesh-quantization
 PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log);
 
-/// Vertex attribute as vectors of N floats, checked to be finite; empty after an error.
-std::vector<float> read_finite(const gltf::Document& document, std::uint32_t accessor, const std::string& place, IssueLog& log);
+/// Numbers of a vertex attribute as V (float for all components in a row, or glm::vec2, vec3, vec4), checked to be finite; empty
+/// after an error.   err  not-finite
+template <class V>
+std::vector<V> read_finite(const gltf::Document& document, std::uint32_t accessor, const std::string& place, IssueLog& log);
 
 }  // namespace sinew

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/morph_targets.h"
 
-#include <cstring>
 #include <string>
 
 #include "importer/file/json_pointer.h"
@@ -10,20 +9,6 @@
 
 namespace sinew {
 namespace {
-
-template <class V>
-std::vector<V> as_vectors(const std::vector<float>& numbers) {
-  std::vector<V> out(numbers.size() / static_cast<std::size_t>(V::length()));
-  if (!out.empty()) std::memcpy(out.data(), numbers.data(), out.size() * sizeof(V));
-  return out;
-}
-
-std::vector<glm::vec4> as_color_deltas(const std::vector<float>& numbers, bool with_alpha) {
-  if (with_alpha) return as_vectors<glm::vec4>(numbers);
-  std::vector<glm::vec4> out;
-  for (const auto& c : as_vectors<glm::vec3>(numbers)) out.emplace_back(c, 0.0f);
-  return out;
-}
 
 bool base_has(const Primitive& base, const Semantic& semantic) {
   switch (semantic.attribute) {
@@ -38,19 +23,11 @@ bool base_has(const Primitive& base, const Semantic& semantic) {
   return false;
 }
 
-void store(DenseTarget& out, const Semantic& semantic, const std::vector<float>& numbers, bool four_components) {
-  switch (semantic.attribute) {
-    case Attribute::position: out.positions = as_vectors<glm::vec3>(numbers); break;
-    case Attribute::normal: out.normals = as_vectors<glm::vec3>(numbers); break;
-    case Attribute::tangent: out.tangents = as_vectors<glm::vec3>(numbers); break;
-    case Attribute::color: out.colors = as_color_deltas(numbers, four_components); break;
-    case Attribute::texcoord:
-      if (out.texcoords.size() <= semantic.set) out.texcoords.resize(semantic.set + 1);
-      out.texcoords[semantic.set] = as_vectors<glm::vec2>(numbers);
-      break;
-    case Attribute::joints:
-    case Attribute::weights: break;
-  }
+std::vector<glm::vec4> without_alpha(const std::vector<glm::vec3>& colors) {
+  std::vector<glm::vec4> out;
+  out.reserve(colors.size());
+  for (const auto& c : colors) out.emplace_back(c, 0.0f);
+  return out;
 }
 
 }  // namespace
@@ -78,7 +55,22 @@ DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh
     if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
     if (semantic->attribute == Attribute::texcoord)
       log.report(Rule::morph_texcoord, place, "texture coordinates stay as they are when the mesh is morphed");
-    store(out, *semantic, read_finite(document, accessor, place, log), document.accessors[accessor].type == gltf::ElementType::vec4);
+    const auto vec3 = [&] { return read_finite<glm::vec3>(document, accessor, place, log); };
+    switch (semantic->attribute) {
+      case Attribute::position: out.positions = vec3(); break;
+      case Attribute::normal: out.normals = vec3(); break;
+      case Attribute::tangent: out.tangents = vec3(); break;
+      case Attribute::color:
+        out.colors = document.accessors[accessor].type == gltf::ElementType::vec4 ? read_finite<glm::vec4>(document, accessor, place, log)
+                                                                                  : without_alpha(vec3());
+        break;
+      case Attribute::texcoord:
+        if (out.texcoords.size() <= semantic->set) out.texcoords.resize(semantic->set + 1);
+        out.texcoords[semantic->set] = read_finite<glm::vec2>(document, accessor, place, log);
+        break;
+      case Attribute::joints:
+      case Attribute::weights: break;
+    }
   }
   return out;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/primitive_indices.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "runtime/base/all_below.h"
 
 namespace sinew {
 namespace {
@@ -80,18 +83,17 @@ Topology topology_of(PrimitiveMode mode) noexcept {
   return Topology::triangles;
 }
 
-Indices unroll(PrimitiveMode mode, const Indices& indices) {
-  Indices out = indices;
+Indices unroll(PrimitiveMode mode, Indices indices) {
   switch (mode) {
     case PrimitiveMode::points: break;
-    case PrimitiveMode::lines: cut_to_multiple(out, 2); break;
-    case PrimitiveMode::triangles: cut_to_multiple(out, 3); break;
+    case PrimitiveMode::lines: cut_to_multiple(indices, 2); break;
+    case PrimitiveMode::triangles: cut_to_multiple(indices, 3); break;
     case PrimitiveMode::line_loop: return unroll_lines(indices, true);
     case PrimitiveMode::line_strip: return unroll_lines(indices, false);
     case PrimitiveMode::triangle_strip: return unroll_strip(indices);
     case PrimitiveMode::triangle_fan: return unroll_fan(indices);
   }
-  return out;
+  return indices;
 }
 
 Indices read_indices(const gltf::Document& document, const gltf::Primitive& primitive, std::uint32_t vertex_count,
@@ -105,16 +107,16 @@ Indices read_indices(const gltf::Document& document, const gltf::Primitive& prim
     if (!check_format(document, primitive.indices, where, log)) return {};
     indices = read_unsigned(document, primitive.indices);
   }
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    if (indices[i] >= vertex_count) {
-      log.report(Rule::mesh_index, where, "entry " + std::to_string(i) + " is " + std::to_string(indices[i]) + ", there are " +
-                                              std::to_string(vertex_count) + " vertices");
-      return {};
-    }
+  if (!all_below(indices, vertex_count)) {
+    const auto bad = std::find_if(indices.begin(), indices.end(), [&](std::uint32_t index) { return index >= vertex_count; });
+    log.report(Rule::mesh_index, where, "entry " + std::to_string(bad - indices.begin()) + " is " + std::to_string(*bad) + ", there are " +
+                                            std::to_string(vertex_count) + " vertices");
+    return {};
+  }
   if (!count_fits(primitive.mode, indices.size()))
     log.report(Rule::mesh_mode, pointer(place, "mode"),
                std::to_string(indices.size()) + " vertices do not make whole elements of this mode; the rest is dropped");
-  return unroll(primitive.mode, indices);
+  return unroll(primitive.mode, std::move(indices));
 }
 
 }  // namespace sinew

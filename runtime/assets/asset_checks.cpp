@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "runtime/assets/scene.h"
+#include "runtime/base/all_below.h"
+#include "runtime/base/all_finite.h"
 
 namespace sinew {
 namespace {
@@ -23,10 +25,11 @@ class Findings {
   void add(ErrorCode code) noexcept { require(code == ErrorCode::ok, code); }
   template <class Element>
   void require_finite(const std::vector<Element>& elements) noexcept {
-    const auto* numbers = reinterpret_cast<const float*>(elements.data());
-    bool finite = true;
-    for (std::size_t i = 0; i < elements.size() * (sizeof(Element) / sizeof(float)); ++i) finite &= std::isfinite(numbers[i]);
-    require(finite, ErrorCode::not_finite);
+    require(all_finite(std::span<const Element>(elements)), ErrorCode::not_finite);
+  }
+  template <class Index>
+  void require_indices(const std::vector<Index>& indices, std::size_t count) noexcept {
+    require(all_below(indices, count), ErrorCode::index_out_of_range);
   }
   ErrorCode code() const noexcept { return code_; }
 
@@ -114,17 +117,19 @@ void check_influences(const VertexInfluences& influences, std::size_t vertex_cou
     f.require(group.first_influence + used <= influences.joints.size(), ErrorCode::index_out_of_range);
   }
   f.require_size(covered, vertex_count);
-  for (const float w : influences.weights) f.require(w >= 0.0f, ErrorCode::unsupported);
+  bool negative = false;
+  for (const float w : influences.weights) negative |= w < 0.0f;
+  f.require(!negative, ErrorCode::unsupported);
 }
 
 template <class V>
 void check_deltas(const SparseDeltas<V>& sparse, std::size_t vertex_count, Findings& f) noexcept {
   f.require_size(sparse.deltas.size(), sparse.vertices.size());
   f.require_finite(sparse.deltas);
-  for (std::size_t i = 0; i < sparse.vertices.size(); ++i) {
-    f.require_index(sparse.vertices[i], vertex_count);
-    f.require(i == 0 || sparse.vertices[i - 1] < sparse.vertices[i], ErrorCode::unsupported);
-  }
+  f.require_indices(sparse.vertices, vertex_count);
+  bool rising = true;
+  for (std::size_t i = 1; i < sparse.vertices.size(); ++i) rising &= sparse.vertices[i - 1] < sparse.vertices[i];
+  f.require(rising, ErrorCode::unsupported);
 }
 
 void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t vertex_count, Findings& f) noexcept {
@@ -152,7 +157,7 @@ void check_primitive(const Primitive& p, std::size_t target_count, std::size_t m
     f.require_size_or_none(set.size(), vertices);
     f.require_finite(set);
   }
-  for (const std::uint32_t i : p.indices) f.require_index(i, vertices);
+  f.require_indices(p.indices, vertices);
   const std::size_t per_element = static_cast<std::size_t>(p.topology) + 1;
   f.require(p.indices.size() % per_element == 0, ErrorCode::size_mismatch);
   f.require_optional_index(p.material, material_count);
@@ -171,7 +176,7 @@ void check_meshes(const Scene& scene, Findings& f) noexcept {
 /// Every joint index of the mesh exists in this skin: one mesh may hang on several skins (G36).
 void check_binding(const Mesh& mesh, const Skin& skin, Findings& f) noexcept {
   for (const Primitive& p : mesh.primitives)
-    for (const std::uint16_t j : p.influences.joints) f.require_index(j, skin.joints.size());
+    f.require_indices(p.influences.joints, skin.joints.size());
 }
 
 void check_instances(const Scene& scene, Findings& f) noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/allocation_counter.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -15,9 +17,23 @@ void count() noexcept {
   allocations_of_all.fetch_add(1, std::memory_order_relaxed);
 }
 
+std::atomic<std::size_t> in_use{0}, most_in_use{0};
+
+void* taken(void* p) noexcept {
+  const std::size_t now = in_use.fetch_add(malloc_usable_size(p)) + malloc_usable_size(p);
+  for (std::size_t most = most_in_use.load(); now > most && !most_in_use.compare_exchange_weak(most, now);) {
+  }
+  return p;
+}
+
+void give_back(void* p) noexcept {
+  in_use.fetch_sub(malloc_usable_size(p));
+  std::free(p);
+}
+
 void* allocate(std::size_t size) {
   count();
-  if (void* p = std::malloc(size != 0 ? size : 1)) return p;
+  if (void* p = std::malloc(size != 0 ? size : 1)) return taken(p);
   throw std::bad_alloc();
 }
 
@@ -25,7 +41,7 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
   count();
   const auto step = static_cast<std::size_t>(alignment);
   const std::size_t rounded = (size + step - 1) / step * step;
-  if (void* p = std::aligned_alloc(step, rounded != 0 ? rounded : step)) return p;
+  if (void* p = std::aligned_alloc(step, rounded != 0 ? rounded : step)) return taken(p);
   throw std::bad_alloc();
 }
 
@@ -34,16 +50,19 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
 std::size_t sinew::test::allocation_count() noexcept { return allocations; }
 std::size_t sinew::test::allocation_count_of_all_threads() noexcept { return allocations_of_all.load(); }
 
+sinew::test::PeakMemory::PeakMemory() noexcept : before_(in_use.load()) { most_in_use.store(before_); }
+std::size_t sinew::test::PeakMemory::bytes() const noexcept { return most_in_use.load() - before_; }
+
 // The array forms of the standard library call these; its nothrow forms do too, but not the address sanitizer's, which would
 // then miss the delete that belongs to its own new.
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   count();
-  return std::malloc(size != 0 ? size : 1);
+  return taken(std::malloc(size != 0 ? size : 1));
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept { give_back(p); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { give_back(p); }
+void operator delete(void* p, std::size_t) noexcept { give_back(p); }
+void operator delete(void* p, std::align_val_t) noexcept { give_back(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { give_back(p); }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "importer/import_gltf.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "importer/export_glb.h"
+#include "samples/showcase/showcase.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/scene_equality.h"
+
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The showcase as files: rigid, skinned and morphed meshes with animations, over a megabyte each.
+class import_gltf_test : public testing::Test {
+ protected:
+  import_gltf_test() {
+    fs::create_directories(folder_);
+    for (const auto& scene : showcase::showcase()) {
+      files_.push_back(folder_ / (std::to_string(files_.size()) + ".glb"));
+      const auto written = export_glb(scene.scene, files_.back());
+      EXPECT_TRUE(written);
+    }
+  }
+  ~import_gltf_test() override { fs::remove_all(folder_); }
+
+  fs::path folder_ = fs::temp_directory_path() / ("sinew_import_test_" + std::to_string(getpid()));
+  std::vector<fs::path> files_;
+};
+
+TEST_F(import_gltf_test, T11_takes_less_memory_than_three_times_the_file_at_any_moment) {
+  for (const fs::path& path : files_) {
+    const test::PeakMemory peak;
+    const auto file = import_gltf(path);
+    ASSERT_TRUE(file);
+    EXPECT_GT(peak.bytes(), fs::file_size(path)) << "the counter sees nothing";
+    EXPECT_LT(peak.bytes(), 3 * fs::file_size(path)) << path;
+  }
+}
+
+TEST_F(import_gltf_test, G67_the_size_allowed_is_an_option_and_exact) {
+  const std::uint64_t size = fs::file_size(files_[0]);
+  ImportOptions options;
+  options.max_file_bytes = size;
+  const auto file = import_gltf(files_[0], options);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->facts.file_bytes, size);
+  options.max_file_bytes = size - 1;
+  const auto refused = import_gltf(files_[0], options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().issue.rule, "file-too-large");
+}
+
+TEST_F(import_gltf_test, gives_the_same_bits_for_any_number_of_threads) {
+  for (const fs::path& path : files_) {
+    const auto many = import_gltf(path);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const auto single = import_gltf(path);
+    ASSERT_TRUE(many && single);
+    test::expect_equal(many->scene, single->scene);
+  }
+}
+
+TEST_F(import_gltf_test, reports_progress_on_the_calling_thread_rising_to_one) {
+  std::vector<double> seen;
+  bool elsewhere = false;
+  ImportOptions options;
+  options.progress = [&, caller = std::this_thread::get_id()](const char*, double done) {
+    elsewhere = elsewhere || std::this_thread::get_id() != caller;
+    seen.push_back(done);
+  };
+  ASSERT_TRUE(import_gltf(files_[1], options));
+  EXPECT_FALSE(elsewhere);
+  ASSERT_GE(seen.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << testing::PrintToString(seen);
+  EXPECT_EQ(seen.back(), 1.0);
+}
+
+}  // namespace
+}  // namespace sinew
