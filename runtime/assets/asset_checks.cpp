@@ -50,6 +50,10 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
   for (const std::uint32_t i : s.joint_of_node) f.require_index(i, joints);
 }
 
+void check_hidden(const Scene& scene, Findings& f) noexcept {
+  for (const std::uint32_t j : scene.hidden_joints) f.require_index(j, scene.skeleton.joint_count());
+}
+
 /// Levels are contiguous, and each joint's parent lies one level up.
 void check_levels(const Skeleton& s, Findings& f) noexcept {
   const auto& begin = s.level_begin;
@@ -66,6 +70,20 @@ void check_levels(const Skeleton& s, Findings& f) noexcept {
   }
 }
 
+std::size_t things_with(const Scene& scene, PropertyKind kind) noexcept {
+  if (kind == PropertyKind::node_visible) return scene.skeleton.joint_count();
+  if (kind <= PropertyKind::camera_far) return scene.cameras.size();
+  return kind <= PropertyKind::light_outer_cone ? scene.lights.size() : scene.materials.size();
+}
+
+void check_property(const Scene& scene, const PropertyTrack& track, Findings& f) noexcept {
+  f.require_index(track.target.index, things_with(scene, track.target.kind));
+  f.require_size(track.values.target_count, component_count(track.target.kind));
+  f.require(scene.properties.find(track.target) != nullptr, ErrorCode::index_out_of_range);
+  f.require(!is_flag(track.target.kind) || track.values.interpolation == Interpolation::step, ErrorCode::unsupported);
+  if (!track.values.empty()) f.add(check(track.values));
+}
+
 void check_animations(const Scene& scene, Findings& f) noexcept {
   for (const Animation& animation : scene.animations) {
     f.require(std::isfinite(animation.duration_s) && animation.duration_s >= 0.0, ErrorCode::not_finite);
@@ -78,9 +96,11 @@ void check_animations(const Scene& scene, Findings& f) noexcept {
     for (const WeightAnimation& a : animation.weights) {
       f.require_index(a.instance, scene.instances.size());
       if (f.code() != ErrorCode::ok) return;
-      f.require_size(a.weights.target_count, scene.instances[a.instance].rest_weights.size());
+      f.require(std::size_t{a.first_target} + a.weights.target_count <= scene.instances[a.instance].rest_weights.size(),
+                ErrorCode::size_mismatch);
       if (!a.weights.empty()) f.add(check(a.weights));
     }
+    for (const PropertyTrack& track : animation.properties) check_property(scene, track, f);
   }
 }
 
@@ -89,6 +109,7 @@ void check_clips(const Scene& scene, Findings& f) noexcept {
   for (const Clip& clip : scene.clips) {
     f.require_size(clip.joint_count(), scene.skeleton.joint_count());
     f.require_size(clip.weight_count(), scene.weight_count());
+    f.require_size(clip.property_count(), scene.properties.rest.size());
   }
   f.require_size(scene.first_weight.size(), scene.instances.size() + 1);
   for (std::size_t i = 0; i + 1 < scene.first_weight.size() && i < scene.instances.size(); ++i)
@@ -165,11 +186,21 @@ void check_primitive(const Primitive& p, std::size_t target_count, std::size_t m
   check_morphs(p.morphs, target_count, vertices, f);
 }
 
+void check_variants(const Primitive& p, const Scene& scene, Findings& f) noexcept {
+  for (const VariantMaterial& other : p.variant_materials) {
+    f.require_index(other.variant, scene.variants.size());
+    f.require_index(other.material, scene.materials.size());
+  }
+}
+
 void check_meshes(const Scene& scene, Findings& f) noexcept {
   for (const Mesh& mesh : scene.meshes) {
     f.require_finite(mesh.default_weights);
     f.require_size_or_none(mesh.target_names.size(), mesh.target_count());
-    for (const Primitive& p : mesh.primitives) check_primitive(p, mesh.target_count(), scene.materials.size(), f);
+    for (const Primitive& p : mesh.primitives) {
+      check_primitive(p, mesh.target_count(), scene.materials.size(), f);
+      check_variants(p, scene, f);
+    }
   }
 }
 
@@ -188,6 +219,8 @@ void check_instances(const Scene& scene, Findings& f) noexcept {
     const Mesh& mesh = scene.meshes[instance.mesh];
     f.require_size(instance.rest_weights.size(), mesh.target_count());
     f.require_finite(instance.rest_weights);
+    f.require_finite(instance.copies);
+    f.require(instance.copies.empty() || instance.skin == kNone, ErrorCode::unsupported);
     if (instance.skin != kNone) check_binding(mesh, scene.skins[instance.skin], f);
   }
 }
@@ -221,6 +254,7 @@ ErrorCode check(const Scene& scene) noexcept {
   Findings f;
   check_skeleton(scene.skeleton, f);
   if (f.code() == ErrorCode::ok) check_levels(scene.skeleton, f);
+  check_hidden(scene, f);
   check_skins(scene, f);
   check_meshes(scene, f);
   check_instances(scene, f);

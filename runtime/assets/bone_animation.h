@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/assets/keyframe.h"
+#include "runtime/assets/property_track.h"
 #include "runtime/assets/track.h"
 
 namespace sinew {
@@ -42,10 +43,11 @@ class BoneAnimation {
 extern template TransformT<float> BoneAnimation::interpolate(double, const TransformT<float>&) const noexcept;
 extern template TransformT<double> BoneAnimation::interpolate(double, const TransformT<double>&) const noexcept;
 
-/// Morph weights of one mesh instance over time.
+/// Morph weights of one mesh instance over time: all of them, or `weights.target_count` from `first_target` on.
 struct WeightAnimation {
   std::uint32_t instance = 0;  ///< index into Scene::instances
   WeightTrack weights;
+  std::uint32_t first_target = 0;
 };
 
 /// One animation of the file in authoring form. `duration_s` is the largest last key time over all tracks; the
@@ -55,6 +57,7 @@ struct Animation {
   double duration_s = 0.0;
   std::vector<BoneAnimation> bones;
   std::vector<WeightAnimation> weights;
+  std::vector<PropertyTrack> properties = {};   ///< one per target
 };
 
 }  // namespace sinew

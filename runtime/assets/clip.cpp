@@ -14,10 +14,12 @@ const std::string& Clip::name() const noexcept { return layout_->name; }
 double Clip::duration_s() const noexcept { return layout_->duration_s; }
 std::size_t Clip::joint_count() const noexcept { return layout_->joint_count; }
 std::size_t Clip::weight_count() const noexcept { return layout_->base_weights.size(); }
+std::size_t Clip::property_count() const noexcept { return layout_->base_properties.size(); }
 Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
 
 std::size_t Clip::byte_size() const noexcept {
-  std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size()) * sizeof(float);
+  std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
+                      sizeof(float);
   for (const TimeGroup& group : layout_->groups) {
     bytes += group.times.byte_size();
     for (const TrackBlock& block : group.blocks)

@@ -28,11 +28,13 @@ class Clip {
   double duration_s() const noexcept;
   std::size_t joint_count() const noexcept;
   std::size_t weight_count() const noexcept;      ///< all morph weights of the scene, one instance after another
+  std::size_t property_count() const noexcept;    ///< numbers of all animated properties of the scene
   std::size_t byte_size() const noexcept;         ///< of key data and tables
 
   /// Tracks evaluated per sample, by kind; folded tracks do not count.
   struct Counts {
     std::uint32_t translations = 0, rotations = 0, scales = 0, weights = 0;  ///< animated
+    std::uint32_t properties = 0;                                            ///< animated numbers of properties
     std::uint32_t folded = 0;                                                ///< constant, now part of the base pose
     std::uint32_t time_groups = 0;                                           ///< key searches per sample
   };
@@ -41,15 +43,17 @@ class Clip {
   const ClipLayout& layout() const noexcept { return *layout_; }
 
  private:
-  friend Clip compile_clip(const Animation&, const Skeleton&, std::span<const float>, std::span<const std::uint32_t>);
+  friend Clip compile_clip(const Animation&, const Skeleton&, std::span<const float>, std::span<const std::uint32_t>,
+                           const PropertyTable&);
   std::unique_ptr<ClipLayout> layout_;
 };
 
 /// Compiles the authoring form. The animation must have passed check(Track) for each track.
 /// in   rest_weights[W]        morph weights of all mesh instances at rest, one after another
 ///      first_weight[I + 1]    where the weights of each instance begin
+///      properties             has every property that the animation moves
 /// cost O(total keys), allocates the clip
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight);
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {});
 
 }  // namespace sinew

@@ -12,7 +12,8 @@
 /// What a compiled clip is made of. Written by compile_clip, read by sample_clip, of no interest to anybody else.
 namespace sinew {
 
-enum class Property : std::uint8_t { translation, rotation, scale, weight };
+/// `number` is one component of a property that is none of the others.
+enum class Property : std::uint8_t { translation, rotation, scale, weight, number };
 
 /// First plane of a property in a pose: translation xyz, rotation xyzw, scale xyz.
 constexpr std::size_t first_plane(Property p) noexcept {
@@ -49,15 +50,15 @@ struct BasePose {
 ///                                                 kSmallestArc; negative when the next key must be negated (G01)
 ///     cubic rotations          in xyzw | value xyzw | out xyzw
 ///     squad rotations          x y z w | control of this key | control of the next | sign of the next key
-///     weights                  value, or in | value | out
+///     weights, numbers         value, or in | value | out
 struct TrackBlock {
   Property property = Property::translation;
   Interpolation interpolation = Interpolation::linear;
   std::uint32_t lane_count = 0;
   std::uint32_t plane_count = 0;       ///< planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
-  std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight; increasing
-  JointPlaces places;                  ///< of the targets, unless they are morph weights: those are neighbours
+  std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight or number; increasing
+  JointPlaces places;                  ///< of the targets that are joints: weights and numbers are neighbours
   std::vector<float> rows;             ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {
@@ -82,6 +83,7 @@ struct ClipLayout {
   std::size_t joint_count = 0;
   BasePose base_pose;                  ///< rest values and constant tracks
   std::vector<float> base_weights;     ///< rest values and constant tracks
+  std::vector<float> base_properties;  ///< rest values and constant tracks
   std::vector<TimeGroup> groups;
   Clip::Counts counts;
 };

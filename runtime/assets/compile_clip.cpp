@@ -23,7 +23,8 @@ struct Draft {
   std::vector<float> times_s;
   std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
   std::vector<Lane<QuatTrack>> rotations;
-  std::vector<Lane<WeightTrack>> weights;   // target: first weight of the instance
+  std::vector<Lane<WeightTrack>> weights;   // target: the first of its weights
+  std::vector<Lane<WeightTrack>> numbers;   // target: the first of its numbers
 };
 
 /// Finds the draft with exactly these key times, or opens one.
@@ -142,7 +143,8 @@ std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
 }
 
 TrackBlock empty_block(Property property, Interpolation interpolation, std::size_t lane_count, std::size_t key_count) {
-  const std::uint32_t components = property == Property::weight ? 1 : property == Property::rotation ? 4 : 3;
+  const bool vector = property == Property::translation || property == Property::scale;
+  const std::uint32_t components = vector ? 3 : property == Property::rotation ? 4 : 1;
   TrackBlock block;
   block.property = property;
   block.interpolation = interpolation;
@@ -174,9 +176,9 @@ void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<Trac
 }
 
 /// A weight track is frame-major already: its targets become lanes one after another.
-void add_weight_block(TimeGroup& group, const Lane<WeightTrack>& lane) {
+void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lane) {
   const std::size_t n = lane.track->target_count;
-  TrackBlock block = empty_block(Property::weight, lane.track->interpolation, n, group.times.key_count());
+  TrackBlock block = empty_block(property, lane.track->interpolation, n, group.times.key_count());
   std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.begin());
   for (std::uint32_t i = 0; i < n; ++i) block.targets.push_back(lane.target + i);
   group.blocks.push_back(std::move(block));
@@ -185,10 +187,12 @@ void add_weight_block(TimeGroup& group, const Lane<WeightTrack>& lane) {
 /// One compilation: constant tracks go to the base pose, the others to drafts by key times.
 class Compiler {
  public:
-  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights) : layout_(layout) {
+  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties)
+      : layout_(layout), properties_(properties) {
     layout.joint_count = skeleton.joint_count();
     layout.base_pose = BasePose(skeleton.rest);
     layout.base_weights.assign(rest_weights.begin(), rest_weights.end());
+    layout.base_properties = properties.rest;
   }
 
   void add(const Animation& animation, std::span<const std::uint32_t> first_weight) {
@@ -207,6 +211,7 @@ class Compiler {
       add_vector(j, Property::scale, scale[j]);
     }
     add_weights(animation, first_weight);
+    add_properties(animation);
     for (const Draft& draft : drafts_.all()) add_group(draft);
   }
 
@@ -237,25 +242,38 @@ class Compiler {
   }
 
   void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight) {
-    std::vector<const WeightTrack*> tracks(first_weight.empty() ? 0 : first_weight.size() - 1);
+    // One track per set of weights: when an animation has several, the last one counts.
+    std::map<std::uint32_t, const WeightTrack*> tracks;
     for (const WeightAnimation& a : animation.weights) {
-      CONTRACT(a.instance < tracks.size());
-      CONTRACT(a.weights.target_count == first_weight[a.instance + 1] - first_weight[a.instance]);
-      if (!a.weights.empty()) tracks[a.instance] = &a.weights;
+      CONTRACT(std::size_t{a.instance} + 1 < first_weight.size());
+      const std::uint32_t first = first_weight[a.instance] + a.first_target;
+      CONTRACT(first + a.weights.target_count <= first_weight[a.instance + 1]);
+      if (!a.weights.empty() && a.weights.target_count > 0) tracks[first] = &a.weights;
     }
-    for (std::size_t i = 0; i < tracks.size(); ++i) {
-      if (tracks[i] == nullptr || tracks[i]->target_count == 0) continue;
-      const WeightTrack& track = *tracks[i];
-      const std::uint32_t n = track.target_count, first = first_weight[i];
-      if (is_constant(track)) {
-        const auto value = track.values.begin() + (is_cubic(track.interpolation) ? n : 0);
-        std::copy(value, value + n, layout_.base_weights.begin() + first);
-        layout_.counts.folded += n;
-        continue;
+    for (const auto& [first, track] : tracks)
+      if (!fold(*track, layout_.base_weights, first)) {
+        layout_.counts.weights += track->target_count;
+        drafts_.with_times(track->times_s).weights.push_back({first, track});
       }
-      layout_.counts.weights += n;
-      drafts_.with_times(track.times_s).weights.push_back({first, &track});
+  }
+
+  void add_properties(const Animation& animation) {
+    for (const PropertyTrack& track : animation.properties) {
+      const PropertyTable::Entry* entry = properties_.find(track.target);
+      CONTRACT(entry != nullptr && entry->count == track.values.target_count);
+      if (track.values.empty() || fold(track.values, layout_.base_properties, entry->first)) continue;
+      layout_.counts.properties += entry->count;
+      drafts_.with_times(track.values.times_s).numbers.push_back({entry->first, &track.values});
     }
+  }
+
+  /// A track that never changes becomes the base value; false for others.
+  bool fold(const WeightTrack& track, std::vector<float>& base, std::uint32_t first) {
+    if (!is_constant(track)) return false;
+    const std::uint32_t n = track.target_count;
+    std::copy_n(track.values.begin() + (is_cubic(track.interpolation) ? n : 0), n, base.begin() + first);
+    layout_.counts.folded += n;
+    return true;
   }
 
   void add_group(const Draft& draft) {
@@ -263,24 +281,26 @@ class Compiler {
     add_blocks(group, Property::translation, draft.vectors[0]);
     add_blocks(group, Property::rotation, draft.rotations);
     add_blocks(group, Property::scale, draft.vectors[1]);
-    for (const auto& lane : draft.weights) add_weight_block(group, lane);
+    for (const auto& lane : draft.weights) add_block(group, Property::weight, lane);
+    for (const auto& lane : draft.numbers) add_block(group, Property::number, lane);
     layout_.groups.push_back(std::move(group));
     ++layout_.counts.time_groups;
   }
 
   ClipLayout& layout_;
+  const PropertyTable& properties_;
   Drafts drafts_;
 };
 
 }  // namespace
 
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight) {
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties) {
   CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
   Clip clip;
   clip.layout_->name = animation.name;
   clip.layout_->duration_s = animation.duration_s;
-  Compiler(*clip.layout_, skeleton, rest_weights).add(animation, first_weight);
+  Compiler(*clip.layout_, skeleton, rest_weights, properties).add(animation, first_weight);
   return clip;
 }
 

@@ -62,7 +62,8 @@ struct Material {
   float normal_scale = 1.0f;
   TextureUse occlusion_texture;                ///< R, linear
   float occlusion_strength = 1.0f;
-  glm::vec3 emissive{0.0f};
+  glm::vec3 emissive{0.0f};                    ///< 0 to 1, times the strength
+  float emissive_strength = 1.0f;              ///< KHR_materials_emissive_strength
   TextureUse emissive_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;

@@ -21,6 +21,13 @@ struct Aabb {
   void add(const glm::vec3& p) noexcept { lower = glm::min(lower, p), upper = glm::max(upper, p); }
 };
 
+/// Another material for a primitive, in one of Scene::variants.
+struct VariantMaterial {
+  std::uint32_t variant = 0, material = 0;
+
+  friend bool operator==(const VariantMaterial&, const VariantMaterial&) = default;
+};
+
 /// One draw: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list and a
 /// material. Vertices may be reordered at import (grouped by influence count): `source_vertex` tells the file's order.
 struct Primitive {
@@ -36,12 +43,20 @@ struct Primitive {
                                                ///< none, made only when asked for (importer/add_centers_of_rotation.h)
   MorphSet morphs;
   std::uint32_t material = kNone;
+  std::vector<VariantMaterial> variant_materials;  ///< rising variants; in those left out `material` stays
   std::vector<std::uint32_t> source_vertex;    ///< [V] vertex index in the file; empty = unchanged
   bool flat_normals = false;                   ///< the file has no normals: faces are flat, also when morphed (G46)
   Aabb bounds;                                 ///< of `positions`
 
   std::size_t vertex_count() const noexcept { return positions.size(); }
 };
+
+/// The material of a primitive in one of the scene's variants; kNone as variant = the primitive's own.
+inline std::uint32_t material_of(const Primitive& primitive, std::uint32_t variant) noexcept {
+  for (const VariantMaterial& other : primitive.variant_materials)
+    if (other.variant == variant) return other.material;
+  return primitive.material;
+}
 
 struct Mesh {
   std::string name;

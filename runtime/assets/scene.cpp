@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/assets/scene.h"
 
+#include "runtime/assets/scene_look.h"
+
 namespace sinew {
 
 void finish_scene(Scene& scene) {
@@ -10,10 +12,11 @@ void finish_scene(Scene& scene) {
     rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
     scene.first_weight.push_back(static_cast<std::uint32_t>(rest_weights.size()));
   }
+  scene.properties = make_property_table(scene);
   scene.clips.clear();
   scene.clips.reserve(scene.animations.size());
   for (const Animation& animation : scene.animations)
-    scene.clips.push_back(compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight));
+    scene.clips.push_back(compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties));
 }
 
 }  // namespace sinew

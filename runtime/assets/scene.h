@@ -20,6 +20,8 @@ struct MeshInstance {
   std::uint32_t mesh = 0;
   std::uint32_t skin = kNone;
   std::vector<float> rest_weights;     ///< [T] node.weights, else mesh.weights, else zeros
+  std::vector<Transform> copies = {};  ///< where the mesh is shown, in the joint's space; empty = once, at the joint itself.
+                                       ///< Never with a skin (EXT_mesh_gpu_instancing)
 };
 
 struct Camera {
@@ -61,7 +63,10 @@ struct Scene {
   std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> first_weight;  ///< [instances + 1] into the scene's flat array of morph weights
   std::vector<PoseCorrective> correctives;  ///< add to morph weights what joint rotations call for
+  PropertyTable properties;            ///< what clips move beside joints and weights
+  std::vector<std::uint32_t> hidden_joints; ///< not shown at rest, with all below them (KHR_node_visibility)
   std::vector<Material> materials;
+  std::vector<std::string> variants;   ///< names; each may give a primitive another material (KHR_materials_variants)
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;
@@ -72,7 +77,7 @@ struct Scene {
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
-/// Fills `first_weight` and compiles every animation into `clips`. Call once when the rest of the scene is complete.
+/// Fills `first_weight` and `properties`, and compiles every animation into `clips`. Call once when the rest of the scene is complete.
 void finish_scene(Scene& scene);
 
 /// Proves once what the jobs rely on: finite numbers, parents before children, indices in range, parallel arrays of

@@ -24,7 +24,14 @@ static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(
 
 TrackOutput output_of(const TrackBlock& block, const SampleClipJob& job) noexcept {
   if (block.property == Property::weight) return {job.weights.data(), 0};
+  if (block.property == Property::number) return {job.properties.data(), 0};
   return {job.pose.planes + first_plane(block.property) * job.pose.stride, job.pose.stride};
+}
+
+bool wanted(const TrackBlock& block, const SampleClipJob& job) noexcept {
+  if (block.property == Property::weight) return !job.weights.empty();
+  if (block.property == Property::number) return !job.properties.empty();
+  return true;
 }
 
 /// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
@@ -67,19 +74,21 @@ ErrorCode check(const SampleClipJob& job) noexcept {
   const std::size_t joints = job.clip->joint_count();
   if (job.pose.joint_count != joints || job.pose.stride != PoseSpan::stride_for(joints)) return ErrorCode::size_mismatch;
   if (joints > 0 && job.pose.planes == nullptr) return ErrorCode::size_mismatch;
-  const bool weights_fit = job.weights.empty() || job.weights.size() == job.clip->weight_count();
-  return weights_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
+  const auto fits = [](std::span<float> numbers, std::size_t count) { return numbers.empty() || numbers.size() == count; };
+  const bool numbers_fit = fits(job.weights, job.clip->weight_count()) && fits(job.properties, job.clip->property_count());
+  return numbers_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
 void run(const SampleClipJob& job) noexcept {
   const ClipLayout& clip = job.clip->layout();
   std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
   if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
+  if (!job.properties.empty()) std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
   for (const TimeGroup& group : clip.groups) {
     const KeyPosition position = group.times.locate(job.time_s);
     const BetweenKeys at(position);
     for (const TrackBlock& block : group.blocks) {
-      if (block.property == Property::weight && job.weights.empty()) continue;
+      if (!wanted(block, job)) continue;
       const TrackOutput out = output_of(block, job);
       if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, position.key, out);
       else sample_block(block, at, out);

@@ -8,17 +8,19 @@
 
 namespace sinew {
 
-/// Local pose of every joint, and all morph weights, at one time of a clip. Joints and weights that the clip does not
-/// animate get their rest values (G22). Times outside the clip clamp per track (G10).
+/// Local pose of every joint, all morph weights and all animated properties at one time of a clip. What the clip does
+/// not animate gets its rest value (G22). Times outside the clip clamp per track (G10).
 /// eq   as BoneAnimation::interpolate, in float
 /// in   time_s      seconds in the clip
 /// out  pose        of the clip's joint count;   weights[W]  the clip's weight count, may be empty = not wanted
+///      properties[P]  the clip's property count, may be empty = not wanted
 /// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation
 struct SampleClipJob {
   const Clip* clip = nullptr;
   double time_s = 0.0;
   PoseSpan pose;
   std::span<float> weights;
+  std::span<float> properties = {};
 };
 
 ErrorCode check(const SampleClipJob& job) noexcept;

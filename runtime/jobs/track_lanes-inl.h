@@ -24,7 +24,7 @@ HWY_INLINE Lanes load(const TrackBlock& block, std::size_t key, std::size_t plan
   return hn::LoadU(Floats(), block.plane(key, plane) + lane);
 }
 
-/// Lanes from `lane` on, and where they go: morph weights to their neighbours, joints to the vector of joints from `joint` on.
+/// Lanes from `lane` on, and where they go: weights and numbers to their neighbours, joints to the vector of joints from `joint` on.
 class Place {
  public:
   HWY_INLINE Place(const TrackBlock& block, const TrackOutput& out, std::size_t lane) : out_(out), lane_(lane), weights_(block.lane_count - lane) {
@@ -62,7 +62,7 @@ class Place {
 template <class Body>
 HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   const std::size_t lanes = hn::Lanes(Floats());
-  if (block.property == Property::weight) {
+  if (!moves_joints(block.property)) {
     for (std::size_t lane = 0; lane < block.lane_count; lane += lanes) body(Place(block, out, lane));
     return;
   }

@@ -37,8 +37,18 @@ struct HermiteWeights {
   }
 };
 
+/// Otherwise the targets of a block are neighbours.
+inline bool moves_joints(Property property) noexcept { return property < Property::weight; }
+
 inline std::size_t component_count(Property property) noexcept {
-  return property == Property::weight ? 1 : property == Property::rotation ? 4 : 3;
+  switch (property) {
+    case Property::rotation: return 4;
+    case Property::translation:
+    case Property::scale: return 3;
+    case Property::weight:
+    case Property::number: break;
+  }
+  return 1;
 }
 
 }  // namespace sinew

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "runtime/base/contract.h"
 #include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/pose.h"
+#include "runtime/plan/find_hidden.h"
 #include "runtime/plan/plan_stages.h"
 #include "runtime/plan/sign_pairs.h"
 
@@ -71,16 +73,36 @@ PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning
   return plan;
 }
 
+/// Joints that no clip of the plan ever shows.
+class NeverShown {
+ public:
+  explicit NeverShown(const Plan& plan) : hidden_(new bool[plan.scene->skeleton.joint_count()]()) {
+    if (!plan.hide || plan.needs.hidden_meshes) return;
+    const Scene& scene = *plan.scene;
+    std::vector<float> all_on = scene.properties.rest;
+    for (const PropertyTable::Entry& entry : scene.properties.entries)
+      if (entry.target.kind == PropertyKind::node_visible) all_on[entry.first] = 1.0f;
+    find_hidden(scene, plan.hide_per_frame ? std::span<const float>(all_on) : std::span<const float>(),
+                {hidden_.get(), scene.skeleton.joint_count()});
+  }
+  bool operator[](std::uint32_t joint) const noexcept { return hidden_[joint]; }
+
+ private:
+  std::unique_ptr<bool[]> hidden_;
+};
+
 void plan_primitives(Plan& plan) {
   const Scene& scene = *plan.scene;
+  const NeverShown never_shown(plan);
+  const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
     const auto& primitives = scene.meshes[instance.mesh].primitives;
     bool skinned = false;
     for (std::uint32_t p = 0; p < primitives.size(); ++p) {
-      PrimitivePlan planned =
-          plan_primitive(primitives[p], instance.skin != kNone, plan.needs.skinning_of(i), plan.needs);
+      PrimitivePlan planned = plan_primitive(primitives[p], instance.skin != kNone, plan.needs.skinning_of(i),
+                                             never_shown[instance.joint] ? nothing : plan.needs);
       planned.instance = i, planned.primitive = p;
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       if (planned.skin.any()) {
@@ -140,6 +162,11 @@ void place(Plan& plan) {
   plan.reference_pose_at = block.take(plan.add ? pose_bytes : 0);
   plan.added_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
   plan.reference_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
+  const std::size_t numbers = plan.properties ? scene.properties.rest.size() : 0;
+  plan.properties_at = block.take_array<float>(numbers);
+  plan.layer_properties_at = block.take_array<float>(extra_layers * numbers);
+  plan.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
+  plan.palette_wanted_at = block.take_array<bool>(plan.hide_per_frame ? scene.skins.size() : 0);
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
@@ -171,11 +198,18 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
     plan.rest_weights.insert(plan.rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
   for (const Clip& clip : scene.clips) {
     const Clip::Counts counts = clip.counts();
-    plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights});
+    plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights, counts.properties});
   }
   plan.local_to_model =
       scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
-  plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0);
+  const auto& entries = scene.properties.entries;
+  const bool flags = std::any_of(entries.begin(), entries.end(), [](const PropertyTable::Entry& entry) {
+    return entry.target.kind == PropertyKind::node_visible;
+  });
+  plan.hide_per_frame = flags && (needs.properties || needs.vertices());
+  plan.hide = plan.hide_per_frame || !scene.hidden_joints.empty();
+  plan.properties = !scene.clips.empty() && ((needs.properties && !entries.empty()) || plan.hide_per_frame);
+  plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
   plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
   plan.add = plan.sample && needs.additive;
   plan.bounds = needs.bounds && !scene.instances.empty();

@@ -43,7 +43,7 @@ struct PrimitivePlan {
 
 /// Tracks that one sample of a clip evaluates.
 struct ClipTracks {
-  std::uint32_t joints = 0, weights = 0;
+  std::uint32_t joints = 0, weights = 0, properties = 0;
 };
 
 /// The evaluation of one scene for given needs: which stages run, and where in one block of frame memory each of them
@@ -57,7 +57,9 @@ struct Plan {
   std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
   std::vector<ClipTracks> clip_tracks;         ///< [clips]
   std::vector<float> rest_weights;             ///< [W]
-  bool sample = false, blend = false, add = false, correctives = false, local_to_model = false, bounds = false;
+  bool sample = false, blend = false, add = false, correctives = false, properties = false, local_to_model = false,
+       bounds = false;
+  bool hide = false, hide_per_frame = false;   ///< some joint may be hidden; clips decide it
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
   std::vector<std::vector<JointPair>> sign_edges;  ///< [skins] of those that are split (sign_pairs.h)
 
@@ -67,6 +69,9 @@ struct Plan {
   std::size_t corrective_scratch_at = 0, corrective_scratch_count = 0;  ///< of doubles, for one corrective at a time
   std::size_t added_pose_at = 0, reference_pose_at = 0;           ///< of the layer that is being added
   std::size_t added_weights_at = 0, reference_weights_at = 0;
+  std::size_t properties_at = 0, layer_properties_at = 0;
+  std::size_t hidden_at = 0;                                      ///< bool[joints]
+  std::size_t palette_wanted_at = 0;                              ///< bool[skins]: a visible instance needs the skin
   std::size_t model_at = 0;
   std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
   std::size_t stretch_at = 0;                                     ///< bool[skins]: the split found stretch

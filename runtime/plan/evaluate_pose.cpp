@@ -12,18 +12,24 @@
 namespace sinew {
 namespace {
 
-/// Where layer `index` is sampled to: the first one in the frame's own pose and weights, later ones behind.
+/// Where layer `index` is sampled to: the first one in the frame's own pose and numbers, later ones behind.
 struct LayerPlace {
   PoseSpan pose;
-  std::span<float> weights;
+  std::span<float> weights, properties;
 };
+
+std::span<float> numbers_of_layer(FrameMemory memory, std::size_t first_at, std::size_t others_at, std::size_t count,
+                                  std::size_t index) noexcept {
+  return memory.array<float>(index == 0 ? first_at : others_at + (index - 1) * sizeof(float) * count, count);
+}
 
 LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t index) noexcept {
   const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
-  if (index == 0) return {memory.pose(plan.pose_at, joints), memory.array<float>(plan.weights_at, weights)};
-  const std::size_t pose_at = plan.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
-  const std::size_t weights_at = plan.layer_weights_at + (index - 1) * sizeof(float) * weights;
-  return {memory.pose(pose_at, joints), memory.array<float>(weights_at, weights)};
+  const std::size_t properties = plan.properties ? plan.scene->properties.rest.size() : 0;
+  const std::size_t later_at = plan.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
+  return {memory.pose(index == 0 ? plan.pose_at : later_at, joints),
+          numbers_of_layer(memory, plan.weights_at, plan.layer_weights_at, weights, index),
+          numbers_of_layer(memory, plan.properties_at, plan.layer_properties_at, properties, index)};
 }
 
 void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights,
@@ -31,11 +37,13 @@ void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool wit
   const SampleClipJob job{.clip = &plan.scene->clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = place.pose,
-                          .weights = with_weights ? place.weights : std::span<float>{}};
+                          .weights = with_weights ? place.weights : std::span<float>{},
+                          .properties = place.properties};
   assert(check(job) == ErrorCode::ok);
   run(job);
   const ClipTracks& tracks = plan.clip_tracks[layer.clip];
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
+  if (!place.properties.empty()) work.properties_sampled += tracks.properties;
 }
 
 std::span<const float> mask_of(const Plan& plan, const ClipLayer& layer) noexcept {
@@ -59,6 +67,8 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
     layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
   }
   if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
+  const std::span<const float> rest_properties = plan.scene->properties.rest;
+  if (plan.properties && count == 0) std::copy(rest_properties.begin(), rest_properties.end(), first.properties.begin());
   if (count == 0) return rest;
   if (count == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return first.pose;
 
@@ -66,22 +76,25 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.poses_blended += count;
-  const std::size_t others = (count - 1) * first.weights.size();
   if (own_weights)
-    blend_weights(layers.first(count), plan.rest_weights, first.weights, memory.array<float>(plan.layer_weights_at, others));
+    blend_weights(layers.first(count), plan.rest_weights, first.weights,
+                  memory.array<float>(plan.layer_weights_at, (count - 1) * first.weights.size()));
+  if (plan.properties)
+    blend_weights(layers.first(count), rest_properties, first.properties,
+                  memory.array<float>(plan.layer_properties_at, (count - 1) * first.properties.size()));
   return first.pose;
 }
 
-/// Adds one layer to the pose, which is the frame's own, and to its weights.
+/// Adds one layer to the pose, which is the frame's own, and to its weights. Properties are not added.
 void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, WorkCounters& work) noexcept {
   const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
   const LayerPlace own = place_of_layer(plan, memory, 0);
-  const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights)};
-  LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}};
+  const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
+  LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}, {}};
   std::span<const float> reference_weights = plan.rest_weights;
   sample(plan, layer, added, own_weights, work);
   if (layer.kind == LayerKind::add_to_start) {
-    reference = {memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights)};
+    reference = {memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights), {}};
     reference_weights = reference.weights;
     sample(plan, {.clip = layer.clip}, reference, own_weights, work);
   }

@@ -7,10 +7,10 @@
 
 namespace sinew {
 
-/// Stages sample and blend: the local pose and the morph weights of one frame. A single layer of full weight goes
+/// Stages sample, blend and properties: the local pose, morph weights and property values of one frame. A single layer of full weight goes
 /// straight into the pose: the bits are those of sample_clip.
 /// in   input          checked;   layers[max_layers]  room for the blend's table
-/// out  pose           view of the frame's memory; the plan's weights are filled in the frame's memory
+/// out  pose           view of the frame's memory; the plan's weights and properties are filled in the frame's memory
 /// cost O(layers * tracks), no allocation
 PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
                        WorkCounters& work) noexcept;

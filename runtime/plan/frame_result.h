@@ -23,10 +23,12 @@ struct DeformedPrimitive {
 
 /// One mesh instance in this frame.
 struct InstanceResult {
-  Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already (G29)
+  Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already (G29);
+                                      ///< MeshInstance::copies are relative to it (mesh_copies.h)
   std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
   bool mirrored = false;              ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
                                       ///< negative, for a skinned mesh that of the first joint's skinning matrix
+  bool visible = true;                ///< false: on a hidden joint; nothing is deformed, the box is empty
   Aabb bounds;                        ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
                                       ///< vertices; rigid ones: the box of their moved rest box, which holds it (G54)
 };
@@ -38,6 +40,8 @@ struct FrameResult {
   std::span<const Affine> model;          ///< [J] world matrix of every joint
   std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with
                                           ///< what correctives add where the plan runs them
+  std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
+  std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
   WorkCounters work;

@@ -19,6 +19,8 @@ struct Needs {
   bool tangents = true;
   bool weights = true;        ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool bounds = false;        ///< boxes of the mesh instances (P14)
+  bool properties = true;     ///< animated numbers of materials, lights and cameras (P15)
+  bool hidden_meshes = false; ///< deform meshes on hidden joints as well
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
                               ///< Layers that add do not count
   bool additive = false;      ///< some layers add to the pose

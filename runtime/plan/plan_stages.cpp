@@ -54,6 +54,16 @@ PlanStage describe_correctives(const Plan& plan) {
           samples, plan.corrective_scratch_count * sizeof(double)};
 }
 
+PlanStage describe_properties(const Plan& plan) {
+  const PropertyTable& table = plan.scene->properties;
+  if (table.entries.empty()) return {"properties", false, "no clip moves a material, a light, a camera or a flag", 0, 0};
+  if (!plan.properties) return {"properties", false, "properties are not asked for", 0, 0};
+  return {"properties", true,
+          counted(table.entries.size(), "property is", "properties are") + " moved by clips" +
+              (plan.hide_per_frame ? ", some of them hide nodes" : ""),
+          table.rest.size(), table.rest.size() * sizeof(float)};
+}
+
 PlanStage describe_local_to_model(const Plan& plan) {
   const std::size_t joints = plan.scene->skeleton.joint_count();
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
@@ -183,6 +193,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
           describe_blend(plan),
           describe_add(plan),
           describe_correctives(plan),
+          describe_properties(plan),
           describe_local_to_model(plan),
           describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix), why_no_skinning(plan)),
           describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),

@@ -7,11 +7,13 @@
 #include <cstring>
 #include <new>
 
+#include "runtime/assets/mesh_copies.h"
 #include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/plan/deform_primitive.h"
 #include "runtime/plan/evaluate_pose.h"
+#include "runtime/plan/find_hidden.h"
 #include "runtime/plan/grow_bounds.h"
 
 namespace sinew {
@@ -68,9 +70,38 @@ std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const A
   return model;
 }
 
-void make_palettes(const Plan& plan, std::span<const Affine> model, FrameMemory memory, WorkCounters& work) noexcept {
+/// Joints that this frame does not show; empty when the plan hides nothing. What no clip decides was found once for all
+/// frames.
+std::span<const bool> hide(const Plan& plan, std::span<const float> properties, FrameMemory memory) noexcept {
+  if (!plan.hide) return {};
+  const std::span<bool> hidden = memory.array<bool>(plan.hidden_at, plan.scene->skeleton.joint_count());
+  if (plan.hide_per_frame && plan.properties) find_hidden(*plan.scene, properties, hidden);
+  return hidden;
+}
+
+bool is_shown(const Plan& plan, std::size_t instance, std::span<const bool> hidden) noexcept {
+  return hidden.empty() || !hidden[plan.scene->instances[instance].joint];
+}
+
+bool is_deformed(const Plan& plan, std::size_t instance, std::span<const bool> hidden) noexcept {
+  return plan.needs.hidden_meshes || is_shown(plan, instance, hidden);
+}
+
+/// Skins that some instance of this frame needs; empty = as the plan says.
+std::span<const bool> wanted_palettes(const Plan& plan, std::span<const bool> hidden, FrameMemory memory) noexcept {
+  if (!plan.hide_per_frame) return {};
+  const std::span<bool> wanted = memory.array<bool>(plan.palette_wanted_at, plan.palette.size());
+  std::fill(wanted.begin(), wanted.end(), false);
+  for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)
+    if (const std::uint32_t skin = plan.scene->instances[i].skin; skin != kNone)
+      wanted[skin] = wanted[skin] || is_deformed(plan, i, hidden);
+  return wanted;
+}
+
+void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, FrameMemory memory,
+                   WorkCounters& work) noexcept {
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
-    if (!plan.palette[s]) continue;
+    if (!plan.palette[s] || (!wanted.empty() && !wanted[s])) continue;
     const Skin& skin = plan.scene->skins[s];
     const std::span<JointMatrix> palette = memory.array<JointMatrix>(plan.palette_at[s], skin.joints.size());
     const JointPaletteJob job{.skin = &skin, .model = model, .palette = palette};
@@ -105,13 +136,26 @@ InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<
   return placed;
 }
 
+/// A hidden instance deforms nothing.
+void leave_out(const Plan& plan, std::size_t instance, std::span<DeformedPrimitive> shapes) noexcept {
+  for (std::uint32_t p = plan.first_primitive[instance]; p < plan.first_primitive[instance + 1]; ++p)
+    shapes[p] = {.instance = plan.primitives[p].instance,
+                 .primitive = plan.primitives[p].primitive,
+                 .positions = {},
+                 .normals = {},
+                 .tangents = {},
+                 .colors = {}};
+}
+
 /// A primitive that rests this frame moves the box of its rest pose, a deformed one looks at its vertices.
-void bound(InstanceResult& placed, const Primitive& primitive, const DeformedPrimitive& shape,
+void bound(InstanceResult& placed, const MeshInstance& instance, const Primitive& primitive, const DeformedPrimitive& shape,
            WorkCounters& work) noexcept {
-  if (shape.positions.empty() || shape.positions.data() == primitive.positions.data())
-    return grow_bounds(placed.bounds, primitive.bounds, placed.world_from_mesh);
-  grow_bounds(placed.bounds, shape.positions, placed.world_from_mesh);
-  work.bounds_vertices += shape.positions.size();
+  const bool rests = shape.positions.empty() || shape.positions.data() == primitive.positions.data();
+  for_each_copy(instance, placed.world_from_mesh, [&](const Affine& world_from_copy) {
+    if (rests) return grow_bounds(placed.bounds, primitive.bounds, world_from_copy);
+    grow_bounds(placed.bounds, shape.positions, world_from_copy);
+    work.bounds_vertices += shape.positions.size();
+  });
 }
 
 }  // namespace
@@ -129,6 +173,8 @@ FrameBuffer::FrameBuffer(const Plan& plan)
   const Skeleton& skeleton = plan.scene->skeleton;
   const PoseSpan rest = FrameMemory{memory_.get()}.pose(plan.rest_pose_at, skeleton.joint_count());
   for (std::size_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? skeleton.rest[j] : Transform{});
+  if (plan.hide)
+    find_hidden(*plan.scene, {}, FrameMemory{memory_.get()}.array<bool>(plan.hidden_at, skeleton.joint_count()));
 }
 
 ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
@@ -143,22 +189,32 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, memory, work);
-  make_palettes(plan, model, memory, work);
+  const std::span<const float> properties =
+      memory.array<const float>(plan.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
+  const std::span<const bool> hidden = hide(plan, properties, memory);
+  make_palettes(plan, model, wanted_palettes(plan, hidden, memory), memory, work);
 
   for (std::size_t i = 0; i < frame.instances_.size(); ++i) {
     InstanceResult& placed = frame.instances_[i] = place_instance(plan, i, model);
+    placed.visible = is_shown(plan, i, hidden);
+    if (!is_deformed(plan, i, hidden)) {
+      leave_out(plan, i, frame.primitives_);
+      continue;
+    }
     const std::uint32_t first_weight = plan.scene->first_weight[i];
     const auto own_weights = weights.subspan(first_weight, plan.scene->first_weight[i + 1] - first_weight);
     for (std::uint32_t p = plan.first_primitive[i]; p < plan.first_primitive[i + 1]; ++p) {
       DeformedPrimitive& shape = frame.primitives_[p] =
           deform_primitive(plan, plan.primitives[p], own_weights, placed.mirrored, memory, work);
-      if (plan.bounds) bound(placed, primitive_of(plan, plan.primitives[p]), shape, work);
+      if (plan.bounds) bound(placed, plan.scene->instances[i], primitive_of(plan, plan.primitives[p]), shape, work);
       if (!plan.needs.positions) shape.positions = {};
     }
   }
   frame.result_ = {.frame = frame.result_.frame + 1,
                    .model = plan.needs.joints ? model : std::span<const Affine>{},
                    .weights = weights,
+                   .properties = plan.needs.properties ? properties : std::span<const float>{},
+                   .hidden = hidden,
                    .instances = frame.instances_,
                    .primitives = frame.primitives_,
                    .work = work};

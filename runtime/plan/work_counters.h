@@ -7,6 +7,7 @@ namespace sinew {
 /// Work done by one frame of one instance. A stage that the plan leaves out counts exactly zero.
 struct WorkCounters {
   std::uint64_t tracks_sampled = 0;
+  std::uint64_t properties_sampled = 0;
   std::uint64_t poses_blended = 0;
   std::uint64_t poses_added = 0;
   std::uint64_t poses_compared = 0;   ///< with the samples of correctives
