@@ -2,19 +2,25 @@
 # SPDX-License-Identifier: MIT
 """Prints the results of sinew-bench as a Markdown table: each job and case, ours beside the plain GLM version.
 
-    table.py BENCH.json [DIR]      table of a finished run (--benchmark_out of sinew-bench), with the instructions that callgrind
-                                   counted in DIR when there are any
+    table.py [--all] BENCH.json [DIR]
+                                   table of a finished run (--benchmark_out of sinew-bench), with the instructions that callgrind
+                                   counted in DIR when there are any; the README's rows, or all of them
     table.py --run SINEW_BENCH     runs every benchmark once, briefly, and fails when one of ours has no GLM partner
 """
 import glob
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 
 PAIRS = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual_quaternion",
          "skin_center_of_rotation", "frame")
+HEADLINES = re.compile(r"""
+    (blend|local_to_model|sample) / (CesiumMan|Fox-0|biped67|tree1024|crowd1024) (/.*)? | frame/.*
+    | memory/(32k|4M|64M) | morph/.* | skin_center_of_rotation/PN/4/10k | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
+    | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/1M)""", re.VERBOSE)  # what the README shows, without the ways that lost
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 
 
@@ -68,15 +74,17 @@ def row(job, case, entry, plain, stream, instructions):
     print("| " + " | ".join(cells) + " |")
 
 
-def print_table(found, instructions):
+def print_table(found, instructions, everything):
     print("| job | case | ns/item | spread | GLM ns | ratio | error | GLM error | instructions | GB/s (of stream) |")
     print("|---|---|---|---|---|---|---|---|---|---|")
     for (job, case), entries in sorted(found.items()):
+        if not everything and not HEADLINES.fullmatch(f"{job}/{case}"):
+            continue
         plain, stream = entries.get("glm", entries.get("tinygltf")), entries.get("stream")
         if "copy" in entries:
             row(job, "copy " + case, entries["copy"], None, None, {})
         for implementation, entry in entries.items():
-            if implementation not in BASELINES:
+            if implementation == "sinew" or (everything and implementation not in BASELINES):
                 row(job, case if implementation == "sinew" else f"{case}, {implementation}", entry, plain, stream, instructions)
 
 
@@ -88,12 +96,15 @@ def main():
         missing = [job for job in PAIRS if not any(key[0] == job for key in found)]
         if alone or missing:
             sys.exit(f"without a partner: {alone}; missing: {missing}")
-        print_table(found, {})
-    elif len(sys.argv) in (2, 3) and not sys.argv[1].startswith("--"):
-        with open(sys.argv[1], encoding="utf-8") as file:
-            print_table(read(json.load(file)), read_instructions(sys.argv[2] if len(sys.argv) == 3 else None))
-    else:
+        print_table(found, {}, everything=True)
+        return
+    paths = [argument for argument in sys.argv[1:] if argument != "--all"]
+    if len(paths) not in (1, 2) or paths[0].startswith("--"):
         sys.exit(__doc__)
+    with open(paths[0], encoding="utf-8") as file:
+        found = read(json.load(file))
+    print_table(found, read_instructions(paths[1] if len(paths) == 2 else None),
+                everything="--all" in sys.argv)
 
 
 if __name__ == "__main__":
