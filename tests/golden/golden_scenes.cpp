@@ -37,7 +37,7 @@ void snap(Primitive& p) {
 
 void snap(Animation& animation) {
   for (BoneAnimation& bone : animation.bones) snap(bone.translation.values), snap(bone.rotation.values), snap(bone.scale.values);
-  for (auto& [instance, track] : animation.weights) snap(track.values);
+  for (WeightAnimation& animated : animation.weights) snap(animated.weights.values);
 }
 
 /// Halfway between each vertex and the origin, so that center-of-rotation skinning is neither of the other two.
