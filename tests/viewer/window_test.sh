@@ -5,20 +5,28 @@
 set -uo pipefail
 
 viewer=$1
-for tool in Xvfb xvfb-run xdotool import compare convert; do
+for tool in Xvfb xdotool import compare convert; do
   command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
-if [ "${2:-}" != inside ]; then
-  exec xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" "$0" "$viewer" inside
-fi
 
 pictures=$(mktemp -d)
 pid=
+server=
 finish() {
   [ -z "$pid" ] || kill "$pid" 2> /dev/null
+  [ -z "$server" ] || kill "$server" 2> /dev/null
   rm -rf "$pictures"
 }
 trap finish EXIT
+
+# The server picks a free display itself: two tests at the same time never take the same one.
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3> "$pictures/display" 2> "$pictures/server" &
+server=$!
+for ((i = 0; i < 200; i++)); do [ -s "$pictures/display" ] && break; sleep 0.1; done
+[ -s "$pictures/display" ] || { echo "FAILED: no virtual display"; cat "$pictures/server"; exit 1; }
+DISPLAY=:$(cat "$pictures/display")
+export DISPLAY
+unset WAYLAND_DISPLAY
 
 fail() {
   echo "FAILED: $*"
