@@ -126,9 +126,9 @@ class Import {
     if (!go_on()) return false;
     check_texcoords(scene, log_);
     Instances instances = build_instances(document_, order, scene.meshes, log_);
-    scene.animations = build_clips(document_, order, instances, log_);
+    const Placements placements = build_placements(document_, order, scene, log_);
+    scene.animations = build_clips(document_, order, instances, placements, log_);
     scene.instances = std::move(instances.list);
-    build_placements(document_, order, scene, log_);
     progress("images", 0.7);
     scene.images = read_images(document_, options_, log_);
     if (options_.make_centers_of_rotation && log_.error_count() == 0) add_centers(scene);

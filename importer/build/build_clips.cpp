@@ -48,19 +48,21 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
 
 class ClipBuilder {
  public:
-  ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances, IssueLog& log)
-      : document_(document), order_(order), instances_(instances), log_(log) {}
+  ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances, const Placements& placements,
+              IssueLog& log)
+      : document_(document), order_(order), instances_(instances), placements_(placements), log_(log) {}
 
   Animation build(std::uint32_t animation) {
     index_ = animation;
     out_ = {};
-    bones_.clear();
-    weights_.clear();
-    targets_.clear();
+    bones_.clear(), weights_.clear(), properties_.clear(), targets_.clear();
     out_.name = document_.animations[animation].name;
     for (std::uint32_t c = 0; c < document_.animations[animation].channels.size(); ++c) add_channel(c);
+    for (const auto& [target, channel] : targets_)
+      if (target.property == AnimatedProperty::mesh_weights) add_mesh_weights(target, channel);
     for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
-    for (auto& [instance, track] : weights_) out_.weights.push_back({instance, std::move(track)});
+    for (auto& [first, track] : weights_) out_.weights.push_back({first.first, std::move(track), first.second});
+    for (auto& [target, track] : properties_) out_.properties.push_back({target, std::move(track)});
     return std::move(out_);
   }
 
@@ -68,64 +70,114 @@ class ClipBuilder {
   void add_channel(std::uint32_t channel) {
     const auto target = read_channel_target(document_, index_, channel, log_);
     if (!target) return;
-    const std::string place = pointer("animations", index_, "channels", channel, "target");
-    const auto key = std::pair(target->property, target->node);
-    if (!targets_.emplace(key, channel).second)
-      return log_.report(Rule::animation_duplicate, place, "channel " + std::to_string(targets_[key]) + " has the same target; this one is ignored");
-    if (target->property == AnimatedProperty::weights)
-      add_weights(*target, channel, place);
-    else
-      add_bone(*target, channel);
+    const std::string place = place_of(channel);
+    if (const auto other = taken_by(*target))
+      return log_.report(Rule::animation_duplicate, place, "channel " + std::to_string(*other) + " has the same target; this one is ignored");
+    targets_.emplace(*target, channel);
+    switch (target->property) {
+      case AnimatedProperty::translation:
+      case AnimatedProperty::rotation:
+      case AnimatedProperty::scale: return add_bone(*target, channel);
+      case AnimatedProperty::weights: return add_weights(*target, instances_.of_node[target->node], channel);
+      case AnimatedProperty::pointed: return add_property(*target, channel, place);
+      case AnimatedProperty::mesh_weights: return;  // after the nodes, whose own weights go before those of their mesh
+    }
   }
 
-  std::optional<SamplerData> read(std::uint32_t channel, AnimatedProperty property, std::uint32_t components) {
+  std::string place_of(std::uint32_t channel) const { return pointer("animations", index_, "channels", channel, "target"); }
+
+  /// The channel that moves this target, a part of it, or the whole that it is a part of.
+  std::optional<std::uint32_t> taken_by(ChannelTarget target) const {
+    const auto channel_of = [&](const ChannelTarget& t) -> std::optional<std::uint32_t> {
+      const auto found = targets_.find(t);
+      return found == targets_.end() ? std::nullopt : std::optional(found->second);
+    };
+    if (const auto same = channel_of(target)) return same;
+    const bool weights = target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
+    if (!weights) return std::nullopt;
+    const bool whole = target.element == kNone;
+    target.element = whole ? 0 : kNone;
+    if (!whole) return channel_of(target);
+    const auto part = targets_.lower_bound(target);
+    if (part == targets_.end() || part->first.property != target.property || part->first.node != target.node) return std::nullopt;
+    return part->second;
+  }
+
+  std::optional<SamplerData> read(std::uint32_t channel, const ChannelTarget& target, std::uint32_t components) {
     const std::uint32_t sampler = document_.animations[index_].channels[channel].sampler;
-    auto data = read_sampler(document_, index_, sampler, property, components, log_);
+    auto data = read_sampler(document_, index_, sampler, target, components, log_);
     if (data) out_.duration_s = std::max(out_.duration_s, static_cast<double>(data->times_s.back()));
     return data;
   }
 
   void add_bone(const ChannelTarget& target, std::uint32_t channel) {
-    auto data = read(channel, target.property, target.property == AnimatedProperty::rotation ? 4 : 3);
+    auto data = read(channel, target, target.property == AnimatedProperty::rotation ? 4 : 3);
     if (!data) return;
     const std::uint32_t joint = order_.joint_of_node[target.node];
     BoneAnimation& bone = bones_[joint];
     bone.joint = joint;
-    switch (target.property) {
-      case AnimatedProperty::translation: bone.translation = vec3_track(std::move(*data)); break;
-      case AnimatedProperty::rotation: bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_); break;
-      case AnimatedProperty::scale: bone.scale = vec3_track(std::move(*data)); break;
-      case AnimatedProperty::weights: break;
+    if (target.property == AnimatedProperty::translation) bone.translation = vec3_track(std::move(*data));
+    if (target.property == AnimatedProperty::rotation) bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_);
+    if (target.property == AnimatedProperty::scale) bone.scale = vec3_track(std::move(*data));
+  }
+
+  static WeightTrack number_track(SamplerData data, std::uint32_t components) {
+    return {data.interpolation, std::move(data.times_s), std::move(data.values), components};
+  }
+
+  void add_weights(const ChannelTarget& target, std::uint32_t instance, std::uint32_t channel) {
+    const std::size_t count = instance == kNone ? 0 : instances_.list[instance].rest_weights.size();
+    if (count == 0)
+      return log_.report(Rule::animation_no_morphs, place_of(channel), "the node has no mesh with morph targets; the channel is ignored");
+    const bool whole = target.element == kNone;
+    if (!whole && target.element >= count)
+      return log_.report(Rule::animation_pointer, place_of(channel), "there are " + std::to_string(count) +
+                             " weights, none of them is " + std::to_string(target.element) + "; the channel is ignored");
+    const std::uint32_t components = whole ? static_cast<std::uint32_t>(count) : 1;
+    if (auto data = read(channel, target, components))
+      weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
+  }
+
+  /// Default weights of a mesh: those of all nodes that show it and neither have nor animate weights of their own.
+  void add_mesh_weights(const ChannelTarget& target, std::uint32_t channel) {
+    for (std::uint32_t n = 0; n < document_.nodes.size(); ++n) {
+      const gltf::Node& node = document_.nodes[n];
+      if (node.mesh != target.node || !node.weights.empty()) continue;
+      const ChannelTarget own{AnimatedProperty::weights, n, target.element};
+      if (!taken_by(own)) add_weights(target, instances_.of_node[n], channel);
     }
   }
 
-  void add_weights(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
-    const std::uint32_t instance = instances_.of_node[target.node];
-    const std::size_t count = instance == kNone ? 0 : instances_.list[instance].rest_weights.size();
-    if (count == 0) return log_.report(Rule::animation_no_morphs, place, "the node has no mesh with morph targets; the channel is ignored");
-    auto data = read(channel, AnimatedProperty::weights, static_cast<std::uint32_t>(count));
+  void add_property(const ChannelTarget& target, std::uint32_t channel, const std::string& place) {
+    const std::uint32_t components = component_count(target.pointed.kind);
+    const auto data = read(channel, target, components);
     if (!data) return;
-    weights_[instance] = WeightTrack{data->interpolation, std::move(data->times_s), std::move(data->values), static_cast<std::uint32_t>(count)};
+    const auto indices = placements_.indices_in_scene(target.pointed, order_);
+    if (indices.empty()) log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
+    for (const std::uint32_t index : indices)
+      properties_[{target.pointed.kind, index, target.pointed.slot}] = number_track(*data, components);
   }
 
   const gltf::Document& document_;
   const JointOrder& order_;
   const Instances& instances_;
+  const Placements& placements_;
   IssueLog& log_;
   std::uint32_t index_ = 0;
   Animation out_;
   std::map<std::uint32_t, BoneAnimation> bones_;
-  std::map<std::uint32_t, WeightTrack> weights_;
-  std::map<std::pair<AnimatedProperty, std::uint32_t>, std::uint32_t> targets_;  ///< and the channel that has it
+  std::map<std::pair<std::uint32_t, std::uint32_t>, WeightTrack> weights_;  ///< by instance and first target
+  std::map<PropertyTarget, WeightTrack> properties_;
+  std::map<ChannelTarget, std::uint32_t> targets_;                          ///< and the channel that has it
 };
 
 }  // namespace
 
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
-                                   IssueLog& log) {
+                                   const Placements& placements, IssueLog& log) {
   std::vector<Animation> animations;
   animations.reserve(document.animations.size());
-  ClipBuilder builder(document, order, instances, log);
+  ClipBuilder builder(document, order, instances, placements, log);
   for (std::uint32_t a = 0; a < document.animations.size(); ++a) animations.push_back(builder.build(a));
   return animations;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "importer/build/build_instances.h"
+#include "importer/build/build_placements.h"
 #include "importer/build/joint_order.h"
 #include "importer/issue_log.h"
 #include "runtime/assets/bone_animation.h"
@@ -10,10 +11,10 @@
 namespace sinew {
 
 /// The animations in authoring form, keys as the file has them (G23). Of two channels with one target the first counts
-/// (G20).
+/// (G20), also where one moves a part of what the other moves (G58).
 /// err  those of read_channel_target and read_sampler
-/// warning also animation-duplicate, animation-no-morphs, rotation-length, rotation-zero
+/// warning also animation-duplicate, animation-no-morphs, animation-pointer, rotation-length, rotation-zero
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
-                                   IssueLog& log);
+                                   const Placements& placements, IssueLog& log);
 
 }  // namespace sinew

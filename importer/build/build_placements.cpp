@@ -5,6 +5,7 @@
 #include <string>
 
 #include "importer/file/json_pointer.h"
+#include "importer/read/extension_fields.h"
 
 namespace sinew {
 namespace {
@@ -63,10 +64,11 @@ Light build_light(const Json& json) {
   return light;
 }
 
-void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
+void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements, IssueLog& log) {
   constexpr const char* kLights = "KHR_lights_punctual";
   const Json* extension = member(document.extensions, kLights);
   const Json* list = extension != nullptr ? member(*extension, "lights") : nullptr;
+  if (list != nullptr && list->is_array()) placements.of_light.resize(list->size());
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
     const Json* use = member(document.nodes[n].extensions, kLights);
     const Json* index = use != nullptr ? member(*use, "light") : nullptr;
@@ -76,25 +78,51 @@ void build_lights(const gltf::Document& document, const JointOrder& order, Scene
       log.report(Rule::light_values, pointer("nodes", n, "extensions", kLights, "light"), "there is no such light; ignored");
       continue;
     }
+    placements.of_light[index->get<std::size_t>()].push_back(static_cast<std::uint32_t>(scene.lights.size()));
     scene.lights.push_back(build_light((*list)[index->get<std::size_t>()]));
     scene.lights.back().joint = order.joint_of_node[n];
   }
 }
 
+void build_cameras(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements, IssueLog& log) {
+  for (std::uint32_t c = 0; c < document.cameras.size(); ++c) {
+    scene.cameras.push_back(build_camera(document.cameras[c], c, log));
+    placements.of_camera.push_back({c});
+  }
+  for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
+    const std::uint32_t camera = document.nodes[n].camera;
+    if (camera == kNone) continue;
+    std::uint32_t placed = camera;
+    if (scene.cameras[camera].joint != kNone) {  // one camera on several nodes
+      placed = static_cast<std::uint32_t>(scene.cameras.size());
+      placements.of_camera[camera].push_back(placed);
+      scene.cameras.push_back(scene.cameras[camera]);
+    }
+    scene.cameras[placed].joint = order.joint_of_node[n];
+  }
+}
+
+void find_hidden_joints(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
+  for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
+    const ExtensionFields visibility(document.nodes[n].extensions, pointer("nodes", n), "KHR_node_visibility", log);
+    if (!visibility.boolean("visible", true)) scene.hidden_joints.push_back(order.joint_of_node[n]);
+  }
+}
+
 }  // namespace
 
-void build_placements(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
-  for (std::uint32_t c = 0; c < document.cameras.size(); ++c) scene.cameras.push_back(build_camera(document.cameras[c], c, log));
-  for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
-    if (const std::uint32_t camera = document.nodes[n].camera; camera != kNone) {
-      if (scene.cameras[camera].joint == kNone) {
-        scene.cameras[camera].joint = order.joint_of_node[n];
-      } else {
-        scene.cameras.push_back(scene.cameras[camera]);  // one camera on several nodes
-        scene.cameras.back().joint = order.joint_of_node[n];
-      }
-    }
-  build_lights(document, order, scene, log);
+std::vector<std::uint32_t> Placements::indices_in_scene(const PropertyTarget& target, const JointOrder& order) const {
+  if (target.kind == PropertyKind::node_visible) return {order.joint_of_node[target.index]};
+  if (target.kind <= PropertyKind::camera_far) return of_camera[target.index];
+  if (target.kind <= PropertyKind::light_outer_cone) return of_light[target.index];
+  return {target.index};
+}
+
+Placements build_placements(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log) {
+  Placements placements;
+  build_cameras(document, order, scene, placements, log);
+  build_lights(document, order, scene, placements, log);
+  find_hidden_joints(document, order, scene, log);
   for (const auto& source : document.scenes) {
     SceneRoots roots{source.name, {}};
     for (const std::uint32_t node : source.nodes) roots.joints.push_back(order.joint_of_node[node]);
@@ -102,6 +130,7 @@ void build_placements(const gltf::Document& document, const JointOrder& order, S
   }
   if (document.scene != kNone) scene.default_scene = document.scene;
   else if (!document.scenes.empty()) scene.default_scene = 0;
+  return placements;
 }
 
 }  // namespace sinew

@@ -40,7 +40,7 @@ std::vector<bool> find_animated_nodes(const gltf::Document& document) {
   for (std::uint32_t a = 0; a < document.animations.size(); ++a)
     for (std::uint32_t c = 0; c < document.animations[a].channels.size(); ++c) {
       const auto target = read_channel_target(document, a, c, unheard);
-      if (target && target->property != AnimatedProperty::weights) animated[target->node] = true;
+      if (target && target->moves_joint()) animated[target->node] = true;
     }
   return animated;
 }

@@ -18,7 +18,7 @@ constexpr std::string_view kRead[] = {
     "EXT_meshopt_compression",    "KHR_draco_mesh_compression",  "KHR_meshopt_compression",
     "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
     "KHR_mesh_quantization",      "KHR_texture_transform",       "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",        "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit",        "KHR_node_visibility",         "KHR_materials_pbrSpecularGlossiness",
 };
 
 /// These only refine how a surface reflects light.

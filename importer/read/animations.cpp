@@ -2,11 +2,11 @@
 #include "importer/read/animations.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "importer/read/property_pointer.h"
 
 namespace sinew {
 namespace {
@@ -22,42 +22,20 @@ std::optional<AnimatedProperty> property_of(std::string_view path) {
   return std::nullopt;
 }
 
-/// "/nodes/3/scale" into "nodes", 3, "scale".
-struct PointerParts {
-  std::string_view list;
-  std::uint32_t index = kNone;
-  std::string_view property;
-};
-
-std::optional<PointerParts> split_pointer(std::string_view text) {
-  if (text.empty() || text.front() != '/') return std::nullopt;
-  text.remove_prefix(1);
-  const auto first = text.find('/');
-  const auto second = first == text.npos ? first : text.find('/', first + 1);
-  if (second == text.npos) return std::nullopt;
-  PointerParts parts{text.substr(0, first), kNone, text.substr(second + 1)};
-  const auto digits = text.substr(first + 1, second - first - 1);
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), parts.index);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return parts;
-}
-
 /// KHR_animation_pointer: pointers to node properties behave as plain channels (G58).
 std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const gltf::AnimationChannel& channel,
                                           const std::string& place, IssueLog& log) {
-  const auto ignore = [&](const char* why) {
-    log.report(Rule::animation_pointer, place, in_quotes(channel.pointer) + " " + why + "; the channel is ignored");
-    return std::nullopt;
-  };
-  const auto parts = split_pointer(channel.pointer);
-  if (!parts) return ignore("is not a pointer that the runtime animates");
-  const auto property = property_of(parts->property);
-  if (parts->list != "nodes" || !property) return ignore("is not a property that the runtime animates");
-  if (parts->index >= document.nodes.size()) {
-    log.report(Rule::reference, place, in_quotes(channel.pointer) + " points past the end");
+  PointerFault fault;
+  const auto pointed = read_property_pointer(document, channel.pointer, fault);
+  if (!pointed) {
+    const Rule rule = fault.past_end ? Rule::reference : Rule::animation_pointer;
+    log.report(rule, place, in_quotes(channel.pointer) + " " + fault.text + (fault.past_end ? "" : "; the channel is ignored"));
     return std::nullopt;
   }
-  return ChannelTarget{*property, parts->index};
+  if (pointed->list == PointedProperty::List::meshes)
+    return ChannelTarget{AnimatedProperty::mesh_weights, pointed->index, pointed->element};
+  if (const auto property = property_of(pointed->node_path)) return ChannelTarget{*property, pointed->index, pointed->element};
+  return ChannelTarget{AnimatedProperty::pointed, kNone, kNone, pointed->target};
 }
 
 Interpolation interpolation_of(const std::string& word, const std::string& place, IssueLog& log) {
@@ -68,13 +46,28 @@ Interpolation interpolation_of(const std::string& word, const std::string& place
   return Interpolation::linear;
 }
 
-/// Translations and scales are floats; rotations and weights may be normalised integers (G17).
-bool output_format_fits(const gltf::Accessor& output, AnimatedProperty property) {
-  constexpr ElementType kTypes[] = {ElementType::vec3, ElementType::vec4, ElementType::vec3, ElementType::scalar};
-  if (output.type != kTypes[static_cast<std::size_t>(property)]) return false;
+ElementType element_type_of(const ChannelTarget& target) {
+  constexpr ElementType kOfCount[] = {ElementType::scalar, ElementType::scalar, ElementType::vec2, ElementType::vec3, ElementType::vec4};
+  switch (target.property) {
+    case AnimatedProperty::translation:
+    case AnimatedProperty::scale: return ElementType::vec3;
+    case AnimatedProperty::rotation: return ElementType::vec4;
+    case AnimatedProperty::weights:
+    case AnimatedProperty::mesh_weights: return ElementType::scalar;
+    case AnimatedProperty::pointed: break;
+  }
+  return kOfCount[component_count(target.pointed.kind)];
+}
+
+/// Translations and scales are floats; rotations and weights may be normalised integers (G17), pointed properties any
+/// integers, flags are bytes (G58).
+bool output_format_fits(const gltf::Accessor& output, const ChannelTarget& target) {
+  if (output.type != element_type_of(target)) return false;
+  if (target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind))
+    return output.component_type == ComponentType::u8 && !output.normalized;
   if (output.component_type == ComponentType::f32) return true;
-  const bool may_be_integer = property == AnimatedProperty::rotation || property == AnimatedProperty::weights;
-  return may_be_integer && output.component_type != ComponentType::u32;
+  const bool vector = target.property == AnimatedProperty::translation || target.property == AnimatedProperty::scale;
+  return !vector && output.component_type != ComponentType::u32;
 }
 
 class SamplerReader {
@@ -83,10 +76,12 @@ class SamplerReader {
       : document_(document), sampler_(document.animations[animation].samplers[sampler]),
         place_(pointer("animations", animation, "samplers", sampler)), log_(log) {}
 
-  std::optional<SamplerData> read(AnimatedProperty property, std::uint32_t components) {
+  std::optional<SamplerData> read(const ChannelTarget& target, std::uint32_t components) {
     SamplerData data;
     data.interpolation = interpolation_of(sampler_.interpolation, place_, log_);
-    if (!check_shape(property, components, data.interpolation)) return std::nullopt;
+    const bool flag = target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind);
+    if (flag && data.interpolation != Interpolation::step && !step_instead(data.interpolation)) return std::nullopt;
+    if (!check_shape(target, components, data.interpolation)) return std::nullopt;
     warn_stride(sampler_.input, "input"), warn_stride(sampler_.output, "output");
     data.times_s = read_floats(document_, sampler_.input);
     if (!check_times(data.times_s)) return std::nullopt;
@@ -95,17 +90,28 @@ class SamplerReader {
       log_.report(Rule::animation_values, pointer(place_, "output"), "holds NaN or infinity; channels that use it are left out");
       return std::nullopt;
     }
+    if (flag)
+      for (float& value : data.values) value = value != 0.0f ? 1.0f : 0.0f;
     return data;
   }
 
  private:
-  bool check_shape(AnimatedProperty property, std::uint32_t components, Interpolation interpolation) {
+  /// There is nothing between on and off. Keys with tangents are no list of flags.
+  bool step_instead(Interpolation& interpolation) {
+    const bool usable = interpolation == Interpolation::linear;
+    log_.report(Rule::animation_flag, pointer(place_, "interpolation"),
+                in_quotes(sampler_.interpolation) + (usable ? "; STEP is used" : "; channels that use it are left out"));
+    interpolation = Interpolation::step;
+    return usable;
+  }
+
+  bool check_shape(const ChannelTarget& target, std::uint32_t components, Interpolation interpolation) {
     const gltf::Accessor &input = document_.accessors[sampler_.input], &output = document_.accessors[sampler_.output];
     if (input.type != ElementType::scalar || input.component_type != ComponentType::f32) {
       log_.report(Rule::animation_input, pointer(place_, "input"), "key times are not scalar floats");
       return false;
     }
-    if (!output_format_fits(output, property)) {
+    if (!output_format_fits(output, target)) {
       log_.report(Rule::animation_output, pointer(place_, "output"), "has not the type that the animated property needs");
       return false;
     }
@@ -118,7 +124,8 @@ class SamplerReader {
       log_.report(Rule::animation_cubic_keys, pointer(place_, "input"), "one key for CUBICSPLINE; channels that use it are left out");
       return false;
     }
-    const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (property == AnimatedProperty::weights ? components : 1u);
+    const bool weights = target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
+    const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (weights ? components : 1u);
     if (output.count == input.count * per_key) return true;
     log_.report(Rule::animation_output, pointer(place_, "output"), std::to_string(output.count) + " values for " +
                     std::to_string(input.count) + " keys that need " + std::to_string(per_key) + " each");
@@ -176,8 +183,8 @@ std::optional<ChannelTarget> read_channel_target(const gltf::Document& document,
 }
 
 std::optional<SamplerData> read_sampler(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler,
-                                        AnimatedProperty property, std::uint32_t components, IssueLog& log) {
-  return SamplerReader(document, animation, sampler, log).read(property, components);
+                                        const ChannelTarget& target, std::uint32_t components, IssueLog& log) {
+  return SamplerReader(document, animation, sampler, log).read(target, components);
 }
 
 }  // namespace sinew

@@ -50,6 +50,14 @@ ExtensionFields ExtensionFields::object(const char* field) const {
   return {value, pointer(place_, field), log_};
 }
 
+bool ExtensionFields::boolean(const char* field, bool fallback) const {
+  const Json* value = find(field);
+  if (value == nullptr) return fallback;
+  if (value->is_boolean()) return value->get<bool>();
+  complain(field, "true or false");
+  return fallback;
+}
+
 double ExtensionFields::number(const char* field, double fallback, double lower, double upper) const {
   const Json* value = find(field);
   if (value == nullptr) return fallback;

@@ -22,6 +22,8 @@ class ExtensionFields {
   /// An object within this one, for example a texture.
   ExtensionFields object(const char* field) const;
 
+  bool boolean(const char* field, bool fallback) const;
+
   double number(const char* field, double fallback, double lower = -kAny, double upper = kAny) const;
 
   /// Fills `count` numbers, or leaves them all as they are.

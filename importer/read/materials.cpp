@@ -63,9 +63,9 @@ class MaterialReader {
 
   void read_emission() {
     const ExtensionFields extension(source_.extensions, place_, "KHR_materials_emissive_strength", log_);
-    const auto strength = static_cast<float>(extension.number("emissiveStrength", 1.0, 0.0));
+    out_.emissive_strength = static_cast<float>(extension.number("emissiveStrength", 1.0, 0.0));
     for (int c = 0; c < 3; ++c)
-      out_.emissive[c] = strength * clamped(source_.emissive[static_cast<std::size_t>(c)], place_, "emissiveFactor");
+      out_.emissive[c] = clamped(source_.emissive[static_cast<std::size_t>(c)], place_, "emissiveFactor");
     out_.emissive_texture = read_texture_use(source_.emissive_texture, pointer(place_, "emissiveTexture"), log_);
   }
 

@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Every material in metallic-roughness form, with KHR_materials_unlit and KHR_materials_emissive_strength (multiplied
-/// into `emissive`). KHR_materials_pbrSpecularGlossiness is approximated unless the file brings a metallic-roughness
+/// Every material in metallic-roughness form, with KHR_materials_unlit and KHR_materials_emissive_strength.
+/// KHR_materials_pbrSpecularGlossiness is approximated unless the file brings a metallic-roughness
 /// version of its own, which is then its author's choice for readers like this one.
 /// in   references in range.   out  as many as document.materials, in their order
 /// warning material-values, material-approximated, extension-value

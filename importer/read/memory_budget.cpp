@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "importer/read/accessor.h"
+#include "importer/read/property_pointer.h"
 
 namespace sinew {
 namespace {
@@ -29,6 +31,38 @@ class Budget {
   std::uint64_t total_ = 0;
 };
 
+/// How many nodes one channel moves something for: each gets a track of its own.
+class Users {
+ public:
+  explicit Users(const gltf::Document& document) : document_(document), meshes_(document.meshes.size()), cameras_(document.cameras.size()) {
+    for (const auto& node : document.nodes) {
+      if (node.mesh != kNone) ++meshes_[node.mesh];
+      if (node.camera != kNone) ++cameras_[node.camera];
+      lights_ += node.extensions.is_object() && node.extensions.contains("KHR_lights_punctual");
+    }
+  }
+
+  std::uint64_t of(const gltf::AnimationChannel& channel) const {
+    if (channel.path != "pointer") return 1;
+    PointerFault unheard;
+    const auto pointed = read_property_pointer(document_, channel.pointer, unheard);
+    if (!pointed) return 1;
+    switch (pointed->list) {
+      case PointedProperty::List::meshes: return meshes_[pointed->index];
+      case PointedProperty::List::cameras: return cameras_[pointed->index];
+      case PointedProperty::List::lights: return lights_;
+      case PointedProperty::List::nodes:
+      case PointedProperty::List::materials: break;
+    }
+    return 1;
+  }
+
+ private:
+  const gltf::Document& document_;
+  std::vector<std::uint64_t> meshes_, cameras_;
+  std::uint64_t lights_ = 0;
+};
+
 }  // namespace
 
 void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log) {
@@ -42,10 +76,11 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
         for (const auto& [name, accessor] : target.attributes) budget.add(accessor);
       budget.add(primitive.indices, 3);  // a strip unrolls to three times its length
     }
+  const Users users(document);
   for (const auto& animation : document.animations)
     for (const auto& channel : animation.channels) {
-      budget.add(animation.samplers[channel.sampler].input);
-      budget.add(animation.samplers[channel.sampler].output);
+      budget.add(animation.samplers[channel.sampler].input, users.of(channel));
+      budget.add(animation.samplers[channel.sampler].output, users.of(channel));
     }
   for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
   const std::uint64_t allowed = std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));

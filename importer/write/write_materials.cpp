@@ -56,13 +56,14 @@ tinygltf::Material written(const Material& material, tinygltf::Model& model) {
   reference(material.occlusion_texture, model, out.occlusionTexture);
   out.occlusionTexture.strength = material.occlusion_strength;
   reference(material.emissive_texture, model, out.emissiveTexture);
-  // Above 1 the factor needs KHR_materials_emissive_strength: a power of two, so that the product is exact.
+  // A factor is at most 1: what is above goes into the strength, as a power of two, so that the product is exact.
   const auto& e = material.emissive;
+  const float largest = std::max({e.x, e.y, e.z});
   int exponent = 0;
-  std::frexp(std::max({1.0f, e.x, e.y, e.z}), &exponent);
-  const float strength = std::max({e.x, e.y, e.z}) > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f;
-  out.emissiveFactor = {e.x / strength, e.y / strength, e.z / strength};
-  if (strength > 1.0f) {
+  std::frexp(std::max(1.0f, largest), &exponent);
+  const float excess = largest > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f, strength = material.emissive_strength * excess;
+  out.emissiveFactor = {e.x / excess, e.y / excess, e.z / excess};
+  if (strength != 1.0f) {
     out.extensions["KHR_materials_emissive_strength"] =
         tinygltf::Value(Object{{"emissiveStrength", tinygltf::Value(static_cast<double>(strength))}});
     declare_extension(model, "KHR_materials_emissive_strength");

@@ -233,7 +233,7 @@ TEST(build_clips, G58_pointers_to_node_properties_are_plain_channels) {
   ASSERT_EQ(outcome(with_pointer("/nodes/0/scale")), "ok");
   EXPECT_EQ(with_pointer("/nodes/0/scale")->scene.animations[0].bones[0].scale.key_count(), 2u);
   EXPECT_EQ(outcome(with_pointer("/nodes/7/scale")), "reference at /animations/0/channels/0/target");
-  for (const char* other : {"/materials/0/alphaCutoff", "/nodes/0/matrix", "/nodes/x/scale", "/nodes/0", "nodes/0/scale", "", "/nodes/-1/scale"})
+  for (const char* other : {"/materials/0/doubleSided", "/nodes/0/matrix", "/nodes/x/scale", "/nodes/0", "nodes/0/scale", "", "/nodes/-1/scale"})
     EXPECT_TRUE(warns(with_pointer(other), "animation-pointer", "/animations/0/channels/0/target")) << other;
 }
 

@@ -56,7 +56,8 @@ Scene rich_scene() {
   material.alpha_mode = AlphaMode::mask;
   material.alpha_cutoff = 0.25f;
   material.double_sided = true;
-  material.emissive = {2.0f, 1.0f, 0.5f};
+  material.emissive = {1.0f, 0.5f, 0.25f};
+  material.emissive_strength = 2.0f;
   Primitive& floor = scene.meshes[0].primitives[0];
   floor.texcoords.emplace_back(floor.vertex_count(), glm::vec2(0.5f, 0.25f));
   Camera camera;

@@ -144,7 +144,8 @@ TEST(read_materials, multiply_emission_by_its_strength) {
       Json::parse(R"({"KHR_materials_emissive_strength": {"emissiveStrength": 8}, "KHR_materials_unlit": {}})");
   const auto [m, warnings] = read_one(source);
   EXPECT_THAT(warnings, IsEmpty());
-  EXPECT_EQ(m.emissive, glm::vec3(4, 8, 0));
+  EXPECT_EQ(m.emissive, glm::vec3(0.5f, 1, 0));
+  EXPECT_EQ(m.emissive_strength, 8.0f);
   EXPECT_TRUE(m.unlit);
 }
 

@@ -137,6 +137,7 @@ void expect_same_materials(const Scene& a, const Scene& b) {
     EXPECT_EQ(x.metallic, y.metallic);
     EXPECT_EQ(x.roughness, y.roughness);
     EXPECT_EQ(x.emissive, y.emissive);
+    EXPECT_EQ(x.emissive_strength, y.emissive_strength);
     EXPECT_EQ(x.alpha_mode, y.alpha_mode);
     EXPECT_EQ(x.alpha_cutoff, y.alpha_cutoff);
     EXPECT_EQ(x.double_sided, y.double_sided);

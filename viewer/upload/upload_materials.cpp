@@ -22,7 +22,7 @@ TextureUseUniforms texture_use(const TextureUse& use) noexcept {
 
 MaterialUniforms material_uniforms(const Material& m) noexcept {
   return {m.base_color,
-          glm::vec4(m.emissive, m.alpha_cutoff),
+          glm::vec4(m.emissive * m.emissive_strength, m.alpha_cutoff),
           {m.metallic, m.roughness, m.normal_scale, m.occlusion_strength},
           {m.unlit ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f},
           {texture_use(m.base_color_texture), texture_use(m.metallic_roughness_texture), texture_use(m.normal_texture),

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/property_pointer.h"
+
+#include <charconv>
+#include <utility>
+
+namespace sinew {
+namespace {
+
+using gltf::Json;
+using List = PointedProperty::List;
+using Kind = PropertyKind;
+
+constexpr std::pair<std::string_view, List> kLists[] = {
+    {"/nodes/", List::nodes},
+    {"/meshes/", List::meshes},
+    {"/cameras/", List::cameras},
+    {"/extensions/KHR_lights_punctual/lights/", List::lights},
+    {"/materials/", List::materials}};
+
+struct Row {
+  List list;
+  std::string_view path;
+  Kind kind;
+};
+constexpr Row kRows[] = {
+    {List::nodes, "extensions/KHR_node_visibility/visible", Kind::node_visible},
+    {List::cameras, "perspective/yfov", Kind::camera_fov_y},
+    {List::cameras, "perspective/aspectRatio", Kind::camera_aspect},
+    {List::cameras, "perspective/znear", Kind::camera_near},
+    {List::cameras, "perspective/zfar", Kind::camera_far},
+    {List::cameras, "orthographic/xmag", Kind::camera_half_width},
+    {List::cameras, "orthographic/ymag", Kind::camera_half_height},
+    {List::cameras, "orthographic/znear", Kind::camera_near},
+    {List::cameras, "orthographic/zfar", Kind::camera_far},
+    {List::lights, "color", Kind::light_color},
+    {List::lights, "intensity", Kind::light_intensity},
+    {List::lights, "range", Kind::light_range},
+    {List::lights, "spot/innerConeAngle", Kind::light_inner_cone},
+    {List::lights, "spot/outerConeAngle", Kind::light_outer_cone},
+    {List::materials, "pbrMetallicRoughness/baseColorFactor", Kind::base_color},
+    {List::materials, "pbrMetallicRoughness/metallicFactor", Kind::metallic},
+    {List::materials, "pbrMetallicRoughness/roughnessFactor", Kind::roughness},
+    {List::materials, "normalTexture/scale", Kind::normal_scale},
+    {List::materials, "occlusionTexture/strength", Kind::occlusion_strength},
+    {List::materials, "emissiveFactor", Kind::emissive},
+    {List::materials, "extensions/KHR_materials_emissive_strength/emissiveStrength", Kind::emissive_strength},
+    {List::materials, "alphaCutoff", Kind::alpha_cutoff}};
+
+constexpr std::pair<std::string_view, TextureSlot> kTextures[] = {
+    {"pbrMetallicRoughness/baseColorTexture", TextureSlot::base_color},
+    {"pbrMetallicRoughness/metallicRoughnessTexture", TextureSlot::metallic_roughness},
+    {"normalTexture", TextureSlot::normal},
+    {"occlusionTexture", TextureSlot::occlusion},
+    {"emissiveTexture", TextureSlot::emissive}};
+constexpr std::pair<std::string_view, Kind> kTransforms[] = {{"/extensions/KHR_texture_transform/offset", Kind::texture_offset},
+                                                             {"/extensions/KHR_texture_transform/rotation", Kind::texture_rotation},
+                                                             {"/extensions/KHR_texture_transform/scale", Kind::texture_scale}};
+
+bool take(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+/// Array indices of RFC 6901: digits without a leading zero.
+std::optional<std::uint32_t> take_index(std::string_view& text) {
+  std::uint32_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  const auto length = static_cast<std::size_t>(end - text.data());
+  if (error != std::errc() || (length > 1 && text.front() == '0')) return std::nullopt;
+  text.remove_prefix(length);
+  return index;
+}
+
+const Json* member(const Json* object, const char* name) {
+  if (object == nullptr || !object->is_object()) return nullptr;
+  const auto found = object->find(name);
+  return found == object->end() ? nullptr : &*found;
+}
+
+const Json* lights_of(const gltf::Document& document) {
+  const Json* list = member(member(&document.extensions, "KHR_lights_punctual"), "lights");
+  return list != nullptr && list->is_array() ? list : nullptr;
+}
+
+std::size_t size_of(const gltf::Document& document, List list) {
+  switch (list) {
+    case List::nodes: return document.nodes.size();
+    case List::meshes: return document.meshes.size();
+    case List::cameras: return document.cameras.size();
+    case List::materials: return document.materials.size();
+    case List::lights: break;
+  }
+  const Json* lights = lights_of(document);
+  return lights == nullptr ? 0 : lights->size();
+}
+
+const gltf::TextureInfo& texture_info(const gltf::Material& material, TextureSlot slot) {
+  switch (slot) {
+    case TextureSlot::metallic_roughness: return material.metallic_roughness_texture;
+    case TextureSlot::normal: return material.normal_texture;
+    case TextureSlot::occlusion: return material.occlusion_texture;
+    case TextureSlot::emissive: return material.emissive_texture;
+    case TextureSlot::base_color: break;
+  }
+  return material.base_color_texture;
+}
+
+bool camera_defines(const gltf::Camera& camera, std::string_view path, Kind kind) {
+  if (camera.perspective != path.starts_with("perspective")) return false;
+  if (kind == Kind::camera_aspect) return camera.aspect != 0.0;
+  return kind != Kind::camera_far || camera.zfar != 0.0;
+}
+
+bool light_defines(const gltf::Document& document, std::uint32_t index, Kind kind) {
+  const Json* light = &(*lights_of(document))[index];
+  if (kind == Kind::light_range) return member(light, "range") != nullptr;
+  const bool cone = kind == Kind::light_inner_cone || kind == Kind::light_outer_cone;
+  return !cone || member(light, "spot") != nullptr;
+}
+
+bool material_defines(const gltf::Material& material, const PropertyTarget& target) {
+  switch (target.kind) {
+    case Kind::normal_scale: return material.normal_texture.index != kNone;
+    case Kind::occlusion_strength: return material.occlusion_texture.index != kNone;
+    case Kind::emissive_strength: return member(&material.extensions, "KHR_materials_emissive_strength") != nullptr;
+    case Kind::texture_offset:
+    case Kind::texture_rotation:
+    case Kind::texture_scale: {
+      const gltf::TextureInfo& info = texture_info(material, target.slot);
+      return info.index != kNone && member(&info.extensions, "KHR_texture_transform") != nullptr;
+    }
+    default: return true;
+  }
+}
+
+/// The object that holds the property is there, and the property too unless it has a default.
+bool is_defined(const gltf::Document& document, List list, std::string_view path, const PropertyTarget& target) {
+  switch (list) {
+    case List::nodes: return member(&document.nodes[target.index].extensions, "KHR_node_visibility") != nullptr;
+    case List::cameras: return camera_defines(document.cameras[target.index], path, target.kind);
+    case List::lights: return light_defines(document, target.index, target.kind);
+    case List::materials: return material_defines(document.materials[target.index], target);
+    case List::meshes: break;
+  }
+  return true;
+}
+
+/// "weights/3" of a node or mesh, or a whole property of a node.
+bool read_node_path(std::string_view path, PointedProperty& out) {
+  if (path == "weights") {
+    out.node_path = "weights";
+    return true;
+  }
+  if (std::string_view rest = path; take(rest, "weights/")) {
+    const auto element = take_index(rest);
+    if (!element || !rest.empty()) return false;
+    out.node_path = "weights", out.element = *element;
+    return true;
+  }
+  if (out.list != List::nodes) return false;
+  for (const std::string_view name : {"translation", "rotation", "scale"})
+    if (path == name) out.node_path = name;
+  return !out.node_path.empty();
+}
+
+std::optional<PropertyTarget> find_target(List list, std::string_view path) {
+  for (const Row& row : kRows)
+    if (row.list == list && row.path == path) return PropertyTarget{row.kind, 0, TextureSlot::base_color};
+  if (list != List::materials) return std::nullopt;
+  for (const auto& [texture, slot] : kTextures)
+    if (std::string_view rest = path; take(rest, texture))
+      for (const auto& [transform, kind] : kTransforms)
+        if (rest == transform) return PropertyTarget{kind, 0, slot};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text, PointerFault& fault) {
+  const auto fail = [&](const char* why) {
+    fault.text = why;
+    return std::nullopt;
+  };
+  PointedProperty out;
+  std::string_view path;
+  for (const auto& [prefix, list] : kLists)
+    if (std::string_view rest = text; path.empty() && take(rest, prefix)) path = rest, out.list = list;
+  const auto index = take_index(path);
+  if (!index || !take(path, "/")) return fail("is not a pointer that the runtime animates");
+  out.index = *index;
+  const bool on_node = (out.list == List::nodes || out.list == List::meshes) && read_node_path(path, out);
+  const auto target = on_node ? PropertyTarget{} : find_target(out.list, path);
+  if (!target) return fail("is not a property that the runtime animates");
+  if (*index >= size_of(document, out.list)) {
+    fault.past_end = true;
+    return fail("points past the end");
+  }
+  out.target = *target;
+  out.target.index = out.index;
+  if (!on_node && !is_defined(document, out.list, path, out.target)) return fail("is not defined in the file and has no default");
+  return out;
+}
+
+}  // namespace sinew
