@@ -34,6 +34,7 @@ ImportResult<std::vector<std::byte>> export_glb(const Scene& scene, const Export
   write::write_materials(scene, model);
   begin("writing meshes", 0.3);
   write::write_meshes(scene, model, buffer);
+  write::write_variants(scene, model);
   write::write_cameras_and_lights(scene, model);
   begin("writing clips", 0.6);
   const std::vector<int> node_of_instance = write::write_nodes(scene, model, buffer);

@@ -32,6 +32,7 @@
 #include "importer/read/materials.h"
 #include "importer/read/textures.h"
 #include "importer/read/memory_budget.h"
+#include "importer/read/variants.h"
 
 namespace sinew {
 namespace {
@@ -121,13 +122,14 @@ class Import {
     scene.skins = build_skins(document_, order, log_);
     scene.materials = read_materials(document_, log_);
     scene.textures = read_textures(document_, log_);
+    scene.variants = read_variants(document_, log_);
     if (!go_on()) return false;
     scene.meshes = build_meshes(document_, options_, log_);
     if (!go_on()) return false;
     check_texcoords(scene, log_);
     Instances instances = build_instances(document_, order, scene.meshes, log_);
     const Placements placements = build_placements(document_, order, scene, log_);
-    scene.animations = build_clips(document_, order, instances, placements, log_);
+    scene.animations = build_clips(document_, order, instances, placements, options_, log_);
     scene.instances = std::move(instances.list);
     progress("images", 0.7);
     scene.images = read_images(document_, options_, log_);

@@ -23,6 +23,8 @@ struct ImportOptions {
   bool make_centers_of_rotation = false;               ///< of skinned meshes, for Skinning::center_of_rotation; may take long
   std::filesystem::path centers_cache;                 ///< folder that keeps them for the next import; empty = none
   bool check_bounds = false;                           ///< compare min and max of accessors, which are never used, with the data
+  bool animate_default_weights = true;                 ///< what moves mesh.weights moves the nodes without weights of their own;
+                                                       ///< false: only channels of nodes do
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;   ///< of the file and all that it refers to
   std::uint64_t max_unpacked_bytes = std::uint64_t{16} << 30;  ///< decompressed, and as vertices and keys; at most 64 MiB + 64 x file
   std::uint32_t max_nodes = 1'000'000;                 ///< and accessors, buffer views, meshes; of other lists at most 65536

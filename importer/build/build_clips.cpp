@@ -49,8 +49,8 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
 class ClipBuilder {
  public:
   ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances, const Placements& placements,
-              IssueLog& log)
-      : document_(document), order_(order), instances_(instances), placements_(placements), log_(log) {}
+              const ImportOptions& options, IssueLog& log)
+      : document_(document), order_(order), instances_(instances), placements_(placements), options_(options), log_(log) {}
 
   Animation build(std::uint32_t animation) {
     index_ = animation;
@@ -59,7 +59,7 @@ class ClipBuilder {
     out_.name = document_.animations[animation].name;
     for (std::uint32_t c = 0; c < document_.animations[animation].channels.size(); ++c) add_channel(c);
     for (const auto& [target, channel] : targets_)
-      if (target.property == AnimatedProperty::mesh_weights) add_mesh_weights(target, channel);
+      if (target.property == AnimatedProperty::mesh_weights && options_.animate_default_weights) add_mesh_weights(target, channel);
     for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
     for (auto& [first, track] : weights_) out_.weights.push_back({first.first, std::move(track), first.second});
     for (auto& [target, track] : properties_) out_.properties.push_back({target, std::move(track)});
@@ -162,6 +162,7 @@ class ClipBuilder {
   const JointOrder& order_;
   const Instances& instances_;
   const Placements& placements_;
+  const ImportOptions& options_;
   IssueLog& log_;
   std::uint32_t index_ = 0;
   Animation out_;
@@ -174,10 +175,10 @@ class ClipBuilder {
 }  // namespace
 
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
-                                   const Placements& placements, IssueLog& log) {
+                                   const Placements& placements, const ImportOptions& options, IssueLog& log) {
   std::vector<Animation> animations;
   animations.reserve(document.animations.size());
-  ClipBuilder builder(document, order, instances, placements, log);
+  ClipBuilder builder(document, order, instances, placements, options, log);
   for (std::uint32_t a = 0; a < document.animations.size(); ++a) animations.push_back(builder.build(a));
   return animations;
 }

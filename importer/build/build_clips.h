@@ -5,6 +5,7 @@
 #include "importer/build/build_instances.h"
 #include "importer/build/build_placements.h"
 #include "importer/build/joint_order.h"
+#include "importer/import_gltf.h"
 #include "importer/issue_log.h"
 #include "runtime/assets/bone_animation.h"
 
@@ -15,6 +16,6 @@ namespace sinew {
 /// err  those of read_channel_target and read_sampler
 /// warning also animation-duplicate, animation-no-morphs, animation-pointer, rotation-length, rotation-zero
 std::vector<Animation> build_clips(const gltf::Document& document, const JointOrder& order, const Instances& instances,
-                                   const Placements& placements, IssueLog& log);
+                                   const Placements& placements, const ImportOptions& options, IssueLog& log);
 
 }  // namespace sinew

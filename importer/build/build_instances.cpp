@@ -5,6 +5,7 @@
 #include <string>
 
 #include "importer/file/json_pointer.h"
+#include "importer/read/mesh_copies.h"
 #include "runtime/math/negligible.h"
 
 namespace sinew {
@@ -36,8 +37,14 @@ Instances build_instances(const gltf::Document& document, const JointOrder& orde
       if (!node.weights.empty()) log.report(Rule::node_weights_count, pointer("nodes", n, "weights"), "the node has no mesh; ignored");
       continue;
     }
+    auto copies = read_mesh_copies(document, n, log);
+    if (copies && node.skin != kNone) {
+      log.report(Rule::instancing_skin, pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"), "the mesh has a skin; shown once");
+      copies.reset();
+    }
+    if (copies && copies->empty()) continue;
     const Mesh& mesh = meshes[node.mesh];
-    MeshInstance instance{order.joint_of_node[n], node.mesh, node.skin, rest_weights(node, n, mesh, log)};
+    MeshInstance instance{order.joint_of_node[n], node.mesh, node.skin, rest_weights(node, n, mesh, log), copies.value_or(std::vector<Transform>{})};
     if (node.skin != kNone && !is_skinned(mesh)) {
       log.report(Rule::node_skin_unused, pointer("nodes", n, "skin"), "no primitive of the mesh has joints and weights; ignored");
       instance.skin = kNone;

@@ -8,6 +8,7 @@
 #include "importer/build/build_morph_sets.h"
 #include "importer/build/group_vertices.h"
 #include "importer/file/json_pointer.h"
+#include "importer/read/variants.h"
 #include "importer/topology/normals.h"
 #include "importer/topology/tangents.h"
 #include "runtime/math/negligible.h"
@@ -48,10 +49,18 @@ std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t 
   return own != transform->end() && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
 }
 
+/// The same of a primitive: its own material, else the first variant's that has a normal map.
+std::uint32_t normal_map_texcoord(const gltf::Document& document, const Primitive& primitive) {
+  std::uint32_t set = normal_map_texcoord(document, primitive.material);
+  for (const VariantMaterial& other : primitive.variant_materials)
+    if (set == kNone) set = normal_map_texcoord(document, other.material);
+  return set;
+}
+
 void make_missing(const gltf::Document& document, const ImportOptions& options, Primitive& primitive) {
   if (primitive.topology != Topology::triangles || primitive.indices.empty()) return;
   if (options.make_normals && primitive.normals.empty()) make_flat_normals(primitive);
-  const std::uint32_t set = normal_map_texcoord(document, primitive.material);
+  const std::uint32_t set = normal_map_texcoord(document, primitive);
   if (options.make_tangents && primitive.tangents.empty() && !primitive.normals.empty() && set < primitive.texcoords.size())
     make_tangents(primitive, set);
 }
@@ -68,6 +77,7 @@ Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, st
   if (broken()) return {};
   group_vertices(primitive, merged);
   build_morph_set(document, mesh, index, targets, primitive, log);
+  primitive.variant_materials = read_variant_materials(document, mesh, index, log);
   for (const auto& p : primitive.positions) primitive.bounds.add(p);
   if (broken()) return {};
   make_missing(document, options, primitive);

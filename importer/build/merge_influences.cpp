@@ -21,7 +21,7 @@ constexpr double kRounding = 0x1p-24;
 /// What was odd, counted over all vertices so that each kind is reported once.
 struct Oddities {
   std::size_t negative = 0, zero_sum = 0, repeated = 0, unused_out_of_range = 0, off_sum = 0;
-  double worst_deviation = 0.0;
+  double worst_deviation = 0.0, sum_of_deviations = 0.0;
 };
 
 /// Four elements as a rule, mostly in order: there insertion beats the general sort, which allocates.
@@ -94,7 +94,10 @@ class Merger {
     }
     const double deviation = std::abs(sum_ - 1.0);
     odd_.worst_deviation = std::max(odd_.worst_deviation, deviation);
-    if (deviation > 2e-7 * static_cast<double>(vertex_.size())) ++odd_.off_sum;
+    if (deviation > 2e-7 * static_cast<double>(vertex_.size())) {
+      ++odd_.off_sum;
+      odd_.sum_of_deviations += deviation;
+    }
     sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
     std::size_t kept = 0;
     for (std::size_t i = 1; i < vertex_.size(); ++i) {
@@ -116,7 +119,9 @@ class Merger {
       if (count > 0) log_.report(rule, place_, std::to_string(count) + " " + what);
     };
     say(odd_.off_sum, Rule::weights_sum, "vertices have weights that do not add up to 1, the worst is off by " +
-                                             std::to_string(odd_.worst_deviation) + "; divided by their sum");
+                                             std::to_string(odd_.worst_deviation) + ", on average they are by " +
+                                             std::to_string(odd_.sum_of_deviations / static_cast<double>(std::max<std::size_t>(odd_.off_sum, 1))) +
+                                             "; divided by their sum");
     say(odd_.zero_sum, Rule::weights_zero, "vertices have no weight at all; joint slot 0 moves them");
     say(odd_.negative, Rule::weights_negative, "weights are negative; taken as zero");
     say(odd_.repeated, Rule::joint_repeated, "weights repeat a joint of their vertex; added up");

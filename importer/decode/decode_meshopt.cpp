@@ -21,7 +21,7 @@ constexpr JsonValueShape kSize{.kind = JsonKind::integer, .lower = 0, .upper = 9
 constexpr JsonValueShape kCount{.kind = JsonKind::integer, .lower = 1, .upper = 4294967295.0};
 constexpr JsonValueShape kStride{.kind = JsonKind::integer, .lower = 2, .upper = 256};
 constexpr std::string_view kModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
-constexpr std::string_view kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+constexpr std::string_view kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
 constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
                                         {"byteOffset", kSize},
                                         {"byteLength", kSize, true},
@@ -72,6 +72,15 @@ std::string fault(const Stream& s, const gltf::BufferView& view) {
   return {};
 }
 
+/// What the library at hand cannot decode, though the extension allows it; empty = nothing. The low half of the first byte
+/// is the version of the codec.
+std::string unknown_to_decoder(const Stream& s, gltf::Bytes encoded) {
+  if (s.filter == "COLOR") return "the filter COLOR";
+  if (s.mode != "ATTRIBUTES" || encoded.empty()) return {};
+  const auto first = std::to_integer<unsigned>(encoded.front());
+  return (first & 0xf0u) == 0xa0u && (first & 0x0fu) > 0 ? "version " + std::to_string(first & 0x0fu) + " of the attribute codec" : "";
+}
+
 bool decode(const Stream& s, gltf::Bytes encoded, std::vector<std::byte>& out) {
   const auto* data = reinterpret_cast<const unsigned char*>(encoded.data());
   const auto count = static_cast<std::size_t>(s.count), stride = static_cast<std::size_t>(s.stride);
@@ -104,11 +113,16 @@ void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budg
                           pointer("buffers", stream.buffer));
   if (const std::string broken = fault(stream, view); !broken.empty())
     return log.report(Rule::decode_failed, place, broken);
+  const auto encoded = source.subspan(static_cast<std::size_t>(stream.offset), static_cast<std::size_t>(stream.length));
+  if (const std::string unknown = unknown_to_decoder(stream, encoded); !unknown.empty()) {
+    const bool has_copy = !view.bytes.empty();
+    return log.report(has_copy ? Rule::meshopt_fallback : Rule::meshopt_version, place,
+                      unknown + " is not supported" + (has_copy ? "; the uncompressed copy is read" : ""));
+  }
   if (!budget.take(stream.decoded_bytes()))
     return log.report(Rule::memory_budget, place, "decoding would take more memory than a file of this size may");
 
   std::vector<std::byte> decoded(static_cast<std::size_t>(stream.decoded_bytes()));
-  const auto encoded = source.subspan(static_cast<std::size_t>(stream.offset), static_cast<std::size_t>(stream.length));
   if (!decode(stream, encoded, decoded))
     return log.report(Rule::decode_failed, place, "the " + stream.mode + " stream is damaged");
   document.storage.push_back(std::move(decoded));

@@ -19,14 +19,15 @@ constexpr std::string_view kRead[] = {
     "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
     "KHR_mesh_quantization",      "KHR_texture_transform",       "KHR_materials_emissive_strength",
     "KHR_materials_unlit",        "KHR_node_visibility",         "KHR_materials_pbrSpecularGlossiness",
+    "EXT_mesh_gpu_instancing",    "KHR_materials_variants",
 };
 
-/// These only refine how a surface reflects light.
+/// These only refine how a surface reflects light, or say who made the file.
 constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",   "KHR_materials_clearcoat",     "KHR_materials_dispersion",
     "KHR_materials_ior",          "KHR_materials_iridescence",   "KHR_materials_sheen",
-    "KHR_materials_specular",     "KHR_materials_transmission",  "KHR_materials_variants",
-    "KHR_materials_volume",
+    "KHR_materials_specular",     "KHR_materials_transmission",  "KHR_materials_volume",
+    "KHR_materials_diffuse_transmission", "KHR_xmp_json_ld",
 };
 
 struct Version {

@@ -161,18 +161,44 @@ class Emptying {
     for (auto& skin : marked(d_.skins, Quarantine::skins)) *skin = {};
   }
 
-  bool has_broken_mesh(const gltf::Node& node) const {
-    const auto first = primitives_.lower_bound({node.mesh, 0});
-    return node.mesh != kNone && (is(Quarantine::meshes, node.mesh) || (first != primitives_.end() && first->first == node.mesh));
+  bool has_broken_primitive(std::uint32_t mesh) const {
+    const auto first = primitives_.lower_bound({mesh, 0});
+    return is(Quarantine::meshes, mesh) || (first != primitives_.end() && first->first == mesh);
+  }
+
+  bool has_broken_mesh(const gltf::Node& node) const { return node.mesh != kNone && has_broken_primitive(node.mesh); }
+
+  bool has_broken_copies(const gltf::Node& node) const {
+    const Json::json_pointer place("/EXT_mesh_gpu_instancing/attributes");
+    if (!node.extensions.contains(place)) return false;
+    const Json& attributes = node.extensions.at(place);
+    return std::any_of(attributes.begin(), attributes.end(), [&](const Json& accessor) {
+      return accessor.is_number_unsigned() && accessor.get<std::uint64_t>() < d_.accessors.size() &&
+             is(Quarantine::accessors, accessor.get<std::uint32_t>());
+    });
   }
 
   void empty_nodes() {
     for (std::uint32_t n = 0; n < d_.nodes.size(); ++n) {
       auto& node = d_.nodes[n];
+      if (has_broken_copies(node)) log_.mute(pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"));
       if (is(Quarantine::skins, node.skin)) node.skin = kNone;
       if (has_broken_mesh(node)) log_.mute(pointer("nodes", n, "skin")), log_.mute(pointer("nodes", n, "weights"));
     }
     for (auto& node : marked(d_.nodes, Quarantine::nodes)) *node = {};
+  }
+
+  bool is_broken_node(std::uint32_t node) const {
+    return is(Quarantine::nodes, node) || (node < d_.nodes.size() && has_broken_mesh(d_.nodes[node]));
+  }
+
+  /// What a channel moves: its node, or what its pointer names.
+  bool has_broken_target(const gltf::AnimationChannel& channel) const {
+    const auto place = parse_place(channel.pointer);
+    if (!place) return is_broken_node(channel.node);
+    if (place->list == Quarantine::nodes) return is_broken_node(place->index);
+    if (place->list == Quarantine::meshes) return has_broken_primitive(place->index);
+    return broken_[place->list].contains(place->index);
   }
 
   void empty_animations() {
@@ -181,11 +207,8 @@ class Emptying {
       for (std::uint32_t s = 0; s < animation.samplers.size(); ++s)
         if (is(Quarantine::accessors, animation.samplers[s].input) || is(Quarantine::accessors, animation.samplers[s].output))
           log_.mute(pointer("animations", a, "samplers", s));
-      for (std::uint32_t c = 0; c < animation.channels.size(); ++c) {
-        const std::uint32_t node = animation.channels[c].node;
-        if (is(Quarantine::nodes, node) || (node < d_.nodes.size() && has_broken_mesh(d_.nodes[node])))
-          log_.mute(pointer("animations", a, "channels", c, "target"));
-      }
+      for (std::uint32_t c = 0; c < animation.channels.size(); ++c)
+        if (has_broken_target(animation.channels[c])) log_.mute(pointer("animations", a, "channels", c, "target"));
     }
     for (auto& animation : marked(d_.animations, Quarantine::animations)) *animation = {};
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "importer/read/accessor.h"
+#include "importer/read/mesh_copies.h"
 #include "importer/read/property_pointer.h"
 
 namespace sinew {
@@ -82,6 +83,9 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
       budget.add(animation.samplers[channel.sampler].input, users.of(channel));
       budget.add(animation.samplers[channel.sampler].output, users.of(channel));
     }
+  IssueLog unheard;  // build_instances reports what is odd about these
+  for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
+    for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) budget.add(accessor, 3);
   for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
   const std::uint64_t allowed = std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));
   if (budget.total() > allowed)

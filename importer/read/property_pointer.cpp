@@ -176,7 +176,34 @@ std::optional<PropertyTarget> find_target(List list, std::string_view path) {
   return std::nullopt;
 }
 
+List list_of(PropertyKind kind) {
+  if (kind == Kind::node_visible) return List::nodes;
+  if (kind <= Kind::camera_far) return List::cameras;
+  return kind <= Kind::light_outer_cone ? List::lights : List::materials;
+}
+
+std::string path_of(const PropertyTarget& target, bool orthographic) {
+  for (const auto& [transform, kind] : kTransforms)
+    if (kind == target.kind)
+      for (const auto& [texture, slot] : kTextures)
+        if (slot == target.slot) return std::string(texture) + std::string(transform);
+  for (const Row& row : kRows)
+    if (row.kind == target.kind && (row.list != List::cameras || row.path.starts_with("orthographic") == orthographic))
+      return std::string(row.path);
+  return {};
+}
+
 }  // namespace
+
+std::string property_pointer(const PropertyTarget& target, const Scene& scene) {
+  const List list = list_of(target.kind);
+  const std::uint32_t index = list == List::nodes ? scene.skeleton.node_of_joint[target.index] : target.index;
+  const bool orthographic = list == List::cameras && !scene.cameras[target.index].perspective;
+  std::string text;
+  for (const auto& [prefix, named] : kLists)
+    if (named == list) text = prefix;
+  return text + std::to_string(index) + "/" + path_of(target, orthographic);
+}
 
 std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text, PointerFault& fault) {
   const auto fail = [&](const char* why) {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "importer/file/document.h"
-#include "runtime/assets/property_track.h"
+#include "runtime/assets/scene.h"
 
 namespace sinew {
 
@@ -28,5 +28,8 @@ struct PointerFault {
   bool past_end = false;
 };
 std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text, PointerFault& fault);
+
+/// The pointer of a property of a scene whose lists are written in their order, nodes by Skeleton::node_of_joint.
+std::string property_pointer(const PropertyTarget& target, const Scene& scene);
 
 }  // namespace sinew

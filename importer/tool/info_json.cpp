@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
+#include "importer/read/property_pointer.h"
 #include "importer/tool/skin_statistics.h"
 
 namespace sinew::tool {
@@ -87,7 +89,7 @@ struct ChannelTally {
   std::uint64_t channels = 0, keys = 0, most_keys = 0, bytes = 0;
 
   template <class AnyTrack>
-  void add(const char* property, const AnyTrack& track) {
+  void add(const std::string& property, const AnyTrack& track) {
     if (track.empty()) return;
     ++channels;
     keys += track.key_count();
@@ -98,7 +100,7 @@ struct ChannelTally {
   }
 };
 
-Json clip_json(const Animation& animation, const Clip& clip) {
+Json clip_json(const Scene& scene, const Animation& animation, const Clip& clip) {
   ChannelTally tally;
   for (const BoneAnimation& bone : animation.bones) {
     tally.add("translation", bone.translation);
@@ -106,6 +108,10 @@ Json clip_json(const Animation& animation, const Clip& clip) {
     tally.add("scale", bone.scale);
   }
   for (const WeightAnimation& morph : animation.weights) tally.add("weights", morph.weights);
+  for (const PropertyTrack& track : animation.properties) {
+    const std::string pointer = property_pointer(track.target, scene);
+    tally.add(pointer.substr(pointer.rfind('/') + 1), track.values);
+  }
   return {{"name", animation.name},
           {"duration_s", animation.duration_s},
           {"channels", tally.channels},
@@ -124,7 +130,8 @@ Json instance_json(const Scene& scene, const MeshInstance& instance) {
           {"node_name", scene.skeleton.names[instance.joint]},
           {"mesh", instance.mesh},
           {"skin", index_or_null(instance.skin)},
-          {"rest_weights", instance.rest_weights}};
+          {"rest_weights", instance.rest_weights},
+          {"copies", std::max<std::size_t>(instance.copies.size(), 1)}};
 }
 
 Json material_json(const Material& material) {
@@ -226,7 +233,9 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
   for (std::uint32_t s = 0; s < scene.skins.size(); ++s) out["skins"].push_back(skin_json(scene, s));
   out["clips"] = Json::array();
   for (std::size_t i = 0; i < scene.animations.size(); ++i)
-    out["clips"].push_back(clip_json(scene.animations[i], scene.clips[i]));
+    out["clips"].push_back(clip_json(scene, scene.animations[i], scene.clips[i]));
+  out["hidden_nodes"] = array_of(scene.hidden_joints, [&](std::uint32_t joint) { return node_of(scene, joint); });
+  out["variants"] = scene.variants;
   out["materials"] = array_of(scene.materials, material_json);
   out["images"] = array_of(scene.images, image_json);
   out["cameras"] = array_of(scene.cameras, [&](const Camera& c) { return camera_json(scene, c); });

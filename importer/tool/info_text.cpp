@@ -2,6 +2,7 @@
 #include "importer/tool/info_text.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -26,6 +27,13 @@ std::string pairs(const Json& object, const char* separator) {
   std::string out;
   for (const auto& [key, value] : object.items())
     out += fmt::format("{}{}{}{}", out.empty() ? "" : ", ", key, separator, value.dump());
+  return out;
+}
+
+/// "a", "b" of an array with names.
+std::string names(const Json& list) {
+  std::string out;
+  for (const Json& name : list) out += (out.empty() ? "" : ", ") + quoted(name);
   return out;
 }
 
@@ -86,6 +94,7 @@ class InfoText {
     const Json& nodes = info_["nodes"];
     line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(), nodes["depth"].dump(),
          info_["scenes"].dump());
+    if (!info_["hidden_nodes"].empty()) line("hidden nodes: {}", info_["hidden_nodes"].size());
   }
 
   /// A heading with the count, then one row per entry, numbered; `cells` says what follows number and name.
@@ -108,7 +117,9 @@ class InfoText {
   }
 
   void meshes() {
-    line("mesh instances: {}", info_["mesh_instances"].size());
+    std::uint64_t shown = 0;
+    for (const Json& instance : info_["mesh_instances"]) shown += instance["copies"].get<std::uint64_t>();
+    line("mesh instances: {}, shown {} times", info_["mesh_instances"].size(), shown);
     table("meshes", info_["meshes"], {"vertices", "triangles", "primitives", "morph targets"}, [](const Json& m) {
       return std::vector{m["vertices"].dump(), m["triangles"].dump(), std::to_string(m["primitives"].size()),
                          m.contains("morph_targets") ? std::to_string(m["morph_targets"].size()) : std::string()};
@@ -138,6 +149,7 @@ class InfoText {
   }
 
   void materials() {
+    if (!info_["variants"].empty()) line("material variants: {}", names(info_["variants"]));
     table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"}, [](const Json& m) {
       return std::vector{text_of(m["alpha"]), flag(m["double_sided"], "both"), flag(m["unlit"], "unlit"), number(m["metallic"]),
                          number(m["roughness"]), texture_names(m["textures"])};

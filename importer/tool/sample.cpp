@@ -115,6 +115,7 @@ ExitCode sample_file(const SampleOptions& options) {
   const auto asks_for = [&](const char* kind) { return options.skinning == kind || options.skinning == "all"; };
   const PoseContent content{asks_for("linear"), asks_for("dual-quaternion"), asks_for("center-of-rotation"), *limit};
   import.make_centers_of_rotation = content.center_of_rotation;
+  import.animate_default_weights = false;  // a pose file holds what channels of nodes move
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto tasks = tasks_for(file->scene, options);

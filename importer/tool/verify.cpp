@@ -93,6 +93,7 @@ ExitCode verify_file(const VerifyOptions& options) {
   ImportOptions import;
   import.decode_images = false;
   import.make_centers_of_rotation = holds_centers(*golden, options.exact);
+  import.animate_default_weights = false;  // a pose file holds what channels of nodes move
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
 

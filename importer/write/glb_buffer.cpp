@@ -72,6 +72,20 @@ int GlbBuffer::add(std::span<const glm::vec4> values) {
   return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::vertices);
 }
 
+int GlbBuffer::add_numbers(std::span<const float> values, std::uint32_t components) {
+  const int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
+  return add_accessor(std::as_bytes(values), values.size() / components, types[components - 1], TINYGLTF_COMPONENT_TYPE_FLOAT,
+                      ViewUse::other);
+}
+
+int GlbBuffer::add_flags(std::span<const float> values) {
+  std::vector<std::uint8_t> flags;
+  flags.reserve(values.size());
+  for (const float value : values) flags.push_back(value >= 0.5f);
+  return add_accessor(std::as_bytes(std::span(flags)), flags.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                      ViewUse::other);
+}
+
 int GlbBuffer::add_rotations(std::span<const glm::quat> values) {
   std::vector<glm::vec4> xyzw;
   xyzw.reserve(values.size());

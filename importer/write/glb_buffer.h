@@ -24,6 +24,9 @@ class GlbBuffer {
   int add(std::span<const glm::vec2> values);
   int add(std::span<const glm::vec3> values, bool with_bounds = false, ViewUse use = ViewUse::vertices);
   int add(std::span<const glm::vec4> values);
+  /// Values of `components` numbers each, 1 to 4.
+  int add_numbers(std::span<const float> values, std::uint32_t components);
+  int add_flags(std::span<const float> values);
   int add_rotations(std::span<const glm::quat> values);
   int add_indices(std::span<const std::uint32_t> values);
   int add_joints(std::span<const std::uint16_t> four_per_vertex);

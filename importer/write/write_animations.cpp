@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 
+#include "importer/read/property_pointer.h"
 #include "importer/write/write_scene.h"
 
 namespace sinew::write {
@@ -23,21 +24,19 @@ class AnimationWriter {
   explicit AnimationWriter(GlbBuffer& buffer) : buffer_(buffer) {}
 
   bool add(int node, const char* path, Interpolation interpolation, const std::vector<float>& times_s, int values) {
-    const char* name = name_of(interpolation);
-    if (!name) return false;
-    auto [found, is_new] = times_.try_emplace(times_s, -1);
-    if (is_new) found->second = buffer_.add(std::span<const float>(times_s), true);
-    tinygltf::AnimationSampler sampler;
-    sampler.input = found->second;
-    sampler.output = values;
-    sampler.interpolation = name;
     tinygltf::AnimationChannel channel;
-    channel.sampler = static_cast<int>(out.samplers.size());
     channel.target_node = node;
     channel.target_path = path;
-    out.samplers.push_back(std::move(sampler));
-    out.channels.push_back(std::move(channel));
-    return true;
+    return add(std::move(channel), interpolation, times_s, values);
+  }
+
+  /// What a pointer into the document names.
+  bool add(const std::string& pointer, Interpolation interpolation, const std::vector<float>& times_s, int values) {
+    tinygltf::AnimationChannel channel;
+    has_pointers_ = true;
+    channel.target_path = "pointer";
+    channel.target_extensions["KHR_animation_pointer"] = tinygltf::Value(tinygltf::Value::Object{{"pointer", tinygltf::Value(pointer)}});
+    return add(std::move(channel), interpolation, times_s, values);
   }
 
   /// Keeps the place of an animation that moves nothing: readers ignore a channel without node.
@@ -46,11 +45,29 @@ class AnimationWriter {
     add(-1, "translation", Interpolation::step, {0.0f}, buffer_.add(std::span<const glm::vec3>(value), false, ViewUse::other));
   }
 
+  bool has_pointers() const noexcept { return has_pointers_; }
+
   tinygltf::Animation out;
 
  private:
+  bool add(tinygltf::AnimationChannel channel, Interpolation interpolation, const std::vector<float>& times_s, int values) {
+    const char* name = name_of(interpolation);
+    if (!name) return false;
+    auto [found, is_new] = times_.try_emplace(times_s, -1);
+    if (is_new) found->second = buffer_.add(std::span<const float>(times_s), true);
+    tinygltf::AnimationSampler sampler;
+    sampler.input = found->second;
+    sampler.output = values;
+    sampler.interpolation = name;
+    channel.sampler = static_cast<int>(out.samplers.size());
+    out.samplers.push_back(std::move(sampler));
+    out.channels.push_back(std::move(channel));
+    return true;
+  }
+
   GlbBuffer& buffer_;
   std::map<std::vector<float>, int> times_;
+  bool has_pointers_ = false;
 };
 
 bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbBuffer& buffer) {
@@ -64,6 +81,23 @@ bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbB
   return ok;
 }
 
+/// All weights of a node, or one of them.
+bool add_weights(const WeightAnimation& animated, const Scene& scene, int node, AnimationWriter& writer, GlbBuffer& buffer) {
+  const WeightTrack& track = animated.weights;
+  const int values = buffer.add(std::span<const float>(track.values));
+  if (track.target_count == scene.instances[animated.instance].rest_weights.size())
+    return writer.add(node, "weights", track.interpolation, track.times_s, values);
+  if (track.target_count != 1) return false;
+  return writer.add("/nodes/" + std::to_string(node) + "/weights/" + std::to_string(animated.first_target), track.interpolation,
+                    track.times_s, values);
+}
+
+bool add_property(const PropertyTrack& track, const Scene& scene, AnimationWriter& writer, GlbBuffer& buffer) {
+  const WeightTrack& values = track.values;
+  const int accessor = is_flag(track.target.kind) ? buffer.add_flags(values.values) : buffer.add_numbers(values.values, values.target_count);
+  return writer.add(property_pointer(track.target, scene), values.interpolation, values.times_s, accessor);
+}
+
 }  // namespace
 
 std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance, tinygltf::Model& model,
@@ -75,9 +109,9 @@ std::optional<ImportIssue> write_animations(const Scene& scene, const std::vecto
     bool ok = true;
     for (const auto& bone : animation.bones)
       ok &= add_bone(bone, static_cast<int>(scene.skeleton.node_of_joint[bone.joint]), writer, buffer);
-    for (const auto& w : animation.weights)
-      ok &= writer.add(node_of_instance[w.instance], "weights", w.weights.interpolation, w.weights.times_s,
-                       buffer.add(std::span<const float>(w.weights.values)));
+    for (const auto& w : animation.weights) ok &= add_weights(w, scene, node_of_instance[w.instance], writer, buffer);
+    for (const auto& property : animation.properties) ok &= add_property(property, scene, writer, buffer);
+    if (writer.has_pointers()) declare_extension(model, "KHR_animation_pointer");
     if (ok && writer.out.channels.empty()) writer.add_nothing();
     if (!ok)
       return ImportIssue{Severity::error, "squad-in-gltf", "/animations/" + std::to_string(a),

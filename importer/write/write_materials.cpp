@@ -12,8 +12,9 @@ namespace {
 using Object = tinygltf::Value::Object;
 using Array = tinygltf::Value::Array;
 
-bool has_transform(const TextureUse& use) {
-  return use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
+/// Also where nothing is transformed at rest: what a clip moves has to be there.
+bool has_transform(const TextureUse& use, bool animated) {
+  return animated || use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
 }
 
 tinygltf::Value pair(const glm::vec2& v) {
@@ -22,11 +23,11 @@ tinygltf::Value pair(const glm::vec2& v) {
 
 /// Fills the fields that every kind of texture reference has.
 template <class Info>
-void reference(const TextureUse& use, tinygltf::Model& model, Info& info) {
+void reference(const TextureUse& use, bool animated, tinygltf::Model& model, Info& info) {
   if (!use.used()) return;
   info.index = static_cast<int>(use.texture);
   info.texCoord = static_cast<int>(use.texcoord);
-  if (!has_transform(use)) return;
+  if (!has_transform(use, animated)) return;
   info.extensions["KHR_texture_transform"] = tinygltf::Value(Object{{"offset", pair(use.offset)},
                                                                     {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
                                                                     {"scale", pair(use.scale)}});
@@ -42,20 +43,37 @@ const char* name_of(AlphaMode mode) {
   return "OPAQUE";
 }
 
-tinygltf::Material written(const Material& material, tinygltf::Model& model) {
+/// What clips move of one material.
+class MovedParts {
+ public:
+  MovedParts(const PropertyTable& table, std::uint32_t material) : table_(table), material_(material) {}
+
+  bool strength() const { return moves(PropertyKind::emissive_strength, TextureSlot::base_color); }
+  bool texture(TextureSlot slot) const {
+    return moves(PropertyKind::texture_offset, slot) || moves(PropertyKind::texture_rotation, slot) || moves(PropertyKind::texture_scale, slot);
+  }
+
+ private:
+  bool moves(PropertyKind kind, TextureSlot slot) const { return table_.find({kind, material_, slot}) != nullptr; }
+
+  const PropertyTable& table_;
+  std::uint32_t material_;
+};
+
+tinygltf::Material written(const Material& material, const MovedParts& moved, tinygltf::Model& model) {
   tinygltf::Material out;
   out.name = material.name;
   const auto& c = material.base_color;
   out.pbrMetallicRoughness.baseColorFactor = {c.x, c.y, c.z, c.w};
   out.pbrMetallicRoughness.metallicFactor = material.metallic;
   out.pbrMetallicRoughness.roughnessFactor = material.roughness;
-  reference(material.base_color_texture, model, out.pbrMetallicRoughness.baseColorTexture);
-  reference(material.metallic_roughness_texture, model, out.pbrMetallicRoughness.metallicRoughnessTexture);
-  reference(material.normal_texture, model, out.normalTexture);
+  reference(material.base_color_texture, moved.texture(TextureSlot::base_color), model, out.pbrMetallicRoughness.baseColorTexture);
+  reference(material.metallic_roughness_texture, moved.texture(TextureSlot::metallic_roughness), model, out.pbrMetallicRoughness.metallicRoughnessTexture);
+  reference(material.normal_texture, moved.texture(TextureSlot::normal), model, out.normalTexture);
   out.normalTexture.scale = material.normal_scale;
-  reference(material.occlusion_texture, model, out.occlusionTexture);
+  reference(material.occlusion_texture, moved.texture(TextureSlot::occlusion), model, out.occlusionTexture);
   out.occlusionTexture.strength = material.occlusion_strength;
-  reference(material.emissive_texture, model, out.emissiveTexture);
+  reference(material.emissive_texture, moved.texture(TextureSlot::emissive), model, out.emissiveTexture);
   // A factor is at most 1: what is above goes into the strength, as a power of two, so that the product is exact.
   const auto& e = material.emissive;
   const float largest = std::max({e.x, e.y, e.z});
@@ -63,7 +81,7 @@ tinygltf::Material written(const Material& material, tinygltf::Model& model) {
   std::frexp(std::max(1.0f, largest), &exponent);
   const float excess = largest > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f, strength = material.emissive_strength * excess;
   out.emissiveFactor = {e.x / excess, e.y / excess, e.z / excess};
-  if (strength != 1.0f) {
+  if (strength != 1.0f || moved.strength()) {
     out.extensions["KHR_materials_emissive_strength"] =
         tinygltf::Value(Object{{"emissiveStrength", tinygltf::Value(static_cast<double>(strength))}});
     declare_extension(model, "KHR_materials_emissive_strength");
@@ -98,7 +116,8 @@ int wrap_of(Wrap wrap) {
 }  // namespace
 
 void write_materials(const Scene& scene, tinygltf::Model& model) {
-  for (const auto& material : scene.materials) model.materials.push_back(written(material, model));
+  for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
+    model.materials.push_back(written(scene.materials[m], MovedParts(scene.properties, m), model));
 }
 
 void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {

@@ -28,7 +28,37 @@ void attach(const MeshInstance& instance, const Scene& scene, tinygltf::Node& no
     node.weights.assign(instance.rest_weights.begin(), instance.rest_weights.end());
 }
 
-std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model) {
+/// EXT_mesh_gpu_instancing.
+void write_copies(const std::vector<Transform>& copies, tinygltf::Model& model, std::size_t node, GlbBuffer& buffer) {
+  if (copies.empty()) return;
+  declare_extension(model, "EXT_mesh_gpu_instancing");
+  std::vector<glm::vec3> translations, scales;
+  std::vector<glm::quat> rotations;
+  for (const Transform& copy : copies)
+    translations.push_back(copy.translation), rotations.push_back(copy.rotation), scales.push_back(copy.scale);
+  const auto vectors = [&](const std::vector<glm::vec3>& v) {
+    return tinygltf::Value(buffer.add(std::span<const glm::vec3>(v), false, ViewUse::other));
+  };
+  tinygltf::Value::Object attributes{{"TRANSLATION", vectors(translations)},
+                                     {"ROTATION", tinygltf::Value(buffer.add_rotations(rotations))},
+                                     {"SCALE", vectors(scales)}};
+  model.nodes[node].extensions["EXT_mesh_gpu_instancing"] =
+      tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(attributes))}});
+}
+
+/// KHR_node_visibility, also where a clip hides what is shown at rest.
+void write_visibility(const Scene& scene, tinygltf::Model& model) {
+  const auto write = [&](std::uint32_t joint, bool visible) {
+    declare_extension(model, "KHR_node_visibility");
+    model.nodes[scene.skeleton.node_of_joint[joint]].extensions["KHR_node_visibility"] =
+        tinygltf::Value(tinygltf::Value::Object{{"visible", tinygltf::Value(visible)}});
+  };
+  for (const PropertyTable::Entry& entry : scene.properties.entries)
+    if (entry.target.kind == PropertyKind::node_visible) write(entry.target.index, true);
+  for (const std::uint32_t joint : scene.hidden_joints) write(joint, false);
+}
+
+std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
   std::vector<int> node_of_instance;
   for (const auto& instance : scene.instances) {
     int node = static_cast<int>(scene.skeleton.node_of_joint[instance.joint]);
@@ -39,6 +69,7 @@ std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model) {
       node = child;
     }
     attach(instance, scene, model.nodes[static_cast<std::size_t>(node)]);
+    write_copies(instance.copies, model, static_cast<std::size_t>(node), buffer);
     node_of_instance.push_back(node);
   }
   return node_of_instance;
@@ -82,7 +113,8 @@ std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuff
     model.scenes.push_back(std::move(out));
   }
   if (scene.default_scene != kNone) model.defaultScene = static_cast<int>(scene.default_scene);
-  return write_instances(scene, model);
+  write_visibility(scene, model);
+  return write_instances(scene, model, buffer);
 }
 
 }  // namespace sinew::write

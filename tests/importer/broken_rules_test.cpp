@@ -162,6 +162,30 @@ TEST(broken_rules, what_only_suffers_from_an_error_is_not_reported) {
   EXPECT_EQ(issues[0].rule, "accessor-fit");
 }
 
+TEST(broken_rules, copies_of_a_mesh_and_pointers_that_only_suffer_from_an_error_are_not_reported) {
+  TinyGltf file;
+  file.add_triangle();
+  const std::size_t broken = file.vec3({0, 0, 0, 1, 2, 3}), whole = file.vec3({1, 1, 1, 2, 2, 2});
+  file.root["accessors"][broken]["count"] = 100;
+  file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = broken;
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", broken}, {"SCALE", whole}};
+  file.animate("pointer", file.times({0, 1}), file.scalars({0, 1}));
+  file.root["animations"][0]["channels"][0]["target"] =
+      Json{{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/meshes/0/weights"}}}}}};
+  const auto issues = issues_of(file.import());
+  ASSERT_EQ(issues.size(), 1u) << list(issues);
+  EXPECT_EQ(issues[0].rule, "accessor-fit");
+}
+
+TEST(broken_rules, errors_of_copies_are_found_beside_errors_of_earlier_steps) {
+  TinyGltf file;
+  file.add_triangle()["indices"] = file.add<std::uint16_t>({0, 1, 7}, "SCALAR", 5123, 1);
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"SCALE", file.scalars({1, 2})}};
+  std::set<std::string> places;
+  for (const auto& issue : issues_of(file.import())) places.insert(issue.json_pointer);
+  EXPECT_EQ(places, (std::set<std::string>{"/meshes/0/primitives/0/indices", "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE"}));
+}
+
 TEST(broken_rules, all_nodes_of_a_cycle_are_named_and_the_rest_of_the_file_is_checked) {
   const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[2]},{"children":[0]},{"mesh":3}],)"
                            R"("accessors":[{"componentType":5126,"count":1,"type":"SCALAR","bufferView":4}]})";

@@ -159,7 +159,7 @@ TEST(decode_meshopt, G61_refuses_descriptions_that_break_the_extension) {
       {"count", "x", "json-type", "/count", ""},
       {"mode", "MAGIC", "json-type", "/mode", ""},
       {"mode", "TRIANGLES", "decode-failed", "", "2 or 4 bytes"},
-      {"filter", "COLOR", "json-type", "/filter", ""},
+      {"filter", "SEPIA", "json-type", "/filter", ""},
       {"filter", "OCTAHEDRAL", "decode-failed", "", "4 or 8 bytes"},
       {"filter", "QUATERNION", "decode-failed", "", "8 bytes"},
       {"buffer", 7, "reference", "/buffer", "index 7 of 2"},
@@ -183,6 +183,35 @@ TEST(decode_meshopt, G61_refuses_a_view_with_another_stride) {
   auto document = compressed(encode_vertices(some_floats(300), 12), 100, 12, "ATTRIBUTES");
   document.buffer_views[0].byte_stride = 16;
   EXPECT_THAT(error_of(document).detail, HasSubstr("byteStride differs"));
+}
+
+/// A stream that the extension allows and the library at hand does not know: a filter, or a later version of the codec.
+gltf::Document unknown_stream(bool filter) {
+  std::vector<unsigned char> stream = encode_vertices(some_floats(300), 12);
+  if (!filter) stream[0] = 0xa1;
+  return compressed(stream, 100, 12, "ATTRIBUTES", filter ? "COLOR" : nullptr, "KHR_meshopt_compression");
+}
+
+TEST(decode_meshopt, G61_refuses_versions_and_filters_that_it_does_not_know_by_their_rule) {
+  for (const bool filter : {false, true}) {
+    const ImportIssue issue = error_of(unknown_stream(filter));
+    EXPECT_EQ(issue.rule, "meshopt-version");
+    EXPECT_EQ(issue.json_pointer, "/bufferViews/0/extensions/KHR_meshopt_compression");
+  }
+}
+
+TEST(decode_meshopt, G61_reads_the_uncompressed_copy_of_what_it_does_not_know) {
+  for (const bool filter : {false, true}) {
+    gltf::Document document = unknown_stream(filter);
+    document.storage.emplace_back(1200, std::byte{7});
+    document.buffer_views[0].bytes = document.storage.back();
+    IssueLog log;
+    DecodeBudget budget(1000);
+    decode_meshopt(document, budget, log);
+    EXPECT_TRUE(log.ok());
+    EXPECT_EQ(document.buffer_views[0].bytes[5], std::byte{7});
+    EXPECT_EQ(log.take_warnings().at(0).rule, "meshopt-fallback");
+  }
 }
 
 TEST(decode_meshopt, refuses_triangles_that_are_not_whole) {

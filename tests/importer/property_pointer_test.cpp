@@ -228,6 +228,7 @@ TEST(property_pointer, G58_default_weights_of_a_mesh_move_the_nodes_without_thei
   ASSERT_THAT(result->scene.animations[0].weights, SizeIs(2)) << "node 2 has weights";
   EXPECT_EQ(result->scene.animations[0].weights[0].instance, 0u);
   EXPECT_EQ(result->scene.animations[0].weights[1].instance, 1u);
+  EXPECT_THAT(animated("/meshes/0/weights/0", 1).import({.animate_default_weights = false})->scene.animations[0].weights, IsEmpty());
   const auto own = twice("/meshes/0/weights/0", pointing_at("/nodes/1/weights/0"), 1).import();
   ASSERT_THAT(own->scene.animations[0].weights, SizeIs(2));
   EXPECT_FALSE(warns(own, "animation-duplicate", "/animations/0/channels/1/target")) << "the node's own go first";

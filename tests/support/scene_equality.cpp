@@ -44,6 +44,7 @@ void expect_same(const Primitive& a, const Primitive& b) {
   EXPECT_TRUE(a.texcoords == b.texcoords);
   EXPECT_TRUE(a.colors == b.colors);
   EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.variant_materials, b.variant_materials);
   EXPECT_EQ(a.flat_normals, b.flat_normals);
   EXPECT_EQ(a.bounds.lower, b.bounds.lower);
   EXPECT_EQ(a.bounds.upper, b.bounds.upper);
@@ -71,6 +72,8 @@ void expect_same_skeletons(const Scene& a, const Scene& b) {
   EXPECT_TRUE(s.fixed_matrices == t.fixed_matrices);
   EXPECT_EQ(s.fixed_matrix_of, t.fixed_matrix_of);
   EXPECT_EQ(s.level_begin, t.level_begin);
+  EXPECT_EQ(a.hidden_joints, b.hidden_joints);
+  EXPECT_EQ(a.variants, b.variants);
   ASSERT_EQ(a.skins.size(), b.skins.size());
   for (std::size_t i = 0; i < a.skins.size(); ++i) {
     EXPECT_EQ(a.skins[i].name, b.skins[i].name);
@@ -84,6 +87,7 @@ void expect_same_skeletons(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.instances[i].mesh, b.instances[i].mesh);
     EXPECT_EQ(a.instances[i].skin, b.instances[i].skin);
     EXPECT_EQ(a.instances[i].rest_weights, b.instances[i].rest_weights);
+    EXPECT_TRUE(a.instances[i].copies == b.instances[i].copies);
   }
 }
 
@@ -114,7 +118,14 @@ void expect_same_animations(const Scene& a, const Scene& b) {
     for (std::size_t j = 0; j < x.weights.size(); ++j) {
       EXPECT_EQ(x.weights[j].instance, y.weights[j].instance);
       EXPECT_EQ(x.weights[j].weights.target_count, y.weights[j].weights.target_count);
+      EXPECT_EQ(x.weights[j].first_target, y.weights[j].first_target);
       expect_same_track(x.weights[j].weights, y.weights[j].weights, "weights");
+    }
+    ASSERT_EQ(x.properties.size(), y.properties.size());
+    for (std::size_t j = 0; j < x.properties.size(); ++j) {
+      EXPECT_EQ(x.properties[j].target, y.properties[j].target);
+      EXPECT_EQ(x.properties[j].values.target_count, y.properties[j].values.target_count);
+      expect_same_track(x.properties[j].values, y.properties[j].values, "property");
     }
   }
 }

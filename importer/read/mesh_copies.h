@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+#include "runtime/math/transform.h"
+
+namespace sinew {
+
+/// Accessors of EXT_mesh_gpu_instancing on a node, by name; empty where the node has none.
+/// err  reference;  warning extension-value
+std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node, IssueLog& log);
+
+/// Where the copies of a node's mesh stand, in the node's space. Nothing without the extension or after an error; an empty
+/// list shows nothing.
+/// err  those of copy_attributes, instancing-attributes, not-finite;  warning rotation-zero, rotation-length
+std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node, IssueLog& log);
+
+}  // namespace sinew

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+#include "runtime/assets/mesh.h"
+
+namespace sinew {
+
+/// Names of the file's material variants (KHR_materials_variants).
+/// warning extension-value
+std::vector<std::string> read_variants(const gltf::Document& document, IssueLog& log);
+
+/// The materials that variants give a primitive. Of two for one variant the first counts.
+/// warning extension-value: what names no variant or material is ignored
+std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
+                                                    IssueLog& log);
+
+}  // namespace sinew
