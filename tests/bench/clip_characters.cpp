@@ -35,6 +35,7 @@ void add_clips(const std::string& name, const Scene& scene, std::vector<std::sha
 
 Animation joints_of(Animation animation) {
   animation.weights.clear();
+  animation.properties.clear();
   return animation;
 }
 
