@@ -6,10 +6,13 @@
 #include <memory>
 
 #include "runtime/base/contract.h"
+#include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/pose.h"
 #include "runtime/plan/find_hidden.h"
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/frame_input.h"
 #include "runtime/plan/plan_stages.h"
 #include "runtime/plan/sign_pairs.h"
 
@@ -144,6 +147,24 @@ bool is_mask(const std::vector<float>& mask, std::size_t joint_count) {
   return mask.size() == joint_count && std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
 }
 
+/// Room for that many layers that add: frames with more are evaluated even where nothing changes.
+constexpr std::size_t kKeptAddingLayers = 8;
+
+void place_tables(Plan& plan, BlockLayout& block) {
+  const Scene& scene = *plan.scene;
+  TablePlaces& tables = plan.tables;
+  tables.instances_at = block.take_array<InstanceResult>(scene.instances.size());
+  tables.primitives_at = block.take_array<DeformedPrimitive>(plan.primitives.size());
+  tables.blend_layers_at = block.take_array<BlendLayer>(plan.needs.max_layers);
+  tables.palette_since_at = block.take_array<std::uint64_t>(plan.palette.size());
+  tables.weights_since_at = block.take_array<std::uint64_t>(scene.instances.size());
+  tables.winding_since_at = block.take_array<std::uint64_t>(scene.instances.size());
+  tables.last_weights_at = block.take_array<float>(scene.weight_count());
+  tables.input_weights_at = block.take_array<float>(scene.weight_count());
+  tables.input_layer_count = plan.needs.max_layers + (plan.needs.additive ? kKeptAddingLayers : 0);
+  tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
+}
+
 void place(Plan& plan) {
   const Scene& scene = *plan.scene;
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
@@ -168,14 +189,33 @@ void place(Plan& plan) {
   plan.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
   plan.palette_wanted_at = block.take_array<bool>(plan.hide_per_frame ? scene.skins.size() : 0);
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
+  std::size_t largest_palette = 0;
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
     plan.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? joints : 0));
     plan.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
+    if (plan.palette[s]) largest_palette = std::max(largest_palette, joints);
   }
+  plan.new_palette_at = block.take_array<JointMatrix>(largest_palette);
   plan.stretch_at = block.take_array<bool>(scene.skins.size());
   place_primitives(plan, block);
+  place_tables(plan, block);
   plan.frame_bytes = block.size();
+}
+
+std::uint64_t fingerprint_of(const Needs& needs) {
+  std::vector<std::uint32_t> numbers;
+  for (const bool flag : {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
+                          needs.hidden_meshes, needs.additive})
+    numbers.push_back(flag);
+  numbers.push_back(needs.max_layers);
+  numbers.push_back(static_cast<std::uint32_t>(needs.skinning));
+  numbers.push_back(static_cast<std::uint32_t>(needs.normal_rule));
+  for (const Skinning skinning : needs.instance_skinning) numbers.push_back(static_cast<std::uint32_t>(skinning));
+  BitHash hash;
+  hash.add(std::span<const std::uint32_t>(numbers));
+  for (const std::vector<float>& mask : needs.masks) hash.add(std::span<const float>(mask));
+  return hash.value();
 }
 
 bool any_morphs(const Plan& plan) noexcept {
@@ -218,6 +258,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
     plan.sign_edges.push_back(plan.split[s] ? sign_edges(scene.skeleton, scene.skins[s]) : std::vector<JointPair>{});
   place(plan);
+  plan.fingerprint = fingerprint_of(needs);
   plan.stages = describe_stages(plan);
   return plan;
 }

@@ -46,6 +46,14 @@ struct ClipTracks {
   std::uint32_t joints = 0, weights = 0, properties = 0;
 };
 
+/// Where a frame buffer keeps results and what they came from (frame_tables.h); byte offsets.
+struct TablePlaces {
+  std::size_t instances_at = 0, primitives_at = 0, blend_layers_at = 0;
+  std::size_t palette_since_at = 0, weights_since_at = 0, winding_since_at = 0;
+  std::size_t last_weights_at = 0, input_weights_at = 0;
+  std::size_t input_layers_at = 0, input_layer_count = 0;
+};
+
 /// The evaluation of one scene for given needs: which stages run, and where in one block of frame memory each of them
 /// writes. Immutable; shared by all characters that show the scene. Keeps a pointer to the scene: that must outlive it.
 struct Plan {
@@ -74,10 +82,13 @@ struct Plan {
   std::size_t palette_wanted_at = 0;                              ///< bool[skins]: a visible instance needs the skin
   std::size_t model_at = 0;
   std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
+  std::size_t new_palette_at = 0;              ///< of the skin at hand, until it is known to differ from the frame before
   std::size_t stretch_at = 0;                                     ///< bool[skins]: the split found stretch
   std::size_t morphed_positions_at = 0, morphed_normals_at = 0, morphed_tangents_at = 0;  ///< between morph and skin
   std::size_t scratch_at = 0;
+  TablePlaces tables;
   std::size_t frame_bytes = 0;                 ///< size of the block, a multiple of 64
+  std::uint64_t fingerprint = 0;               ///< of the needs: tells frame buffers of plans of equal size apart
 };
 
 inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& planned) noexcept {

@@ -2,8 +2,10 @@
 #pragma once
 #include <span>
 
+#include "runtime/jobs/blend_poses.h"
+#include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
-#include "runtime/plan/run_plan.h"
+#include "runtime/plan/frame_result.h"
 
 namespace sinew {
 

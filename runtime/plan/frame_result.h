@@ -19,6 +19,8 @@ struct DeformedPrimitive {
   std::span<const glm::vec3> normals;
   std::span<const glm::vec4> tangents;
   std::span<const glm::vec4> colors;      ///< only when a target morphs COLOR_0
+  std::uint64_t since_frame = 0;          ///< first FrameResult::frame of the unbroken row of frames with exactly these
+                                          ///< vertices: who has those of any of them need not upload (P19). 0 = nothing to upload
 };
 
 /// One mesh instance in this frame.
@@ -37,6 +39,7 @@ struct InstanceResult {
 /// buffer runs again.
 struct FrameResult {
   std::uint64_t frame = 0;                ///< counts up by one per run of the instance
+  std::uint64_t since_frame = 0;          ///< first frame of an unbroken row with this very input, and so with this result (P19)
   std::span<const Affine> model;          ///< [J] world matrix of every joint
   std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with
                                           ///< what correctives add where the plan runs them

@@ -46,6 +46,7 @@ struct CharacterState {
   const Plan* plan;
   std::array<FrameBuffer, 3> buffers;
   TripleSlots slots;
+  const FrameBuffer* last_good = nullptr;
   ErrorCode error = ErrorCode::ok;  // of the frame that has just run
 };
 
@@ -117,7 +118,9 @@ void JobThread::State::run_character(std::size_t c) noexcept {
   CharacterState& character = *characters[c];
   FrameBuffer& buffer = character.buffers[character.slots.writing()];
   buffer.count_from(ticket - 1);
+  if (character.last_good != nullptr) buffer.follow(*character.last_good);
   character.error = run_plan(*character.plan, running.inputs[c].view(), buffer);
+  if (character.error == ErrorCode::ok) character.last_good = &buffer;
   characters_run.fetch_add(1, std::memory_order_acq_rel);
 }
 

@@ -4,22 +4,21 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
-#include <new>
+#include <utility>
 
 #include "runtime/assets/mesh_copies.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/jobs/correct_pose.h"
-#include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/plan/deform_primitive.h"
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/plan/find_hidden.h"
+#include "runtime/plan/frame_tables.h"
 #include "runtime/plan/grow_bounds.h"
+#include "runtime/plan/make_palettes.h"
 
 namespace sinew {
 namespace {
-
-constexpr std::align_val_t kBlockAlignment{64};
 
 ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
   std::size_t active = 0;
@@ -98,27 +97,6 @@ std::span<const bool> wanted_palettes(const Plan& plan, std::span<const bool> hi
   return wanted;
 }
 
-void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, FrameMemory memory,
-                   WorkCounters& work) noexcept {
-  for (std::size_t s = 0; s < plan.palette.size(); ++s) {
-    if (!plan.palette[s] || (!wanted.empty() && !wanted[s])) continue;
-    const Skin& skin = plan.scene->skins[s];
-    const std::span<JointMatrix> palette = memory.array<JointMatrix>(plan.palette_at[s], skin.joints.size());
-    const JointPaletteJob job{.skin = &skin, .model = model, .palette = palette};
-    assert(check(job) == ErrorCode::ok);
-    run(job);
-    work.palette_entries += palette.size();
-    if (!plan.split[s]) continue;
-    const SplitPaletteJob split{.palette = palette,
-                                .split = memory.array<RigidStretch>(plan.split_at[s], palette.size()),
-                                .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[s],
-                                .follow = plan.sign_edges[s]};
-    assert(check(split) == ErrorCode::ok);
-    run(split);
-    work.palette_entries_split += palette.size();
-  }
-}
-
 /// Where an instance stands, and whether it is mirrored (G48). In double: the product of three small scales must not
 /// vanish.
 InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<const Affine> model) noexcept {
@@ -136,15 +114,33 @@ InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<
   return placed;
 }
 
+/// Stamps of the instance's morph weights and winding, by comparison with the frame before.
+void stamp_instance(const Plan& plan, std::size_t i, std::span<const float> weights, const InstanceResult& placed,
+                    const FrameStep& step) noexcept {
+  const auto stamp = [&](std::span<std::uint64_t> since, std::span<std::uint64_t> since_before, bool same) {
+    since[i] = same && since_before[i] != 0 ? since_before[i] : step.number;
+  };
+  const std::size_t first = plan.scene->first_weight[i];
+  const std::span<const float> before = step.tables_before.last_weights.subspan(first, weights.size());
+  stamp(step.tables.weights_since, step.tables_before.weights_since, same_bits(weights, before));
+  stamp(step.tables.winding_since, step.tables_before.winding_since,
+        step.tables_before.instances[i].mirrored == placed.mirrored);
+}
+
+/// Since when all that a primitive's vertices come from is as it is now.
+std::uint64_t since_of(const Plan& plan, const PrimitivePlan& planned, const FrameTables& tables) noexcept {
+  std::uint64_t since = 0;
+  const std::uint32_t i = planned.instance;
+  if (planned.skin.any()) since = std::max(since, tables.palette_since[plan.scene->instances[i].skin]);
+  if (planned.morph.any() || planned.morph_colors) since = std::max(since, tables.weights_since[i]);
+  if (planned.flat_normals) since = std::max(since, tables.winding_since[i]);
+  return since;
+}
+
 /// A hidden instance deforms nothing.
 void leave_out(const Plan& plan, std::size_t instance, std::span<DeformedPrimitive> shapes) noexcept {
   for (std::uint32_t p = plan.first_primitive[instance]; p < plan.first_primitive[instance + 1]; ++p)
-    shapes[p] = {.instance = plan.primitives[p].instance,
-                 .primitive = plan.primitives[p].primitive,
-                 .positions = {},
-                 .normals = {},
-                 .tangents = {},
-                 .colors = {}};
+    shapes[p] = nothing_deformed(plan.primitives[p]);
 }
 
 /// A primitive that rests this frame moves the box of its rest pose, a deformed one looks at its vertices.
@@ -158,66 +154,101 @@ void bound(InstanceResult& placed, const MeshInstance& instance, const Primitive
   });
 }
 
-}  // namespace
-
-void FrameBuffer::FreeAligned::operator()(std::byte* p) const noexcept { ::operator delete(p, kBlockAlignment); }
-
-FrameBuffer::FrameBuffer(const Plan& plan)
-    : scene_(plan.scene),
-      byte_count_(plan.frame_bytes),
-      memory_(static_cast<std::byte*>(::operator new(std::max<std::size_t>(plan.frame_bytes, 1), kBlockAlignment))),
-      instances_(plan.scene->instances.size()),
-      primitives_(plan.primitives.size()),
-      layers_(plan.needs.max_layers) {
-  std::memset(memory_.get(), 0, byte_count_);
-  const Skeleton& skeleton = plan.scene->skeleton;
-  const PoseSpan rest = FrameMemory{memory_.get()}.pose(plan.rest_pose_at, skeleton.joint_count());
-  for (std::size_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? skeleton.rest[j] : Transform{});
-  if (plan.hide)
-    find_hidden(*plan.scene, {}, FrameMemory{memory_.get()}.array<bool>(plan.hidden_at, skeleton.joint_count()));
+/// The vertices and the box of one instance, as far as they are not in the memory already.
+void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std::span<const float> weights, const FrameStep& step,
+                     WorkCounters& work) noexcept {
+  const std::uint32_t first = plan.first_primitive[i], end = plan.first_primitive[i + 1];
+  const std::span<DeformedPrimitive> shapes = step.tables.primitives;
+  const auto is_current = [&](std::uint32_t p) {
+    const std::uint64_t since = since_of(plan, plan.primitives[p], step.tables);
+    return since != step.number && since == shapes[p].since_frame;
+  };
+  InstanceResult& last = step.tables.instances[i];
+  bool box_is_current = plan.bounds && !last.bounds.empty() && same_bits(last.world_from_mesh, placed.world_from_mesh);
+  for (std::uint32_t p = first; p < end && box_is_current; ++p) box_is_current = is_current(p);
+  if (box_is_current) placed.bounds = last.bounds;
+  last = placed;
+  for (std::uint32_t p = first; p < end; ++p) {
+    if (is_current(p) && (box_is_current || !plan.bounds)) continue;
+    const PrimitivePlan& planned = plan.primitives[p];
+    DeformedPrimitive& shape = shapes[p] = deform_primitive(plan, planned, weights, placed.mirrored, step.memory, work);
+    shape.since_frame = since_of(plan, planned, step.tables);
+    if (plan.bounds) bound(last, plan.scene->instances[i], primitive_of(plan, planned), shape, work);
+    if (!plan.needs.positions) shape.positions = {};
+  }
 }
 
-ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
-  if (frame.scene_ != plan.scene || frame.byte_count_ != plan.frame_bytes ||
-      frame.primitives_.size() != plan.primitives.size() || frame.layers_.size() != plan.needs.max_layers)
-    return ErrorCode::size_mismatch;
-  if (const ErrorCode error = check(plan, input); error != ErrorCode::ok) return error;
+void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, std::span<const bool> hidden,
+                   const FrameStep& step, WorkCounters& work) noexcept {
+  InstanceResult placed = place_instance(plan, i, model);
+  placed.visible = is_shown(plan, i, hidden);
+  const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
+  const auto weights = step.memory.array<const float>(plan.weights_at, plan.rest_weights.size()).subspan(first, end - first);
+  stamp_instance(plan, i, weights, placed, step);
+  if (is_deformed(plan, i, hidden)) return deform_instance(plan, i, placed, weights, step, work);
+  step.tables.instances[i] = placed;
+  leave_out(plan, i, step.tables.primitives);
+}
 
-  const FrameMemory memory{frame.memory_.get()};
+/// The memory has the result already, under stamps of another frame. Those of the frame before hold if it had this input too.
+void restamp(bool same_before, const FrameStep& step) noexcept {
+  const auto take = [&](std::uint64_t& since, std::uint64_t since_before) {
+    if (since != 0) since = same_before ? since_before : step.number;
+  };
+  const FrameTables &now = step.tables, &before = step.tables_before;
+  for (std::size_t s = 0; s < now.palette_since.size(); ++s) take(now.palette_since[s], before.palette_since[s]);
+  for (std::size_t i = 0; i < now.instances.size(); ++i) {
+    take(now.weights_since[i], before.weights_since[i]);
+    take(now.winding_since[i], before.winding_since[i]);
+  }
+  for (std::size_t p = 0; p < now.primitives.size(); ++p) take(now.primitives[p].since_frame, before.primitives[p].since_frame);
+}
+
+/// Everything from the input to the tables. Answers the result without its numbers of frames.
+FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step) noexcept {
   WorkCounters work;
-  const PoseSpan local = evaluate_pose(plan, input, memory, frame.layers_, work);
+  const FrameMemory memory = step.memory;
+  const PoseSpan local = evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, memory, work);
   const std::span<const float> properties =
       memory.array<const float>(plan.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
   const std::span<const bool> hidden = hide(plan, properties, memory);
-  make_palettes(plan, model, wanted_palettes(plan, hidden, memory), memory, work);
+  make_palettes(plan, model, wanted_palettes(plan, hidden, memory), step, work);
+  for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, hidden, step, work);
+  std::copy(weights.begin(), weights.end(), step.tables.last_weights.begin());
+  FrameResult result;
+  if (plan.needs.joints) result.model = model;
+  result.weights = weights;
+  if (plan.needs.properties) result.properties = properties;
+  result.hidden = hidden;
+  result.instances = step.tables.instances;
+  result.primitives = step.tables.primitives;
+  result.work = work;
+  return result;
+}
 
-  for (std::size_t i = 0; i < frame.instances_.size(); ++i) {
-    InstanceResult& placed = frame.instances_[i] = place_instance(plan, i, model);
-    placed.visible = is_shown(plan, i, hidden);
-    if (!is_deformed(plan, i, hidden)) {
-      leave_out(plan, i, frame.primitives_);
-      continue;
-    }
-    const std::uint32_t first_weight = plan.scene->first_weight[i];
-    const auto own_weights = weights.subspan(first_weight, plan.scene->first_weight[i + 1] - first_weight);
-    for (std::uint32_t p = plan.first_primitive[i]; p < plan.first_primitive[i + 1]; ++p) {
-      DeformedPrimitive& shape = frame.primitives_[p] =
-          deform_primitive(plan, plan.primitives[p], own_weights, placed.mirrored, memory, work);
-      if (plan.bounds) bound(placed, plan.scene->instances[i], primitive_of(plan, plan.primitives[p]), shape, work);
-      if (!plan.needs.positions) shape.positions = {};
-    }
+}  // namespace
+
+ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame) noexcept {
+  if (frame.scene_ != plan.scene || frame.fingerprint_ != plan.fingerprint) return ErrorCode::size_mismatch;
+  if (const ErrorCode error = check(plan, input); error != ErrorCode::ok) return error;
+
+  const FrameBuffer* other = std::exchange(frame.before_, nullptr);
+  const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
+  const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
+  const FrameStep step{memory, FrameTables(plan, memory), memory_before, FrameTables(plan, memory_before), frame.result_.frame + 1};
+  const bool same_before = before.holds_result_of(plan, input);
+  const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
+  if (frame.holds_result_of(plan, input)) {
+    if (&before != &frame) restamp(same_before, step);
+    frame.result_.work = {};
+  } else {
+    frame.result_ = evaluate(plan, input, step);
+    frame.keep(plan, input);
   }
-  frame.result_ = {.frame = frame.result_.frame + 1,
-                   .model = plan.needs.joints ? model : std::span<const Affine>{},
-                   .weights = weights,
-                   .properties = plan.needs.properties ? properties : std::span<const float>{},
-                   .hidden = hidden,
-                   .instances = frame.instances_,
-                   .primitives = frame.primitives_,
-                   .work = work};
+  frame.result_.frame = step.number, frame.result_.since_frame = since;
   return ErrorCode::ok;
 }
 

@@ -153,7 +153,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
     EXPECT_TRUE(std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end()));
     EXPECT_TRUE(std::equal(a.normals.begin(), a.normals.end(), b.normals.begin(), b.normals.end()));
   }
-  EXPECT_EQ(fresh.result().work, used.result().work);
+  EXPECT_LE(used.result().work.vertices_skinned_linear, fresh.result().work.vertices_skinned_linear);  // P19
 }
 
 }  // namespace

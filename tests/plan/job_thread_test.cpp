@@ -181,6 +181,26 @@ TEST(job_thread, takes_one_frame_in_advance_and_is_busy_then) {
   EXPECT_EQ(jobs.latest(0)->frame, 2u);
 }
 
+TEST(job_thread, P19_a_paused_crowd_does_nothing_once_every_buffer_has_the_frame) {
+  Crowd crowd(6);
+  JobThread jobs;
+  crowd.add_to(jobs);
+  const auto inputs = crowd.inputs(5);
+  std::vector<std::uint64_t> first_hash(inputs.size());
+  for (Ticket expected = 1; expected <= 8; ++expected) {
+    jobs.wait(*jobs.submit(inputs));
+    for (std::uint32_t c = 0; c < inputs.size(); ++c) {
+      const FrameResult& frame = *jobs.latest(c);
+      if (expected == 1) first_hash[c] = hash_of(frame);
+      EXPECT_EQ(hash_of(frame), first_hash[c]);
+      EXPECT_EQ(frame.frame, expected);
+      EXPECT_EQ(frame.since_frame, 1u);
+      for (const DeformedPrimitive& shape : frame.primitives) EXPECT_LE(shape.since_frame, 1u);
+      EXPECT_EQ(frame.work == WorkCounters{}, expected > 3) << expected;
+    }
+  }
+}
+
 TEST(job_thread, rejects_another_number_of_inputs) {
   Crowd crowd(2);
   JobThread jobs;

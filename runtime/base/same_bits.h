@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstring>
+#include <span>
+
+namespace sinew {
+
+/// Whether two arrays of numbers agree in every bit, so that what is computed from them does too: the two zeros differ.
+/// in   a, b  elements made of numbers, without padding
+template <class T>
+bool same_bits(std::span<const T> a, std::span<const T> b) noexcept {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
+}
+
+template <class T>
+bool same_bits(const T& a, const T& b) noexcept {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+}  // namespace sinew

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/frame_buffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "runtime/base/contract.h"
+#include "runtime/base/same_bits.h"
+#include "runtime/plan/find_hidden.h"
+#include "runtime/plan/frame_tables.h"
+
+namespace sinew {
+namespace {
+
+/// By bits where there may be two zeros.
+bool same(const ClipLayer& a, const ClipLayer& b) noexcept {
+  return a.clip == b.clip && same_bits(a.time_s, b.time_s) && same_bits(a.weight, b.weight) && a.mask == b.mask &&
+         a.kind == b.kind;
+}
+
+}  // namespace
+
+void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
+  if (memory != nullptr) memory->deallocate(block, byte_count, kAlignment);
+}
+
+FrameBuffer::FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory)
+    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(static_cast<std::byte*>(memory.allocate(plan.frame_bytes, kAlignment)),
+                                                             GiveBack{&memory, plan.frame_bytes})) {}
+
+FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
+    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(block.data(), GiveBack{})) {
+  CONTRACT(block.size() >= plan.frame_bytes);
+}
+
+FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block)
+    : scene_(plan.scene), fingerprint_(plan.fingerprint), block_(std::move(block)) {
+  CONTRACT(reinterpret_cast<std::uintptr_t>(block_.get()) % kAlignment == 0);
+  const FrameMemory memory{block_.get()};
+  std::memset(memory.block, 0, plan.frame_bytes);
+  const FrameTables tables(plan, memory);
+  std::uninitialized_value_construct(tables.instances.begin(), tables.instances.end());
+  for (std::size_t p = 0; p < plan.primitives.size(); ++p) std::construct_at(&tables.primitives[p], nothing_deformed(plan.primitives[p]));
+  std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
+  std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
+  const Skeleton& skeleton = plan.scene->skeleton;
+  const PoseSpan rest = memory.pose(plan.rest_pose_at, skeleton.joint_count());
+  for (std::size_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? skeleton.rest[j] : Transform{});
+  if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, skeleton.joint_count()));
+}
+
+bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {
+  if (!keeps_input_ || input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
+  const FrameTables tables(plan, FrameMemory{block_.get()});
+  return std::equal(input.layers.begin(), input.layers.end(), tables.input_layers.begin(), same) &&
+         same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
+}
+
+/// More layers than there is room for are not kept: then the next frame is taken for a new one.
+void FrameBuffer::keep(const Plan& plan, const FrameInput& input) noexcept {
+  const FrameTables tables(plan, FrameMemory{block_.get()});
+  keeps_input_ = input.layers.size() <= tables.input_layers.size();
+  if (!keeps_input_) return;
+  layer_count_ = input.layers.size(), weight_count_ = input.weights.size(), root_ = input.root;
+  std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
+  std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
+}
+
+}  // namespace sinew

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "runtime/jobs/blend_poses.h"
+#include "runtime/plan/frame_input.h"
+#include "runtime/plan/frame_memory.h"
+#include "runtime/plan/frame_result.h"
+
+namespace sinew {
+
+/// What a frame buffer keeps in its block beside the numbers that stages write: results, and since which frame they hold. A
+/// stamp names the first frame of an unbroken row of frames that gave the same bits; 0 = not there.
+struct FrameTables {
+  FrameTables(const Plan& plan, FrameMemory memory) noexcept
+      : instances(memory.array<InstanceResult>(plan.tables.instances_at, plan.scene->instances.size())),
+        primitives(memory.array<DeformedPrimitive>(plan.tables.primitives_at, plan.primitives.size())),
+        blend_layers(memory.array<BlendLayer>(plan.tables.blend_layers_at, plan.needs.max_layers)),
+        palette_since(memory.array<std::uint64_t>(plan.tables.palette_since_at, plan.palette.size())),
+        weights_since(memory.array<std::uint64_t>(plan.tables.weights_since_at, plan.scene->instances.size())),
+        winding_since(memory.array<std::uint64_t>(plan.tables.winding_since_at, plan.scene->instances.size())),
+        last_weights(memory.array<float>(plan.tables.last_weights_at, plan.rest_weights.size())),
+        input_layers(memory.array<ClipLayer>(plan.tables.input_layers_at, plan.tables.input_layer_count)),
+        input_weights(memory.array<float>(plan.tables.input_weights_at, plan.rest_weights.size())) {}
+
+  std::span<InstanceResult> instances;
+  std::span<DeformedPrimitive> primitives;
+  std::span<BlendLayer> blend_layers;          // of the blend stage while it runs
+  std::span<std::uint64_t> palette_since;      // [skins]
+  std::span<std::uint64_t> weights_since;      // [instances]
+  std::span<std::uint64_t> winding_since;      // [instances] InstanceResult::mirrored
+  std::span<float> last_weights;               // [W] FrameResult::weights
+  std::span<ClipLayer> input_layers;           // the input that the results belong to
+  std::span<float> input_weights;
+};
+
+/// The entry of a primitive that goes through no stage.
+inline DeformedPrimitive nothing_deformed(const PrimitivePlan& planned) noexcept {
+  DeformedPrimitive shape;
+  shape.instance = planned.instance, shape.primitive = planned.primitive;
+  return shape;
+}
+
+}  // namespace sinew

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/make_palettes.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/jobs/joint_palette.h"
+
+namespace sinew {
+namespace {
+
+void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, WorkCounters& work) noexcept {
+  const SplitPaletteJob job{.palette = palette,
+                            .split = memory.array<RigidStretch>(plan.split_at[skin], palette.size()),
+                            .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
+                            .follow = plan.sign_edges[skin]};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.palette_entries_split += palette.size();
+}
+
+void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, WorkCounters& work) noexcept {
+  const Skin& skin = plan.scene->skins[s];
+  const std::size_t count = skin.joints.size();
+  const std::span<JointMatrix> made = step.memory.array<JointMatrix>(plan.new_palette_at, count);
+  const JointPaletteJob job{.skin = &skin, .model = model, .palette = made};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.palette_entries += count;
+
+  const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);
+  const std::uint64_t since_before = step.tables_before.palette_since[s];
+  const bool unchanged = since_before != 0 && same_bits<JointMatrix>(made, before);
+  std::uint64_t& since = step.tables.palette_since[s];
+  if (unchanged && since == since_before) return;
+  since = unchanged ? since_before : step.number;
+  const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
+  std::copy(made.begin(), made.end(), palette.begin());
+  if (plan.split[s]) split(plan, s, palette, step.memory, work);
+}
+
+}  // namespace
+
+void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, const FrameStep& step,
+                   WorkCounters& work) noexcept {
+  for (std::size_t s = 0; s < plan.palette.size(); ++s) {
+    if (!plan.palette[s]) continue;
+    if (wanted.empty() || wanted[s]) make_palette(plan, s, model, step, work);
+    else step.tables.palette_since[s] = 0;
+  }
+}
+
+}  // namespace sinew

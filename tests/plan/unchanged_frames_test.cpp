@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// What has not changed since the frame before is neither done again nor called new; and nothing shows that it was not.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+std::uint64_t hash_shape(const DeformedPrimitive& p) {
+  return BitHash().add(p.positions).add(p.normals).add(p.tangents).add(p.colors).value();
+}
+
+void expect_same(const FrameResult& a, const FrameResult& b) {
+  EXPECT_TRUE(same_bits<Affine>(a.model, b.model));
+  EXPECT_TRUE(same_bits<float>(a.weights, b.weights));
+  EXPECT_TRUE(same_bits<float>(a.properties, b.properties));
+  EXPECT_TRUE(same_bits<bool>(a.hidden, b.hidden));
+  for (std::size_t i = 0; i < a.instances.size(); ++i) {
+    EXPECT_TRUE(same_bits(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh));
+    EXPECT_TRUE(same_bits(a.instances[i].bounds, b.instances[i].bounds)) << i;
+    EXPECT_EQ(a.instances[i].mirrored, b.instances[i].mirrored);
+    EXPECT_EQ(a.instances[i].visible, b.instances[i].visible);
+  }
+  for (std::size_t p = 0; p < a.primitives.size(); ++p) {
+    EXPECT_EQ(a.primitives[p].instance, b.primitives[p].instance);
+    EXPECT_EQ(a.primitives[p].primitive, b.primitives[p].primitive);
+    EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].positions, b.primitives[p].positions)) << p;
+    EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].normals, b.primitives[p].normals)) << p;
+    EXPECT_TRUE(same_bits<glm::vec4>(a.primitives[p].tangents, b.primitives[p].tangents)) << p;
+    EXPECT_TRUE(same_bits<glm::vec4>(a.primitives[p].colors, b.primitives[p].colors)) << p;
+  }
+}
+
+Needs needs_by_bits(std::uint32_t bits) {
+  Needs needs;
+  needs.positions = !(bits & 1), needs.normals = !(bits & 2), needs.bounds = bits & 4, needs.additive = bits & 8;
+  needs.skinning = bits & 16 ? Skinning::dual_quaternion : Skinning::linear;
+  return needs;
+}
+
+/// Few different inputs, so that whole inputs, palettes and weights often repeat.
+class FewInputs {
+ public:
+  FewInputs(const Scene& scene, std::uint32_t seed) : scene_(scene), random_(seed) {}
+
+  FrameInput next() {
+    layers_.clear(), weights_.clear();
+    if (!scene_.clips.empty() && choose(4) > 0) layers_.push_back({choose(2), 0.5 * choose(3)});
+    if (!scene_.clips.empty() && choose(4) == 0) layers_.push_back({0, 100.0 + choose(3)});
+    if (choose(2) == 0) weights_.assign(scene_.weight_count(), static_cast<float>(choose(2)));
+    root_ = {};
+    if (choose(4) == 0) root_.row[0].w = 1.0f;
+    if (choose(6) == 0) root_.row[1].y = -1.0f;
+    return {.layers = layers_, .weights = weights_, .root = root_};
+  }
+
+ private:
+  std::uint32_t choose(std::uint32_t count) { return random_.below(count); }
+
+  const Scene& scene_;
+  FixedRandom random_;
+  std::vector<ClipLayer> layers_;
+  std::vector<float> weights_;
+  Affine root_;
+};
+
+Scene scene_by_seed(std::uint32_t seed) {
+  RandomSceneOptions options;
+  options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = 2;
+  options.flat_normals = seed % 2 == 0, options.correctives = options.targets > 0 ? seed % 3 : 0;
+  return random_scene(seed, options);
+}
+
+TEST(unchanged_frames, P19_the_same_input_again_does_exactly_nothing) {
+  for (std::uint32_t seed = 0; seed < 24; ++seed) {
+    const Scene scene = scene_by_seed(seed);
+    const Plan plan = compile_plan(scene, needs_by_bits(seed));
+    FrameBuffer frame(plan), fresh(plan);
+    const ClipLayer layer{1, 0.7};
+    const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+    for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
+    ASSERT_NE(frame.result().work, WorkCounters{});
+    for (std::uint64_t number = 2; number < 4; ++number) {
+      ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      EXPECT_EQ(frame.result().work, WorkCounters{});
+      EXPECT_EQ(frame.result().frame, number);
+      EXPECT_EQ(frame.result().since_frame, 1u);
+      expect_same(frame.result(), fresh.result());
+      for (const DeformedPrimitive& shape : frame.result().primitives) EXPECT_LE(shape.since_frame, 1u);
+    }
+  }
+}
+
+TEST(unchanged_frames, P19_a_clip_held_at_its_end_is_not_skinned_again) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(scene, {});
+  FrameBuffer frame(plan);
+  std::uint64_t skinned = 0;
+  for (const double time_s : {0.5, 50.0, 51.0, 52.0, 0.5}) {
+    const ClipLayer layer{0, time_s};
+    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    skinned += frame.result().work.vertices_skinned_linear;
+    EXPECT_GT(frame.result().work.tracks_sampled, 0u);
+    const std::uint64_t number = frame.result().frame;
+    EXPECT_EQ(frame.result().primitives[0].since_frame, number == 1 ? 1u : number == 5 ? 5u : 2u);
+  }
+  EXPECT_EQ(skinned, 3 * 4u);
+}
+
+TEST(unchanged_frames, P19_a_moved_face_is_not_morphed_again) {
+  const Scene scene = face_scene();
+  Needs needs;
+  needs.bounds = true;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  const std::vector<float> weights(scene.weight_count(), 0.5f);
+  FrameInput input{.layers = {}, .weights = weights, .root = {}};
+  ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+  EXPECT_GT(frame.result().work.morph_deltas, 0u);
+  const float left = frame.result().instances[0].bounds.lower.x;
+  input.root.row[0].w = 2.0f;
+  ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+  EXPECT_EQ(frame.result().primitives[0].since_frame, 1u);
+  EXPECT_EQ(frame.result().instances[0].bounds.lower.x, left + 2.0f);  // the box moved all the same
+}
+
+/// One character in turns over several buffers, each frame compared with one that begins anew.
+/// Answers how many shapes had been there before.
+std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
+  const Scene scene = scene_by_seed(seed);
+  const Plan plan = compile_plan(scene, needs_by_bits(seed));
+  std::vector<FrameBuffer> buffers;
+  for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
+  FewInputs inputs(scene, seed);
+  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_since(plan.primitives.size());
+  FixedRandom random(seed + 1000);
+  std::size_t at = 0, kept = 0;
+  for (std::uint64_t number = 1; number <= 40; ++number) {
+    const std::size_t next = random.below(3) % buffer_count;
+    const FrameInput input = inputs.next();
+    buffers[next].count_from(number - 1);
+    if (number > 1) buffers[next].follow(buffers[at]);
+    at = next;
+    FrameBuffer fresh(plan);
+    for (FrameBuffer* buffer : {&buffers[at], &fresh}) EXPECT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
+    expect_same(buffers[at].result(), fresh.result());
+    for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+      const DeformedPrimitive& shape = buffers[at].result().primitives[p];
+      EXPECT_EQ(shape.since_frame != 0, plan.primitives[p].deformed()) << p;
+      EXPECT_LE(shape.since_frame, number);
+      const auto [seen, is_new] = hash_since[p].emplace(shape.since_frame, hash_shape(shape));
+      EXPECT_EQ(seen->second, hash_shape(shape)) << "primitive " << p << " frame " << number;
+      kept += !is_new;
+    }
+  }
+  return kept;
+}
+
+TEST(unchanged_frames, P19_results_and_stamps_are_right_whatever_ran_before) {
+  std::size_t kept = 0;
+  for (std::uint32_t seed = 0; seed < 32; ++seed) kept += run_in_turns(seed, 1);
+  EXPECT_GT(kept, 32 * 20u);
+}
+
+TEST(unchanged_frames, P19_results_and_stamps_are_right_for_buffers_that_take_turns) {
+  std::size_t kept = 0;
+  for (std::uint32_t seed = 0; seed < 32; ++seed) kept += run_in_turns(seed, 3);
+  EXPECT_GT(kept, 32 * 20u);
+}
+
+TEST(unchanged_frames, a_frame_with_more_adding_layers_than_are_kept_is_right_as_well) {
+  const Scene scene = face_scene();
+  const Plan plan = compile_plan(scene, {.additive = true, .masks = {}, .instance_skinning = {}});
+  FrameBuffer frame(plan);
+  std::vector<ClipLayer> layers(100, {0, 0.25, 0.01f, kNone, LayerKind::add_to_rest});
+  for (int round = 0; round < 3; ++round) {
+    layers.back().time_s = 0.5 * (round + 1);
+    FrameBuffer fresh(plan);
+    for (FrameBuffer* buffer : {&frame, &fresh})
+      ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, *buffer), ErrorCode::ok);
+    expect_same(frame.result(), fresh.result());
+  }
+}
+
+TEST(unchanged_frames, a_frame_buffer_knows_its_plan_from_another_of_the_same_size) {
+  const Scene scene = arm_scene();
+  Needs cofactor;
+  cofactor.normal_rule = NormalRule::cofactor;
+  const Plan linear = compile_plan(scene, {}), other = compile_plan(scene, cofactor);
+  ASSERT_EQ(linear.frame_bytes, other.frame_bytes);
+  FrameBuffer frame(linear);
+  ASSERT_EQ(run_plan(linear, {}, frame), ErrorCode::ok);
+  EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::size_mismatch);
+}
+
+}  // namespace
+}  // namespace sinew::test
