@@ -76,7 +76,7 @@ class Import {
     }
     bin_ = parts.bin;
     auto json = parse_json(parts.json, log_);
-    if (!json) return false;
+    if (!json || !check_major_version(*json, log_)) return false;
     check_shape(*json, gltf_shape(), "", log_);
     if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
     check_capabilities(*json, options_.max_nodes, log_);

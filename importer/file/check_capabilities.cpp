@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -44,17 +45,14 @@ std::optional<Version> parse_version(const std::string& text) {
   return version;
 }
 
-void check_version(const Json& asset, IssueLog& log) {
+void check_minor_version(const Json& asset, IssueLog& log) {
   const std::string text = asset["version"].get<std::string>();
-  const auto version = parse_version(text);
-  if (!version || version->major != 2)
-    return log.report(Rule::asset_version, "/asset/version", in_quotes(text) + " is not 2.x");
   if (const auto required = asset.find("minVersion"); required != asset.end()) {
     const auto minimum = parse_version(required->get<std::string>());
     if (!minimum || minimum->major != 2 || minimum->minor > 0)
       return log.report(Rule::asset_version, "/asset/minVersion", required->dump().substr(0, 40) + " is above 2.0");
   }
-  if (version->minor > 0)
+  if (parse_version(text)->minor > 0)
     log.report(Rule::asset_minor_version, "/asset/version", in_quotes(text) + " is read as 2.0");
 }
 
@@ -78,8 +76,20 @@ ExtensionSupport extension_support(std::string_view name) noexcept {
   return ExtensionSupport::unknown;
 }
 
+bool check_major_version(const Json& json, IssueLog& log) {
+  static const Json::json_pointer at("/asset/version");
+  if (!json.contains(at)) return true;
+  const Json& said = json[at];
+  if (!said.is_string() && !said.is_number()) return true;
+  const std::string text = said.is_string() ? said.get<std::string>() : said.dump();
+  const auto version = parse_version(text);
+  const bool second = said.is_string() ? version && version->major == 2 : std::floor(said.get<double>()) == 2.0;
+  if (!second) log.report(Rule::asset_version, at.to_string(), in_quotes(text) + " is not 2.x");
+  return second;
+}
+
 void check_capabilities(const Json& json, std::uint32_t max_nodes, IssueLog& log) {
-  check_version(json["asset"], log);
+  check_minor_version(json["asset"], log);
   if (const auto required = json.find("extensionsRequired"); required != json.end())
     for (std::size_t i = 0; i < required->size(); ++i) {
       const auto name = (*required)[i].get<std::string>();

@@ -39,6 +39,9 @@ TEST(document_rules, deep_nesting_is_refused_before_anything_recurses) {
 
 TEST(document_rules, versions_other_than_2_are_refused) {
   EXPECT_EQ(import_text(R"({"asset":{"version":"1.0"}})"), "asset-version at /asset/version");
+  EXPECT_EQ(import_text(R"({"asset":{"version":1.0},"nodes":{"a":{}},"scene":"b"})"), "asset-version at /asset/version");
+  EXPECT_EQ(import_text(R"({"asset":{"version":1e300}})"), "asset-version at /asset/version");
+  EXPECT_EQ(import_text(R"({"asset":{"version":2.0}})"), "json-type at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":"two"}})"), "asset-version at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":"2.0","minVersion":"2.1"}})"), "asset-version at /asset/minVersion");
   EXPECT_EQ(import_text(R"({"asset":{}})"), "json-missing at /asset");
