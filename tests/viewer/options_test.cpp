@@ -57,6 +57,13 @@ TEST(options, read_everything_that_one_picture_can_have) {
   EXPECT_TRUE(options.validate);
 }
 
+TEST(options, read_a_camera_and_a_variant_of_the_file) {
+  const Options options = accepted({"a.glb", "--camera", "Front", "--variant", "1"});
+  EXPECT_EQ(options.file_camera, "Front");
+  EXPECT_EQ(options.variant, "1");
+  EXPECT_TRUE(std::holds_alternative<Leave>(parse({"a.glb", "--camera", "0", "--eye", "0,0,1", "--target", "0,0,0"})));
+}
+
 TEST(options, read_a_range_of_pictures) {
   const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
   EXPECT_EQ(options.showcase_scene, 2u);

@@ -159,5 +159,26 @@ TEST(orbit_camera, placing_puts_the_eye_where_it_was_asked_for) {
   EXPECT_NEAR(camera.pitch_rad, OrbitCamera::kSteepest_rad, 1e-12);
 }
 
+TEST(orbit_camera, takes_over_from_a_view_without_moving_the_picture) {
+  const Aabb scene = box({-1, -1, -1}, {1, 1, 1});
+  const View given = look_at({-3.0, 2.0, 6.0}, {0.5, 0.0, 0.0}, 0.6, 0.01);
+  OrbitCamera camera;
+  camera.take_over(given, scene);
+  const View taken = camera.view(scene);
+  for (const glm::dvec3 p : {glm::dvec3(0.0), glm::dvec3(1.0, 0.5, -1.0)})
+    EXPECT_LT(glm::length(picture_of(taken, 1.0, p) - picture_of(given, 1.0, p)), 1e-12);
+  EXPECT_LT(glm::length(camera.target - glm::dvec3(0.5, 0.0, 0.0)), 1.0) << "it turns round the scene";
+}
+
+TEST(orbit_camera, takes_over_the_size_that_a_parallel_view_shows) {
+  const Aabb scene = box({-1, -1, -1}, {1, 1, 1});
+  View given = look_at({0.0, 0.0, 50.0}, {0.0, 0.0, 0.0}, 0.8, 0.01);
+  given.half_height_m = 2.0, given.far_m = 100.0;
+  OrbitCamera camera;
+  camera.take_over(given, scene);
+  EXPECT_LT(glm::length(camera.target), 1e-9);
+  EXPECT_NEAR(picture_of(camera.view(scene), 1.0, {0.0, 2.0, 0.0}).y, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace sinew::viewer

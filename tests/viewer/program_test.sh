@@ -56,6 +56,19 @@ touch file
 ends 3 file --headless file/ --frames 0:1 --size 32x32
 ends 3 --headless
 
+ends 2 'no such camera' bones.gltf --camera 0 --headless a.png
+ends 2 'no such variant' bones.gltf --variant red --headless a.png
+printf '{"asset":{"version":"2.0"},"nodes":[{"translation":[0,1,0]},{"camera":0,"translation":[0,0,5]},{"camera":1,"translation":[0,0,5]}],' > cameras.gltf
+printf '"cameras":[{"type":"orthographic","orthographic":{"xmag":2,"ymag":2,"znear":0.1,"zfar":20}},' >> cameras.gltf
+printf '{"name":"wide","type":"perspective","perspective":{"yfov":1,"znear":0.1}}]}' >> cameras.gltf
+ends 0 '' cameras.gltf --camera 0 --headless a.png --size 64x64 --validate
+ends 0 '' cameras.gltf --camera wide --headless a.png --size 64x64 --validate
+ends 2 'excludes' cameras.gltf --camera wide --fov 20 --headless a.png
+light='{"extensions":{"KHR_lights_punctual":{"light":0}}}'
+printf '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"nodes":[%s%s],' "$(printf "$light,%.0s" {1..16})" "$light" > lights.gltf
+printf '"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}}}' >> lights.gltf
+ends 0 '17 lights; the viewer uses the first 16' lights.gltf --headless a.png --size 64x64
+
 ends 0 '' --headless a.png --size 320x180 --time 1 --validate
 ends 0 '' --headless b.png --size 320x180 --time 1
 if cmp -s a.png b.png; then echo "ok: the same picture twice is the same bytes"; else complain "the same picture twice differs"; fi

@@ -8,6 +8,7 @@
 #include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
+#include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
 namespace {
@@ -26,6 +27,18 @@ std::vector<Exhibit> built_in() {
   return exhibits;
 }
 
+/// What the scene has and the viewer does not show.
+void say_what_is_left_out(const std::string& file, const Scene& scene, const std::function<void(const std::string&)>& say) {
+  if (scene.lights.size() > kMaxLights)
+    say(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " + std::to_string(kMaxLights));
+  for (const Material& material : scene.materials)
+    for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+                                  &material.occlusion_texture, &material.emissive_texture})
+      if (use->used() && use->texcoord > 1)
+        say(file + ": warning: material \"" + material.name + "\" uses TEXCOORD_" + std::to_string(use->texcoord) +
+            "; the viewer takes TEXCOORD_0 instead");
+}
+
 tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::function<void(const std::string&)>& say,
                                            const std::function<void(double)>& progress) {
   ImportOptions how;
@@ -34,6 +47,7 @@ tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::f
   const auto& warnings = imported ? imported->warnings : imported.error().warnings;
   for (const auto& warning : warnings) say(describe(file, warning));
   if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
+  say_what_is_left_out(file, imported->scene, say);
   Exhibit exhibit;
   exhibit.name = std::filesystem::path(file).filename().string();
   exhibit.scene = std::move(imported->scene);

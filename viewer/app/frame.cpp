@@ -31,7 +31,7 @@ Frame::~Frame() {
   }
 }
 
-bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& options, bool skeleton,
+bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& options, const Settings& settings,
                  const std::function<void()>& lay_out) {
   const Slot& slot = slots_[next_];
   must(vkWaitForFences(device_.handle(), 1, &slot.done, VK_TRUE, ~std::uint64_t{0}), "waiting for a frame");
@@ -40,13 +40,13 @@ bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& optio
   const auto times = renderer_.pass_times(next_);
   pass_times_.assign(times.begin(), times.end());
 
-  const DrawnScene drawn = shown.upload(next_);
+  const DrawnScene drawn = shown.upload(next_, settings.variant);
   FrameInputs inputs;
   inputs.slot = next_;
   inputs.scenes = {&drawn, 1};
   inputs.view = view;
   inputs.options = options;
-  if (skeleton) inputs.lines = shown.skeleton_lines();
+  if (settings.skeleton) inputs.lines = shown.skeleton_lines();
   ColorTarget target;
   target.image = swapchain_.image(*image);
   target.view = swapchain_.view(*image);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/app/panel_backend.h"
+#include "viewer/app/settings.h"
 #include "viewer/app/shown_scene.h"
 #include "viewer/device/swapchain.h"
 #include "viewer/passes/frame_renderer.h"
@@ -26,7 +27,7 @@ class Frame {
   /// One picture: scene, lines over it, panel over all.
   /// in   lay_out  makes the panel with ImGui calls
   /// out  false when there was no image to draw to; nothing was done then
-  bool draw(ShownScene& shown, const View& view, const RenderOptions& options, bool skeleton,
+  bool draw(ShownScene& shown, const View& view, const RenderOptions& options, const Settings& settings,
             const std::function<void()>& lay_out);
 
   /// Of the last picture that the GPU is known to be done with.

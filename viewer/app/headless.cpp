@@ -42,10 +42,11 @@ Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std:
 Headless::~Headless() = default;
 
 Picture Headless::render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                         std::span<const LineVertex> lines) {
+                         std::span<const LineVertex> lines, std::uint32_t variant) {
   State& s = *state_;
   s.frame_upload.update(0, frame, ++s.pictures);  // frames of any instance may follow each other here
-  const DrawnScene drawn{&s.scene_upload, &s.frame_upload};
+  s.scene_upload.update(0, s.frame_upload.look(0));
+  const DrawnScene drawn{&s.scene_upload, &s.frame_upload, variant};
   FrameInputs inputs;
   inputs.scenes = {&drawn, 1};
   inputs.view = view;

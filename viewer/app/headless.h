@@ -24,8 +24,9 @@ class Headless {
   ~Headless();
 
   /// One frame; the same input gives the same bytes on the same driver.
+  /// in   variant  of the scene's materials, kNone = as the primitives say
   Picture render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                 std::span<const LineVertex> lines = {});
+                 std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone);
 
   /// Of the last picture.
   std::span<const PassTime> pass_times() const;

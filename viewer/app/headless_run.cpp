@@ -8,8 +8,10 @@
 
 #include <unistd.h>
 
+#include "runtime/assets/scene_look.h"
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
+#include "viewer/app/file_camera.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/settings.h"
@@ -70,28 +72,39 @@ View view_for(const Options& options, const Exhibit& exhibit, const ClipBounds& 
 class PictureMaker {
  public:
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
-      : bounds_(clip_bounds(exhibit.scene, clip)),
+      : exhibit_(exhibit),
+        frame_look_(exhibit.scene),
+        bounds_(clip_bounds(exhibit.scene, clip)),
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
-        look_(render_options(settings_, bounds_, eye_of(view_))),
+        transparent_(options.transparent),
+        aspect_(static_cast<double>(options.width) / options.height),
         poser_(exhibit, options.skinning, clip),
         skeleton_(exhibit.scene),
-        headless_(device, exhibit.scene, options.width, options.height) {
-    look_.transparent_background = options.transparent;
-  }
+        headless_(device, exhibit.scene, options.width, options.height) {}
 
   Picture at(double time_s) {
     const FrameResult& pose = poser_.at(time_s);
+    if (settings_.camera != kNone) {
+      apply_properties(exhibit_.scene, pose.properties, frame_look_);
+      const Camera& camera = frame_look_.cameras[settings_.camera];
+      view_ = view_of_camera(camera, pose.model[camera.joint], aspect_, bounds_.reached);
+    }
+    RenderOptions look = render_options(settings_, bounds_, eye_of(view_));
+    look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
-    return headless_.render(pose, view_, look_, lines);
+    return headless_.render(pose, view_, look, lines, settings_.variant);
   }
 
  private:
+  const Exhibit& exhibit_;
+  SceneLook frame_look_;
   ClipBounds bounds_;
   View view_;
   Settings settings_;
-  RenderOptions look_;
+  bool transparent_;
+  double aspect_;
   Poser poser_;
   SkeletonLines skeleton_;
   Headless headless_;

@@ -6,10 +6,10 @@
 
 #include <unistd.h>
 
-#include "viewer/app/clip_choice.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/headless_run.h"
 #include "viewer/app/options.h"
+#include "viewer/app/scene_choice.h"
 #include "viewer/app/window_loop.h"
 #include "viewer/device/device_error.h"
 
@@ -44,6 +44,14 @@ int show(const Options& options) {
       return 2;
     }
     clip = *chosen;
+  }
+  if (options.file_camera && !choose_camera(scene, *options.file_camera)) {
+    say(describe_missing_camera(scene, *options.file_camera));
+    return 2;
+  }
+  if (options.variant && !choose_variant(scene, *options.variant)) {
+    say(describe_missing_variant(scene, *options.variant));
+    return 2;
   }
   if (options.headless.empty()) return run_window(options, *exhibits, clip);
   Exhibit& exhibit = (*exhibits)[options.showcase_scene];

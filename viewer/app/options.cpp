@@ -127,12 +127,18 @@ void add_picture_options(CLI::App& app, Options& options) {
   });
   eye->needs(target);
   target->needs(eye);
-  text_option(app, "--fov", "DEGREES", "vertical field of view (45)", [&](const std::string& text) {
+  auto* camera = text_option(app, "--camera", "CAMERA", "look through a camera of the file: index or name",
+                             [&](const std::string& text) { options.file_camera = text; });
+  camera->excludes(eye);
+  text_option(app, "--variant", "VARIANT", "show a material variant of the file: index or name",
+              [&](const std::string& text) { options.variant = text; });
+  auto* fov = text_option(app, "--fov", "DEGREES", "vertical field of view (45)", [&](const std::string& text) {
     const auto degrees = number<double>(text);
     if (!degrees || *degrees < 1.0 || *degrees > 170.0)
       throw CLI::ValidationError("--fov", "'" + text + "' is not an angle of 1 to 170 degrees");
     options.fov_y_deg = *degrees;
   });
+  camera->excludes(fov);
 }
 
 void add_time_options(CLI::App& app, Options& options) {

@@ -38,6 +38,8 @@ struct Options {
   bool skeleton = false;                     ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
+  std::optional<std::string> file_camera;    ///< index or name of a camera of the file
+  std::optional<std::string> variant;        ///< index or name of a material variant
   std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for
   std::optional<double> exit_after_s;        ///< close the window by itself
   bool validate = false;                     ///< with Vulkan's validation layer; what it says ends with exit code 3

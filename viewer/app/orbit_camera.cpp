@@ -82,6 +82,16 @@ void OrbitCamera::place(const glm::dvec3& eye, const glm::dvec3& to) noexcept {
   if (back.x != 0.0 || back.z != 0.0) yaw_rad = std::atan2(back.x, back.z);
 }
 
+void OrbitCamera::take_over(const View& view, const Aabb& bounds) noexcept {
+  if (!view.parallel()) fov_y_rad = view.fov_y_rad;
+  const glm::dvec3 from = eye_of(view), ahead = -glm::dvec3(view.view_from_world.row[2]);
+  const glm::dvec3 middle = bounds.empty() ? from : 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
+  double depth = glm::dot(middle - from, ahead);
+  if (!(depth > view.near_m)) depth = std::max(2.0 * view.near_m, scale_m_);   // it looks away from the scene
+  const double distance = view.parallel() ? view.half_height_m / std::tan(0.5 * fov_y_rad) : depth;
+  place(from + (depth - distance) * ahead, from + depth * ahead);
+}
+
 View OrbitCamera::view(const Aabb& bounds) const {
   return look_at(eye(), target, fov_y_rad, near_plane_for(eye(), bounds));
 }

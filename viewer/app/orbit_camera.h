@@ -39,6 +39,10 @@ class OrbitCamera {
   /// Stands at `eye` and looks at `to`. Nothing changes when the two are the same point.
   void place(const glm::dvec3& eye, const glm::dvec3& to) noexcept;
 
+  /// Goes on from where another view is, upright and round the middle of `bounds`' depth, so that a hand on the mouse
+  /// moves the picture that is seen. A parallel view becomes a perspective one that shows as much at that depth.
+  void take_over(const View& view, const Aabb& bounds) noexcept;
+
   /// What the renderer takes, with a near plane for a scene of these bounds.
   View view(const Aabb& bounds) const;
 

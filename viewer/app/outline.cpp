@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "runtime/assets/mesh_copies.h"
+
 namespace sinew::viewer {
 
 // The golden spiral: equal slices of height, turned on by the golden angle.
@@ -34,15 +36,18 @@ void Outline::add(const glm::vec3& point) noexcept {
 void Outline::add(const Scene& scene, const FrameResult& frame, const Aabb& box) noexcept {
   for (std::size_t i = 0; i < frame.instances.size(); ++i) {
     const InstanceResult& instance = frame.instances[i];
+    if (!instance.visible) continue;
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const DeformedPrimitive& deformed = frame.primitives[instance.first_primitive + p];
       const std::span<const glm::vec3> positions =
           deformed.positions.empty() ? mesh.primitives[p].positions : deformed.positions;
-      for (const auto& position : positions) {
-        const glm::vec3 point = transform_point(instance.world_from_mesh, position);
-        if (glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper))) add(point);
-      }
+      for_each_copy(scene.instances[i], instance.world_from_mesh, [&](const Affine& world_from_copy) {
+        for (const auto& position : positions) {
+          const glm::vec3 point = transform_point(world_from_copy, position);
+          if (glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper))) add(point);
+        }
+      });
     }
   }
 }

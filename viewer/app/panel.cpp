@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
-#include "viewer/app/clip_choice.h"
 #include "viewer/app/keys.h"
+#include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
 namespace {
@@ -72,13 +72,13 @@ void time_controls(const Scene& scene, Playback& playback) {
 
   double time = playback.time_s();
   const double start = 0.0, end = playback.duration_s();
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("speed  ").x);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
   const bool moved = ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemActive()) playback.pause();   // from the press on, so that the time does not run away under the hand
   if (moved) playback.seek(time);
   double speed = playback.speed();
   const double slowest = -2.0, fastest = 4.0;
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("speed  ").x);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
   if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "x %.2f")) playback.set_speed(speed);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) playback.set_speed(1.0);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("right click: x 1");
@@ -100,7 +100,33 @@ void skinning_choice(const PanelFacts& facts, Settings& settings) {
     settings.skinning = Skinning::center_of_rotation;
 }
 
+void camera_choice(const Scene& scene, Settings& settings) {
+  const bool any = std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.joint != kNone; });
+  if (!any || !ImGui::BeginCombo("camera", camera_label(scene, settings.camera).c_str())) return;
+  if (ImGui::Selectable(camera_label(scene, kNone).c_str(), settings.camera == kNone)) settings.camera = kNone;
+  for (std::uint32_t c = 0; c < scene.cameras.size(); ++c) {
+    if (scene.cameras[c].joint == kNone) continue;
+    ImGui::PushID(static_cast<int>(c));   // names may repeat
+    if (ImGui::Selectable(camera_label(scene, c).c_str(), settings.camera == c)) settings.camera = c;
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+void variant_choice(const Scene& scene, Settings& settings) {
+  if (scene.variants.empty() || !ImGui::BeginCombo("variant", variant_label(scene, settings.variant).c_str())) return;
+  if (ImGui::Selectable(variant_label(scene, kNone).c_str(), settings.variant == kNone)) settings.variant = kNone;
+  for (std::uint32_t v = 0; v < scene.variants.size(); ++v) {
+    ImGui::PushID(static_cast<int>(v));
+    if (ImGui::Selectable(variant_label(scene, v).c_str(), settings.variant == v)) settings.variant = v;
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
 void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wishes) {
+  camera_choice(*facts.scene, settings);
+  variant_choice(*facts.scene, settings);
   skinning_choice(facts, settings);
   ImGui::Checkbox("ambient occlusion", &settings.ambient_occlusion);
   ImGui::SameLine();
@@ -172,7 +198,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("speed  ").x);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("variant  ").x);
     exhibit_choice(facts, wishes);
     ImGui::Separator();
     time_controls(*facts.scene, playback);

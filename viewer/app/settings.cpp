@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/settings.h"
 
+#include "viewer/app/scene_choice.h"
+
 namespace sinew::viewer {
 
 Settings settings_from(const Options& options, const Scene& scene) {
@@ -9,6 +11,8 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.skinning = options.skinning;
   settings.skeleton = options.skeleton || scene.instances.empty();
+  if (options.file_camera) settings.camera = choose_camera(scene, *options.file_camera).value_or(kNone);
+  if (options.variant) settings.variant = choose_variant(scene, *options.variant).value_or(kNone);
   return settings;
 }
 

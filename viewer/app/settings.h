@@ -14,11 +14,14 @@ struct Settings {
   bool skeleton = false;
   bool panel = true;
   Skinning skinning = Skinning::linear;
+  std::uint32_t camera = kNone;          ///< of the scene; kNone = the user's own
+  std::uint32_t variant = kNone;         ///< of the scene's materials
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see.
+/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see. Camera and variant are
+/// those that the options name, where the scene has them.
 Settings settings_from(const Options& options, const Scene& scene);
 
 /// Turns ambient occlusion only on, and back to the lit picture.

@@ -2,14 +2,16 @@
 #include "viewer/app/shown_scene.h"
 
 #include "runtime/base/contract.h"
+#include "viewer/app/file_camera.h"
 
 namespace sinew::viewer {
 
 ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count)
     : exhibit_(exhibit),
       playback_(exhibit.scene),
-      scene_upload_(device, exhibit.scene),
+      scene_upload_(device, exhibit.scene, slot_count),
       frame_upload_(device, exhibit.scene, slot_count),
+      look_(exhibit.scene),
       skeleton_(exhibit.scene),
       bounds_(exhibit.scene.animations.size() + 1) {
   set_skinning(skinning);
@@ -62,9 +64,17 @@ const FrameResult& ShownScene::newest() {
 
 bool ShownScene::settled() const noexcept { return ready_seen_ && asked_ == current(); }
 
-DrawnScene ShownScene::upload(std::uint32_t slot) {
+DrawnScene ShownScene::upload(std::uint32_t slot, std::uint32_t variant) {
   frame_upload_.update(slot, newest(), plan_number_);
-  return {&scene_upload_, &frame_upload_};
+  scene_upload_.update(slot, frame_upload_.look(slot));
+  return {&scene_upload_, &frame_upload_, variant};
+}
+
+View ShownScene::view_of(std::uint32_t camera_index, double aspect) {
+  const FrameResult& pose = newest();
+  apply_properties(exhibit_.scene, pose.properties, look_);
+  const Camera& camera = look_.cameras[camera_index];
+  return view_of_camera(camera, pose.model[camera.joint], aspect, bounds().reached);
 }
 
 std::span<const LineVertex> ShownScene::skeleton_lines() {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/assets/scene_look.h"
 #include "runtime/plan/job_thread.h"
 #include "viewer/app/clip_bounds.h"
 #include "viewer/app/exhibit.h"
@@ -38,8 +39,11 @@ class ShownScene {
   /// The newest pose is the one asked for last, and is the current one.
   bool settled() const noexcept;
 
-  /// Fills the slot with the newest pose.
-  DrawnScene upload(std::uint32_t slot);
+  /// Fills the slot with the newest pose, in one of the scene's variants.
+  DrawnScene upload(std::uint32_t slot, std::uint32_t variant);
+
+  /// What a camera of the scene sees in the newest pose, in a picture of this shape.
+  View view_of(std::uint32_t camera, double aspect);
 
   std::span<const LineVertex> skeleton_lines();
 
@@ -68,6 +72,7 @@ class ShownScene {
   std::uint64_t plan_number_ = 0;    ///< tells the frames of one plan from those of the last
   SceneUpload scene_upload_;
   FrameUpload frame_upload_;
+  SceneLook look_;
   SkeletonLines skeleton_;
   std::vector<std::optional<ClipBounds>> bounds_;   ///< [clips + 1], the last is the rest pose
 };

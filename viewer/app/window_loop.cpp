@@ -45,6 +45,7 @@ class WindowLoop {
         swapchain_(device_, window_.framebuffer_size()),
         panel_(device_, swapchain_, window_.handle()),
         frame_(device_, swapchain_, panel_),
+        exhibit_(options.showcase_scene),
         settings_(settings_from(options, exhibits[options.showcase_scene].scene)) {
     for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
     show_exhibit(options.showcase_scene, clip);
@@ -57,6 +58,7 @@ class WindowLoop {
   void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
   void place_camera();
   void frame_all() { camera_.frame(shown_->bounds().outline.points(), aspect()); }
+  void leave_file_camera();
   double aspect() const;
   void react(const Input& input);
   void act(Action action);
@@ -87,6 +89,7 @@ class WindowLoop {
 
 void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip) {
   device_.wait_idle();
+  if (index != exhibit_) settings_.camera = settings_.variant = kNone;   // they were the last scene's
   exhibit_ = index;
   shown_.reset();   // its memory first
   add_missing_centers(exhibits_[index], settings_.skinning);
@@ -105,6 +108,13 @@ void WindowLoop::place_camera() {
   else frame_all();
 }
 
+// The user's own camera goes on from the file's.
+void WindowLoop::leave_file_camera() {
+  if (settings_.camera == kNone) return;
+  camera_.take_over(shown_->view_of(settings_.camera, aspect()), shown_->bounds().reached);
+  settings_.camera = kNone;
+}
+
 double WindowLoop::aspect() const {
   const VkExtent2D size = swapchain_.extent();
   return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
@@ -117,6 +127,7 @@ void WindowLoop::react(const Input& input) {
       if (const auto action = action_of_key(key)) act(*action);
   if (panel_.wants_mouse()) return;
   const double height = swapchain_.extent().height;
+  if (input.turn_held || input.move_held || input.wheel != 0.0) leave_file_camera();
   if (input.turn_held) camera_.orbit(input.moved_x, input.moved_y, height);
   if (input.move_held) camera_.pan(input.moved_x, input.moved_y, height);
   if (input.wheel != 0.0) camera_.zoom(input.wheel);
@@ -148,7 +159,7 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
     case Action::next_skinning: next_skinning(settings_); return true;
     case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
-    case Action::frame_all: frame_all(); return true;
+    case Action::frame_all: leave_file_camera(); frame_all(); return true;
     default: return false;
   }
 }
@@ -182,11 +193,11 @@ PanelFacts WindowLoop::facts() {
 
 void WindowLoop::draw() {
   const ClipBounds& bounds = shown_->bounds();
-  const View view = camera_.view(bounds.reached);
-  const RenderOptions look = render_options(settings_, bounds, camera_.eye());
-  const bool drawn = frame_.draw(*shown_, view, look, settings_.skeleton, [&] {
+  const View view = settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
+  const RenderOptions look = render_options(settings_, bounds, eye_of(view));
+  const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
-    if (wishes.frame_all) frame_all();
+    if (wishes.frame_all) act_on_look(Action::frame_all);
     if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
   });
   if (!drawn) return;

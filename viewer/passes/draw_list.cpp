@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/assets/mesh_copies.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
@@ -40,40 +41,53 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   for (const DrawnScene& drawn : scenes) {
-    const SceneResources& resources = drawn.scene->resources();
     const FrameVertices& vertices = drawn.frame->vertices(slot);
-    const Scene& scene = resources.scene;
+    const Scene& scene = drawn.scene->scene();
     for (std::size_t i = 0; i < vertices.instances.size(); ++i) {
       const PlacedInstance& placed = vertices.instances[i];
-      const Affine view_from_mesh =
-          affine_cast<float>(view.view_from_world * affine_cast<double>(placed.world_from_mesh));
-      const std::uint32_t mesh_index = scene.instances[i].mesh;
-      const Mesh& mesh = scene.meshes[mesh_index];
-      for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
-        const Primitive& primitive = mesh.primitives[p];
-        const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
-        if (own.index_count == 0) continue;
-        const DeformedBuffers& deformed = vertices.primitives[placed.first_primitive + p];
-        const Material* material = primitive.material == kNone ? nullptr : &scene.materials[primitive.material];
-        const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
-        Draw& draw = (alpha == AlphaMode::blend ? blended_ : opaque_).emplace_back();
-        bind_attributes(draw, resources.meshes, own, deformed, {resources.meshes.buffer(), vertices.buffer.handle()});
-        draw.indices = resources.meshes.buffer();
-        draw.indices_at = own.indices;
-        draw.index_count = own.index_count;
-        draw.material = resources.materials.set_of(primitive.material);
-        draw.constants = constants_of(primitive, view_from_mesh, point_size);
-        if (placed.mirrored) draw.constants.flags |= kMirrored;
-        draw.topology = primitive.topology;
-        draw.masked = alpha == AlphaMode::mask;
-        draw.double_sided = material && material->double_sided;
-        draw.mirrored = placed.mirrored;
-        draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
-      }
+      if (!placed.visible) continue;
+      const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
+      const bool copied = !scene.instances[i].copies.empty();
+      for_each_copy(scene.instances[i], view_from_mesh, [&](const Affined& view_from_copy) {
+        const bool mirrored = copied ? determinant(view_from_copy) < 0.0 : placed.mirrored;  // views do not mirror
+        add(drawn, slot, i, view_from_copy, mirrored, point_size);
+      });
     }
   }
   std::stable_sort(blended_.begin(), blended_.end(),
                    [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
+}
+
+void DrawList::add(const DrawnScene& drawn, std::uint32_t slot, std::size_t instance, const Affined& view_from_mesh_d, bool mirrored,
+                   float point_size) {
+  const SceneResources& resources = drawn.scene->resources();
+  const FrameVertices& vertices = drawn.frame->vertices(slot);
+  const Scene& scene = resources.scene;
+  const Affine view_from_mesh = affine_cast<float>(view_from_mesh_d);
+  const std::uint32_t mesh_index = scene.instances[instance].mesh;
+  const Mesh& mesh = scene.meshes[mesh_index];
+  for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
+    const Primitive& primitive = mesh.primitives[p];
+    const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
+    if (own.index_count == 0) continue;
+    const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
+    const std::uint32_t material_index = material_of(primitive, drawn.variant);
+    const Material* material = material_index == kNone ? nullptr : &scene.materials[material_index];
+    const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
+    Draw& draw = (alpha == AlphaMode::blend ? blended_ : opaque_).emplace_back();
+    bind_attributes(draw, resources.meshes, own, deformed, {resources.meshes.buffer(), vertices.buffer.handle()});
+    draw.indices = resources.meshes.buffer();
+    draw.indices_at = own.indices;
+    draw.index_count = own.index_count;
+    draw.material = resources.materials.set_of(material_index, slot);
+    draw.constants = constants_of(primitive, view_from_mesh, point_size);
+    if (mirrored) draw.constants.flags |= kMirrored;
+    draw.topology = primitive.topology;
+    draw.masked = alpha == AlphaMode::mask;
+    draw.double_sided = material && material->double_sided;
+    draw.mirrored = mirrored;
+    draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
+  }
 }
 
 }  // namespace sinew::viewer

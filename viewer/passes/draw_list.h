@@ -43,6 +43,9 @@ class DrawList {
   std::span<const Draw> blended() const noexcept { return blended_; }
 
  private:
+  void add(const DrawnScene& drawn, std::uint32_t slot, std::size_t instance, const Affined& view_from_mesh, bool mirrored,
+           float point_size);
+
   std::vector<Draw> opaque_, blended_;
 };
 

@@ -80,10 +80,9 @@ void FrameRenderer::State::upload_lines(FrameSlot& slot, const FrameInputs& inpu
 void FrameRenderer::State::collect_lights(const FrameInputs& inputs) {
   lights.clear();
   for (const DrawnScene& drawn : inputs.scenes) {
-    const Scene& scene = drawn.scene->scene();
-    const std::vector<Affine>& placed = drawn.frame->vertices(inputs.slot).world_from_light;
-    for (std::size_t i = 0; i < placed.size(); ++i)
-      if (scene.lights[i].joint != kNone) lights.push_back({&scene.lights[i], placed[i]});
+    const FrameVertices& frame = drawn.frame->vertices(inputs.slot);
+    for (std::size_t i = 0; i < frame.world_from_light.size(); ++i)
+      if (frame.light_shines[i]) lights.push_back({&frame.look.lights[i], frame.world_from_light[i]});
   }
 }
 

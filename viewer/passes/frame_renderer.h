@@ -26,6 +26,7 @@ struct ColorTarget {
 struct DrawnScene {
   const SceneUpload* scene = nullptr;
   const FrameUpload* frame = nullptr;
+  std::uint32_t variant = kNone;     ///< of the scene's material variants, kNone = the materials of the primitives
 };
 
 /// End points of a line drawn over the picture, without depth test: the skeleton, a grid. Two vertices per line.
@@ -53,6 +54,7 @@ struct PassTime {
 /// Records the passes of a frame in the order of frame_graph.h, each only when the frame calls for it.
 ///
 /// Use:  wait until the slot's last submit is done;  frame_upload.update(slot, result);
+///       scene_upload.update(slot, frame_upload.look(slot));
 ///       renderer.record(commands, target, inputs);  submit `commands`, waiting for the target at
 ///       COLOR_ATTACHMENT_OUTPUT
 /// owns  pipelines, the images between passes (made again when the target's extent changes: waits for the device then),

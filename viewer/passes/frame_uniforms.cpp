@@ -19,6 +19,13 @@ glm::vec3 into_view(const View& view, const glm::vec3& world) {
   return glm::vec3(transform_vector(view.view_from_world, glm::dvec3(world)));
 }
 
+/// The two numbers that give clip z from view z: x + y * z.
+glm::dvec2 clip_depth(const View& view) {
+  if (!view.parallel() && view.far_m == 0.0) return {view.near_m, 0.0};
+  const double slope = (view.parallel() ? 1.0 : view.near_m) / (view.far_m - view.near_m);
+  return {slope * view.far_m, slope};
+}
+
 LightUniforms key_light(const View& view, const Lighting& lighting) {
   const glm::vec3 to_key = safe_normalize(lighting.to_key, {0.0f, 1.0f, 0.0f});
   return {glm::vec4(0.0f), glm::vec4(lighting.key_follows_camera ? to_key : into_view(view, to_key), 0.0f),
@@ -48,9 +55,10 @@ float linear_from_srgb(float encoded) noexcept {
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
                                   std::span<const PlacedLight> lights, const SsaoKernel& kernel) {
   FrameUniforms u{};
-  const double cot = 1.0 / std::tan(0.5 * view.fov_y_rad);
   const double aspect = static_cast<double>(extent.width) / extent.height;
-  u.projection = glm::vec4(glm::dvec4(cot / aspect, cot, view.near_m, 0.5 * cot * extent.height));
+  const double scale = view.parallel() ? 1.0 / view.half_height_m : 1.0 / std::tan(0.5 * view.fov_y_rad);
+  u.projection = glm::vec4(glm::dvec4(scale / aspect, scale, clip_depth(view)));
+  u.lens = glm::vec4(glm::dvec4(view.near_m, 0.5 * scale * extent.height, view.parallel() ? 1.0 : 0.0, 0.0));
   const AmbientOcclusion& ao = options.ao;
   u.occlusion = {ao.radius_m, ao.surface_epsilon_m, ao.fade_start_m,
                  std::max(ao.fade_end_m, ao.fade_start_m * 1.0001f)};

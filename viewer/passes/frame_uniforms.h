@@ -22,7 +22,8 @@ struct LightUniforms {
 };
 
 struct FrameUniforms {
-  glm::vec4 projection;     ///< cot(fov/2) / aspect, cot(fov/2), near, pixels per metre at distance 1
+  glm::vec4 projection;     ///< clip x and y = these * view x and y; clip z = third + fourth * view z
+  glm::vec4 lens;           ///< near, pixels per metre (of a perspective: at distance 1), 1 = parallel
   glm::vec4 occlusion;      ///< radius, surface epsilon, fade start, fade end
   glm::vec4 occlusion_use;  ///< power, 1 = on
   glm::vec4 sky, ground, up;
@@ -32,7 +33,7 @@ struct FrameUniforms {
   std::array<glm::vec4, 16> noise;
   std::array<LightUniforms, kMaxLights> lights;
 };
-static_assert(sizeof(FrameUniforms) == 16 * (8 + 14 + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (9 + 14 + 16 + 4 * kMaxLights));
 
 /// A light of the scene with the joint it hangs on, both from this frame.
 struct PlacedLight {

@@ -5,14 +5,19 @@
 
 namespace sinew::viewer {
 
-/// A perspective camera that looks along -z of its own space, +y up. Depth is reversed with the far plane at infinity:
-/// stored depth = near / distance, 0 where nothing was drawn (N30). Double precision, because the product with a mesh's
-/// matrix is where large world coordinates cancel (N25).
-/// eq   clip = (x * cot(fov_y/2) / aspect, y * cot(fov_y/2), near, -z)
+/// A camera that looks along -z of its own space, +y up. Depth is reversed, 0 where nothing was drawn (N30). Double
+/// precision, because the product with a mesh's matrix is where large world coordinates cancel (N25).
+/// eq   perspective:  clip = (x * c / aspect, y * c, near * (far + z) / (far - near), -z),  c = cot(fov_y/2);
+///                    with the far plane at infinity the depth is near / distance
+///      parallel:     clip = (x / (h * aspect), y / h, (far + z) / (far - near), 1),  h = half_height_m
 struct View {
   Affined view_from_world;
   double fov_y_rad = 0.8;
   double near_m = 0.01;
+  double half_height_m = 0.0;        ///< above 0: parallel projection, which shows this much above the middle
+  double far_m = 0.0;                ///< above near_m; 0 = infinite, which a parallel projection cannot have
+
+  bool parallel() const noexcept { return half_height_m > 0.0; }
 };
 
 /// Rotation and position from an eye point towards a target; any `up` that is not parallel to the line of sight, and a

@@ -5,7 +5,7 @@
 float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
   if (frame.occlusion_use.y == 0.0 || n == vec3(0.0)) return 1.0;
   ivec2 last = textureSize(access_image, 0) - 1;
-  float metres_per_pixel = -p.z / frame.projection.w;
+  float metres_per_pixel = 1.0 / pixels_per_metre(-p.z);
   float sum = 0.0, weight_sum = 0.0, nearest = 1.0, nearest_squared = 3.4e38;
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
@@ -13,7 +13,7 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
     ivec2 texel = min((pixel >> 1) + offset, last);
     vec4 stored = texelFetch(access_image, texel, 0);
     if (stored.g <= 0.0) continue;
-    vec3 other = view_ray(full_pixel(texel)) * stored.g;
+    vec3 other = view_point(full_pixel(texel), stored.g);
     float squared = dot(other - p, other - p);
     if (squared < nearest_squared) nearest_squared = squared, nearest = stored.r;
     if (!same_surface(p, n, other, unpack_normal(stored.ba), metres_per_pixel)) continue;

@@ -9,7 +9,8 @@ struct Light {
 };
 
 layout(set = 0, binding = 0, std140) uniform Frame {
-  vec4 projection;           // cot(fov/2) / aspect, cot(fov/2), near, pixels per metre at distance 1
+  vec4 projection;           // clip x and y = these * view x and y; clip z = third + fourth * view z
+  vec4 lens;                 // near, pixels per metre (of a perspective: at distance 1), 1 = parallel
   vec4 occlusion;            // radius, surface epsilon, fade start, fade end
   vec4 occlusion_use;        // power, 1 = on
   vec4 sky;                  // ambient radiance from above

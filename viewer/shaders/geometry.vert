@@ -4,6 +4,7 @@
 // Meshes into view space. The prepass and the shading passes use this one module and `invariant`: their depths are equal.
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
+#include "projection.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -40,7 +41,6 @@ void main() {
                       dot(draw.view_from_mesh[2], direction), tangent.w);
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
-  // y points down in the frame buffer
-  gl_Position = vec4(view.x * frame.projection.x, -view.y * frame.projection.y, frame.projection.z, -view.z);
+  gl_Position = clip_from_view(view);
   gl_PointSize = draw.point_size;
 }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 // Lines over the picture; vertices are in view space already.
 #include "frame_uniforms.glsl"
+#include "projection.glsl"
 
 layout(location = 0) in vec3 view_position;
 layout(location = 1) in vec4 rgba;
@@ -10,7 +11,6 @@ layout(location = 1) in vec4 rgba;
 layout(location = 0) out vec4 line_color;
 
 void main() {
-  gl_Position = vec4(view_position.x * frame.projection.x, -view_position.y * frame.projection.y, frame.projection.z,
-                     -view_position.z);
+  gl_Position = clip_from_view(view_position);
   line_color = rgba;
 }

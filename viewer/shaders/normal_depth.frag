@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // View-space normals beside the depth; the alpha test of masked materials happens here.
+#include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
 #include "surface_normal.glsl"

@@ -48,7 +48,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
   }
   s.roughness = clamp(s.roughness, 0.045, 1.0);   // keeps the highlight of a mirror visible and finite
   s.n = mapped_normal(geometry_normal);
-  s.to_viewer = normalize(-view_position);
+  s.to_viewer = towards_viewer(view_position);
   float open = kOccluded ? ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal) : 1.0;
   if (has_texture(3)) {
     float baked = texture(occlusion_texture, texcoord_of(3, texcoords)).r;

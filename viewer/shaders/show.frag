@@ -20,7 +20,7 @@ void main() {
   float covered = far_p > 0.0 ? 1.0 : 0.0;
   vec3 value;
   if (kShow == 1) {
-    value = vec3(covered == 0.0 || n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_ray(pixel) * far_p, normalize(n)));
+    value = vec3(covered == 0.0 || n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_point(pixel, far_p), normalize(n)));
   } else if (kShow == 2) {
     value = covered == 0.0 ? vec3(0.5) : n * 0.5 + 0.5;
   } else {

@@ -20,13 +20,14 @@ float fade(float nearer_by) {
 }
 
 float occlusion_of(vec3 sample_point, vec3 p, vec3 n) {
-  if (sample_point.z >= -frame.projection.z) return 0.0;                        // behind the viewer
+  if (sample_point.z >= -frame.lens.x) return 0.0;                        // behind the viewer
   ivec2 size = textureSize(depth_image, 0);
-  vec2 ndc = vec2(sample_point.x * frame.projection.x, -sample_point.y * frame.projection.y) / -sample_point.z;
+  vec4 clip = clip_from_view(sample_point);
+  vec2 ndc = clip.xy / clip.w;
   ivec2 pixel = clamp(ivec2(floor((ndc * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
   float far_r = distance_at(pixel);
   if (far_r == 0.0) return 0.0;                                                 // nothing drawn: open sky
-  vec3 to_r = view_ray(pixel) * far_r - p;
+  vec3 to_r = view_point(pixel, far_r) - p;
   float length_squared = dot(to_r, to_r);
   if (length_squared == 0.0) return 0.0;                                        // p itself
   return fade(-p.z - far_r) * max(dot(n, to_r) * inversesqrt(length_squared), 0.0);
@@ -40,10 +41,10 @@ void main() {
   access_distance_normal = vec4(1.0, far_p, pack_normal(n));
   if (far_p == 0.0 || n == vec3(0.0)) return;
   n = normalize(n);
-  float radius_pixels = frame.occlusion.x * frame.projection.w / far_p;
+  float radius_pixels = frame.occlusion.x * pixels_per_metre(far_p);
   float resolved = clamp(radius_pixels - 2.0, 0.0, 1.0);                        // too far away to see blockers apart (N32)
   if (resolved == 0.0) return;
-  vec3 p = view_ray(pixel) * far_p;
+  vec3 p = view_point(pixel, far_p);
   vec3 mirror = frame.noise[(texel.y & 3) * 4 + (texel.x & 3)].xyz;
   float sum = 0.0;
   for (int i = 0; i < 14; ++i) {

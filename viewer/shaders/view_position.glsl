@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// From pixels to view space. Depth is reversed with the far plane at infinity: distance = near / depth (N30).
+// From pixels to view space (N30).
+#include "projection.glsl"
 
 float distance_at(ivec2 pixel) {
   float depth = texelFetch(depth_image, pixel, 0).r;
-  return depth > 0.0 ? frame.projection.z / depth : 0.0;   // 0 = nothing drawn there
+  return depth > 0.0 ? distance_of(depth) : 0.0;   // 0 = nothing drawn there
 }
 
-vec3 view_ray(ivec2 pixel) {   // to distance 1
+vec3 view_point(ivec2 pixel, float distance) {
   vec2 ndc = (vec2(pixel) + 0.5) / vec2(textureSize(depth_image, 0)) * 2.0 - 1.0;
-  return vec3(ndc.x / frame.projection.x, -ndc.y / frame.projection.y, -1.0);
+  vec2 xy = vec2(ndc.x, -ndc.y) / frame.projection.xy;
+  return vec3(is_parallel() ? xy : xy * distance, -distance);
 }
 
 // Half-size texels stand for every second pixel of the full image.

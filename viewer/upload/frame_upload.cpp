@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/upload/frame_upload.h"
 
+#include <algorithm>
 #include <cstring>
 #include <span>
 
@@ -56,13 +57,31 @@ glm::vec3 centre_of(const Primitive& primitive, const DeformedPrimitive& deforme
 }
 
 bool blended(const Scene& scene, const Primitive& primitive) noexcept {
-  return primitive.material != kNone && scene.materials[primitive.material].alpha_mode == AlphaMode::blend;
+  const auto blends = [&](std::uint32_t material) {
+    return material != kNone && scene.materials[material].alpha_mode == AlphaMode::blend;
+  };
+  const auto& variants = primitive.variant_materials;
+  return blends(primitive.material) ||
+         std::any_of(variants.begin(), variants.end(), [&](const VariantMaterial& v) { return blends(v.material); });
+}
+
+void place_lights(const Scene& scene, const FrameResult& result, FrameVertices& slot) {
+  slot.world_from_light.resize(scene.lights.size());
+  slot.light_shines.resize(scene.lights.size());
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const std::uint32_t joint = scene.lights[i].joint;
+    const bool placed = joint < result.model.size();
+    slot.world_from_light[i] = placed ? result.model[joint] : Affine{};
+    slot.light_shines[i] = joint != kNone && (result.hidden.empty() || !result.hidden[joint]);
+  }
 }
 
 }  // namespace
 
 FrameUpload::FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_count)
-    : state_(new State{device, scene, std::vector<FrameVertices>(slot_count), 0}) {}
+    : state_(new State{device, scene, std::vector<FrameVertices>(slot_count), 0}) {
+  for (FrameVertices& slot : state_->slots) slot.look = SceneLook(scene);
+}
 
 FrameUpload::~FrameUpload() = default;
 
@@ -79,7 +98,7 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
   slot.primitives.resize(result.primitives.size());
   for (std::size_t i = 0; i < result.instances.size(); ++i) {
     const InstanceResult& instance = result.instances[i];
-    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.first_primitive};
+    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, instance.first_primitive};
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];
@@ -91,16 +110,15 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
       if (blended(scene, mesh.primitives[p])) buffers.centre = centre_of(mesh.primitives[p], deformed);
     }
   }
-  slot.world_from_light.resize(scene.lights.size());
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const std::uint32_t joint = scene.lights[i].joint;
-    slot.world_from_light[i] = joint < result.model.size() ? result.model[joint] : Affine{};
-  }
+  place_lights(scene, result, slot);
+  apply_properties(scene, result.properties, slot.look);
   state_->uploaded_bytes += writer.written;
   slot.frame = result.frame, slot.source = source, slot.filled = true;
 }
 
 std::uint64_t FrameUpload::uploaded_bytes() const noexcept { return state_->uploaded_bytes; }
+
+const SceneLook& FrameUpload::look(std::uint32_t slot) const noexcept { return state_->slots[slot].look; }
 
 const FrameVertices& FrameUpload::vertices(std::uint32_t slot) const noexcept { return state_->slots[slot]; }
 

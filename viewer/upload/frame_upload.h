@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "runtime/assets/scene.h"
+#include "runtime/assets/scene_look.h"
 #include "runtime/plan/frame_result.h"
 #include "viewer/device/device.h"
 
@@ -29,6 +29,9 @@ class FrameUpload {
 
   /// Bytes written by all updates so far.
   std::uint64_t uploaded_bytes() const noexcept;
+
+  /// Materials, lights and cameras of the slot's frame.
+  const SceneLook& look(std::uint32_t slot) const noexcept;
 
   const FrameVertices& vertices(std::uint32_t slot) const noexcept;
 

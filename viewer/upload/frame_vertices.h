@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "runtime/assets/scene_look.h"
 #include "viewer/upload/upload_mesh.h"
 
 namespace sinew::viewer {
@@ -15,7 +16,7 @@ struct DeformedBuffers {
 /// One mesh instance as it is drawn.
 struct PlacedInstance {
   Affine world_from_mesh;
-  bool mirrored = false;
+  bool mirrored = false, visible = true;
   std::uint32_t first_primitive = 0;  ///< into FrameVertices::primitives
 };
 
@@ -25,6 +26,8 @@ struct FrameVertices {
   std::vector<PlacedInstance> instances;
   std::vector<DeformedBuffers> primitives;
   std::vector<Affine> world_from_light;  ///< [lights of the scene]
+  std::vector<bool> light_shines;        ///< [lights of the scene] it hangs on a node, which is shown
+  SceneLook look;                        ///< materials, lights and cameras of this frame
   std::uint64_t frame = 0, source = 0;
   bool filled = false;
 };

@@ -7,8 +7,8 @@ namespace sinew::viewer {
 
 /// What SceneUpload holds; members in the order of their upload.
 struct SceneResources {
-  SceneResources(Device& device, const Scene& uploaded, Staging& staging)
-      : scene(uploaded), meshes(device, uploaded, staging), materials(device, uploaded, staging) {}
+  SceneResources(Device& device, const Scene& uploaded, Staging& staging, std::uint32_t slot_count)
+      : scene(uploaded), meshes(device, uploaded, staging), materials(device, uploaded, staging, slot_count) {}
 
   const Scene& scene;
   MeshSet meshes;

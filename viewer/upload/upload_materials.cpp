@@ -42,16 +42,33 @@ VkDescriptorSetLayout make_material_layout(const Device& device) {
   return layout;
 }
 
-MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging) : device_(device), textures_(device) {
-  const auto count = static_cast<std::uint32_t>(scene.materials.size() + 1);
+MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count)
+    : device_(device), scene_(scene), textures_(device), count_(static_cast<std::uint32_t>(scene.materials.size() + 1)) {
+  for (const PropertyTable::Entry& entry : scene.properties.entries)
+    if (entry.target.kind >= PropertyKind::base_color) animated_.push_back(entry.target.index);
+  std::sort(animated_.begin(), animated_.end());
+  animated_.erase(std::unique(animated_.begin(), animated_.end()), animated_.end());
+  if (!animated_.empty()) slots_ = slot_count;
   layout_ = make_material_layout(device);
+  allocate_sets();
+  const VkDeviceSize alignment = device.limits().minUniformBufferOffsetAlignment;
+  stride_ = (sizeof(MaterialUniforms) + alignment - 1) / alignment * alignment;
+  uniforms_ = Buffer(device, stride_ * sets_.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::upload);
+  for (std::size_t set = 0; set < sets_.size(); ++set) {
+    const std::size_t material = set % count_;
+    write_set(set, material < scene.materials.size() ? scene.materials[material] : Material{}, staging);
+  }
+}
+
+void MaterialSet::allocate_sets() {
+  const std::uint32_t count = count_ * slots_;
   const std::array<VkDescriptorPoolSize, 2> sizes = {
       {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5 * count}}};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   pool.maxSets = count;
   pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   pool.pPoolSizes = sizes.data();
-  must(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &pool_), "vkCreateDescriptorPool");
+  must(vkCreateDescriptorPool(device_.handle(), &pool, nullptr, &pool_), "vkCreateDescriptorPool");
 
   const std::vector<VkDescriptorSetLayout> layouts(count, layout_);
   sets_.resize(count);
@@ -59,13 +76,7 @@ MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging) :
   allocate.descriptorPool = pool_;
   allocate.descriptorSetCount = count;
   allocate.pSetLayouts = layouts.data();
-  must(vkAllocateDescriptorSets(device.handle(), &allocate, sets_.data()), "vkAllocateDescriptorSets");
-
-  const VkDeviceSize alignment = device.limits().minUniformBufferOffsetAlignment;
-  stride_ = (sizeof(MaterialUniforms) + alignment - 1) / alignment * alignment;
-  uniforms_ = Buffer(device, stride_ * count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::upload);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) write_set(scene, scene.materials[i], i, staging);
-  write_set(scene, Material{}, scene.materials.size(), staging);
+  must(vkAllocateDescriptorSets(device_.handle(), &allocate, sets_.data()), "vkAllocateDescriptorSets");
 }
 
 MaterialSet::~MaterialSet() {
@@ -73,13 +84,28 @@ MaterialSet::~MaterialSet() {
   vkDestroyDescriptorSetLayout(device_.handle(), layout_, nullptr);
 }
 
-void MaterialSet::write_set(const Scene& scene, const Material& given, std::size_t index, Staging& staging) {
+void MaterialSet::update(std::uint32_t slot, std::span<const Material> materials) {
+  for (const std::uint32_t m : animated_) write_uniforms(slot % slots_ * count_ + m, usable(materials[m]));
+}
+
+/// Without the data textures that cannot be read: their factors count alone.
+Material MaterialSet::usable(const Material& given) const {
   Material material = given;
   for (TextureUse* data : {&material.metallic_roughness_texture, &material.normal_texture, &material.occlusion_texture})
-    if (!readable(scene, *data)) *data = {};
+    if (!readable(scene_, *data)) *data = {};
+  return material;
+}
+
+void MaterialSet::write_uniforms(std::size_t set, const Material& material) {
   const MaterialUniforms uniforms = material_uniforms(material);
-  std::memcpy(uniforms_.mapped() + stride_ * index, &uniforms, sizeof(uniforms));
-  const VkDescriptorBufferInfo buffer{uniforms_.handle(), stride_ * index, sizeof(uniforms)};
+  std::memcpy(uniforms_.mapped() + stride_ * set, &uniforms, sizeof(uniforms));
+}
+
+void MaterialSet::write_set(std::size_t set, const Material& given, Staging& staging) {
+  const Material material = usable(given);
+  const Scene& scene = scene_;
+  write_uniforms(set, material);
+  const VkDescriptorBufferInfo buffer{uniforms_.handle(), stride_ * set, sizeof(MaterialUniforms)};
   const std::array<VkDescriptorImageInfo, 5> images = {
       textures_.use(scene, material.base_color_texture.texture, true, staging),
       textures_.use(scene, material.metallic_roughness_texture.texture, false, staging),
@@ -89,7 +115,7 @@ void MaterialSet::write_set(const Scene& scene, const Material& given, std::size
   std::array<VkWriteDescriptorSet, 6> writes{};
   for (std::uint32_t i = 0; i < writes.size(); ++i) {
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[i].dstSet = sets_[index];
+    writes[i].dstSet = sets_[set];
     writes[i].dstBinding = i;
     writes[i].descriptorCount = 1;
     writes[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -25,23 +27,34 @@ MaterialUniforms material_uniforms(const Material& material) noexcept;
 /// Descriptor set 1 of all geometry pipelines: the uniforms and five textures. The caller destroys it.
 VkDescriptorSetLayout make_material_layout(const Device& device);
 
-/// One descriptor set per material of the scene, and a last one for primitives without material (glTF's default).
+/// One descriptor set per material of the scene, and a last one for primitives without material (glTF's default). Where
+/// clips move a material, each frame in flight has sets of its own.
 class MaterialSet {
  public:
-  MaterialSet(Device& device, const Scene& scene, Staging& staging);
+  MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count);
   ~MaterialSet();
   MaterialSet(const MaterialSet&) = delete;
   MaterialSet& operator=(const MaterialSet&) = delete;
 
-  VkDescriptorSet set_of(std::uint32_t material) const noexcept {
-    return sets_[material < sets_.size() - 1 ? material : sets_.size() - 1];
+  VkDescriptorSet set_of(std::uint32_t material, std::uint32_t slot) const noexcept {
+    return sets_[slot % slots_ * count_ + std::min(material, count_ - 1)];
   }
 
+  /// Writes the materials that clips move.
+  /// in   slot  the GPU must be done with its last use;   materials  as many as the scene has
+  void update(std::uint32_t slot, std::span<const Material> materials);
+
  private:
-  void write_set(const Scene& scene, const Material& given, std::size_t index, Staging& staging);
+  Material usable(const Material& given) const;
+  void allocate_sets();
+  void write_uniforms(std::size_t set, const Material& material);
+  void write_set(std::size_t set, const Material& given, Staging& staging);
 
   Device& device_;
+  const Scene& scene_;
   TextureSet textures_;
+  std::vector<std::uint32_t> animated_;
+  std::uint32_t count_ = 0, slots_ = 1;
   Buffer uniforms_;
   VkDeviceSize stride_ = 0;
   VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;

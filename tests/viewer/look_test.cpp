@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// What changes a scene's look without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
+#include "tests/viewer/device_fixture.h"
+#include "viewer/app/headless.h"
+
+namespace sinew::viewer {
+namespace {
+
+class look : public DeviceTest {};
+
+constexpr std::uint32_t kSize = 64;
+
+Material glowing(const glm::vec3& color) {
+  Material material;
+  material.unlit = true;
+  material.base_color = glm::vec4(color, 1.0f);
+  return material;
+}
+
+/// A square of 1 m in the plane y = 0, seen from above by a parallel camera that shows 4 m by 4 m.
+struct Seen {
+  BuiltScene built;
+  View view = look_at({0.0, 3.0, 0.0}, {0.0, 0.0, 0.0}, 0.8, 0.5);
+
+  Seen() {
+    view.half_height_m = 2.0, view.far_m = 10.0;
+    built.add(square(0.5f), built.add_material(glowing({1, 0, 0})));
+  }
+  Picture picture(std::uint32_t variant = kNone, const FrameResult* frame = nullptr) {
+    Headless renderer(*test_device(), built.scene, kSize, kSize);
+    RenderOptions options;
+    options.transparent_background = true;
+    return renderer.render(frame ? *frame : built.frame(), view, options, {}, variant);
+  }
+};
+
+std::size_t covered(const Picture& picture) {
+  std::size_t count = 0;
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) count += picture.rgba[i] == 255;
+  return count;
+}
+
+const std::uint8_t* middle(const Picture& picture) { return &picture.rgba[4 * (kSize / 2 * kSize + kSize / 2)]; }
+
+TEST_F(look, a_parallel_camera_shows_the_same_size_at_any_distance) {
+  Seen seen;
+  const std::size_t near = covered(seen.picture());
+  EXPECT_EQ(near, 16u * 16u) << "1 m of 4 m on 64 pixels";
+  seen.view = look_at({0.0, 8.0, 0.0}, {0.0, 0.0, 0.0}, 0.8, 0.5);
+  seen.view.half_height_m = 2.0, seen.view.far_m = 10.0;
+  EXPECT_EQ(covered(seen.picture()), near);
+  seen.view.far_m = 7.5;
+  EXPECT_EQ(covered(seen.picture()), 0u) << "behind the far plane";
+}
+
+TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
+  Seen seen;
+  seen.view = look_at({0.5, 3.0, 1.5}, {0.0, 0.0, 0.0}, 0.8, 0.5);
+  const auto without = gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {});
+  seen.view.far_m = 4.5;
+  const auto with = gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {});
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < with.distance.size(); ++i) {
+    drawn += with.distance[i] > 0.0;
+    ASSERT_NEAR(with.distance[i], without.distance[i], 1e-4);
+  }
+  EXPECT_GT(drawn, 100u);
+  seen.view.far_m = 3.4;   // through the middle of the square
+  std::size_t kept = 0;
+  for (const double d : gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {}).distance) {
+    kept += d > 0.0;
+    EXPECT_LE(d, 3.4001);
+  }
+  EXPECT_GT(kept, drawn / 4);
+  EXPECT_LT(kept, drawn * 3 / 4);
+}
+
+TEST_F(look, ambient_access_of_a_plane_is_open_in_a_parallel_view) {
+  Seen seen;
+  seen.built.scene.materials[0] = matte({0.5f, 0.5f, 0.5f});
+  Headless renderer(*test_device(), seen.built.scene, kSize, kSize);
+  RenderOptions options;
+  options.show = Show::ao;
+  const Picture picture = renderer.render(seen.built.frame(), seen.view, options);
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) ASSERT_GE(picture.rgba[i], 250);
+}
+
+TEST_F(look, every_copy_is_drawn) {
+  Seen seen;
+  const glm::quat none(1, 0, 0, 0);
+  seen.built.scene.instances[0].copies = {{{-1, 0, 0}, none, {1, 1, 1}}, {{1, 0, 0}, none, {-1, 1, 1}}, {{0, 0, 1}, none, {0.5f, 1, 1}}};
+  EXPECT_EQ(covered(seen.picture()), 2u * 16u * 16u + 8u * 16u);
+}
+
+TEST_F(look, a_variant_brings_its_material) {
+  Seen seen;
+  const std::uint32_t blue = seen.built.add_material(glowing({0, 0, 1}));
+  seen.built.scene.variants = {"red", "blue"};
+  seen.built.scene.meshes[0].primitives[0].variant_materials = {{1, blue}};
+  EXPECT_GT(middle(seen.picture())[0], 200);
+  EXPECT_GT(middle(seen.picture(0))[0], 200);
+  EXPECT_GT(middle(seen.picture(1))[2], 200);
+  EXPECT_LT(middle(seen.picture(1))[0], 60);
+}
+
+TEST_F(look, animated_materials_follow_the_frame) {
+  Seen seen;
+  seen.built.scene.properties.entries = {{{PropertyKind::base_color, 0}, 0, 4}};
+  seen.built.scene.properties.rest = {1, 0, 0, 1};
+  const float green[] = {0, 1, 0, 1};
+  FrameResult frame = seen.built.frame();
+  EXPECT_GT(middle(seen.picture(kNone, &frame))[0], 200);
+  frame.properties = green;
+  const Picture picture = seen.picture(kNone, &frame);
+  EXPECT_GT(middle(picture)[1], 200);
+  EXPECT_LT(middle(picture)[0], 60);
+}
+
+TEST_F(look, hidden_instances_are_not_drawn) {
+  Seen seen;
+  const FrameResult frame = seen.built.frame();
+  InstanceResult hidden = frame.instances[0];
+  hidden.visible = false;
+  FrameResult other = frame;
+  other.instances = {&hidden, 1};
+  EXPECT_EQ(covered(seen.picture(kNone, &other)), 0u);
+}
+
+TEST_F(look, lights_follow_the_frame_and_go_out_with_their_hidden_node) {
+  Seen seen;
+  seen.built.scene.materials[0] = matte({1, 1, 1});
+  seen.built.add_light({.kind = Light::Kind::point, .color = {1, 1, 1}, .intensity = 20.0f}, translation({0, 2, 0}));
+  seen.built.scene.properties.entries = {{{PropertyKind::light_color, 0}, 0, 3}};
+  seen.built.scene.properties.rest = {1, 1, 1};
+  FrameResult frame = seen.built.frame();
+  const Picture white = seen.picture(kNone, &frame);
+  EXPECT_GT(middle(white)[2], 200);
+  const float red[] = {1, 0, 0};
+  frame.properties = red;
+  const Picture reddish = seen.picture(kNone, &frame);
+  EXPECT_GT(middle(reddish)[0], 200);
+  EXPECT_LT(middle(reddish)[2], middle(white)[2] - 20);
+  frame.properties = {};
+  const bool hidden[] = {false, true};   // the light's joint
+  frame.hidden = hidden;
+  const Picture key_light = seen.picture(kNone, &frame);   // stands in when no light is left
+  seen.built.scene.lights.clear();
+  EXPECT_EQ(key_light.rgba, seen.picture(kNone, &frame).rgba);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/scene_choice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+using testing::HasSubstr;
+
+Scene scene_with(std::initializer_list<const char*> names) {
+  Scene scene;
+  for (const char* name : names) scene.animations.emplace_back().name = name;
+  return scene;
+}
+
+TEST(scene_choice, of_a_clip_takes_an_index_a_name_or_none) {
+  const Scene scene = scene_with({"Walk", "", "Run", "Run"});
+  EXPECT_EQ(choose_clip(scene, "0"), 0u);
+  EXPECT_EQ(choose_clip(scene, "3"), 3u);
+  EXPECT_EQ(choose_clip(scene, "Run"), 2u);   // the first of that name
+  EXPECT_EQ(choose_clip(scene, "none"), kNone);
+}
+
+TEST(scene_choice, a_name_made_of_digits_is_found_when_no_index_fits) {
+  const Scene scene = scene_with({"1", "007", "9"});
+  EXPECT_EQ(choose_clip(scene, "1"), 1u);
+  EXPECT_EQ(choose_clip(scene, "9"), 2u);
+  EXPECT_EQ(choose_clip(scene, "007"), 1u);   // no clip has index 7
+}
+
+TEST(scene_choice, finds_nothing_for_what_is_not_there) {
+  const Scene scene = scene_with({"Walk"});
+  for (const char* text : {"1", "walk", "-1", "0x0", " 0", "99999999999999999999"})
+    EXPECT_EQ(choose_clip(scene, text), std::nullopt) << text;
+  EXPECT_EQ(choose_clip(Scene{}, "0"), std::nullopt);
+  EXPECT_EQ(choose_clip(Scene{}, "none"), kNone);
+}
+
+TEST(scene_choice, the_message_names_the_clips_that_there_are) {
+  EXPECT_EQ(describe_missing_clip(scene_with({"Walk", ""}), "Fly"), "--clip Fly: no such clip; the scene has 0 \"Walk\", 1 \"\"");
+  EXPECT_EQ(describe_missing_clip(Scene{}, "Fly"), "--clip Fly: no such clip; the scene has none");
+}
+
+TEST(scene_choice, labels_are_never_empty) {
+  const Scene scene = scene_with({"Walk", ""});
+  EXPECT_EQ(clip_label(scene, 0), "Walk");
+  EXPECT_FALSE(clip_label(scene, 1).empty());
+  EXPECT_EQ(clip_label(scene, kNone), "rest pose");
+}
+
+Scene scene_with_cameras_and_variants() {
+  Scene scene;
+  scene.cameras = {{.name = "front", .joint = 0}, {.name = "unplaced"}, {.name = "7", .joint = 1}};
+  scene.variants = {"day", "night"};
+  return scene;
+}
+
+TEST(scene_choice, of_a_camera_takes_an_index_or_a_name_when_a_node_carries_it) {
+  const Scene scene = scene_with_cameras_and_variants();
+  EXPECT_EQ(choose_camera(scene, "0"), 0u);
+  EXPECT_EQ(choose_camera(scene, "front"), 0u);
+  EXPECT_EQ(choose_camera(scene, "2"), 2u);
+  EXPECT_EQ(choose_camera(scene, "7"), 2u) << "a name of digits";
+  EXPECT_FALSE(choose_camera(scene, "1"));
+  EXPECT_FALSE(choose_camera(scene, "unplaced"));
+  EXPECT_FALSE(choose_camera(scene, ""));
+  EXPECT_THAT(describe_missing_camera(scene, "left"), HasSubstr("--camera left: no such camera; the scene has 0 \"front\", 2 \"7\""));
+  EXPECT_THAT(describe_missing_camera(Scene{}, "left"), HasSubstr("has none"));
+  EXPECT_EQ(camera_label(scene, kNone), "free");
+}
+
+TEST(scene_choice, of_a_variant_takes_an_index_or_a_name) {
+  const Scene scene = scene_with_cameras_and_variants();
+  EXPECT_EQ(choose_variant(scene, "night"), 1u);
+  EXPECT_EQ(choose_variant(scene, "0"), 0u);
+  EXPECT_FALSE(choose_variant(scene, "2"));
+  EXPECT_THAT(describe_missing_variant(scene, "dusk"), HasSubstr("1 \"night\""));
+  EXPECT_EQ(variant_label(scene, kNone), "as in the file");
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "runtime/assets/scene.h"
+
+namespace sinew::viewer {
+
+/// The clip that `text` names: "none" is the rest pose (kNone), digits are an index, anything else a name. A clip whose
+/// name is made of digits is found by name when no index fits; one named "none" by its index only.
+/// err  nothing when the scene has no such clip
+std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view text);
+
+/// The camera of the scene that `text` names, by index or name.
+/// err  nothing when there is no such camera, or when no node carries it
+std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view text);
+
+/// The material variant that `text` names, by index or name.
+std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text);
+
+/// "--clip Fly: no such clip; the scene has 0 \"Survey\", 1 \"Walk\""; of cameras those that nodes carry.
+std::string describe_missing_clip(const Scene& scene, std::string_view text);
+std::string describe_missing_camera(const Scene& scene, std::string_view text);
+std::string describe_missing_variant(const Scene& scene, std::string_view text);
+
+/// Names for menus: never empty.
+std::string clip_label(const Scene& scene, std::uint32_t clip);
+std::string camera_label(const Scene& scene, std::uint32_t camera);
+std::string variant_label(const Scene& scene, std::uint32_t variant);
+
+}  // namespace sinew::viewer
