@@ -13,6 +13,7 @@
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/frame_input.h"
+#include "runtime/plan/frame_work.h"
 #include "runtime/plan/plan_stages.h"
 #include "runtime/plan/sign_pairs.h"
 
@@ -162,6 +163,7 @@ void place_tables(Plan& plan, BlockLayout& block) {
   tables.last_weights_at = block.take_array<float>(scene.weight_count());
   tables.input_weights_at = block.take_array<float>(scene.weight_count());
   tables.input_layer_count = plan.needs.max_layers + (plan.needs.additive ? kKeptAddingLayers : 0);
+  tables.stage_ns_at = block.take_array<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
   tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
 }
 
@@ -206,7 +208,7 @@ void place(Plan& plan) {
 std::uint64_t fingerprint_of(const Needs& needs) {
   std::vector<std::uint32_t> numbers;
   for (const bool flag : {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
-                          needs.hidden_meshes, needs.additive})
+                          needs.hidden_meshes, needs.additive, needs.stage_times})
     numbers.push_back(flag);
   numbers.push_back(needs.max_layers);
   numbers.push_back(static_cast<std::uint32_t>(needs.skinning));
@@ -260,6 +262,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   place(plan);
   plan.fingerprint = fingerprint_of(needs);
   plan.stages = describe_stages(plan);
+  CONTRACT(plan.stages.size() == kStageCount);
   return plan;
 }
 

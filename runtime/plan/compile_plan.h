@@ -52,6 +52,7 @@ struct TablePlaces {
   std::size_t palette_since_at = 0, weights_since_at = 0, winding_since_at = 0;
   std::size_t last_weights_at = 0, input_weights_at = 0;
   std::size_t input_layers_at = 0, input_layer_count = 0;
+  std::size_t stage_ns_at = 0;
 };
 
 /// The evaluation of one scene for given needs: which stages run, and where in one block of frame memory each of them

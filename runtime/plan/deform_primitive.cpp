@@ -48,7 +48,7 @@ struct Deformation {
   const PrimitivePlan& planned;
   const Primitive& primitive;
   FrameMemory memory;
-  WorkCounters& work;
+  FrameWork& work;
   VertexInput now;
 
   void morph(std::span<const float> weights) noexcept {
@@ -68,6 +68,7 @@ struct Deformation {
     run(job);
     work.vertices_morphed += count;
     replace(out);
+    work.spent_on(Stage::morph);
   }
 
   void skin() noexcept {
@@ -86,6 +87,7 @@ struct Deformation {
     flat_normals(primitive.indices, now.positions, primitive.normals, turned, normals);
     work.flat_triangles += primitive.indices.size() / 3;
     now.normals = normals;
+    work.spent_on(Stage::flat_normals);
   }
 
  private:
@@ -100,10 +102,11 @@ struct Deformation {
   bool any_stretch() const noexcept { return memory.array<bool>(plan.stretch_at, plan.split.size())[skin_index()]; }
 
   template <class Job>
-  void run_checked(const Job& job, std::uint64_t& counter) noexcept {
+  void run_checked(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
     assert(check(job) == ErrorCode::ok);
     run(job);
     counter += primitive.vertex_count();
+    work.spent_on(stage);
   }
 
   void skin_linear(const VertexOutput& out) noexcept {
@@ -112,7 +115,7 @@ struct Deformation {
                             .vertices = now,
                             .out = out,
                             .normal_rule = plan.needs.normal_rule};
-    run_checked(job, work.vertices_skinned_linear);
+    run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
 
   void skin_dual_quaternion(const VertexOutput& out) noexcept {
@@ -122,7 +125,7 @@ struct Deformation {
                                     .vertices = now,
                                     .out = out,
                                     .pairs = planned.pairs};
-    run_checked(job, work.vertices_skinned_dual_quaternion);
+    run_checked(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
   void skin_center_of_rotation(const VertexOutput& out) noexcept {
@@ -133,7 +136,7 @@ struct Deformation {
                                       .centers = primitive.centers_of_rotation,
                                       .vertices = now,
                                       .out = out};
-    run_checked(job, work.vertices_skinned_center_of_rotation);
+    run_checked(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
   }
 
   void replace(const VertexOutput& written) noexcept {
@@ -146,7 +149,7 @@ struct Deformation {
 }  // namespace
 
 DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
-                                   bool mirrored, FrameMemory memory, WorkCounters& work) noexcept {
+                                   bool mirrored, FrameMemory memory, FrameWork& work) noexcept {
   const Primitive& primitive = primitive_of(plan, planned);
   const bool skins = planned.skin.any();
   const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
@@ -177,6 +180,7 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
     const std::span<glm::vec4> colors = memory.array<glm::vec4>(planned.colors_at, primitive.colors.size());
     morph_colors(primitive.morphs, weights, primitive.colors, colors);
     result.colors = colors;
+    work.spent_on(Stage::morph);
   }
   return result;
 }

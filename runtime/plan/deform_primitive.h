@@ -4,6 +4,7 @@
 
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
+#include "runtime/plan/frame_work.h"
 
 namespace sinew {
 
@@ -13,6 +14,6 @@ namespace sinew {
 ///      positions are there whenever some stage needs them
 /// cost O(V * influences + active deltas), no allocation
 DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
-                                   bool mirrored, FrameMemory memory, WorkCounters& work) noexcept;
+                                   bool mirrored, FrameMemory memory, FrameWork& work) noexcept;
 
 }  // namespace sinew

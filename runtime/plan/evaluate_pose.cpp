@@ -33,7 +33,7 @@ LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t inde
 }
 
 void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights,
-            WorkCounters& work) noexcept {
+            FrameWork& work) noexcept {
   const SampleClipJob job{.clip = &plan.scene->clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = place.pose,
@@ -44,6 +44,7 @@ void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool wit
   const ClipTracks& tracks = plan.clip_tracks[layer.clip];
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
   if (!place.properties.empty()) work.properties_sampled += tracks.properties;
+  work.spent_on(Stage::sample);
 }
 
 std::span<const float> mask_of(const Plan& plan, const ClipLayer& layer) noexcept {
@@ -56,7 +57,7 @@ bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
 
 /// The mean of the layers that blend, and of their weights when these are the frame's own.
 PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers, bool own_weights,
-               WorkCounters& work) noexcept {
+               FrameWork& work) noexcept {
   const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.scene->skeleton.joint_count());
   const LayerPlace first = place_of_layer(plan, memory, 0);
   std::size_t count = 0;
@@ -82,11 +83,12 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
   if (plan.properties)
     blend_weights(layers.first(count), rest_properties, first.properties,
                   memory.array<float>(plan.layer_properties_at, (count - 1) * first.properties.size()));
+  work.spent_on(Stage::blend);
   return first.pose;
 }
 
 /// Adds one layer to the pose, which is the frame's own, and to its weights. Properties are not added.
-void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, WorkCounters& work) noexcept {
+void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, FrameWork& work) noexcept {
   const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
   const LayerPlace own = place_of_layer(plan, memory, 0);
   const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
@@ -104,12 +106,13 @@ void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_
   work.poses_added += 1;
   if (own_weights)
     for (std::size_t i = 0; i < weights; ++i) own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference_weights[i]));
+  work.spent_on(Stage::add);
 }
 
 }  // namespace
 
 PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-                       WorkCounters& work) noexcept {
+                       FrameWork& work) noexcept {
   const LayerPlace own = place_of_layer(plan, memory, 0);
   const bool own_weights = input.weights.empty() && !own.weights.empty();
   if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());

@@ -6,6 +6,7 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
+#include "runtime/plan/frame_work.h"
 
 namespace sinew {
 
@@ -15,6 +16,6 @@ namespace sinew {
 /// out  pose           view of the frame's memory; the plan's weights and properties are filled in the frame's memory
 /// cost O(layers * tracks), no allocation
 PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-                       WorkCounters& work) noexcept;
+                       FrameWork& work) noexcept;
 
 }  // namespace sinew

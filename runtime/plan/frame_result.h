@@ -47,6 +47,8 @@ struct FrameResult {
   std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
+  std::span<const std::uint64_t> stage_ns;///< [stages] nanoseconds that each of Plan::stages took, 0 for one that did not run;
+                                          ///< empty unless Needs::stage_times
   WorkCounters work;
 };
 

@@ -7,6 +7,7 @@
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"
+#include "runtime/plan/frame_work.h"
 
 namespace sinew {
 
@@ -22,7 +23,8 @@ struct FrameTables {
         winding_since(memory.array<std::uint64_t>(plan.tables.winding_since_at, plan.scene->instances.size())),
         last_weights(memory.array<float>(plan.tables.last_weights_at, plan.rest_weights.size())),
         input_layers(memory.array<ClipLayer>(plan.tables.input_layers_at, plan.tables.input_layer_count)),
-        input_weights(memory.array<float>(plan.tables.input_weights_at, plan.rest_weights.size())) {}
+        input_weights(memory.array<float>(plan.tables.input_weights_at, plan.rest_weights.size())),
+        stage_ns(memory.array<std::uint64_t>(plan.tables.stage_ns_at, plan.needs.stage_times ? kStageCount : 0)) {}
 
   std::span<InstanceResult> instances;
   std::span<DeformedPrimitive> primitives;
@@ -33,6 +35,7 @@ struct FrameTables {
   std::span<float> last_weights;               // [W] FrameResult::weights
   std::span<ClipLayer> input_layers;           // the input that the results belong to
   std::span<float> input_weights;
+  std::span<std::uint64_t> stage_ns;           // FrameResult::stage_ns
 };
 
 /// The entry of a primitive that goes through no stage.

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, WorkCounters& work) noexcept {
+void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, FrameWork& work) noexcept {
   const SplitPaletteJob job{.palette = palette,
                             .split = memory.array<RigidStretch>(plan.split_at[skin], palette.size()),
                             .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
@@ -18,9 +18,10 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.palette_entries_split += palette.size();
+  work.spent_on(Stage::split_palette);
 }
 
-void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, WorkCounters& work) noexcept {
+void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, FrameWork& work) noexcept {
   const Skin& skin = plan.scene->skins[s];
   const std::size_t count = skin.joints.size();
   const std::span<JointMatrix> made = step.memory.array<JointMatrix>(plan.new_palette_at, count);
@@ -28,6 +29,7 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.palette_entries += count;
+  work.spent_on(Stage::palette);
 
   const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);
   const std::uint64_t since_before = step.tables_before.palette_since[s];
@@ -43,7 +45,7 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
 }  // namespace
 
 void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, const FrameStep& step,
-                   WorkCounters& work) noexcept {
+                   FrameWork& work) noexcept {
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     if (!plan.palette[s]) continue;
     if (wanted.empty() || wanted[s]) make_palette(plan, s, model, step, work);

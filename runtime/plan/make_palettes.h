@@ -21,6 +21,6 @@ struct FrameStep {
 /// in   model[J];   wanted[skins]  needed by this frame; empty = all that are planned
 /// cost O(joints of the skins), no allocation
 void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, const FrameStep& step,
-                   WorkCounters& work) noexcept;
+                   FrameWork& work) noexcept;
 
 }  // namespace sinew

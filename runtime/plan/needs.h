@@ -21,6 +21,7 @@ struct Needs {
   bool bounds = false;        ///< boxes of the mesh instances (P14)
   bool properties = true;     ///< animated numbers of materials, lights and cameras (P15)
   bool hidden_meshes = false; ///< deform meshes on hidden joints as well
+  bool stage_times = false;   ///< what each stage takes, for people who look; reads the clock a few times per frame
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
                               ///< Layers that add do not count
   bool additive = false;      ///< some layers add to the pose

@@ -42,7 +42,7 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
 }
 
 /// Adds to the frame's morph weights what its local pose calls for.
-void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory, WorkCounters& work) noexcept {
+void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory, FrameWork& work) noexcept {
   if (!plan.correctives) return;
   for (const PoseCorrective& corrective : plan.scene->correctives) {
     const CorrectPoseJob job{
@@ -54,11 +54,12 @@ void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory
     run(job);
     work.poses_compared += corrective.samples.sample_count();
   }
+  work.spent_on(Stage::correctives);
 }
 
 /// World matrices of all joints, or nothing when the plan leaves them out.
 std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const Affine& root, FrameMemory memory,
-                                WorkCounters& work) noexcept {
+                                FrameWork& work) noexcept {
   if (!plan.local_to_model) return {};
   const std::size_t joints = plan.scene->skeleton.joint_count();
   const std::span<Affine> model = memory.array<Affine>(plan.model_at, joints);
@@ -66,15 +67,19 @@ std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const A
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.joints_composed += joints;
+  work.spent_on(Stage::local_to_model);
   return model;
 }
 
 /// Joints that this frame does not show; empty when the plan hides nothing. What no clip decides was found once for all
 /// frames.
-std::span<const bool> hide(const Plan& plan, std::span<const float> properties, FrameMemory memory) noexcept {
+std::span<const bool> hide(const Plan& plan, std::span<const float> properties, FrameMemory memory, FrameWork& work) noexcept {
   if (!plan.hide) return {};
   const std::span<bool> hidden = memory.array<bool>(plan.hidden_at, plan.scene->skeleton.joint_count());
-  if (plan.hide_per_frame && plan.properties) find_hidden(*plan.scene, properties, hidden);
+  if (plan.hide_per_frame && plan.properties) {
+    find_hidden(*plan.scene, properties, hidden);
+    work.spent_on(Stage::properties);
+  }
   return hidden;
 }
 
@@ -145,18 +150,19 @@ void leave_out(const Plan& plan, std::size_t instance, std::span<DeformedPrimiti
 
 /// A primitive that rests this frame moves the box of its rest pose, a deformed one looks at its vertices.
 void bound(InstanceResult& placed, const MeshInstance& instance, const Primitive& primitive, const DeformedPrimitive& shape,
-           WorkCounters& work) noexcept {
+           FrameWork& work) noexcept {
   const bool rests = shape.positions.empty() || shape.positions.data() == primitive.positions.data();
   for_each_copy(instance, placed.world_from_mesh, [&](const Affine& world_from_copy) {
     if (rests) return grow_bounds(placed.bounds, primitive.bounds, world_from_copy);
     grow_bounds(placed.bounds, shape.positions, world_from_copy);
     work.bounds_vertices += shape.positions.size();
   });
+  work.spent_on(Stage::bounds);
 }
 
 /// The vertices and the box of one instance, as far as they are not in the memory already.
 void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std::span<const float> weights, const FrameStep& step,
-                     WorkCounters& work) noexcept {
+                     FrameWork& work) noexcept {
   const std::uint32_t first = plan.first_primitive[i], end = plan.first_primitive[i + 1];
   const std::span<DeformedPrimitive> shapes = step.tables.primitives;
   const auto is_current = [&](std::uint32_t p) {
@@ -179,7 +185,7 @@ void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std
 }
 
 void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, std::span<const bool> hidden,
-                   const FrameStep& step, WorkCounters& work) noexcept {
+                   const FrameStep& step, FrameWork& work) noexcept {
   InstanceResult placed = place_instance(plan, i, model);
   placed.visible = is_shown(plan, i, hidden);
   const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
@@ -206,15 +212,15 @@ void restamp(bool same_before, const FrameStep& step) noexcept {
 
 /// Everything from the input to the tables. Answers the result without its numbers of frames.
 FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step) noexcept {
-  WorkCounters work;
   const FrameMemory memory = step.memory;
+  FrameWork work(step.tables.stage_ns);
   const PoseSpan local = evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, memory, work);
   const std::span<const float> properties =
       memory.array<const float>(plan.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
-  const std::span<const bool> hidden = hide(plan, properties, memory);
+  const std::span<const bool> hidden = hide(plan, properties, memory, work);
   make_palettes(plan, model, wanted_palettes(plan, hidden, memory), step, work);
   for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, hidden, step, work);
   std::copy(weights.begin(), weights.end(), step.tables.last_weights.begin());
@@ -225,7 +231,8 @@ FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep&
   result.hidden = hidden;
   result.instances = step.tables.instances;
   result.primitives = step.tables.primitives;
-  result.work = work;
+  result.stage_ns = step.tables.stage_ns;
+  result.work = work.counters();
   return result;
 }
 
@@ -243,7 +250,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
   if (frame.holds_result_of(plan, input)) {
     if (&before != &frame) restamp(same_before, step);
-    frame.result_.work = {};
+    frame.result_.work = FrameWork(step.tables.stage_ns).counters();   // no stage ran
   } else {
     frame.result_ = evaluate(plan, input, step);
     frame.keep(plan, input);

@@ -2,6 +2,7 @@
 // What is left out costs nothing: no work, no memory; and no frame allocates.
 #include <gtest/gtest.h>
 
+#include "runtime/plan/frame_work.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"
@@ -154,6 +155,53 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
     EXPECT_TRUE(std::equal(a.normals.begin(), a.normals.end(), b.normals.begin(), b.normals.end()));
   }
   EXPECT_LE(used.result().work.vertices_skinned_linear, fresh.result().work.vertices_skinned_linear);  // P19
+}
+
+/// What counts as work of a stage, in the order of the stages.
+std::vector<bool> worked(const WorkCounters& w) {
+  return {w.tracks_sampled > 0, w.poses_blended > 0, w.poses_added > 0, w.poses_compared > 0, false, w.joints_composed > 0,
+          w.palette_entries > 0, w.palette_entries_split > 0, w.morph_deltas > 0, w.vertices_skinned_linear > 0,
+          w.vertices_skinned_dual_quaternion > 0, w.vertices_skinned_center_of_rotation > 0, w.flat_triangles > 0, w.bounds_vertices > 0};
+}
+
+TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    RandomSceneOptions options;
+    options.skins = seed & 1 ? 2 : 0, options.targets = seed & 2 ? 2 : 0, options.flat_normals = seed & 4;
+    const Scene scene = random_scene(seed, options);
+    Needs needs = needs_by_bits(127);
+    needs.max_layers = 2, needs.stage_times = true;
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}, {1, 0.7, 0.5f, kNone, LayerKind::add_to_start}};
+    ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    const std::vector<bool> expected = worked(frame.result().work);
+    ASSERT_EQ(frame.result().stage_ns.size(), plan.stages.size());
+    for (std::size_t s = 0; s < plan.stages.size(); ++s) {
+      if (plan.stages[s].stage == "bounds" || plan.stages[s].stage == "properties") continue;   // their counters are of a part
+      EXPECT_EQ(frame.result().stage_ns[s] > 0, expected[s]) << plan.stages[s].stage << " seed " << seed;
+    }
+    ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    for (const std::uint64_t ns : frame.result().stage_ns) EXPECT_EQ(ns, 0u) << "the same input again runs no stage";
+  }
+}
+
+TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
+  const Scene scene = random_scene(3);
+  Needs needs;
+  const Plan without = compile_plan(scene, needs);
+  needs.stage_times = true;
+  EXPECT_LT(without.frame_bytes, compile_plan(scene, needs).frame_bytes);
+  FrameBuffer frame(without);
+  ASSERT_EQ(run_plan(without, {}, frame), ErrorCode::ok);
+  EXPECT_TRUE(frame.result().stage_ns.empty());
+}
+
+TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
+  const Plan plan = compile_plan(random_scene(3), Needs{});
+  const char* names[kStageCount] = {"sample", "blend", "add", "correctives", "properties", "local_to_model", "palette", "split_palette",
+                                    "morph", "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation", "flat_normals", "bounds"};
+  for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(plan.stages[s].stage, names[s]);
 }
 
 }  // namespace
