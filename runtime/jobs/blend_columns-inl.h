@@ -7,39 +7,13 @@
 #define SINEW_BLEND_COLUMNS_INL_H_
 #endif
 
-#include "runtime/jobs/joint_numbers.h"
-#include "runtime/jobs/vertex_tiles-inl.h"
-#include "runtime/math/joint_matrix.h"
+#include "runtime/jobs/blend_parts-inl.h"
+#include "runtime/jobs/quarter_lanes-inl.h"
 #include "runtime/math/normal_transform.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-
-/// One matrix in as many vectors as it takes.
-struct MatrixParts {
-  static constexpr std::size_t kCount = 16 / kTileSize;
-  Wide part[kCount];
-};
-
-/// eq   M = sum(w_i * palette[joint_i]), fused from the second on; a vertex with one influence takes the joint's matrix as it is.
-template <int kCount>
-HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const VertexJoints<kCount>& vertex) {
-  const TileTag d;
-  MatrixParts sum;
-  const JointNumbers<kCount> joints(vertex.joints);
-  const float* joint = &joints.entry(palette, 0)->column[0].x;
-  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
-  if constexpr (kCount == 1) return sum;
-  const Wide first = hn::Set(d, vertex.weights[0]);
-  for (Wide& part : sum.part) part = hn::Mul(part, first);
-  for (std::size_t i = 1; i < vertex.count(); ++i) {
-    joint = &joints.entry(palette, i)->column[0].x;
-    const Wide weight = hn::Set(d, vertex.weights[i]);
-    for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
-  }
-  return sum;
-}
 
 /// Columns of the matrices of a quarter's vertices, one vertex a block.
 struct Columns {

@@ -13,18 +13,38 @@
 #include "runtime/jobs/lanes-inl.h"
 #include "runtime/jobs/vertex_tiles-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// -weight where the rotations are on opposite sides (N17): the sum (x + y) + (z + w) of the products is less than zero.
-HWY_INLINE hn::Vec<EightTag> signed_weight(hn::Vec<EightTag> pivot, const float* real, float weight) {
-  const EightTag d;
-  const auto products = hn::Mul(pivot, hn::LoadDup128(d, real));
-  const auto pairs = hn::Add(products, hn::Shuffle2301(products));
-  const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)), hn::Zero(d));  // + 0: -0 is not less than zero
-  return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
-}
+/// The pivot's real part in every block, to see on which side of it other rotations are (N17).
+class Pivot {
+ public:
+#if HWY_TARGET == HWY_SCALAR
+  explicit Pivot(const float* real) : real_(real) {}
+
+  hn::Vec<EightTag> signed_weight(const float* real, float weight) const {
+    const float dot = (real_[0] * real[0] + real_[1] * real[1]) + (real_[2] * real[2] + real_[3] * real[3]);
+    return hn::Set(EightTag(), dot < 0.0f ? -weight : weight);
+  }
+
+ private:
+  const float* real_;
+#else
+  HWY_INLINE explicit Pivot(const float* real) : real_(hn::LoadDup128(EightTag(), real)) {}
+
+  /// -weight where the rotations are on opposite sides: the sum (x + y) + (z + w) of the products is less than zero.
+  HWY_INLINE hn::Vec<EightTag> signed_weight(const float* real, float weight) const {
+    const EightTag d;
+    const auto products = hn::Mul(real_, hn::LoadDup128(d, real));
+    const auto pairs = hn::Add(products, hn::Shuffle2301(products));
+    const auto dot = hn::Add(hn::Add(pairs, hn::Shuffle1032(pairs)), hn::Zero(d));  // + 0: -0 is not less than zero
+    return hn::Xor(hn::Set(d, weight), hn::And(dot, hn::SignBit(d)));
+  }
+
+ private:
+  hn::Vec<EightTag> real_;
+#endif
+};
 
 /// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be +
 template <int kCount>
@@ -34,35 +54,37 @@ HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoint
   const float* first = &joints.entry(split, 0)->rigid.real.x;
   Eight sum = load_eight(first);
   if constexpr (kCount == 1) return sum;
-  const auto pivot = hn::LoadDup128(d, first);
   sum = times(sum, hn::Set(d, vertex.weights[0]));
   if (one_side) {
     for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&joints.entry(split, i)->rigid.real.x, hn::Set(d, vertex.weights[i]), sum);
     return sum;
   }
+  const Pivot pivot(first);
   for (std::size_t i = 1; i < vertex.count(); ++i) {
     const float* next = &joints.entry(split, i)->rigid.real.x;
-    sum = times_plus(next, signed_weight(pivot, next, vertex.weights[i]), sum);
+    sum = times_plus(next, pivot.signed_weight(next, vertex.weights[i]), sum);
   }
   return sum;
 }
 
-/// Motions of a tile, one vertex a lane.
+/// Motions of a tile, one vertex a lane, as their sums come: what turns with them divides by the squared length, which takes
+/// no square root.
 struct MotionLanes {
   Lanes4 real, dual;
+  Wide twice_over_square;   ///< 2 / |real|^2
   hn::Mask<TileTag> sound;  ///< the blend did not cancel
 };
 
 template <int kCount>
 HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
   const TileTag d;
+  const Wide two = hn::Set(d, 2.0f);
   Eight sums[kTileSize];
   for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = blend_motion_parts(split, tile.at(k), one_side);
   const Lanes8 sum = lanes_of(sums);
-  if constexpr (kCount == 1) return {sum.low, sum.high, hn::Eq(hn::Zero(d), hn::Zero(d))};
+  if constexpr (kCount == 1) return {sum.low, sum.high, two, hn::Eq(two, two)};
   const Wide squared = dot(sum.low, sum.low);
-  const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
-  return {times(sum.low, scale), times(sum.high, scale), hn::Gt(squared, hn::Set(d, 1e-12f))};
+  return {sum.low, sum.high, hn::Div(two, squared), hn::Gt(squared, hn::Set(d, 1e-12f))};
 }
 
 /// Symmetric matrices of a tile.
@@ -106,23 +128,21 @@ HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
   return turned_outward(apply(cof, n), determinant, squares);
 }
 
-/// eq   v' = v + 2 w (r x v) + 2 r x (r x v)   for unit quaternions (r, w)
-HWY_INLINE Lanes3 rotate(const Lanes4& q, const Lanes3& v) {
-  const Lanes3 r{q.x, q.y, q.z}, once = cross(r, v), twice = plus(once, once);
-  return plus({hn::MulAdd(twice.x, q.w, v.x), hn::MulAdd(twice.y, q.w, v.y), hn::MulAdd(twice.z, q.w, v.z)}, cross(r, twice));
+/// eq   v' = v + w u + r x u, u = 2 / |q|^2 (r x v)   for q = (r, w)
+HWY_INLINE Lanes3 rotate(const MotionLanes& m, const Lanes3& v) {
+  const Lanes3 r{m.real.x, m.real.y, m.real.z}, twice = times(cross(r, v), m.twice_over_square);
+  return plus({hn::MulAdd(twice.x, m.real.w, v.x), hn::MulAdd(twice.y, m.real.w, v.y), hn::MulAdd(twice.z, m.real.w, v.z)}, cross(r, twice));
 }
 
-/// eq   t = 2 (r.w d.v - d.w r.v + r.v x d.v)
+/// eq   t = 2 / |r|^2 (r.w d.v - d.w r.v + r.v x d.v)
 HWY_INLINE Lanes3 translation(const MotionLanes& m) {
   const Lanes3 r{m.real.x, m.real.y, m.real.z}, e{m.dual.x, m.dual.y, m.dual.z}, c = cross(r, e);
   const auto part = [&](Wide rv, Wide dv, Wide cross_part) HWY_ATTR {
-    const Wide half = hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part);
-    return hn::Add(half, half);
+    return hn::Mul(hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part), m.twice_over_square);
   };
   return {part(r.x, e.x, c.x), part(r.y, e.y, c.y), part(r.z, e.z, c.z)};
 }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // HWY_TARGET
 #endif

@@ -10,7 +10,6 @@
 #include "runtime/jobs/lanes-inl.h"
 #include "runtime/jobs/vertex_tiles-inl.h"
 
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
@@ -42,6 +41,16 @@ struct Lanes8 {
   Lanes4 low, high;
 };
 
+#if HWY_TARGET == HWY_SCALAR
+
+/// A tile of one vertex has its lanes already.
+HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+  const auto& p = e[0].part;
+  return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]}};
+}
+
+#else
+
 /// Four by four within every block: lane i of the results comes from argument i.
 HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
   const TileTag d;
@@ -72,7 +81,8 @@ HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
 #endif
 }
 
+#endif  // HWY_TARGET
+
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // HWY_TARGET
 #endif

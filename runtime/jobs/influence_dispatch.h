@@ -55,19 +55,27 @@ void for_each_vertex(const VertexInfluences& influences, const Body& body) noexc
 /// Calls `body(normals, tangents)` with std::true_type or std::false_type for each, so that an attribute that is not wanted
 /// costs nothing per vertex (P13).
 template <class Body>
-void with_attributes(bool normals, bool tangents, const Body& body) noexcept {
-  if (normals && tangents) body(std::true_type{}, std::true_type{});
-  else if (normals) body(std::true_type{}, std::false_type{});
-  else if (tangents) body(std::false_type{}, std::true_type{});
+void with_attributes(AttributesPresent wanted, const Body& body) noexcept {
+  if (wanted.normals && wanted.tangents) body(std::true_type{}, std::true_type{});
+  else if (wanted.normals) body(std::true_type{}, std::false_type{});
+  else if (wanted.tangents) body(std::false_type{}, std::true_type{});
   else body(std::false_type{}, std::false_type{});
 }
 
-/// Calls `body(group, influence count, normals, tangents)` for each group, the last three being constants of the type.
+/// Calls `body(group, influence count)` for each group, the latter being a constant of the type.
 template <class Body>
-void for_each_group(const VertexInfluences& influences, AttributesPresent wanted, const Body& body) noexcept {
-  with_attributes(wanted.normals, wanted.tangents, [&](auto normals, auto tangents) {
-    for (const InfluenceGroup& group : influences.groups)
-      with_influence_count(group.influence_count, [&](auto count) { body(group, count, normals, tangents); });
+void for_each_group(const VertexInfluences& influences, const Body& body) noexcept {
+  for (const InfluenceGroup& group : influences.groups)
+    with_influence_count(group.influence_count, [&](auto count) { body(group, count); });
+}
+
+/// Calls `body(group, influence count, stretched)`, both being constants of the type, so that joints that are rigid cost nothing
+/// per vertex (P12).
+template <class Body>
+void for_each_group(const VertexInfluences& influences, bool any_stretch, const Body& body) noexcept {
+  for_each_group(influences, [&](const InfluenceGroup& group, auto count) {
+    if (any_stretch) body(group, count, std::true_type{});
+    else body(group, count, std::false_type{});
   });
 }
 

@@ -7,10 +7,9 @@
 #define SINEW_LANES_INL_H_
 #endif
 
-#include "runtime/jobs/tile_lanes-inl.h"
+#include "runtime/jobs/tile-inl.h"
 #include "runtime/math/normal_transform.h"
 
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
@@ -78,5 +77,4 @@ HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // HWY_TARGET
 #endif

@@ -6,11 +6,12 @@
 #include "runtime/assets/morph_set.h"
 #include "runtime/base/result.h"
 #include "runtime/jobs/vertex_streams.h"
+#include "runtime/math/negligible.h"
 
 namespace sinew {
 
 /// Weights below this are zero: they would only make denormal numbers, which some processors add a hundred times slower (N26).
-inline bool is_active_weight(float weight) noexcept { return std::abs(weight) >= 1e-20f; }
+inline bool is_active_weight(float weight) noexcept { return std::abs(weight) >= kNegligible; }
 
 /// Adds the displacements of all targets whose weight is not zero. Normals and tangents come out unnormalised when the
 /// vertices are skinned afterwards, and are normalised here otherwise (G45).

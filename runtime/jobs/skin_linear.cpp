@@ -7,6 +7,7 @@
 
 #include "runtime/jobs/blend_columns-inl.h"
 #include "runtime/jobs/blend_matrix.h"
+#include "runtime/jobs/one_matrix-inl.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 
@@ -30,51 +31,64 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET == HWY_SCALAR
-
-template <int kCount, bool kNormals, bool kTangents>
-void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
-  for (std::size_t i = 0; i < group.vertex_count; ++i) {
-    const std::size_t v = group.first_vertex + i;
-    const auto joints = joints_of<kCount>(*job.influences, group, i);
-    const glm::vec3 p = transform_point(blend_matrix(job.palette, joints), job.vertices.positions[v]);
-    if constexpr (kNormals)
-      job.out.normals[v] = careful_normal(job.palette, joints, job.vertices.normals[v], job.normal_rule == NormalRule::cofactor);
-    if constexpr (kTangents) {
-      const glm::vec4 t = job.vertices.tangents[v];
-      job.out.tangents[v] = glm::vec4(careful_normal(job.palette, joints, glm::vec3(t), false), t.w);
-    }
-    job.out.positions[v] = p;
-  }
-}
-
-#else
-
 template <int kCount, bool kNormals, bool kTangents>
 struct SkinTile {
   const SkinLinearJob& job;
   const TileInfluences<kCount>& joints;
 
+#if HWY_TARGET == HWY_SCALAR
+
+  void run(const TileInput& in, const TileOutput& out) const {
+    const OneMatrix m = blend_one_matrix(job.palette.data(), joints);
+    store3(transform_points(m, load3(in.positions)), out.positions);
+    if constexpr (kNormals) {
+      Lanes3 n = moved_normals(m, load3(in.normals), cofactor_rule());
+      const auto sound = normalise(n);
+      store3(n, out.normals);
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_normal(in, out, v); });
+    }
+    if constexpr (kTangents) {
+      const Lanes4 tangent = load4(in.tangents);
+      Lanes3 t = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
+      const auto sound = normalise(t);
+      store4({t.x, t.y, t.z, tangent.w}, out.tangents);
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_tangent(in, out, v); });
+    }
+  }
+
+#else
+
   HWY_INLINE void run(const TileInput& in, const TileOutput& out) const {
-    const bool cofactor_rule = kNormals && job.normal_rule == NormalRule::cofactor;
     Wide positions[4], normals[4], tangents[4];
     for_each_quarter([&](auto q) HWY_ATTR {
       constexpr std::size_t at = q * kBlocks;
       const Columns m = blend_columns(job.palette.data(), joints, q);
       positions[q] = transform_points(m, load_spread(in.positions + at));
-      if constexpr (kNormals) normals[q] = moved_normals(m, load_spread(in.normals + at), cofactor_rule);
+      if constexpr (kNormals) normals[q] = moved_normals(m, load_spread(in.normals + at), cofactor_rule());
       if constexpr (kTangents) tangents[q] = transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[at].x)));
     });
-    if constexpr (kNormals) write_normals(normals, cofactor_rule, in, out);
+    if constexpr (kNormals) write_normals(normals, in, out);
     if constexpr (kTangents) write_tangents(tangents, in, out);
     store_packed(positions, out.positions);
   }
 
+#endif
+
  private:
-  HWY_INLINE void write_normals(Wide (&normals)[4], bool cofactor_rule, const TileInput& in, const TileOutput& out) const {
-    normalise_tile(
-        normals, [&]() HWY_ATTR { store_packed(normals, out.normals); },
-        [&](std::size_t v) { out.normals[v] = careful_normal(job.palette, joints.at(v), in.normals[v], cofactor_rule); });
+  bool cofactor_rule() const { return job.normal_rule == NormalRule::cofactor; }
+
+  void write_careful_normal(const TileInput& in, const TileOutput& out, std::size_t v) const {
+    out.normals[v] = careful_normal(job.palette, joints.at(v), in.normals[v], cofactor_rule());
+  }
+  void write_careful_tangent(const TileInput& in, const TileOutput& out, std::size_t v) const {
+    const glm::vec4 tangent = in.tangents[v];
+    out.tangents[v] = glm::vec4(careful_normal(job.palette, joints.at(v), glm::vec3(tangent), false), tangent.w);
+  }
+
+#if HWY_TARGET != HWY_SCALAR
+
+  HWY_INLINE void write_normals(Wide (&normals)[4], const TileInput& in, const TileOutput& out) const {
+    normalise_tile(normals, [&]() HWY_ATTR { store_packed(normals, out.normals); }, [&](std::size_t v) { write_careful_normal(in, out, v); });
   }
 
   HWY_INLINE void write_tangents(Wide (&tangents)[4], const TileInput& in, const TileOutput& out) const {
@@ -87,25 +101,19 @@ struct SkinTile {
         hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &out.tangents[q * kBlocks].x);
       });
     };
-    normalise_tile(tangents, store, [&](std::size_t v) {
-      const glm::vec4 tangent = in.tangents[v];
-      out.tangents[v] = glm::vec4(careful_normal(job.palette, joints.at(v), glm::vec3(tangent), false), tangent.w);
-    });
+    normalise_tile(tangents, store, [&](std::size_t v) { write_careful_tangent(in, out, v); });
   }
+
+#endif
 };
 
-template <int kCount, bool kNormals, bool kTangents>
-void skin_group(const SkinLinearJob& job, const InfluenceGroup& group) {
-  for_each_tile<kCount, kNormals, kTangents>(
-      *job.influences, group, job.vertices, job.out, [&](const TilePlace&, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out)
-                                                         HWY_ATTR { SkinTile<kCount, kNormals, kTangents>{job, joints}.run(in, out); });
-}
-
-#endif  // HWY_TARGET
-
 void skin_linear(const SkinLinearJob& job) {
-  for_each_group(*job.influences, present(job.vertices, job.out), [&](const InfluenceGroup& group, auto count, auto normals, auto tangents) {
-    skin_group<count, normals, tangents>(job, group);
+  with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {
+    for_each_group(*job.influences, [&](const InfluenceGroup& group, auto count) {
+      for_each_tile<count>(*job.influences, group, job.vertices, job.out,
+                           [&](const TilePlace&, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out)
+                               HWY_ATTR { SkinTile<count, normals, tangents>{job, joints}.run(in, out); });
+    });
   });
 }
 

@@ -10,10 +10,10 @@
 #include <algorithm>
 
 #include "runtime/jobs/influence_dispatch.h"
-#include "runtime/jobs/tile_lanes-inl.h"
+#include "runtime/jobs/tile-inl.h"
+#include "runtime/jobs/vertex_checks.h"
 #include "runtime/jobs/vertex_streams.h"
 
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
@@ -29,7 +29,7 @@ struct TileInfluences {
   }
 };
 
-/// Where the attributes of a tile begin; nullptr = not wanted.
+/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs nothing.
 struct TileInput {
   const glm::vec3* positions;
   const glm::vec3* normals;
@@ -42,7 +42,7 @@ struct TileOutput {
 };
 
 /// A tile that is not full goes through copies, so that nothing is read or written beyond the arrays.
-template <int kCount, bool kNormals, bool kTangents>
+template <int kCount>
 struct TileCopies {
   glm::vec3 positions[kTileSize + 2], normals[kTileSize + 2], out_positions[kTileSize], out_normals[kTileSize];
   glm::vec4 tangents[kTileSize], out_tangents[kTileSize];
@@ -51,8 +51,8 @@ struct TileCopies {
 
   TileInput load(const TileInput& in, std::size_t count) {
     fill(in.positions, count, positions);
-    if constexpr (kNormals) fill(in.normals, count, normals);
-    if constexpr (kTangents) fill(in.tangents, count, tangents);
+    if (in.normals) fill(in.normals, count, normals);
+    if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
   /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first one.
@@ -65,11 +65,11 @@ struct TileCopies {
     }
     return {{joints, weights, kCount}, kCount};
   }
-  TileOutput out() { return {out_positions, out_normals, out_tangents}; }
+  TileOutput in_place_of(const TileOutput& out) { return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr}; }
   void store(const TileOutput& out, std::size_t count) const {
     std::copy_n(out_positions, count, out.positions);
-    if constexpr (kNormals) std::copy_n(out_normals, count, out.normals);
-    if constexpr (kTangents) std::copy_n(out_tangents, count, out.tangents);
+    if (out.normals) std::copy_n(out_normals, count, out.normals);
+    if (out.tangents) std::copy_n(out_tangents, count, out.tangents);
   }
 
  private:
@@ -85,26 +85,27 @@ struct TilePlace {
   bool whole;
 };
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond its own.
-template <int kCount, bool kNormals, bool kTangents, class Tile>
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond
+/// its own.
+template <int kCount, class Tile>
 void for_each_tile(const VertexInfluences& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
                    const Tile& tile) {
-  TileCopies<kCount, kNormals, kTangents> copies;
+  const AttributesPresent wanted = present(in, out);
+  TileCopies<kCount> copies;
   std::size_t done = 0;
   for (std::size_t v = 0; v < group.vertex_count; v += done) {
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
     TileInfluences<kCount> joints{joints_of<kCount>(influences, group, v), group.influence_count};
-    TileInput from{in.positions.data() + at, in.normals.data() + at, in.tangents.data() + at};
-    const TileOutput to{out.positions.data() + at, out.normals.data() + at, out.tangents.data() + at};
+    TileInput from{&in.positions[at], wanted.normals ? &in.normals[at] : nullptr, wanted.tangents ? &in.tangents[at] : nullptr};
+    const TileOutput to{&out.positions[at], wanted.normals ? &out.normals[at] : nullptr, wanted.tangents ? &out.tangents[at] : nullptr};
     const bool whole = left >= kTileSize + 2;
     done = whole ? kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
     if (HWY_UNLIKELY(!whole)) joints = copies.load(joints.first, done), from = copies.load(from, done);
-    tile(TilePlace{at, done, whole}, joints, from, whole ? to : copies.out());
+    tile(TilePlace{at, done, whole}, joints, from, whole ? to : copies.in_place_of(to));
     if (HWY_UNLIKELY(!whole)) copies.store(to, done);
   }
 }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif  // HWY_TARGET
 #endif

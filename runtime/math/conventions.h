@@ -14,10 +14,11 @@
 /// - An affine matrix is 3x4 and kept as three rows of four, so that it is 48 bytes, loads without over-reading and
 ///   can be uploaded to a GPU as three vec4; the fourth row is 0 0 0 1 and never stored.
 /// - Every kernel is a template over float and double: double is the truth that tests hold float to.
-/// - Same input, same bits (N27, N28): poses for every thread count and every instruction set; deformed vertices for every
-///   thread count and every instruction set with fused multiply-add (AVX2, AVX-512, NEON, SVE). SSE and the scalar
-///   fallback round such sums twice: there vertices differ in their last digits. Built with contraction off, so that
-///   nothing depends on what the compiler fuses; tests/golden holds the bits.
+/// - Same input, same bits (N27, N28), for every thread count: poses on every instruction set; deformed vertices on every one
+///   with fused multiply-add (AVX2, AVX-512, NEON, SVE), and on every one without (SSE and the scalar fallback), which round such
+///   sums twice: between the two, vertices differ in their last digits. (Rounding once without the hardware, through double, was
+///   measured to take 4 to 8 times as long.) Built with contraction off, so that nothing depends on what the compiler
+///   fuses; tests/golden holds the bits.
 /// - GLM supplies types and plain arithmetic. Its quaternion functions are not used where they fail (N02, N07, N11,
 ///   N12, N14, N15): those kernels are in this folder.
 #include <glm/mat3x3.hpp>

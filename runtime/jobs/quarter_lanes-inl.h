@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A tile of vertices in vectors of up to 512 bits: N vertices for N lanes, in four quarters. A quarter has one vertex in each
-// 128-bit block, (x y z -). Included once per SIMD target (Highway's foreach_target), hence the guard's form.
-#if defined(SINEW_TILE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SINEW_TILE_LANES_INL_H_
-#undef SINEW_TILE_LANES_INL_H_
+// A tile of vertices in four quarters. A quarter has one vertex in each 128-bit block, (x y z -).
+#if defined(SINEW_QUARTER_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_QUARTER_LANES_INL_H_
+#undef SINEW_QUARTER_LANES_INL_H_
 #else
-#define SINEW_TILE_LANES_INL_H_
+#define SINEW_QUARTER_LANES_INL_H_
 #endif
-
-#include <hwy/highway.h>
 
 #include <type_traits>
 
-#include "runtime/math/conventions.h"
+#include "runtime/jobs/tile-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using TileTag = hn::CappedTag<float, 16>;
-using Wide = hn::Vec<TileTag>;
-constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
 constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices of a quarter
 
 /// The components of each vertex of a quarter, spread over its block.
@@ -81,23 +74,6 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
   hn::StoreU(join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])), d, to);
   hn::StoreU(join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])), d, to + kTileSize);
   hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
-}
-
-/// Squares of lengths that divide without loss of digits.
-HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
-  const TileTag d;
-  return hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
-}
-
-/// Calls `body(lane)` for the lanes that are not in the mask, which are few and far between.
-template <class Body>
-HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
-  const TileTag d;
-  if (HWY_LIKELY(hn::AllTrue(d, mask))) return;
-  HWY_ALIGN float flags[kTileSize];
-  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0f)), d, flags);
-  for (std::size_t lane = 0; lane < kTileSize; ++lane)
-    if (flags[lane] == 0.0f) body(lane);
 }
 
 /// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Lanes whose square leaves the range

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A tile: as many vertices as a vector of up to 512 bits has lanes. Included once per SIMD target (Highway's foreach_target),
+// hence the guard's form.
+#if defined(SINEW_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_TILE_INL_H_
+#undef SINEW_TILE_INL_H_
+#else
+#define SINEW_TILE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+#include "runtime/math/conventions.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using TileTag = hn::CappedTag<float, 16>;
+using Wide = hn::Vec<TileTag>;
+constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
+
+/// Squares of lengths that divide without loss of digits.
+HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
+  const TileTag d;
+  return hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
+}
+
+/// Calls `body(lane)` for the lanes that are not in the mask, which are few and far between.
+template <class Body>
+HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
+  const TileTag d;
+  if (HWY_LIKELY(hn::AllTrue(d, mask))) return;
+  HWY_ALIGN float flags[kTileSize];
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0f)), d, flags);
+  for (std::size_t lane = 0; lane < kTileSize; ++lane)
+    if (flags[lane] == 0.0f) body(lane);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
