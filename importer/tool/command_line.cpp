@@ -23,7 +23,8 @@ constexpr const char* kAbout =
     "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"
     "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
     "  sinew plan fox.glb                                which stages a frame runs, and why\n"
-    "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n";
+    "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
+    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that near\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"

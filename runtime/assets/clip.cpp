@@ -17,6 +17,13 @@ std::size_t Clip::weight_count() const noexcept { return layout_->base_weights.s
 std::size_t Clip::property_count() const noexcept { return layout_->base_properties.size(); }
 Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
 
+const std::optional<ClipCertificate>& Clip::certificate() const noexcept { return layout_->certificate; }
+
+Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
+  clip.layout_->certificate = certificate;
+  return clip;
+}
+
 std::size_t Clip::byte_size() const noexcept {
   std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
                       sizeof(float);

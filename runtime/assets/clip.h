@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/assets/bone_animation.h"
+#include "runtime/assets/clip_certificate.h"
 #include "runtime/assets/skeleton.h"
 
 namespace sinew {
@@ -40,11 +42,15 @@ class Clip {
   };
   Counts counts() const noexcept;
 
+  /// Of clips that were compiled within a budget (plan/compile_clip_within.h).
+  const std::optional<ClipCertificate>& certificate() const noexcept;
+
   const ClipLayout& layout() const noexcept { return *layout_; }
 
  private:
   friend Clip compile_clip(const Animation&, const Skeleton&, std::span<const float>, std::span<const std::uint32_t>,
                            const PropertyTable&);
+  friend Clip with_certificate(Clip, const ClipCertificate&);
   std::unique_ptr<ClipLayout> layout_;
 };
 
@@ -55,5 +61,8 @@ class Clip {
 /// cost O(total keys), allocates the clip
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
                   std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {});
+
+/// The same clip, with what was measured of it.
+Clip with_certificate(Clip clip, const ClipCertificate& certificate);
 
 }  // namespace sinew

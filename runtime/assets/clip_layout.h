@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,7 @@ struct ClipLayout {
   std::vector<float> base_properties;  ///< rest values and constant tracks
   std::vector<TimeGroup> groups;
   Clip::Counts counts;
+  std::optional<ClipCertificate> certificate;
 };
 
 }  // namespace sinew

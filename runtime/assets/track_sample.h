@@ -60,59 +60,70 @@ SquadSegment<T> squad_segment(const QuatTrack& track, std::size_t k) noexcept {
   return s;
 }
 
-/// eq   glTF 2.0, Appendix C.   in  a track that passed check(Track)
+/// Row of a key's own value among the rows of `values`: cubic keys have a tangent on either side.
+inline std::size_t value_row(Interpolation interpolation, std::size_t key) noexcept {
+  return interpolation == Interpolation::cubic_spline ? 3 * key + 1 : key;
+}
+
+/// Value at `fraction` of the way from key `a` to key `b` if there were no keys between them; squad takes its slerp.
+/// eq   glTF 2.0, Appendix C.   in  0 < fraction < 1 of interval_s seconds
+template <class T>
+Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t i) { return Vec3<T>(track.values[i]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return lerp(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// The same for rotations: slerp on the short arc, Hermite then normalised.
+template <class T>
+Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t i) { return quat_cast<T>(track.values[i]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite_rotation(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return slerp_short_arc(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// The same for one of the weights.
+template <class T>
+T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s, std::size_t weight) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t row) { return static_cast<T>(track.values[row * track.target_count + weight]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return lerp(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// in  a track that passed check(Track)
 template <class T>
 Vec3<T> sample_track(const Vec3Track& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
-  const auto value = [&](std::size_t i) { return Vec3<T>(track.values[i]); };
-  if (track.interpolation == Interpolation::cubic_spline) {
-    const std::size_t i = 3 * at.key;
-    if (at.on_key) return value(i + 1);
-    return hermite(value(i + 1), value(i + 2), value(i + 3), value(i + 4), static_cast<T>(at.fraction), static_cast<T>(at.interval_s));
-  }
-  if (at.on_key || track.interpolation == Interpolation::step) return value(at.key);
-  return lerp(value(at.key), value(at.key + 1), static_cast<T>(at.fraction));
+  if (at.on_key) return Vec3<T>(track.values[value_row(track.interpolation, at.key)]);
+  return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
 }
 
-/// eq   glTF 2.0, Appendix C: slerp on the short arc, Hermite then normalised; squad by Shoemake 1987
+/// eq   squad by Shoemake 1987
 template <class T>
 Quat<T> sample_track(const QuatTrack& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
-  const auto value = [&](std::size_t i) { return quat_cast<T>(track.values[i]); };
-  const T s = static_cast<T>(at.fraction);
-  switch (track.interpolation) {
-    case Interpolation::cubic_spline: {
-      const std::size_t i = 3 * at.key;
-      if (at.on_key) return value(i + 1);
-      return hermite_rotation(value(i + 1), value(i + 2), value(i + 3), value(i + 4), s, static_cast<T>(at.interval_s));
-    }
-    case Interpolation::squad: {
-      if (at.on_key) return value(at.key);
-      const SquadSegment<T> c = squad_segment<T>(track, at.key);
-      return squad(c.begin, c.begin_control, c.end_control, c.end, s);
-    }
-    case Interpolation::linear:
-      if (!at.on_key) return slerp_short_arc(value(at.key), value(at.key + 1), s);
-      break;
-    case Interpolation::step: break;
-  }
-  return value(at.key);
+  if (at.on_key) return quat_cast<T>(track.values[value_row(track.interpolation, at.key)]);
+  if (track.interpolation != Interpolation::squad) return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
+  const SquadSegment<T> c = squad_segment<T>(track, at.key);
+  return squad(c.begin, c.begin_control, c.end_control, c.end, static_cast<T>(at.fraction));
 }
 
 /// out  weights[track.target_count]
 template <class T>
 void sample_track(const WeightTrack& track, double time_s, std::span<T> weights) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
-  const std::size_t n = track.target_count;
-  const bool cubic = track.interpolation == Interpolation::cubic_spline;
-  const T s = static_cast<T>(at.fraction), td = static_cast<T>(at.interval_s);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto value = [&](std::size_t row) { return static_cast<T>(track.values[row * n + i]); };
-    const std::size_t row = cubic ? 3 * at.key + 1 : at.key;
-    if (at.on_key || track.interpolation == Interpolation::step) weights[i] = value(row);
-    else if (cubic) weights[i] = hermite(value(row), value(row + 1), value(row + 2), value(row + 3), s, td);
-    else weights[i] = lerp(value(row), value(row + 1), s);
-  }
+  for (std::size_t i = 0; i < track.target_count; ++i)
+    weights[i] = at.on_key ? static_cast<T>(track.values[value_row(track.interpolation, at.key) * track.target_count + i])
+                           : between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s, i);
 }
 
 }  // namespace sinew

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/compile_clip_within.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "runtime/base/contract.h"
+#include "runtime/plan/clip_error.h"
+#include "runtime/plan/joint_reach.h"
+#include "runtime/plan/split_by_need.h"
+
+namespace sinew {
+namespace {
+
+/// Of the budget; the rest is for times between those that are measured.
+constexpr double kUsed = 0.97;
+/// First guess of what morph weights take of it.
+constexpr double kOfWeights = 0.25;
+
+Clip compile(const Scene& scene, const Animation& animation) {
+  std::vector<float> rest_weights;
+  for (const MeshInstance& instance : scene.instances)
+    rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  return compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties);
+}
+
+std::uint64_t key_count(const Animation& animation) {
+  std::uint64_t keys = 0;
+  for (const BoneAnimation& bone : animation.bones) keys += bone.translation.key_count() + bone.rotation.key_count() + bone.scale.key_count();
+  for (const WeightAnimation& animated : animation.weights) keys += animated.weights.key_count();
+  for (const PropertyTrack& track : animation.properties) keys += track.values.key_count();
+  return keys;
+}
+
+std::uint32_t animated_joints(const Animation& animation) {
+  std::vector<std::uint32_t> joints;
+  for (const BoneAnimation& bone : animation.bones)
+    if (!bone.empty()) joints.push_back(bone.joint);
+  std::sort(joints.begin(), joints.end());
+  return static_cast<std::uint32_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
+}
+
+/// What each joint, and the weights together, may take of the budget.
+class Shares {
+ public:
+  Shares(const Scene& scene, double budget_m) : parents_(scene.skeleton.parents), budget_m_(budget_m), of_joint_(parents_.size(), 1.0) {}
+
+  double joint_m(std::uint32_t joint) const { return of_joint_[joint] * kUsed * budget_m_; }
+  double weights_m() const { return of_weights_ * kOfWeights * budget_m_; }
+
+  /// Gives less to whatever moved vertices too far; false when nothing did.
+  bool tighten(const ClipError& error) {
+    if (error.worst_m <= kUsed * budget_m_) return false;
+    const double weights_m = error.weights_m, left_m = std::max(kUsed * budget_m_ - weights_m, 0.25 * budget_m_);
+    std::vector<double> factor(of_joint_.size(), 1.0);
+    for (std::size_t j = factor.size(); j-- > 0;) {
+      if (error.of_joint_m[j] > left_m) factor[j] = std::min(factor[j], std::clamp(left_m / error.of_joint_m[j], 0.2, 0.9));
+      if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
+      of_joint_[j] *= factor[j];
+    }
+    if (weights_m > kOfWeights * budget_m_) of_weights_ *= std::clamp(kOfWeights * budget_m_ / weights_m, 0.01, 0.9);
+    return true;
+  }
+
+ private:
+  const std::vector<std::uint32_t>& parents_;
+  double budget_m_;
+  std::vector<double> of_joint_;
+  double of_weights_ = 1.0;
+};
+
+double per_unit(double metres, double reach) noexcept { return reach > 0.0 ? metres / reach : 0.0; }
+
+/// Tracks of joints and weights that really move, each with its part of the budget.
+std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, const VirtualVertices& vertices,
+                                      const std::vector<JointReach>& reach, const Shares& shares) {
+  std::vector<LooseTrack> tracks;
+  const auto add = [&](auto& track, double tolerance) {
+    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0})) tracks.push_back({&track, tolerance});
+  };
+  for (BoneAnimation& bone : animation.bones) {
+    const std::size_t first = tracks.size();
+    const JointReach& r = reach[bone.joint];
+    const double metres = shares.joint_m(bone.joint);
+    add(bone.translation, per_unit(metres, r.translation));
+    add(bone.rotation, per_unit(metres, r.rotation));
+    add(bone.scale, per_unit(metres, r.scale));
+    for (std::size_t i = first; i < tracks.size(); ++i) tracks[i].tolerance /= static_cast<double>(tracks.size() - first);
+  }
+  for (WeightAnimation& animated : animation.weights) {
+    if (animated.weights.key_count() < 2) continue;
+    const std::size_t at = scene.first_weight[animated.instance] + animated.first_target;
+    tracks.push_back({&animated.weights, shares.weights_m(), std::span(vertices.metres_per_weight).subspan(at, animated.weights.target_count)});
+  }
+  return tracks;
+}
+
+void reduce(std::vector<LooseTrack> tracks) {
+  std::erase_if(tracks, [](const LooseTrack& track) { return hold_still(track); });
+  std::map<std::vector<float>, std::vector<LooseTrack>> groups;
+  for (const LooseTrack& track : tracks) groups[track.times_s()].push_back(track);
+  for (auto& [times_s, group] : groups)
+    for (const std::vector<LooseTrack>& part : split_by_need(std::move(group))) {
+      const std::vector<std::uint32_t> keys = keys_needed(part, times_s.size());
+      for (const LooseTrack& track : part) keep_keys(track, keys);
+    }
+}
+
+ClipCertificate certificate_of(const Scene& scene, const Animation& truth, const Animation& keys, const Clip& clip, const ClipError& error,
+                               std::size_t times, double asked_m) {
+  return {.asked_m = asked_m,
+          .measured_m = error.worst_m,
+          .weights_m = error.weights_m,
+          .worst_time_s = error.worst_time_s,
+          .worst_joint = error.worst_joint,
+          .times_checked = static_cast<std::uint32_t>(times),
+          .animated_joints = animated_joints(truth),
+          .source_keys = key_count(truth),
+          .kept_keys = key_count(keys),
+          .source_bytes = compile(scene, truth).byte_size(),
+          .bytes = clip.byte_size()};
+}
+
+}  // namespace
+
+Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth, const VirtualVertices& vertices, double asked_m) {
+  Clip clip = compile(scene, keys);
+  const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
+  const ClipError error = measure_clip(scene, truth, vertices, clip, times);
+  const ClipCertificate certificate = certificate_of(scene, truth, keys, clip, error, times.size(), asked_m);
+  return with_certificate(std::move(clip), certificate);
+}
+
+ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m) {
+  CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
+  const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
+  const std::vector<JointReach> reach = joint_reach(truth, scene.skeleton, vertices);
+  Shares shares(scene, budget_m);
+  for (int round = 0; budget_m > 0.0 && round < kMostRounds; ++round) {
+    ClipWithin out{truth, {}};
+    reduce(moving_tracks(out.keys, scene, vertices, reach, shares));
+    out.clip = compile(scene, out.keys);
+    const ClipError error = measure_clip(scene, truth, vertices, out.clip, times);
+    if (shares.tighten(error)) continue;
+    const ClipCertificate certificate = certificate_of(scene, truth, out.keys, out.clip, error, times.size(), budget_m);
+    out.clip = with_certificate(std::move(out.clip), certificate);
+    return out;
+  }
+  return {truth, compile_and_measure(scene, truth, truth, vertices, budget_m)};
+}
+
+}  // namespace sinew
