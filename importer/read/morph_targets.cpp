@@ -55,7 +55,9 @@ DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh
     if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
     if (semantic->attribute == Attribute::texcoord)
       log.report(Rule::morph_texcoord, place, "texture coordinates stay as they are when the mesh is morphed");
-    const auto vec3 = [&] { return read_finite<glm::vec3>(document, accessor, place, log); };
+    const auto vec3 = [&, accessor = accessor] {  // clang below 16 captures no binding
+      return read_finite<glm::vec3>(document, accessor, place, log);
+    };
     switch (semantic->attribute) {
       case Attribute::position: out.positions = vec3(); break;
       case Attribute::normal: out.normals = vec3(); break;
