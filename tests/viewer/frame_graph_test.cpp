@@ -56,6 +56,22 @@ TEST(frame_graph, shows_a_buffer_without_shading_anything) {
   EXPECT_FALSE(FrameGraph({.opaque = true, .show = Show::depth}).color_image);
 }
 
+TEST(frame_graph, P17_depth_alone_is_made_when_nobody_reads_normals) {
+  EXPECT_FALSE(FrameGraph({.opaque = true, .show = Show::depth}).normal_image);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .occlusion = false, .show = Show::ao}).normal_image);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .show = Show::ao}).normal_image);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .show = Show::normals}).normal_image);
+}
+
+TEST(frame_graph, P17_occlusion_of_strength_0_is_none) {
+  AmbientOcclusion ao;
+  EXPECT_TRUE(ao.has_effect());
+  ao.power = 0.0f;
+  EXPECT_FALSE(ao.has_effect());
+  ao = {.radius_m = 0.0f};
+  EXPECT_FALSE(ao.has_effect());
+}
+
 TEST(frame_graph, names_every_pass) {
   EXPECT_EQ(name_of(Pass::normal_depth), "normal_depth");
   EXPECT_EQ(name_of(Pass::overlay), "overlay");

@@ -2,6 +2,7 @@
 #include "viewer/app/headless.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -87,6 +88,33 @@ TEST_F(frame_upload, copies_nothing_for_a_rigid_scene_and_nothing_twice_for_an_a
   moving.update(0, arm.frame(2));
   moving.update(0, arm.frame(2), 7);  // the same number from another source
   EXPECT_EQ(moving.uploaded_bytes(), 4 * once);
+}
+
+TEST_F(frame_upload, P19_copies_no_primitive_that_the_slot_has_already) {
+  const BuiltScene arm = bent_arm(0.5f), other_arm = bent_arm(0.9f);
+  FrameUpload upload(*test_device(), arm.scene, 1);
+  const auto frame = [](const BuiltScene& built, std::uint64_t number, std::uint64_t since, std::vector<DeformedPrimitive>& room) {
+    FrameResult result = built.frame(number);
+    room.assign(result.primitives.begin(), result.primitives.end());
+    room[0].since_frame = since;
+    result.primitives = room;
+    return result;
+  };
+  std::vector<DeformedPrimitive> room;
+  upload.update(0, frame(arm, 3, 3, room));
+  const std::uint64_t once = upload.uploaded_bytes();
+  upload.update(0, frame(arm, 5, 2, room));
+  EXPECT_EQ(upload.uploaded_bytes(), once) << "frame 3 was one of the row from 2 to 5";
+  EXPECT_EQ(upload.last_update().unchanged, 1u);
+  upload.update(0, frame(other_arm, 6, 6, room));
+  EXPECT_EQ(upload.uploaded_bytes(), 2 * once);
+  EXPECT_EQ(upload.last_update().written, 1u);
+  const std::byte* there = upload.vertices(0).buffer.mapped();
+  EXPECT_EQ(0, std::memcmp(there, room[0].positions.data(), room[0].positions.size_bytes()));
+  upload.update(0, frame(other_arm, 7, 6, room), 1);
+  EXPECT_EQ(upload.uploaded_bytes(), 3 * once) << "stamps of another source say nothing";
+  upload.update(0, frame(other_arm, 8, 0, room), 1);
+  EXPECT_EQ(upload.uploaded_bytes(), 4 * once) << "no stamp";
 }
 
 TEST_F(frame_upload, keeps_its_buffer_when_the_next_frame_is_no_larger) {

@@ -2,6 +2,7 @@
 // What changes a scene's look without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
+#include "viewer/passes/draw_list.h"
 
 namespace sinew::viewer {
 namespace {
@@ -146,6 +147,48 @@ TEST_F(look, lights_follow_the_frame_and_go_out_with_their_hidden_node) {
   const Picture key_light = seen.picture(kNone, &frame);   // stands in when no light is left
   seen.built.scene.lights.clear();
   EXPECT_EQ(key_light.rgba, seen.picture(kNone, &frame).rgba);
+}
+
+TEST_F(look, P14_what_is_out_of_view_is_not_drawn_and_changes_no_pixel) {
+  Seen seen;
+  seen.view = look_at({0.3, 0.8, 0.4}, {0.0, 0.0, 0.0}, 0.8, 0.5);
+  const Picture alone = seen.picture();
+  seen.built.add(square(0.5f), seen.built.add_material(glowing({0, 1, 0})), translation({30, 0, 0}));
+  seen.built.scene.instances[0].copies = {{{0, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}, {{-40, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}};
+  EXPECT_EQ(alone.rgba, seen.picture().rgba);
+
+  const SceneUpload scene(*test_device(), seen.built.scene);
+  FrameUpload frame(*test_device(), seen.built.scene, 1);
+  frame.update(0, seen.built.frame());
+  const DrawnScene drawn{&scene, &frame};
+  DrawList draws;
+  draws.collect({&drawn, 1}, 0, seen.view, 1.0, 1.0f);
+  EXPECT_EQ(draws.opaque().size(), 1u);
+  EXPECT_EQ(draws.out_of_view(), 2u);
+}
+
+TEST_F(look, P14_deformed_meshes_are_culled_by_the_box_of_their_vertices) {
+  Seen seen;
+  const Primitive shape = square(0.5f);
+  std::vector<glm::vec3> away = shape.positions;
+  for (glm::vec3& p : away) p.x += 50.0f;
+  seen.built.deform(0, away, shape.normals);
+  const auto draw_count = [&](const Aabb& bounds) {
+    FrameResult result = seen.built.frame();
+    InstanceResult instance = result.instances[0];
+    instance.bounds = bounds;
+    result.instances = {&instance, 1};
+    const SceneUpload scene(*test_device(), seen.built.scene);
+    FrameUpload frame(*test_device(), seen.built.scene, 1);
+    frame.update(0, result);
+    const DrawnScene drawn{&scene, &frame};
+    DrawList draws;
+    draws.collect({&drawn, 1}, 0, seen.view, 1.0, 1.0f);
+    return draws.opaque().size();
+  };
+  EXPECT_EQ(draw_count({{49.5f, 0, -0.5f}, {50.5f, 0, 0.5f}}), 0u);
+  EXPECT_EQ(draw_count({{-0.5f, 0, -0.5f}, {0.5f, 0, 0.5f}}), 1u) << "the rest pose's box does not count";
+  EXPECT_EQ(draw_count({}), 1u) << "not asked for: drawn";
 }
 
 }  // namespace

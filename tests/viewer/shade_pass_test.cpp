@@ -182,9 +182,16 @@ TEST_F(shade_pass, a_directional_light_of_the_file_replaces_the_key_light) {
   expect_shaded(built, options, std::vector<double>(kWidth * kHeight, 1.0), sun_of(options.lighting));
 }
 
+TEST_F(shade_pass, P17_occlusion_of_strength_0_is_bit_for_bit_the_picture_without_it) {
+  RenderOptions with, without;
+  with.ao.power = 0.0f;
+  without.ao.on = false;
+  EXPECT_EQ(render_float(shiny_scene(), kWidth, kHeight, the_view(), with).pixels, render_float(shiny_scene(), kWidth, kHeight, the_view(), without).pixels);
+}
+
 TEST_F(shade_pass, leaves_out_the_prepass_without_changing_the_picture) {
   RenderOptions with, without;
-  with.ao.power = 0.0f;  // occlusion that darkens nothing
+  with.ao.power = 1e-6f;  // occlusion that darkens next to nothing
   without.ao.on = false;
   const FloatPicture a = render_float(shiny_scene(), kWidth, kHeight, the_view(), with);
   const FloatPicture b = render_float(shiny_scene(), kWidth, kHeight, the_view(), without);

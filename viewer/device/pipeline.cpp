@@ -55,14 +55,14 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   depth.depthCompareOp = shape.depth_compare;
   const VkPipelineColorBlendAttachmentState attachment = blend_state(shape);
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  blend.attachmentCount = 1;
+  blend.attachmentCount = shape.color_format != VK_FORMAT_UNDEFINED;
   blend.pAttachments = &attachment;
   const std::vector<VkDynamicState> states = dynamic_states(shape);
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
   dynamic.dynamicStateCount = static_cast<std::uint32_t>(states.size());
   dynamic.pDynamicStates = states.data();
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-  rendering.colorAttachmentCount = 1;
+  rendering.colorAttachmentCount = blend.attachmentCount;
   rendering.pColorAttachmentFormats = &shape.color_format;
   rendering.depthAttachmentFormat = shape.depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED;
 

@@ -37,20 +37,23 @@ DrawConstants constants_of(const Primitive& primitive, const Affine& view_from_m
 
 }  // namespace
 
-void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, float point_size) {
+void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect, float point_size) {
   opaque_.clear();
   blended_.clear();
+  hidden_ = out_of_view_ = 0;
+  const Frame frame{slot, view, aspect, point_size};
   for (const DrawnScene& drawn : scenes) {
     const FrameVertices& vertices = drawn.frame->vertices(slot);
     const Scene& scene = drawn.scene->scene();
     for (std::size_t i = 0; i < vertices.instances.size(); ++i) {
       const PlacedInstance& placed = vertices.instances[i];
+      hidden_ += !placed.visible;
       if (!placed.visible) continue;
       const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();
       for_each_copy(scene.instances[i], view_from_mesh, [&](const Affined& view_from_copy) {
         const bool mirrored = copied ? determinant(view_from_copy) < 0.0 : placed.mirrored;  // views do not mirror
-        add(drawn, slot, i, view_from_copy, mirrored, point_size);
+        add(frame, drawn, i, view_from_copy, mirrored);
       });
     }
   }
@@ -58,10 +61,9 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
                    [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
 }
 
-void DrawList::add(const DrawnScene& drawn, std::uint32_t slot, std::size_t instance, const Affined& view_from_mesh_d, bool mirrored,
-                   float point_size) {
+void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh_d, bool mirrored) {
   const SceneResources& resources = drawn.scene->resources();
-  const FrameVertices& vertices = drawn.frame->vertices(slot);
+  const FrameVertices& vertices = drawn.frame->vertices(frame.slot);
   const Scene& scene = resources.scene;
   const Affine view_from_mesh = affine_cast<float>(view_from_mesh_d);
   const std::uint32_t mesh_index = scene.instances[instance].mesh;
@@ -71,6 +73,12 @@ void DrawList::add(const DrawnScene& drawn, std::uint32_t slot, std::size_t inst
     const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
+    const bool moved = deformed.positions != kAbsent;   // then the box of the whole instance is what is known
+    if (moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, vertices.instances[instance].bounds)
+              : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds)) {
+      ++out_of_view_;
+      continue;
+    }
     const std::uint32_t material_index = material_of(primitive, drawn.variant);
     const Material* material = material_index == kNone ? nullptr : &scene.materials[material_index];
     const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
@@ -79,8 +87,8 @@ void DrawList::add(const DrawnScene& drawn, std::uint32_t slot, std::size_t inst
     draw.indices = resources.meshes.buffer();
     draw.indices_at = own.indices;
     draw.index_count = own.index_count;
-    draw.material = resources.materials.set_of(material_index, slot);
-    draw.constants = constants_of(primitive, view_from_mesh, point_size);
+    draw.material = resources.materials.set_of(material_index, frame.slot);
+    draw.constants = constants_of(primitive, view_from_mesh, frame.point_size);
     if (mirrored) draw.constants.flags |= kMirrored;
     draw.topology = primitive.topology;
     draw.masked = alpha == AlphaMode::mask;

@@ -36,17 +36,28 @@ struct DrawnScene;
 /// The draws of a frame: opaque and masked ones in the scene's order, blended ones from far to near.
 class DrawList {
  public:
+  /// Leaves out what is hidden or out of view.
+  /// in   aspect  width / height of the picture
   /// cost O(primitives); allocates only while the number of draws grows
-  void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, float point_size);
+  void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect, float point_size);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
+  std::uint32_t hidden() const noexcept { return hidden_; }            ///< instances that are not shown
+  std::uint32_t out_of_view() const noexcept { return out_of_view_; }  ///< primitives, counted for each copy
 
  private:
-  void add(const DrawnScene& drawn, std::uint32_t slot, std::size_t instance, const Affined& view_from_mesh, bool mirrored,
-           float point_size);
+  /// Of the frame that is collected.
+  struct Frame {
+    std::uint32_t slot;
+    const View& view;
+    double aspect;
+    float point_size;
+  };
+  void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh, bool mirrored);
 
   std::vector<Draw> opaque_, blended_;
+  std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };
 
 }  // namespace sinew::viewer

@@ -14,8 +14,7 @@ std::string_view name_of(Pass pass) noexcept {
 
 FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   const bool picture = needs.show == Show::color;
-  const bool wanted = needs.show == Show::ao || (picture && needs.ambient);
-  const bool occlusion = needs.opaque && needs.occlusion && wanted;
+  const bool occlusion = needs.occluded();
   const bool prepass = occlusion || !picture;
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {
@@ -31,7 +30,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   }
   if (needs.overlay) add(Pass::overlay);
   depth_image = true;
-  normal_image = prepass;
+  normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
   access_image = occlusion;
   access_between = occlusion && needs.blur;

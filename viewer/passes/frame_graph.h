@@ -30,9 +30,14 @@ struct FrameNeeds {
   bool blended = false;
   bool overlay = false;   ///< lines or a panel
   bool ambient = true;    ///< there is ambient light for occlusion to scale
-  bool occlusion = true;  ///< ambient occlusion is switched on
+  bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
   Show show = Show::color;
+
+  /// Something reads ambient access.
+  bool occluded() const noexcept {
+    return opaque && occlusion && (show == Show::ao || (show == Show::color && ambient));
+  }
 };
 
 /// The passes of a frame in order, and the images between them. A pass or an image that is not needed does not exist.

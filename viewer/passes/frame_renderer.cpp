@@ -107,7 +107,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs) {
           .blended = !draws.blended().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
           .ambient = inputs.options.lighting.ambient(),
-          .occlusion = inputs.options.ao.on,
+          .occlusion = inputs.options.ao.has_effect(),
           .blur = inputs.options.ao.blur,
           .show = inputs.options.show};
 }
@@ -118,7 +118,8 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   CONTRACT(inputs.slot < state_->slots.size() && target.extent.width > 0 && target.extent.height > 0);
   State& state = *state_;
   FrameSlot& slot = *state.slots[inputs.slot];
-  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, std::min(kPointPixels, state.device.max_point_size()));
+  const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
+  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect, std::min(kPointPixels, state.device.max_point_size()));
   state.collect_lights(inputs);
   const FrameGraph graph(needs_of(state.draws, inputs));
   state.targets.fit(graph, target.extent);

@@ -50,7 +50,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& key) {
   shape.attributes = attributes;
   const bool prepass = key.pass == Pass::normal_depth, blended = key.pass == Pass::transparent;
   shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
-  shape.color_format = prepass ? kNormalFormat : kColorFormat;
+  shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants = {key.masked, blended, key.occluded};
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;

@@ -61,6 +61,7 @@ struct MeshPipelineKey {
   bool masked = false;
   bool after_prepass = false;  ///< opaque: depth is there already, test for equal
   bool occluded = false;       ///< there is an ambient-access image
+  bool depth_only = false;     ///< normal_depth: nobody reads normals
 
   auto operator<=>(const MeshPipelineKey&) const = default;
 };

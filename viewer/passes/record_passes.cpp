@@ -17,7 +17,7 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = attachments.extent;
   info.layerCount = 1;
-  info.colorAttachmentCount = 1;
+  info.colorAttachmentCount = attachments.color ? 1 : 0;
   info.pColorAttachments = &color;
   info.pDepthAttachment = attachments.depth ? &depth : nullptr;
   vkCmdBeginRendering(commands, &info);

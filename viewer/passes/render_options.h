@@ -24,6 +24,9 @@ struct AmbientOcclusion {
   float fade_end_m = 1.0f;          ///< and from which on not at all
   float power = 2.0f;               ///< contrast: access = (1 - average occlusion)^power
   bool blur = true;
+
+  /// Not switched off, nor of strength 0, which is the same (P17).
+  bool has_effect() const noexcept { return on && power > 0.0f && radius_m > 0.0f; }
 };
 
 /// eq   radius = 0.1 * r, epsilon = 0.02 * radius, fade from 0.4 to 2 times the radius; r = half the box's diagonal

@@ -20,6 +20,11 @@ struct View {
   bool parallel() const noexcept { return half_height_m > 0.0; }
 };
 
+/// No point of the box can be in the picture.
+/// in   view_from_box  from the box's space, also with scale and shear;   aspect  width / height of the picture
+/// cost O(1); keeps a margin of a ten-thousandth for the rounding of the GPU. An empty box is taken for one of unknown size.
+bool is_out_of_view(const View& view, double aspect, const Affined& view_from_box, const Aabb& box) noexcept;
+
 /// Rotation and position from an eye point towards a target; any `up` that is not parallel to the line of sight, and a
 /// safe substitute when it is.
 /// in   eye, target  world space, metres

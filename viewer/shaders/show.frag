@@ -13,16 +13,20 @@ layout(constant_id = 1) const int kShow = 1;   // enum Show
 
 layout(location = 0) out vec4 shown;
 
+float access_at(ivec2 pixel, float far_p) {
+  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+  return n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_point(pixel, far_p), normalize(n));
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float far_p = distance_at(pixel);
-  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
   float covered = far_p > 0.0 ? 1.0 : 0.0;
   vec3 value;
   if (kShow == 1) {
-    value = vec3(covered == 0.0 || n == vec3(0.0) ? 1.0 : ambient_access(pixel, view_point(pixel, far_p), normalize(n)));
+    value = vec3(covered == 0.0 || frame.occlusion_use.y == 0.0 ? 1.0 : access_at(pixel, far_p));
   } else if (kShow == 2) {
-    value = covered == 0.0 ? vec3(0.5) : n * 0.5 + 0.5;
+    value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz * 0.5 + 0.5;
   } else {
     float part = (far_p - frame.output_range.y) / (frame.output_range.z - frame.output_range.y);
     value = vec3(covered == 0.0 ? 0.0 : 1.0 - clamp(part, 0.0, 1.0));

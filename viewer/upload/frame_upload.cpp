@@ -15,6 +15,10 @@ struct FrameUpload::State {
   const Scene& scene;
   std::vector<FrameVertices> slots;
   std::uint64_t uploaded_bytes = 0;
+  UploadCounts counts;
+
+  void bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed, DeformedBuffers next,
+             DeformedBuffers& last, bool kept);
 };
 
 namespace {
@@ -31,22 +35,39 @@ VkDeviceSize bytes_of(const FrameResult& result) noexcept {
   return bytes;
 }
 
-/// Fills a slot's buffer front to back.
-struct Writer {
-  std::byte* memory;
-  VkDeviceSize at = 0;
-  std::uint64_t written = 0;
-
-  template <class T>
-  VkDeviceSize write(std::span<const T> values) noexcept {
-    if (values.empty()) return kAbsent;
-    const VkDeviceSize begin = at;
-    std::memcpy(memory + begin, values.data(), values.size_bytes());
+/// Where the attributes of a primitive go, from `at` on.
+DeformedBuffers place(const DeformedPrimitive& deformed, VkDeviceSize& at) noexcept {
+  const auto take = [&](const auto& values) {
+    const VkDeviceSize begin = values.empty() ? kAbsent : at;
     at += room_for(values);
-    written += values.size_bytes();
     return begin;
-  }
-};
+  };
+  DeformedBuffers buffers;
+  buffers.positions = take(deformed.positions);
+  buffers.normals = take(deformed.normals);
+  buffers.tangents = take(deformed.tangents);
+  buffers.colors = take(deformed.colors);
+  return buffers;
+}
+
+bool same_places(const DeformedBuffers& a, const DeformedBuffers& b) noexcept {
+  return a.positions == b.positions && a.normals == b.normals && a.tangents == b.tangents && a.colors == b.colors;
+}
+
+/// Answers the bytes.
+std::uint64_t copy(const DeformedPrimitive& deformed, const DeformedBuffers& to, std::byte* memory) noexcept {
+  std::uint64_t bytes = 0;
+  const auto write = [&](const auto& values, VkDeviceSize at) {
+    if (values.empty()) return;
+    std::memcpy(memory + at, values.data(), values.size_bytes());
+    bytes += values.size_bytes();
+  };
+  write(deformed.positions, to.positions);
+  write(deformed.normals, to.normals);
+  write(deformed.tangents, to.tangents);
+  write(deformed.colors, to.colors);
+  return bytes;
+}
 
 glm::vec3 centre_of(const Primitive& primitive, const DeformedPrimitive& deformed) noexcept {
   if (deformed.positions.empty())
@@ -79,42 +100,60 @@ void place_lights(const Scene& scene, const FrameResult& result, FrameVertices& 
 }  // namespace
 
 FrameUpload::FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_count)
-    : state_(new State{device, scene, std::vector<FrameVertices>(slot_count), 0}) {
+    : state_(new State{device, scene, std::vector<FrameVertices>(slot_count), 0, {}}) {
   for (FrameVertices& slot : state_->slots) slot.look = SceneLook(scene);
 }
 
 FrameUpload::~FrameUpload() = default;
 
+/// Brings one primitive into the slot, unless its vertices are there already (P19).
+void FrameUpload::State::bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed, DeformedBuffers next,
+                               DeformedBuffers& last, bool kept) {
+  const bool there = kept && deformed.since_frame != 0 && last.frame >= deformed.since_frame && same_places(next, last);
+  if (there) {
+    next.centre = last.centre;
+    ++counts.unchanged;
+  } else {
+    const std::uint64_t bytes = copy(deformed, next, slot.buffer.mapped());
+    counts.bytes += bytes;
+    counts.written += bytes > 0;
+    if (blended(scene, primitive)) next.centre = centre_of(primitive, deformed);
+  }
+  last = next;
+}
+
 void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, std::uint64_t source) {
   FrameVertices& slot = state_->slots[slot_index];
-  if (slot.filled && slot.frame == result.frame && slot.source == source) return;
+  state_->counts = {};
+  const bool follows = slot.filled && slot.source == source;
+  if (follows && slot.frame == result.frame) return;
   const Scene& scene = state_->scene;
   CONTRACT(result.instances.size() == scene.instances.size());
   const VkDeviceSize needed = bytes_of(result);
+  const bool kept = follows && slot.buffer.size() >= needed;
   if (needed > 0 && slot.buffer.size() < needed)
     slot.buffer = Buffer(state_->device, needed, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryUse::upload);
-  Writer writer{slot.buffer.mapped()};
   slot.instances.resize(result.instances.size());
   slot.primitives.resize(result.primitives.size());
+  VkDeviceSize at = 0;
   for (std::size_t i = 0; i < result.instances.size(); ++i) {
     const InstanceResult& instance = result.instances[i];
-    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, instance.first_primitive};
+    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, instance.bounds, instance.first_primitive};
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];
-      DeformedBuffers& buffers = slot.primitives[instance.first_primitive + p];
-      buffers.positions = writer.write(deformed.positions);
-      buffers.normals = writer.write(deformed.normals);
-      buffers.tangents = writer.write(deformed.tangents);
-      buffers.colors = writer.write(deformed.colors);
-      if (blended(scene, mesh.primitives[p])) buffers.centre = centre_of(mesh.primitives[p], deformed);
+      DeformedBuffers next = place(deformed, at);
+      next.frame = result.frame;
+      state_->bring(slot, mesh.primitives[p], deformed, next, slot.primitives[instance.first_primitive + p], kept);
     }
   }
   place_lights(scene, result, slot);
   apply_properties(scene, result.properties, slot.look);
-  state_->uploaded_bytes += writer.written;
+  state_->uploaded_bytes += state_->counts.bytes;
   slot.frame = result.frame, slot.source = source, slot.filled = true;
 }
+
+const UploadCounts& FrameUpload::last_update() const noexcept { return state_->counts; }
 
 std::uint64_t FrameUpload::uploaded_bytes() const noexcept { return state_->uploaded_bytes; }
 

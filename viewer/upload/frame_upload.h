@@ -11,6 +11,12 @@ namespace sinew::viewer {
 
 struct FrameVertices;  // frame_vertices.h: for the passes
 
+/// What one update copied.
+struct UploadCounts {
+  std::uint32_t written = 0, unchanged = 0;  ///< primitives with deformed vertices: copied, and left as they were
+  std::uint64_t bytes = 0;
+};
+
 /// The parts of a scene that change per frame. One copy per slot, so that the CPU can fill the next frame while the GPU
 /// still draws the last.
 class FrameUpload {
@@ -21,7 +27,8 @@ class FrameUpload {
   FrameUpload& operator=(const FrameUpload&) = delete;
 
   /// Copies what the frame deformed into the slot; does nothing when the slot holds that frame already. Only deformed
-  /// attributes are copied, so a rigid scene uploads no vertex at all. The result is not read after the call.
+  /// attributes are copied, so a rigid scene uploads no vertex at all, and only of primitives that the slot does not have
+  /// already (DeformedPrimitive::since_frame, P19). The result is not read after the call.
   /// in   slot    the GPU must be done with its last use
   ///      source  tells characters or plans apart whose frames are shown in turn: frame numbers of different sources
   ///      differ
@@ -29,6 +36,7 @@ class FrameUpload {
 
   /// Bytes written by all updates so far.
   std::uint64_t uploaded_bytes() const noexcept;
+  const UploadCounts& last_update() const noexcept;
 
   /// Materials, lights and cameras of the slot's frame.
   const SceneLook& look(std::uint32_t slot) const noexcept;

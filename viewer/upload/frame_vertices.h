@@ -10,6 +10,7 @@ namespace sinew::viewer {
 /// Where the deformed attributes of a primitive lie in the slot's buffer; kAbsent = use the primitive's own.
 struct DeformedBuffers {
   VkDeviceSize positions = kAbsent, normals = kAbsent, tangents = kAbsent, colors = kAbsent;
+  std::uint64_t frame = 0;  ///< whose vertices these are
   glm::vec3 centre{0.0f};  ///< of the drawn vertices, mesh space: transparent draws are sorted by it
 };
 
@@ -17,6 +18,7 @@ struct DeformedBuffers {
 struct PlacedInstance {
   Affine world_from_mesh;
   bool mirrored = false, visible = true;
+  Aabb bounds;                        ///< world space, of all its vertices; empty = not known
   std::uint32_t first_primitive = 0;  ///< into FrameVertices::primitives
 };
 
