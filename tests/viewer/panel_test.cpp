@@ -120,15 +120,33 @@ TEST_F(PanelTest, switches_change_the_settings) {
 
 TEST_F(PanelTest, every_section_opens_without_a_device) {
   Playback playback(scene_);
-  const PassTime passes[] = {{"ssao", 1.5}};
-  facts_.passes = passes;
   facts_.note = "a note";
   facts_.device = "none";
   const int before = (frame(playback), frame(playback), ImGui::GetDrawData()->TotalVtxCount);
-  for (const char* section : {"plan", "times", "keys"}) click(section, playback);
+  click("keys", playback);
   frame(playback);
   frame(playback);
-  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 400);   // key table, stages, times
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 400);   // the key table
+}
+
+TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) {
+  Playback playback(scene_);
+  const auto drawn = [&] { return frame(playback), frame(playback), ImGui::GetDrawData()->TotalVtxCount; };
+  const int without = drawn();
+  EXPECT_EQ(ImGui::FindWindowByName("live plan (e hides this)"), nullptr);
+  click("live plan", playback);
+  EXPECT_TRUE(settings_.plan);
+  const int empty = drawn();
+  EXPECT_GT(empty, without);
+  const PlanRow rows[] = {{.part = PlanPart::evaluation, .stage = "sample", .runs = true, .reason = "a clip plays", .count = 12, .timed = 1, .time_us = 3.0},
+                          {.part = PlanPart::passes, .stage = "ssao", .reason = "nothing opaque is in view"}};
+  facts_.rows = rows;
+  EXPECT_GT(drawn(), empty + 200);
+  const ImGuiWindow *panel = ImGui::FindWindowByName("sinew (h hides this)"), *plan = ImGui::FindWindowByName("live plan (e hides this)");
+  EXPECT_GE(plan->Pos.x, panel->Pos.x + panel->Size.x) << "beside, not over";
+  settings_.panel = false;
+  frame(playback);
+  EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 0) << "h hides both";
 }
 
 TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {

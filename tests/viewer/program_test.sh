@@ -88,6 +88,14 @@ ends 0 '' --headless sky.png --size 64x64 --transparent --eye 0,50,0 --target 0,
 holds "a camera that looks away sees nothing" 'maxima.a==0' sky.png
 ends 0 '' --scene 1 --headless lbs.png --size 320x180 --time 3 --skinning linear
 
+ends 0 '' --headless planned.png --size 320x180 --time 1 --plan
+if cmp -s a.png planned.png; then echo "ok: looking at the plan changes no picture"; else complain "--plan changes the picture"; fi
+for row in 'sample  .* on .* us ' 'skin_linear .* off ' 'upload ' 'ssao .* on ' 'transparent .* off '; do
+  if grep -q -- "$row" out; then echo "ok: --plan tells '$row'"; else complain "--plan does not tell '$row': $(cat out)"; fi
+done
+ends 0 '' --headless planned.png --size 320x180 --time 1 --no-ao --plan
+grep -q 'ssao .* off .* switched off' out || complain "--plan does not say why there is no ssao"
+ends 2 'requires' --plan
 ends 0 '' --headless frames/ --size 64x36 --frames 3:6 --fps 2 --scene 2
 if [ "$(ls frames)" = "$(printf '%05d.png\n' 3 4 5 6)" ]; then echo "ok: frames 3 to 6 are numbered"; else complain "frames: $(ls frames)"; fi
 ends 0 '' --headless one.png --size 64x36 --time 1.5 --scene 2

@@ -25,6 +25,19 @@ TEST(settings, begin_as_the_command_line_says) {
 
 TEST(settings, a_scene_without_meshes_shows_its_skeleton) { EXPECT_TRUE(settings_from({}, Scene{}).skeleton); }
 
+TEST(settings, the_live_plan_comes_with_the_panel) {
+  Settings settings;
+  settings.panel = false;
+  toggle_plan(settings);
+  EXPECT_TRUE(settings.panel && settings.plan && settings.watches_plan());
+  settings.panel = false;
+  EXPECT_FALSE(settings.watches_plan()) << "what nobody sees is not measured";
+  toggle_plan(settings);
+  EXPECT_TRUE(settings.watches_plan());
+  toggle_plan(settings);
+  EXPECT_TRUE(settings.panel && !settings.plan);
+}
+
 TEST(settings, ao_only_turns_ao_on_and_goes_back_to_the_lit_picture) {
   Settings settings;
   settings.ambient_occlusion = false;

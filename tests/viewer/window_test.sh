@@ -114,6 +114,16 @@ eventually "o shows ambient occlusion only, in grey" is_grey
 press o
 eventually "o goes back" equals_now stepped
 
+press h
+eventually "the panel comes back" differs_now stepped
+shot panel
+press e
+eventually "e shows the live plan" differs_now panel
+press e
+eventually "e hides it" equals_now panel
+press h
+eventually "h hides the panel again" equals_now stepped
+
 xdotool mousemove --window "$window" 320 200 mousedown 1
 sleep 0.3
 xdotool mousemove --window "$window" 400 200

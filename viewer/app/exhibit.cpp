@@ -56,6 +56,16 @@ tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::f
 
 }  // namespace
 
+Needs needs_of(const Exhibit& exhibit, Skinning skinning, bool stage_times) {
+  Needs needs;
+  needs.bounds = true;
+  needs.max_layers = 1;
+  needs.skinning = skinning;
+  needs.instance_skinning = exhibit.instance_skinning;
+  needs.stage_times = stage_times;
+  return needs;
+}
+
 tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress) {

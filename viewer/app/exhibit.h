@@ -23,6 +23,9 @@ struct Exhibit {
   double fov_y_rad = 0.785398163397448;
 };
 
+/// What the viewer asks the runtime for: vertices, boxes to leave out what is not in view, and times while somebody looks at them.
+Needs needs_of(const Exhibit& exhibit, Skinning skinning, bool stage_times);
+
 /// Why there is nothing to show, and how the program ends.
 struct LoadError {
   int exit_code = 1;

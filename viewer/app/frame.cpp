@@ -55,6 +55,7 @@ bool Frame::draw(ShownScene& shown, const View& view, const RenderOptions& optio
 
   begin(slot);
   renderer_.record(slot.commands, target, inputs);
+  report_ = renderer_.report(next_);
   panel_.begin();
   lay_out();
   panel_.record(slot.commands, *image);

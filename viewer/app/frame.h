@@ -33,6 +33,9 @@ class Frame {
   /// Of the last picture that the GPU is known to be done with.
   std::span<const PassTime> pass_times();
 
+  /// Of the last picture.
+  const FrameReport& report() const noexcept { return report_; }
+
  private:
   struct Slot {
     VkCommandPool pool = VK_NULL_HANDLE;
@@ -50,6 +53,7 @@ class Frame {
   Slot slots_[kSlots];
   std::uint32_t next_ = 0;
   std::vector<PassTime> pass_times_;
+  FrameReport report_;
 };
 
 }  // namespace sinew::viewer

@@ -64,5 +64,7 @@ Picture Headless::render(const FrameResult& frame, const View& view, const Rende
 }
 
 std::span<const PassTime> Headless::pass_times() const { return state_->renderer.pass_times(0); }
+const FrameReport& Headless::report() const { return state_->renderer.report(0); }
+const UploadCounts& Headless::upload_counts() const { return state_->frame_upload.last_update(); }
 
 }  // namespace sinew::viewer

@@ -30,6 +30,8 @@ class Headless {
 
   /// Of the last picture.
   std::span<const PassTime> pass_times() const;
+  const FrameReport& report() const;
+  const UploadCounts& upload_counts() const;
 
  private:
   struct State;

@@ -13,6 +13,7 @@
 #include "runtime/plan/run_plan.h"
 #include "viewer/app/file_camera.h"
 #include "viewer/app/headless.h"
+#include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/settings.h"
 #include "viewer/app/skeleton_lines.h"
@@ -26,8 +27,10 @@ namespace fs = std::filesystem;
 // The pose of the exhibit at any time, evaluated where it is asked for.
 class Poser {
  public:
-  Poser(const Exhibit& exhibit, Skinning skinning, std::uint32_t clip)
-      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, skinning))), frame_(plan_) {}
+  Poser(const Exhibit& exhibit, const Options& options, std::uint32_t clip)
+      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, options.skinning, options.plan))), frame_(plan_) {}
+
+  const Plan& plan() const noexcept { return plan_; }
 
   const FrameResult& at(double time_s) {
     const ClipLayer layer{clip_, time_s, 1.0f};
@@ -39,14 +42,6 @@ class Poser {
   }
 
  private:
-  static Needs needs_of(const Exhibit& exhibit, Skinning skinning) {
-    Needs needs;
-    needs.max_layers = 1;
-    needs.skinning = skinning;
-    needs.instance_skinning = exhibit.instance_skinning;
-    return needs;
-  }
-
   std::uint32_t clip_;
   Plan plan_;
   FrameBuffer frame_;
@@ -78,8 +73,9 @@ class PictureMaker {
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
         transparent_(options.transparent),
+        watches_plan_(options.plan),
         aspect_(static_cast<double>(options.width) / options.height),
-        poser_(exhibit, options.skinning, clip),
+        poser_(exhibit, options, clip),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {}
 
@@ -94,8 +90,15 @@ class PictureMaker {
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
-    return headless_.render(pose, view_, look, lines, settings_.variant);
+    Picture picture = headless_.render(pose, view_, look, lines, settings_.variant);
+    if (watches_plan_) {
+      live_plan_.evaluated(poser_.plan(), pose);
+      live_plan_.drawn(headless_.upload_counts(), headless_.report(), headless_.pass_times());
+    }
+    return picture;
   }
+
+  const LivePlan& live_plan() const noexcept { return live_plan_; }
 
  private:
   const Exhibit& exhibit_;
@@ -103,12 +106,19 @@ class PictureMaker {
   ClipBounds bounds_;
   View view_;
   Settings settings_;
-  bool transparent_;
+  bool transparent_, watches_plan_;
   double aspect_;
   Poser poser_;
   SkeletonLines skeleton_;
   Headless headless_;
+  LivePlan live_plan_;
 };
+
+// Pictures that nobody keeps, so that a plan's times are not those of a first frame.
+void warm_up(PictureMaker& maker, double duration_s) {
+  constexpr std::uint32_t kPictures = 20;
+  for (std::uint32_t n = 1; n <= kPictures; ++n) maker.at(duration_s * n / (kPictures + 1.0));
+}
 
 std::string picture_name(std::uint32_t picture) {
   const std::string digits = std::to_string(picture);
@@ -141,8 +151,8 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
   Device device(wanted);
   PictureMaker maker(device, options, exhibit, clip);
   PngWriter writer;
+  const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
   if (options.frames) {
-    const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
     const auto [first, last] = *options.frames;
     for (std::uint32_t n = first;; ++n) {
       writer.write(fs::path(options.headless) / picture_name(n), maker.at(picture_time_s(n, options.fps, duration)));
@@ -150,8 +160,11 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
       if (n == last) break;
     }
   } else {
-    writer.write(options.headless, maker.at(options.time_s.value_or(0.0)));
+    const double time_s = options.time_s.value_or(0.0);
+    if (options.plan) warm_up(maker, duration);
+    writer.write(options.headless, maker.at(time_s));
   }
+  if (options.plan) std::fputs(plan_text(maker.live_plan().rows()).c_str(), stdout);
   const auto failed = writer.finish();
   for (const auto& file : failed) std::fprintf(stderr, "sinew-viewer: %s\n", file.c_str());
   return failed.empty() ? exit_code_after_validation(options, device) : 3;

@@ -25,6 +25,7 @@ constexpr std::array kBindings{
     KeyBinding{'S', Action::toggle_skeleton, "s", "skeleton on / off"},
     KeyBinding{'F', Action::frame_all, "f", "frame everything"},
     KeyBinding{258, Action::next_scene, "tab", "next showcase scene"},
+    KeyBinding{'E', Action::toggle_plan, "e", "what each frame evaluates: the live plan on / off"},
     KeyBinding{'H', Action::toggle_panel, "h", "panel on / off"},
     KeyBinding{kEscape, Action::quit, "esc", "close"},
     KeyBinding{'Q', Action::quit, "q", "close"},

@@ -160,6 +160,7 @@ void add_time_options(CLI::App& app, Options& options) {
     if (!value || *value <= 0.0 || *value > 1e6) throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
     options.fps = *value;
   });
+  auto* plan = app.add_flag("--plan", options.plan, "print what a picture takes: each stage and pass, why it runs or not, and its time");
   auto* transparent = app.add_flag("--transparent", options.transparent, "alpha 0 where nothing was drawn");
   auto* exit_after = text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
                                  [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
@@ -167,6 +168,7 @@ void add_time_options(CLI::App& app, Options& options) {
   frames->needs(headless)->excludes(time);
   fps->needs(frames);
   transparent->needs(headless);
+  plan->needs(headless);
   exit_after->excludes(headless);
 }
 

@@ -42,6 +42,7 @@ struct Options {
   std::optional<std::string> variant;        ///< index or name of a material variant
   std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for
   std::optional<double> exit_after_s;        ///< close the window by itself
+  bool plan = false;                         ///< print the plan as it ran, after the pictures
   bool validate = false;                     ///< with Vulkan's validation layer; what it says ends with exit code 3
 };
 

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "viewer/app/keys.h"
+#include "viewer/app/plan_panel.h"
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
@@ -143,35 +144,6 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   if (ImGui::Button("frame all")) wishes.frame_all = true;
 }
 
-void stages(const Plan& plan) {
-  if (!ImGui::CollapsingHeader("plan")) return;
-  if (!ImGui::BeginTable("stages", 3, ImGuiTableFlags_RowBg)) return;
-  ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed);
-  ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed);
-  ImGui::TableSetupColumn("why", ImGuiTableColumnFlags_WidthStretch);
-  for (const auto& stage : plan.stages) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    stage.runs ? text(stage.stage) : ImGui::TextDisabled("%s", stage.stage.c_str());
-    ImGui::TableNextColumn();
-    if (stage.runs) ImGui::Text("%llu", static_cast<unsigned long long>(stage.count));
-    else ImGui::TextDisabled("-");
-    ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0.0f);
-    stage.runs ? text(stage.reason) : ImGui::TextDisabled("%s", stage.reason.c_str());
-    ImGui::PopTextWrapPos();
-  }
-  ImGui::EndTable();
-}
-
-void timings(const PanelFacts& facts) {
-  if (!ImGui::CollapsingHeader("times")) return;
-  text(facts.device);
-  ImGui::Text("%.1f ms from picture to picture", facts.frame_ms);
-  for (const auto& pass : facts.passes)
-    ImGui::Text("%7.2f ms  %.*s", pass.milliseconds, static_cast<int>(pass.pass.size()), pass.pass.data());
-}
-
 void key_help() {
   if (!ImGui::CollapsingHeader("keys")) return;
   if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
@@ -204,12 +176,12 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
     time_controls(*facts.scene, playback);
     ImGui::Separator();
     look_controls(facts, settings, wishes);
-    stages(*facts.plan);
-    timings(facts);
+    ImGui::Checkbox("live plan", &settings.plan);
     key_help();
     ImGui::PopItemWidth();
   }
   ImGui::End();
+  if (settings.plan) lay_out_plan(facts, settings.plan);
   return wishes;
 }
 

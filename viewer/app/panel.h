@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "runtime/plan/compile_plan.h"
-#include "runtime/plan/frame_result.h"
+#include "viewer/app/live_plan.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/settings.h"
 #include "viewer/passes/frame_renderer.h"
@@ -19,8 +19,8 @@ struct PanelFacts {
   std::string_view name, note, device;
   const Scene* scene = nullptr;
   const Plan* plan = nullptr;
-  const FrameResult* frame = nullptr;
-  std::span<const PassTime> passes;
+  std::span<const PlanRow> rows;                 ///< of the live plan
+  bool resting = false;                          ///< nothing moves: no pose is evaluated
   double frame_ms = 0.0;                         ///< from one picture to the next, smoothed
   std::span<const std::string> exhibits;         ///< names to choose from; fewer than two = no choice is offered
   std::uint32_t exhibit = 0;

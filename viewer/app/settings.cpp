@@ -21,6 +21,11 @@ void toggle_ao_only(Settings& settings) noexcept {
   if (settings.show == Show::ao) settings.ambient_occlusion = true;  // else there is nothing to see
 }
 
+void toggle_plan(Settings& settings) noexcept {
+  settings.plan = !settings.watches_plan();
+  if (settings.plan) settings.panel = true;
+}
+
 void next_skinning(Settings& settings) noexcept {
   switch (settings.skinning) {
     case Skinning::linear: settings.skinning = Skinning::dual_quaternion; break;

@@ -13,6 +13,11 @@ struct Settings {
   bool ambient_occlusion = true;
   bool skeleton = false;
   bool panel = true;
+  bool plan = false;                     ///< the live plan, beside the panel
+
+  /// The live plan can be seen.
+  bool watches_plan() const noexcept { return panel && plan; }
+
   Skinning skinning = Skinning::linear;
   std::uint32_t camera = kNone;          ///< of the scene; kNone = the user's own
   std::uint32_t variant = kNone;         ///< of the scene's materials
@@ -26,6 +31,9 @@ Settings settings_from(const Options& options, const Scene& scene);
 
 /// Turns ambient occlusion only on, and back to the lit picture.
 void toggle_ao_only(Settings& settings) noexcept;
+
+/// Shows the live plan, with the panel beside which it stands, or hides it.
+void toggle_plan(Settings& settings) noexcept;
 
 /// Linear, dual quaternion, center of rotation, and again.
 void next_skinning(Settings& settings) noexcept;

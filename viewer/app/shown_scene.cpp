@@ -6,7 +6,7 @@
 
 namespace sinew::viewer {
 
-ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count)
+ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, bool stage_times, std::uint32_t slot_count)
     : exhibit_(exhibit),
       playback_(exhibit.scene),
       scene_upload_(device, exhibit.scene, slot_count),
@@ -14,7 +14,7 @@ ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning
       look_(exhibit.scene),
       skeleton_(exhibit.scene),
       bounds_(exhibit.scene.animations.size() + 1) {
-  set_skinning(skinning);
+  plan_for(skinning, stage_times);
 }
 
 void ShownScene::stop() noexcept {
@@ -22,13 +22,9 @@ void ShownScene::stop() noexcept {
   newest_ = nullptr;
 }
 
-void ShownScene::set_skinning(Skinning skinning) {
+void ShownScene::plan_for(Skinning skinning, bool stage_times) {
   stop();
-  Needs needs;
-  needs.max_layers = 1;
-  needs.skinning = skinning;
-  needs.instance_skinning = exhibit_.instance_skinning;
-  plan_ = std::make_unique<Plan>(compile_plan(exhibit_.scene, needs));
+  plan_ = std::make_unique<Plan>(compile_plan(exhibit_.scene, needs_of(exhibit_, skinning, stage_times)));
   ++plan_number_;
   jobs_ = std::make_unique<JobThread>();
   character_ = jobs_->add_character(*plan_);

@@ -18,17 +18,17 @@ namespace sinew::viewer {
 /// One exhibit being played in the window: its evaluation on the job thread, its place on the GPU, its clock.
 class ShownScene {
  public:
-  ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, std::uint32_t slot_count);
+  ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, bool stage_times, std::uint32_t slot_count);
 
   const Exhibit& exhibit() const noexcept { return exhibit_; }
   const Plan& plan() const noexcept { return *plan_; }
   Playback& playback() noexcept { return playback_; }
 
-  /// Ends the evaluation: until the next set_skinning only that may be called.
+  /// Ends the evaluation: until the next plan_for only that may be called.
   void stop() noexcept;
 
   /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
-  void set_skinning(Skinning skinning);
+  void plan_for(Skinning skinning, bool stage_times);
 
   /// Asks for the pose at the playback's time, unless the worker still has one waiting or has that pose already.
   void submit();
@@ -39,8 +39,13 @@ class ShownScene {
   /// The newest pose is the one asked for last, and is the current one.
   bool settled() const noexcept;
 
+  /// Settled, and the time stands still.
+  bool resting() const noexcept { return settled() && (!playback_.playing() || playback_.duration_s() == 0.0); }
+
   /// Fills the slot with the newest pose, in one of the scene's variants.
   DrawnScene upload(std::uint32_t slot, std::uint32_t variant);
+
+  const UploadCounts& upload_counts() const noexcept { return frame_upload_.last_update(); }
 
   /// What a camera of the scene sees in the newest pose, in a picture of this shape.
   View view_of(std::uint32_t camera, double aspect);

@@ -10,6 +10,7 @@
 
 #include "viewer/app/frame.h"
 #include "viewer/app/keys.h"
+#include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/validation_outcome.h"
@@ -81,6 +82,7 @@ class WindowLoop {
   std::uint32_t exhibit_ = 0;
   OrbitCamera camera_;
   Settings settings_;
+  LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
   int frames_to_draw_ = kFramesAfterChange;   // until the loop rests, when nothing moves
   double frame_ms_ = 0.0;
@@ -93,7 +95,8 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   exhibit_ = index;
   shown_.reset();   // its memory first
   add_missing_centers(exhibits_[index], settings_.skinning);
-  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.skinning, Frame::kSlots);
+  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.skinning, settings_.watches_plan(), Frame::kSlots);
+  live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
   place_camera();
@@ -159,6 +162,7 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
     case Action::next_skinning: next_skinning(settings_); return true;
     case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
+    case Action::toggle_plan: toggle_plan(settings_); return true;
     case Action::frame_all: leave_file_camera(); frame_all(); return true;
     default: return false;
   }
@@ -184,7 +188,8 @@ PanelFacts WindowLoop::facts() {
   facts.device = device_.name();
   facts.scene = &exhibit.scene;
   facts.plan = &shown_->plan();
-  facts.passes = frame_.pass_times();
+  facts.rows = live_plan_.rows();
+  facts.resting = shown_->resting();
   facts.frame_ms = frame_ms_;
   facts.exhibits = names_;
   facts.exhibit = exhibit_;
@@ -201,6 +206,10 @@ void WindowLoop::draw() {
     if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
   });
   if (!drawn) return;
+  if (settings_.watches_plan()) {
+    live_plan_.evaluated(shown_->plan(), shown_->newest());
+    live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
+  }
   --frames_to_draw_;
   const double passed_ms = 1000.0 * seconds_since(last_picture_);
   last_picture_ = Clock::now();
@@ -211,10 +220,12 @@ void WindowLoop::draw() {
 void WindowLoop::grant_wishes() {
   if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
   wished_exhibit_.reset();
-  if (settings_.skinning == shown_->plan().needs.skinning) return;
+  const Needs& needs = shown_->plan().needs;
+  if (settings_.skinning == needs.skinning && settings_.watches_plan() == needs.stage_times) return;
   shown_->stop();   // nothing may read the scene meanwhile
   add_missing_centers(exhibits_[exhibit_], settings_.skinning);
-  shown_->set_skinning(settings_.skinning);
+  shown_->plan_for(settings_.skinning, settings_.watches_plan());
+  live_plan_.forget();
 }
 
 void WindowLoop::keep_pace() {

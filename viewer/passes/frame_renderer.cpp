@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/frame_renderer.h"
 
+#include <chrono>
 #include <cstring>
 
 #include "runtime/base/contract.h"
@@ -29,6 +30,7 @@ struct FrameSlot {
   Buffer lines;
   std::vector<Pass> passes;  ///< that its last frame ran
   std::vector<PassTime> times;
+  FrameReport report;
 };
 
 }  // namespace
@@ -102,6 +104,12 @@ void record_pass(Pass pass, const PassContext& context) {
   }
 }
 
+FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, VkExtent2D extent, double collect_us) {
+  const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()), blended = static_cast<std::uint32_t>(draws.blended().size());
+  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), extent};
+  return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
+}
+
 FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs) {
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
@@ -119,9 +127,13 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   State& state = *state_;
   FrameSlot& slot = *state.slots[inputs.slot];
   const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
+  const auto start = std::chrono::steady_clock::now();
   state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect, std::min(kPointPixels, state.device.max_point_size()));
   state.collect_lights(inputs);
-  const FrameGraph graph(needs_of(state.draws, inputs));
+  const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  const FrameNeeds needs = needs_of(state.draws, inputs);
+  const FrameGraph graph(needs);
+  slot.report = report_of(state.draws, needs, inputs, target.extent, collect_us);
   state.targets.fit(graph, target.extent);
   const bool occlusion = graph.access_image;
   slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
@@ -159,5 +171,7 @@ std::span<const PassTime> FrameRenderer::pass_times(std::uint32_t slot_index) {
   for (std::size_t i = 0; i < spans.size(); ++i) slot.times.push_back({name_of(slot.passes[i]), spans[i]});
   return slot.times;
 }
+
+const FrameReport& FrameRenderer::report(std::uint32_t slot) const { return state_->slots[slot]->report; }
 
 }  // namespace sinew::viewer

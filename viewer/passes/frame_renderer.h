@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "viewer/device/device.h"
+#include "viewer/passes/pass_stages.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
@@ -51,6 +52,14 @@ struct PassTime {
   double milliseconds = 0.0;
 };
 
+/// What a frame drew and what it left out, for people who look.
+struct FrameReport {
+  std::array<PassStage, kPassCount> passes{};
+  std::uint32_t drawn = 0, out_of_view = 0;  ///< draws of primitives, counted for each copy
+  std::uint32_t hidden = 0;                  ///< mesh instances that are not shown
+  double collect_us = 0.0;                   ///< time that choosing the draws took
+};
+
 /// Records the passes of a frame in the order of frame_graph.h, each only when the frame calls for it.
 ///
 /// Use:  wait until the slot's last submit is done;  frame_upload.update(slot, result);
@@ -72,6 +81,9 @@ class FrameRenderer {
 
   /// Times of the passes that the slot's last frame ran, once the GPU is done with it. Empty without timestamps.
   std::span<const PassTime> pass_times(std::uint32_t slot);
+
+  /// Of the slot's last frame.
+  const FrameReport& report(std::uint32_t slot) const;
 
  private:
   struct State;

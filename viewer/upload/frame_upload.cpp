@@ -2,6 +2,7 @@
 #include "viewer/upload/frame_upload.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <span>
 
@@ -127,6 +128,7 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
   state_->counts = {};
   const bool follows = slot.filled && slot.source == source;
   if (follows && slot.frame == result.frame) return;
+  const auto start = std::chrono::steady_clock::now();
   const Scene& scene = state_->scene;
   CONTRACT(result.instances.size() == scene.instances.size());
   const VkDeviceSize needed = bytes_of(result);
@@ -151,6 +153,7 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
   apply_properties(scene, result.properties, slot.look);
   state_->uploaded_bytes += state_->counts.bytes;
   slot.frame = result.frame, slot.source = source, slot.filled = true;
+  state_->counts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 
 const UploadCounts& FrameUpload::last_update() const noexcept { return state_->counts; }

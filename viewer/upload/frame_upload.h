@@ -15,6 +15,7 @@ struct FrameVertices;  // frame_vertices.h: for the passes
 struct UploadCounts {
   std::uint32_t written = 0, unchanged = 0;  ///< primitives with deformed vertices: copied, and left as they were
   std::uint64_t bytes = 0;
+  double time_us = 0.0;
 };
 
 /// The parts of a scene that change per frame. One copy per slot, so that the CPU can fill the next frame while the GPU

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/live_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Plan small_plan() {
+  Plan plan;
+  plan.stages = {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
+  return plan;
+}
+
+FrameResult frame(std::uint64_t number, std::span<const std::uint64_t> stage_ns) {
+  FrameResult result;
+  result.frame = number, result.stage_ns = stage_ns;
+  return result;
+}
+
+const PlanRow& row(const LivePlan& live, std::string_view stage) {
+  for (const PlanRow& row : live.rows())
+    if (row.stage == stage) return row;
+  static const PlanRow none;
+  ADD_FAILURE() << stage << " has no row";
+  return none;
+}
+
+TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
+  LivePlan live;
+  live.drawn({}, {.passes = describe_passes({.opaque = true}, {})}, {});
+  live.evaluated(small_plan(), frame(1, {}));
+  std::vector<std::string> stages;
+  for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
+  EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque",
+                                  "transparent", "tonemap", "show", "overlay"));
+  EXPECT_TRUE(row(live, "sample").runs);
+  EXPECT_EQ(row(live, "sample").reason, "a clip plays");
+  EXPECT_EQ(row(live, "sample").count, 12u);
+  EXPECT_FALSE(row(live, "morph").runs);
+}
+
+TEST(live_plan, times_are_means_in_which_the_first_frames_do_not_stay) {
+  LivePlan live;
+  const Plan plan = small_plan();
+  std::uint64_t number = 0;
+  const auto evaluate = [&](std::uint64_t ns) {
+    const std::uint64_t stage_ns[] = {ns, 7};
+    live.evaluated(plan, frame(++number, stage_ns));
+  };
+  evaluate(9000000);
+  EXPECT_DOUBLE_EQ(row(live, "sample").time_us, 9000.0);
+  evaluate(5000);
+  evaluate(2000);
+  EXPECT_DOUBLE_EQ(row(live, "sample").time_us, 2.0);
+  evaluate(3000);
+  EXPECT_DOUBLE_EQ(row(live, "sample").time_us, 2.1);
+  EXPECT_EQ(row(live, "morph").timed, 0u) << "a stage that is left out takes no time";
+  const std::uint64_t again[] = {500000, 0};
+  live.evaluated(plan, frame(number, again));
+  EXPECT_DOUBLE_EQ(row(live, "sample").time_us, 2.1) << "the same frame twice is one frame";
+}
+
+TEST(live_plan, tells_what_was_uploaded_and_what_was_left_out) {
+  LivePlan live;
+  live.drawn({.written = 2, .unchanged = 1, .bytes = 2400, .time_us = 3.0}, {.drawn = 4, .out_of_view = 5, .hidden = 6}, {});
+  EXPECT_EQ(row(live, "upload").reason, "2400 bytes of deformed vertices, 1 are there unchanged");
+  EXPECT_EQ(row(live, "collect").reason, "5 meshes out of view and 6 hidden are left out");
+  EXPECT_EQ(row(live, "collect").count, 4u);
+  live.drawn({.unchanged = 3}, {}, {});
+  EXPECT_FALSE(row(live, "upload").runs);
+  EXPECT_EQ(row(live, "upload").timed, 0u);
+}
+
+TEST(live_plan, becomes_a_table_of_text) {
+  LivePlan live;
+  const std::uint64_t stage_ns[] = {1500, 0};
+  live.evaluated(small_plan(), frame(1, stage_ns));
+  const PassTime passes[] = {{"opaque", 0.25}};
+  live.drawn({}, {.passes = describe_passes({.opaque = true, .occlusion = false}, {.opaque_draws = 3})}, passes);
+  const std::string text = plan_text(live.rows());
+  EXPECT_THAT(text, HasSubstr("evaluation, on the CPU\n  sample           on          12        1.5 us  a clip plays\n"
+                              "  morph            off          0                no mesh has targets\n"));
+  EXPECT_THAT(text, HasSubstr("\npasses, on the GPU\n  normal_depth     off"));
+  EXPECT_THAT(text, HasSubstr("  opaque           on           3      250.0 us  shades"));
+}
+
+TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
+  for (std::uint32_t bits = 0; bits < 64; ++bits)
+    for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
+      const FrameNeeds needs{.opaque = (bits & 1) != 0, .blended = (bits & 2) != 0, .overlay = (bits & 4) != 0, .ambient = (bits & 8) != 0,
+                             .occlusion = (bits & 16) != 0, .blur = (bits & 32) != 0, .show = show};
+      const FrameGraph graph(needs);
+      for (const PassStage& stage : describe_passes(needs, {7, 3, 2, {64, 48}})) {
+        EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
+        EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
+        EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;
+      }
+    }
+}
+
+TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
+  const auto why = [](const FrameNeeds& needs, Pass pass) { return std::string(describe_passes(needs, {})[static_cast<std::size_t>(pass)].reason); };
+  EXPECT_THAT(why({.opaque = true, .occlusion = false}, Pass::ssao), HasSubstr("switched off"));
+  EXPECT_THAT(why({.opaque = true, .ambient = false}, Pass::normal_depth), HasSubstr("no ambient light"));
+  EXPECT_THAT(why({.opaque = false}, Pass::blur_vertical), HasSubstr("nothing opaque"));
+  EXPECT_THAT(why({.opaque = true, .blur = false}, Pass::blur_vertical), HasSubstr("blur is switched off"));
+  EXPECT_THAT(why({.opaque = true}, Pass::transparent), HasSubstr("nothing blended"));
+  EXPECT_THAT(why({.opaque = true, .show = Show::depth}, Pass::normal_depth), HasSubstr("depth only"));
+}
+
+}  // namespace
+}  // namespace sinew::viewer

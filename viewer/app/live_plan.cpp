@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/live_plan.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sinew::viewer {
+
+std::string_view title_of(PlanPart part) noexcept {
+  switch (part) {
+    case PlanPart::evaluation: return "evaluation, on the CPU";
+    case PlanPart::drawing: return "drawing, on the CPU";
+    case PlanPart::passes: break;
+  }
+  return "passes, on the GPU";
+}
+
+PlanRow& LivePlan::row(PlanPart part, std::string_view stage) {
+  for (PlanRow& row : rows_)
+    if (row.part == part && row.stage == stage) return row;
+  const auto behind = std::find_if(rows_.begin(), rows_.end(), [&](const PlanRow& row) { return row.part > part; });
+  return *rows_.insert(behind, PlanRow{.part = part, .stage = std::string(stage)});
+}
+
+void LivePlan::tell(PlanPart part, std::string_view stage, bool runs, std::string_view reason, std::uint64_t count) {
+  PlanRow& told = row(part, stage);
+  told.runs = runs, told.reason = reason, told.count = count;
+  if (!runs) told.timed = 0, told.time_us = 0.0;
+}
+
+void LivePlan::time(PlanPart part, std::string_view stage, double time_us) {
+  PlanRow& timed = row(part, stage);
+  timed.time_us = ++timed.timed > kFirst ? timed.time_us + kShare * (time_us - timed.time_us) : time_us;
+}
+
+void LivePlan::evaluated(const Plan& plan, const FrameResult& frame) {
+  if (frame.frame == evaluated_frame_) return;
+  evaluated_frame_ = frame.frame;
+  for (std::size_t s = 0; s < plan.stages.size(); ++s) {
+    const PlanStage& stage = plan.stages[s];
+    tell(PlanPart::evaluation, stage.stage, stage.runs, stage.reason, stage.count);
+    if (stage.runs && s < frame.stage_ns.size()) time(PlanPart::evaluation, stage.stage, 1e-3 * static_cast<double>(frame.stage_ns[s]));
+  }
+}
+
+namespace {
+
+std::string why_upload(const UploadCounts& upload) {
+  if (upload.written > 0) {
+    const std::string others = upload.unchanged > 0 ? ", " + std::to_string(upload.unchanged) + " are there unchanged" : "";
+    return std::to_string(upload.bytes) + " bytes of deformed vertices" + others;
+  }
+  return upload.unchanged > 0 ? "all deformed vertices are there unchanged" : "nothing new is deformed";
+}
+
+std::string why_collect(const FrameReport& report) {
+  return std::to_string(report.out_of_view) + " meshes out of view and " + std::to_string(report.hidden) + " hidden are left out";
+}
+
+}  // namespace
+
+void LivePlan::drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes) {
+  tell(PlanPart::drawing, "upload", upload.written > 0, why_upload(upload), upload.written);
+  if (upload.written > 0) time(PlanPart::drawing, "upload", upload.time_us);
+  tell(PlanPart::drawing, "collect", true, why_collect(report), report.drawn);
+  time(PlanPart::drawing, "collect", report.collect_us);
+  for (const PassStage& stage : report.passes) tell(PlanPart::passes, name_of(stage.pass), stage.runs, stage.reason, stage.count);
+  for (const PassTime& pass : passes) time(PlanPart::passes, pass.pass, 1e3 * pass.milliseconds);
+}
+
+std::string plan_text(std::span<const PlanRow> rows) {
+  std::size_t widest = 0;
+  for (const PlanRow& row : rows) widest = std::max(widest, row.stage.size());
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const PlanRow& row = rows[i];
+    if (i > 0 && rows[i - 1].part != row.part) text += '\n';
+    if (i == 0 || rows[i - 1].part != row.part) text.append(title_of(row.part)).append(1, '\n');
+    char numbers[64];
+    std::snprintf(numbers, sizeof(numbers), row.timed > 0 ? "  %-3s %10llu %10.1f us  " : "  %-3s %10llu                ", row.runs ? "on" : "off",
+                  static_cast<unsigned long long>(row.count), row.time_us);
+    text.append(2, ' ').append(row.stage).append(widest - row.stage.size(), ' ');
+    text.append(numbers).append(row.reason).append(1, '\n');
+  }
+  return text;
+}
+
+}  // namespace sinew::viewer

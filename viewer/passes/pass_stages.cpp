@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/passes/pass_stages.h"
+
+namespace sinew::viewer {
+namespace {
+
+std::string_view why_not_occluded(const FrameNeeds& needs) {
+  if (!needs.opaque) return "nothing opaque is in view";
+  if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
+  if (needs.show == Show::normals || needs.show == Show::depth) return "the picture shows a buffer that needs no ambient occlusion";
+  return "there is no ambient light for occlusion to scale";
+}
+
+std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
+  if (!runs) return why_not_occluded(needs);
+  if (needs.occluded()) return "ambient occlusion reads normals and depth";
+  return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
+}
+
+std::string_view why_blur(const FrameNeeds& needs) {
+  if (!needs.occluded()) return why_not_occluded(needs);
+  return needs.blur ? "smooths ambient access on each surface" : "the blur is switched off";
+}
+
+std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
+  const bool picture = needs.show == Show::color;
+  switch (pass) {
+    case Pass::normal_depth: return why_normal_depth(needs, runs);
+    case Pass::ssao: return runs ? "ambient occlusion is on" : why_not_occluded(needs);
+    case Pass::blur_horizontal:
+    case Pass::blur_vertical: return why_blur(needs);
+    case Pass::transparent:
+      if (!needs.blended) return "nothing blended is in view";
+      return picture ? "blended surfaces, from far to near" : "the picture shows a buffer instead";
+    case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
+    case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
+    case Pass::opaque: return picture ? "shades what is opaque or alpha-tested" : "the picture shows a buffer instead";
+    case Pass::tonemap: return picture ? "from light to displayed colours" : "the picture shows a buffer instead";
+  }
+  return {};
+}
+
+std::uint64_t count_of(Pass pass, const PassWork& work) {
+  const std::uint64_t width = work.extent.width, height = work.extent.height;
+  switch (pass) {
+    case Pass::normal_depth:
+    case Pass::opaque: return work.opaque_draws;
+    case Pass::transparent: return work.blended_draws;
+    case Pass::overlay: return work.lines;
+    case Pass::ssao:
+    case Pass::blur_horizontal:
+    case Pass::blur_vertical: return (width + 1) / 2 * ((height + 1) / 2);
+    case Pass::tonemap:
+    case Pass::show: return width * height;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::array<PassStage, kPassCount> describe_passes(const FrameNeeds& needs, const PassWork& work) {
+  const FrameGraph graph(needs);
+  std::array<PassStage, kPassCount> stages;
+  for (std::size_t i = 0; i < kPassCount; ++i) {
+    const Pass pass = static_cast<Pass>(i);
+    const bool runs = graph.has(pass);
+    stages[i] = {pass, runs, why(pass, needs, runs), runs ? count_of(pass, work) : 0};
+  }
+  return stages;
+}
+
+}  // namespace sinew::viewer
