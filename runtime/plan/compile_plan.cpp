@@ -118,6 +118,7 @@ void plan_primitives(Plan& plan) {
       }
       plan.primitives.push_back(planned);
     }
+    if (skinned && plan.needs.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
     plan.instance_skinned.push_back(skinned);
     plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));
   }
@@ -157,7 +158,7 @@ void place_tables(Plan& plan, BlockLayout& block) {
   tables.instances_at = block.take_array<InstanceResult>(scene.instances.size());
   tables.primitives_at = block.take_array<DeformedPrimitive>(plan.primitives.size());
   tables.blend_layers_at = block.take_array<BlendLayer>(plan.needs.max_layers);
-  tables.palette_since_at = block.take_array<std::uint64_t>(plan.palette.size());
+  tables.palettes_at = block.take_array<SkinPalette>(plan.palette.size());
   tables.weights_since_at = block.take_array<std::uint64_t>(scene.instances.size());
   tables.winding_since_at = block.take_array<std::uint64_t>(scene.instances.size());
   tables.last_weights_at = block.take_array<float>(scene.weight_count());
@@ -208,7 +209,7 @@ void place(Plan& plan) {
 std::uint64_t fingerprint_of(const Needs& needs) {
   std::vector<std::uint32_t> numbers;
   for (const bool flag : {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
-                          needs.hidden_meshes, needs.additive, needs.stage_times})
+                          needs.hidden_meshes, needs.additive, needs.palettes, needs.stage_times})
     numbers.push_back(flag);
   numbers.push_back(needs.max_layers);
   numbers.push_back(static_cast<std::uint32_t>(needs.skinning));
@@ -243,12 +244,12 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
     plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights, counts.properties});
   }
   plan.local_to_model =
-      scene.skeleton.joint_count() > 0 && (needs.joints || (needs.vertices() && !scene.instances.empty()));
+      scene.skeleton.joint_count() > 0 && (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
   const auto& entries = scene.properties.entries;
   const bool flags = std::any_of(entries.begin(), entries.end(), [](const PropertyTable::Entry& entry) {
     return entry.target.kind == PropertyKind::node_visible;
   });
-  plan.hide_per_frame = flags && (needs.properties || needs.vertices());
+  plan.hide_per_frame = flags && (needs.properties || needs.vertices() || needs.palettes);
   plan.hide = plan.hide_per_frame || !scene.hidden_joints.empty();
   plan.properties = !scene.clips.empty() && ((needs.properties && !entries.empty()) || plan.hide_per_frame);
   plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);

@@ -49,7 +49,7 @@ struct ClipTracks {
 /// Where a frame buffer keeps results and what they came from (frame_tables.h); byte offsets.
 struct TablePlaces {
   std::size_t instances_at = 0, primitives_at = 0, blend_layers_at = 0;
-  std::size_t palette_since_at = 0, weights_since_at = 0, winding_since_at = 0;
+  std::size_t palettes_at = 0, weights_since_at = 0, winding_since_at = 0;
   std::size_t last_weights_at = 0, input_weights_at = 0;
   std::size_t input_layers_at = 0, input_layer_count = 0;
   std::size_t stage_ns_at = 0;

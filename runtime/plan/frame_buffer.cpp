@@ -42,6 +42,7 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   const FrameTables tables(plan, memory);
   std::uninitialized_value_construct(tables.instances.begin(), tables.instances.end());
   for (std::size_t p = 0; p < plan.primitives.size(); ++p) std::construct_at(&tables.primitives[p], nothing_deformed(plan.primitives[p]));
+  std::uninitialized_value_construct(tables.palettes.begin(), tables.palettes.end());
   std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
   std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
   const Skeleton& skeleton = plan.scene->skeleton;

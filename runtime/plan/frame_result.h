@@ -5,6 +5,7 @@
 
 #include "runtime/assets/mesh.h"
 #include "runtime/math/affine.h"
+#include "runtime/math/joint_matrix.h"
 #include "runtime/plan/work_counters.h"
 
 namespace sinew {
@@ -35,6 +36,12 @@ struct InstanceResult {
                                       ///< vertices; rigid ones: the box of their moved rest box, which holds it (G54)
 };
 
+/// Skinning matrices of one skin; empty when no mesh instance of this frame uses it.
+struct SkinPalette {
+  std::span<const JointMatrix> matrices;  ///< [joints of the skin]
+  std::uint64_t since_frame = 0;          ///< as in DeformedPrimitive
+};
+
 /// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until that
 /// buffer runs again.
 struct FrameResult {
@@ -45,6 +52,7 @@ struct FrameResult {
                                           ///< what correctives add where the plan runs them
   std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
   std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
+  std::span<const SkinPalette> palettes;  ///< [skins]; empty unless Needs::palettes
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
   std::span<const std::uint64_t> stage_ns;///< [stages] nanoseconds that each of Plan::stages took, 0 for one that did not run;

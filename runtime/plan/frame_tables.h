@@ -18,7 +18,7 @@ struct FrameTables {
       : instances(memory.array<InstanceResult>(plan.tables.instances_at, plan.scene->instances.size())),
         primitives(memory.array<DeformedPrimitive>(plan.tables.primitives_at, plan.primitives.size())),
         blend_layers(memory.array<BlendLayer>(plan.tables.blend_layers_at, plan.needs.max_layers)),
-        palette_since(memory.array<std::uint64_t>(plan.tables.palette_since_at, plan.palette.size())),
+        palettes(memory.array<SkinPalette>(plan.tables.palettes_at, plan.palette.size())),
         weights_since(memory.array<std::uint64_t>(plan.tables.weights_since_at, plan.scene->instances.size())),
         winding_since(memory.array<std::uint64_t>(plan.tables.winding_since_at, plan.scene->instances.size())),
         last_weights(memory.array<float>(plan.tables.last_weights_at, plan.rest_weights.size())),
@@ -29,7 +29,7 @@ struct FrameTables {
   std::span<InstanceResult> instances;
   std::span<DeformedPrimitive> primitives;
   std::span<BlendLayer> blend_layers;          // of the blend stage while it runs
-  std::span<std::uint64_t> palette_since;      // [skins]
+  std::span<SkinPalette> palettes;             // [skins]
   std::span<std::uint64_t> weights_since;      // [instances]
   std::span<std::uint64_t> winding_since;      // [instances] InstanceResult::mirrored
   std::span<float> last_weights;               // [W] FrameResult::weights

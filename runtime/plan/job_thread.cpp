@@ -18,11 +18,11 @@ namespace {
 
 /// A FrameInput that owns what it shows. Buffers keep their capacity from frame to frame.
 struct OwnInput {
-  std::vector<ClipLayer> layers;
-  std::vector<float> weights;
+  std::pmr::vector<ClipLayer> layers;
+  std::pmr::vector<float> weights;
   Affine root;
 
-  void reserve(const Plan& plan) {
+  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), weights(memory) {
     layers.reserve(plan.needs.max_layers);
     weights.reserve(plan.rest_weights.size());
   }
@@ -40,8 +40,8 @@ struct Batch {
 };
 
 struct CharacterState {
-  explicit CharacterState(const Plan& shown)
-      : plan(&shown), buffers{FrameBuffer(shown), FrameBuffer(shown), FrameBuffer(shown)} {}
+  CharacterState(const Plan& shown, std::pmr::memory_resource& memory)
+      : plan(&shown), buffers{FrameBuffer(shown, memory), FrameBuffer(shown, memory), FrameBuffer(shown, memory)} {}
 
   const Plan* plan;
   std::array<FrameBuffer, 3> buffers;
@@ -55,6 +55,7 @@ struct CharacterState {
 struct JobThread::State {
   explicit State(JobThreadOptions given) : options(std::move(given)) {
     if (!options.executor) options.executor = run_with_tbb;
+    if (options.frame_memory == nullptr) options.frame_memory = std::pmr::new_delete_resource();
     run_one = [this](std::size_t c) { run_character(c); };
     worker = std::thread([this]() noexcept { work(); });
   }
@@ -148,12 +149,17 @@ JobThread::~JobThread() {
 }
 
 JobThread::Character JobThread::add_character(const Plan& plan) {
-  auto character = std::make_unique<CharacterState>(plan);
+  std::pmr::memory_resource* memory = state_->options.frame_memory;
+  auto character = std::make_unique<CharacterState>(plan, *memory);
+  OwnInput input(plan, memory), other_input(plan, memory);
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [this] { return state_->idle(); });
-  state_->characters.push_back(std::move(character));
-  for (Batch* batch : {&state_->queued, &state_->running}) batch->inputs.emplace_back().reserve(plan);
-  return static_cast<Character>(state_->characters.size() - 1);
+  const std::size_t count = state_->characters.size() + 1;
+  state_->characters.reserve(count), state_->queued.inputs.reserve(count), state_->running.inputs.reserve(count);
+  state_->characters.push_back(std::move(character));  // from here on nothing throws
+  state_->queued.inputs.push_back(std::move(input));
+  state_->running.inputs.push_back(std::move(other_input));
+  return static_cast<Character>(count - 1);
 }
 
 std::size_t JobThread::character_count() const noexcept { return state_->characters.size(); }
@@ -170,6 +176,11 @@ Result<Ticket> JobThread::submit(std::span<const FrameInput> inputs) {
   }
   state_->changed.notify_all();
   return ticket;
+}
+
+Ticket JobThread::last_submitted() const noexcept {
+  const std::lock_guard lock(state_->mutex);
+  return state_->last_submitted;
 }
 
 bool JobThread::done(Ticket ticket) const noexcept {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <memory_resource>
 #include <span>
 
 #include "runtime/base/result.h"
@@ -22,6 +23,8 @@ using Executor = std::function<void(std::size_t count, const std::function<void(
 struct JobThreadOptions {
   Executor executor;                 ///< empty = oneTBB
   std::size_t inline_below = 2;      ///< fewer characters than this run on the worker itself (P16)
+  std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new. Must
+                                     ///< outlive the job thread; asked by the calling thread only
 };
 
 /// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
@@ -45,6 +48,7 @@ class JobThread {
   /// seen before.  err size_mismatch (inputs.size() != characters), busy (a frame waits already)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
 
+  Ticket last_submitted() const noexcept;   ///< 0 = none yet
   bool done(Ticket ticket) const noexcept;
   void wait(Ticket ticket) const;
 

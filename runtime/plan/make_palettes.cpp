@@ -32,13 +32,13 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
   work.spent_on(Stage::palette);
 
   const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);
-  const std::uint64_t since_before = step.tables_before.palette_since[s];
+  const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
   const bool unchanged = since_before != 0 && same_bits<JointMatrix>(made, before);
-  std::uint64_t& since = step.tables.palette_since[s];
-  if (unchanged && since == since_before) return;
-  since = unchanged ? since_before : step.number;
+  SkinPalette& kept = step.tables.palettes[s];
+  if (unchanged && kept.since_frame == since_before) return;
   const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
   std::copy(made.begin(), made.end(), palette.begin());
+  kept = {palette, unchanged ? since_before : step.number};
   if (plan.split[s]) split(plan, s, palette, step.memory, work);
 }
 
@@ -49,7 +49,7 @@ void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<co
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     if (!plan.palette[s]) continue;
     if (wanted.empty() || wanted[s]) make_palette(plan, s, model, step, work);
-    else step.tables.palette_since[s] = 0;
+    else step.tables.palettes[s] = {};
   }
 }
 

@@ -18,6 +18,7 @@ struct Needs {
   bool normals = true;
   bool tangents = true;
   bool weights = true;        ///< morph weights with the correctives, for consumers that morph vertices themselves
+  bool palettes = false;      ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
   bool bounds = false;        ///< boxes of the mesh instances (P14)
   bool properties = true;     ///< animated numbers of materials, lights and cameras (P15)
   bool hidden_meshes = false; ///< deform meshes on hidden joints as well

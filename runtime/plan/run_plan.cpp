@@ -136,7 +136,7 @@ void stamp_instance(const Plan& plan, std::size_t i, std::span<const float> weig
 std::uint64_t since_of(const Plan& plan, const PrimitivePlan& planned, const FrameTables& tables) noexcept {
   std::uint64_t since = 0;
   const std::uint32_t i = planned.instance;
-  if (planned.skin.any()) since = std::max(since, tables.palette_since[plan.scene->instances[i].skin]);
+  if (planned.skin.any()) since = std::max(since, tables.palettes[plan.scene->instances[i].skin].since_frame);
   if (planned.morph.any() || planned.morph_colors) since = std::max(since, tables.weights_since[i]);
   if (planned.flat_normals) since = std::max(since, tables.winding_since[i]);
   return since;
@@ -202,7 +202,7 @@ void restamp(bool same_before, const FrameStep& step) noexcept {
     if (since != 0) since = same_before ? since_before : step.number;
   };
   const FrameTables &now = step.tables, &before = step.tables_before;
-  for (std::size_t s = 0; s < now.palette_since.size(); ++s) take(now.palette_since[s], before.palette_since[s]);
+  for (std::size_t s = 0; s < now.palettes.size(); ++s) take(now.palettes[s].since_frame, before.palettes[s].since_frame);
   for (std::size_t i = 0; i < now.instances.size(); ++i) {
     take(now.weights_since[i], before.weights_since[i]);
     take(now.winding_since[i], before.winding_since[i]);
@@ -229,6 +229,7 @@ FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep&
   result.weights = weights;
   if (plan.needs.properties) result.properties = properties;
   result.hidden = hidden;
+  if (plan.needs.palettes) result.palettes = step.tables.palettes;
   result.instances = step.tables.instances;
   result.primitives = step.tables.primitives;
   result.stage_ns = step.tables.stage_ns;
