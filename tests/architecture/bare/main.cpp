@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A program without RTTI and exceptions, linked with the jobs and the running of plans compiled in the same way: frames need
+// neither. Exit status 0 when the frame is right.
+#include <cstdio>
+
+#include "runtime/plan/playback_clock.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/scenes/hand_scenes.h"
+
+#if defined(__cpp_exceptions) || defined(__cpp_rtti)
+#error "this program is to be compiled with -fno-exceptions -fno-rtti"
+#endif
+
+int main() {
+  const sinew::Scene scene = sinew::test::arm_scene();
+  sinew::Needs needs;
+  needs.skinning = sinew::Skinning::dual_quaternion;
+  const sinew::Plan plan = sinew::compile_plan(scene, needs);
+  sinew::FrameBuffer frame(plan);
+  sinew::PlaybackClock clock(1.0, sinew::PlayMode::clamp);
+  clock.advance(1.0);
+  const sinew::ClipLayer layer{0, clock.time_s()};
+  if (run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame) != sinew::ErrorCode::ok) return 1;
+  const glm::vec3 tip = frame.result().primitives[0].positions[1];
+  std::printf("the arm's tip is at %.6f %.6f %.6f\n", static_cast<double>(tip.x), static_cast<double>(tip.y), static_cast<double>(tip.z));
+  return glm::dot(tip - glm::vec3(-1, 1, 0), tip - glm::vec3(-1, 1, 0)) < 1e-10f ? 0 : 1;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The library has no state of its own: no variable that anything writes to, but what the solver of correctives keeps about cache
+// sizes. (Highway's choice of the instruction set is in libhwy; the tables of kernels are constants.)
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace sinew::test {
+namespace {
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  std::array<char, 4096> part;
+  while (pipe && std::fgets(part.data(), part.size(), pipe.get())) text += part.data();
+  return text;
+}
+
+/// Names of the variables that lie in memory which stays writable, in a table of symbols as `objdump -t -C` prints it.
+std::vector<std::string> writable_variables(const std::string& table) {
+  static const std::regex line(R"(^[0-9a-f]+ .{7} (\.data|\.bss|\.tdata|\.tbss|\*COM\*)(\.\S*)?\s+[0-9a-f]+\s+(.*)$)");
+  std::vector<std::string> names;
+  std::istringstream lines(table);
+  for (std::string text; std::getline(lines, text);)
+    if (std::smatch match; std::regex_match(text, match, line))
+      if (match[2].str().rfind(".rel.ro", 0) != 0 && !match[3].str().starts_with(".") && match[3].str().find("DW.ref.") == std::string::npos)
+        names.push_back(match[3]);
+  return names;
+}
+
+/// Sizes of caches, found at the first use, the same for every caller.
+bool is_allowed(const std::string& name) { return name.find("Eigen::internal::manage_caching_sizes") != std::string::npos; }
+
+TEST(library_symbols, the_runtime_has_no_globals) {
+  const std::string table = output_of("objdump -t -C " SINEW_RUNTIME_ARCHIVE);
+  ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));  // it was really read
+  for (const std::string& name : writable_variables(table)) EXPECT_TRUE(is_allowed(name)) << name;
+}
+
+TEST(library_symbols, a_variable_is_found_and_a_constant_is_not) {
+  EXPECT_THAT(writable_variables("0000000000000000 l     O .bss\t0000000000000008 (anonymous namespace)::calls\n"
+                                 "0000000000000000 l     O .tbss.x\t0000000000000008 cache\n"
+                                 "0000000000000000 g     O .data\t0000000000000008 sinew::state\n"
+                                 "0000000000000000  w    O .data.rel.ro._ZTV1A\t0000000000000018 vtable for A\n"
+                                 "0000000000000000 l     O .rodata\t0000000000000008 kTable\n"
+                                 "0000000000000000 l    d  .bss\t0000000000000000 .bss\n"),
+              testing::ElementsAre("(anonymous namespace)::calls", "cache", "sinew::state"));
+}
+
+}  // namespace
+}  // namespace sinew::test
