@@ -27,6 +27,7 @@ if(SINEW_IMPORTER)
   install(FILES ${PROJECT_SOURCE_DIR}/importer/import_gltf.h ${PROJECT_SOURCE_DIR}/importer/import_error.h
     ${PROJECT_SOURCE_DIR}/importer/add_centers_of_rotation.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer)
+  install(FILES ${PROJECT_SOURCE_DIR}/importer/c/sinew_import.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer/c)
   install(FILES ${PROJECT_SOURCE_DIR}/importer/topology/centers_of_rotation.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer/topology)
   install(TARGETS sinew)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime
-// base <- math <- assets <- jobs <- plan. A file that includes against the arrow fails here.
+// base <- math <- assets <- jobs <- plan <- c. A file that includes against the arrow fails here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@
 namespace sinew::test {
 namespace {
 
-constexpr std::array<const char*, 5> kRuntimeOrder = {"base", "math", "assets", "jobs", "plan"};
+constexpr std::array<const char*, 6> kRuntimeOrder = {"base", "math", "assets", "jobs", "plan", "c"};
 
 /// The part of the tree that a path belongs to: "runtime/jobs", "importer", "importer/tool", "viewer/app", ...
 std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const char* folder : kRuntimeOrder)
     if (starts(std::string("runtime/") + folder)) return std::string("runtime/") + folder;
-  for (const char* part : {"importer/tool", "viewer/app", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -30,6 +30,7 @@ std::string part_of(const std::string& path) {
 bool sees(const std::string& from, const std::string& to) {
   if (to == "tests") return from == "tests";
   if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app") return true;
+  if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer")
     return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
   if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
@@ -89,6 +90,9 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"importer/import_gltf.h\""), 1u);
   EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/jobs/sample_clip.h\""), 1u);
   EXPECT_EQ(count("importer/tool/x.cpp", "\"runtime/jobs/sample_clip.h\""), 0u);
+  EXPECT_EQ(count("runtime/plan/x.cpp", "\"runtime/c/frame.h\""), 1u);
+  EXPECT_EQ(count("importer/c/x.cpp", "\"runtime/c/handles.h\""), 0u);
+  EXPECT_EQ(count("importer/read/x.cpp", "\"runtime/c/handles.h\""), 1u);
   EXPECT_EQ(count("viewer/passes/x.cpp", "\"importer/import_gltf.h\""), 1u);
   EXPECT_EQ(count("viewer/app/main.cpp", "\"importer/import_gltf.h\""), 0u);
   EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel.h\""), 1u);

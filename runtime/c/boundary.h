@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "runtime/base/result.h"
+#include "runtime/c/types.h"
+
+namespace sinew::c {
+
+/// The codes of both sides are the same numbers (types.cpp holds them to it).
+constexpr sinew_error error_from(ErrorCode code) noexcept { return static_cast<sinew_error>(code); }
+
+/// Bytes of a struct's first version: smaller ones never were. A struct that grows keeps its old size here.
+template <class T>
+inline constexpr std::size_t kFirstVersionBytes = sizeof(T);
+
+/// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in `out`.
+template <class T>
+sinew_error read_struct(const T* given, T& out) noexcept {
+  if (given == nullptr) return SINEW_OK;
+  const std::size_t size = given->struct_size, known = std::min(size, sizeof(T));
+  if (size < kFirstVersionBytes<T>) return SINEW_WRONG_STRUCT_SIZE;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  if (std::any_of(bytes + known, bytes + size, [](unsigned char byte) { return byte != 0; })) return SINEW_WRONG_STRUCT_SIZE;
+  std::memcpy(&out, given, known);
+  return SINEW_OK;
+}
+
+/// Copies a struct of ours into one of the caller's version; what ours lacks becomes zero.
+template <class T>
+sinew_error write_struct(T value, T* out) noexcept {
+  if (out == nullptr) return SINEW_NULL_ARGUMENT;
+  const std::size_t size = out->struct_size, known = std::min(size, sizeof(T));
+  if (size < kFirstVersionBytes<T>) return SINEW_WRONG_STRUCT_SIZE;
+  value.struct_size = size;
+  std::memcpy(out, &value, known);
+  std::memset(reinterpret_cast<unsigned char*>(out) + known, 0, size - known);
+  return SINEW_OK;
+}
+
+/// A span of the C++ side as one of the C side: both are pointer and count, elements have the same layout.
+template <class Span, class T>
+Span span_from(std::span<T> values) noexcept {
+  using Element = decltype(Span{}.data);
+  static_assert(sizeof(*Element{}) == sizeof(T));
+  return {reinterpret_cast<Element>(values.data()), values.size()};
+}
+
+/// The bytes of one struct in another that holds the same.
+template <class From, class To>
+void copy_bits(const From& from, To& to) noexcept {
+  static_assert(std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
+  std::memcpy(static_cast<void*>(&to), &from, std::min(sizeof(From), sizeof(To)));
+}
+
+inline sinew_string string_from(std::string_view text) noexcept { return {text.data(), text.size()}; }
+
+/// Runs what may throw; nothing of it crosses the boundary.
+template <class Body>
+sinew_error guarded(Body&& body) noexcept {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+    return SINEW_OUT_OF_MEMORY;
+  } catch (...) {
+    return SINEW_UNSUPPORTED;
+  }
+}
+
+}  // namespace sinew::c

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/frame.h"
+
+#include <memory>
+#include <new>
+
+#include "runtime/c/boundary.h"
+#include "runtime/c/frame_input.h"
+#include "runtime/c/handles.h"
+#include "runtime/plan/run_plan.h"
+
+using namespace sinew;
+
+/// Lies at the beginning of its own memory; the layers of one input and the frame buffer's block follow.
+struct sinew_frame {
+  const sinew_plan* plan;
+  sinew_allocator allocator;
+  std::span<ClipLayer> layers;
+  FrameBuffer buffer;
+};
+
+namespace {
+
+static_assert(SINEW_FRAME_ALIGNMENT == FrameBuffer::kAlignment && alignof(sinew_frame) <= SINEW_FRAME_ALIGNMENT);
+
+constexpr std::size_t aligned(std::size_t bytes) noexcept {
+  return (bytes + SINEW_FRAME_ALIGNMENT - 1) / SINEW_FRAME_ALIGNMENT * SINEW_FRAME_ALIGNMENT;
+}
+
+void* allocate_new(void*, std::size_t byte_count, std::size_t alignment) {
+  return ::operator new(byte_count, std::align_val_t(alignment), std::nothrow);
+}
+void release_new(void*, void* block, std::size_t, std::size_t alignment) { ::operator delete(block, std::align_val_t(alignment)); }
+void keep_block(void*, void*, std::size_t, std::size_t) {}
+
+sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_allocator& allocator) {
+  auto* layers = reinterpret_cast<ClipLayer*>(block + aligned(sizeof(sinew_frame)));
+  std::uninitialized_value_construct_n(layers, plan.layer_room());
+  std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.layer_room() * sizeof(ClipLayer));
+  return new (block) sinew_frame{&plan, allocator, {layers, plan.layer_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
+}
+
+const FrameResult& result_behind(const sinew_result* result) noexcept { return *reinterpret_cast<const FrameResult*>(result); }
+
+}  // namespace
+
+std::size_t sinew_plan_frame_bytes(const sinew_plan* plan) {
+  return aligned(sizeof(sinew_frame)) + aligned(plan->layer_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes;
+}
+
+sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out) {
+  if (plan == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  const sinew_allocator own = allocator != nullptr ? *allocator : sinew_allocator{nullptr, allocate_new, release_new};
+  if (own.allocate == nullptr || own.release == nullptr) return SINEW_NULL_ARGUMENT;
+  void* block = own.allocate(own.context, sinew_plan_frame_bytes(plan), SINEW_FRAME_ALIGNMENT);
+  if (block == nullptr) return SINEW_OUT_OF_MEMORY;
+  *out = make_frame(*plan, static_cast<std::byte*>(block), own);
+  return SINEW_OK;
+}
+
+sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, std::size_t byte_count, sinew_frame** out) {
+  if (plan == nullptr || block == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  if (byte_count < sinew_plan_frame_bytes(plan)) return SINEW_SIZE_MISMATCH;
+  if (reinterpret_cast<std::uintptr_t>(block) % SINEW_FRAME_ALIGNMENT != 0) return SINEW_SIZE_MISMATCH;
+  *out = make_frame(*plan, static_cast<std::byte*>(block), {nullptr, nullptr, keep_block});
+  return SINEW_OK;
+}
+
+void sinew_frame_destroy(sinew_frame* frame) {
+  if (frame == nullptr) return;
+  const sinew_allocator allocator = frame->allocator;
+  const std::size_t byte_count = sinew_plan_frame_bytes(frame->plan);
+  frame->~sinew_frame();
+  allocator.release(allocator.context, frame, byte_count, SINEW_FRAME_ALIGNMENT);
+}
+
+sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input) {
+  if (frame == nullptr) return SINEW_NULL_ARGUMENT;
+  FrameInput own;
+  if (const sinew_error error = c::read_input(input, *frame->plan, frame->layers, own); error != SINEW_OK) return error;
+  return c::error_from(run_plan(frame->plan->plan, own, frame->buffer));
+}
+
+const sinew_result* sinew_frame_result(const sinew_frame* frame) {
+  return reinterpret_cast<const sinew_result*>(&frame->buffer.result());
+}
+
+sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out) {
+  if (result == nullptr) return SINEW_NULL_ARGUMENT;
+  const FrameResult& frame = result_behind(result);
+  return c::write_struct({.struct_size = 0,
+                          .frame = frame.frame,
+                          .since_frame = frame.since_frame,
+                          .model = c::span_from<sinew_affines>(frame.model),
+                          .weights = c::span_from<sinew_floats>(frame.weights),
+                          .properties = c::span_from<sinew_floats>(frame.properties),
+                          .hidden = c::span_from<sinew_flags>(frame.hidden),
+                          .instance_count = frame.instances.size(),
+                          .shape_count = frame.primitives.size()}, out);
+}
+
+sinew_joint_matrices sinew_get_palette(const sinew_result* result, std::uint32_t skin) {
+  const FrameResult& frame = result_behind(result);
+  if (skin >= frame.palettes.size()) return {nullptr, 0};
+  return c::span_from<sinew_joint_matrices>(frame.palettes[skin].matrices);
+}
+
+sinew_error sinew_get_instance_result(const sinew_result* result, std::uint32_t instance, sinew_instance_result* out) {
+  if (result == nullptr) return SINEW_NULL_ARGUMENT;
+  const FrameResult& frame = result_behind(result);
+  if (instance >= frame.instances.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  const InstanceResult& found = frame.instances[instance];
+  sinew_instance_result own{};
+  c::copy_bits(found.world_from_mesh, own.world_from_mesh);
+  c::copy_bits(found.bounds, own.bounds);
+  own.first_shape = found.first_primitive, own.mirrored = found.mirrored, own.visible = found.visible;
+  return c::write_struct(own, out);
+}
+
+sinew_error sinew_get_shape(const sinew_result* result, std::uint32_t shape, sinew_shape* out) {
+  if (result == nullptr) return SINEW_NULL_ARGUMENT;
+  const FrameResult& frame = result_behind(result);
+  if (shape >= frame.primitives.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  const DeformedPrimitive& found = frame.primitives[shape];
+  return c::write_struct({.struct_size = 0,
+                          .instance = found.instance,
+                          .primitive = found.primitive,
+                          .positions = c::span_from<sinew_vec3s>(found.positions),
+                          .normals = c::span_from<sinew_vec3s>(found.normals),
+                          .tangents = c::span_from<sinew_vec4s>(found.tangents),
+                          .colors = c::span_from<sinew_vec4s>(found.colors),
+                          .since_frame = found.since_frame}, out);
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// What frames shall hold; what nobody asks for is left out of the plan and costs nothing.
+enum {
+  SINEW_NEED_JOINTS = 1u << 0,         ///< model matrices of all joints
+  SINEW_NEED_POSITIONS = 1u << 1,      ///< deformed vertices
+  SINEW_NEED_NORMALS = 1u << 2,
+  SINEW_NEED_TANGENTS = 1u << 3,
+  SINEW_NEED_WEIGHTS = 1u << 4,        ///< morph weights with the correctives
+  SINEW_NEED_BOUNDS = 1u << 5,
+  SINEW_NEED_PROPERTIES = 1u << 6,     ///< animated numbers of materials, lights and cameras
+  SINEW_NEED_HIDDEN_MESHES = 1u << 7,  ///< deform meshes on hidden joints as well
+  SINEW_NEED_ADDITIVE = 1u << 8,       ///< layers may add to the pose
+  SINEW_NEED_PALETTES = 1u << 9        ///< skinning matrices, for engines that skin vertices themselves
+};
+
+typedef enum sinew_skinning {
+  SINEW_SKIN_LINEAR = 0,
+  SINEW_SKIN_DUAL_QUATERNION = 1,
+  SINEW_SKIN_CENTER_OF_ROTATION = 2    ///< linear where the mesh has no centers
+} sinew_skinning;
+
+typedef enum sinew_normal_rule { SINEW_NORMALS_LINEAR = 0, SINEW_NORMALS_COFACTOR = 1 } sinew_normal_rule;
+
+typedef struct sinew_needs {
+  size_t struct_size;
+  uint32_t flags;                      ///< SINEW_NEED_*
+  uint32_t max_layers;                 ///< most layers that blend in one frame, at least 1
+  uint32_t max_adding_layers;          ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
+  uint32_t skinning;                   ///< sinew_skinning
+  uint32_t normal_rule;                ///< sinew_normal_rule
+  uint32_t mask_count;
+  const float* masks;                  ///< [mask_count][joints] weights >= 0, one row after another; copied
+  const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
+} sinew_needs;
+
+/// Everything but bounds, palettes, hidden meshes and adding layers; 4 layers; linear skinning; struct_size is set.
+sinew_needs sinew_default_needs(void);
+
+/// The stages that a scene needs. Shared by all characters that show the scene.
+typedef struct sinew_plan sinew_plan;
+
+/// in   scene  must outlive the plan;   needs  null = sinew_default_needs
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all),
+///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_OUT_OF_MEMORY
+/// cost O(size of the scene); memory of operator new, which an engine may replace
+sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
+/// Frame buffers and jobs of the plan must be gone.
+void sinew_plan_destroy(sinew_plan* plan);
+
+/// Memory of one frame buffer of the plan, all told, and how it is aligned.
+size_t sinew_plan_frame_bytes(const sinew_plan* plan);
+#define SINEW_FRAME_ALIGNMENT 64
+
+/// One stage of the plan, with the reason why it runs or is left out.
+typedef struct sinew_stage {
+  size_t struct_size;
+  sinew_string name, reason;
+  uint64_t count;                      ///< what it touches per frame: tracks, joints, vertices
+  uint64_t bytes;                      ///< of frame memory that it writes
+  uint32_t runs;                       ///< 1 or 0
+} sinew_stage;
+
+size_t sinew_stage_count(const sinew_plan* plan);
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE
+sinew_error sinew_get_stage(const sinew_plan* plan, uint32_t stage, sinew_stage* out);
+
+#ifdef __cplusplus
+}
+#endif

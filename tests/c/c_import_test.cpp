@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "importer/c/sinew_import.h"
+#include "importer/export_glb.h"
+#include "importer/import_gltf.h"
+#include "runtime/c/handles.h"
+#include "tests/c/engine.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/support/scene_equality.h"
+
+namespace sinew::test {
+namespace {
+
+std::vector<std::byte> arm_file() { return export_glb(arm_scene()).value(); }
+
+TEST(c_import, a_file_in_memory_gives_the_scene_of_the_cpp_importer) {
+  const auto bytes = arm_file();
+  sinew_scene* scene = nullptr;
+  sinew_messages* messages = nullptr;
+  ASSERT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", nullptr, &scene, &messages), SINEW_OK);
+  EXPECT_EQ(sinew_message_count(messages), 0u);
+  expect_equal(scene->scene, import_gltf(bytes, "arm.glb")->scene);
+  EXPECT_EQ(sinew_find_clip(scene, "bend"), 0u);
+  engine_numbers numbers{};
+  EXPECT_EQ(engine_play(scene, nullptr, nullptr, nullptr, &numbers), SINEW_OK);
+  EXPECT_GT(numbers.count, 36u);
+  engine_free(&numbers);
+  sinew_messages_destroy(messages);
+  sinew_scene_destroy(scene);
+}
+
+TEST(c_import, a_file_on_disk_is_read_by_its_utf8_path) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / u8"sinew_c_\u00e4rm.glb";
+  const auto bytes = arm_file();
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  sinew_scene* scene = nullptr;
+  EXPECT_EQ(sinew_import_file(reinterpret_cast<const char*>(path.u8string().c_str()), nullptr, &scene, nullptr), SINEW_OK);
+  ASSERT_NE(scene, nullptr);
+  EXPECT_EQ(sinew_joint_count(scene), 3u);
+  sinew_scene_destroy(scene);
+  std::filesystem::remove(path);
+}
+
+TEST(c_import, a_bad_file_says_where_and_why) {
+  const std::string text = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 3}]})";
+  sinew_scene* scene = nullptr;
+  sinew_messages* messages = nullptr;
+  ASSERT_EQ(sinew_import_memory(text.data(), text.size(), "bad.gltf", nullptr, &scene, &messages), SINEW_BAD_FILE);
+  EXPECT_EQ(scene, nullptr);
+  ASSERT_GE(sinew_message_count(messages), 1u);
+  EXPECT_TRUE(std::string(sinew_message(messages, 0)).starts_with("bad.gltf: /nodes/0/mesh")) << sinew_message(messages, 0);
+  EXPECT_STREQ(sinew_message(messages, sinew_message_count(messages)), "");
+  sinew_messages_destroy(messages);
+  EXPECT_EQ(sinew_import_memory(text.data(), text.size(), "bad.gltf", nullptr, &scene, nullptr), SINEW_BAD_FILE);
+}
+
+TEST(c_import, limits_are_obeyed_and_bad_calls_refused) {
+  const auto bytes = arm_file();
+  sinew_scene* scene = nullptr;
+  sinew_import_options options = sinew_default_import_options();
+  options.max_file_bytes = 100;
+  EXPECT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", &options, &scene, nullptr), SINEW_BAD_FILE);
+  options.struct_size = 1;
+  EXPECT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", &options, &scene, nullptr), SINEW_WRONG_STRUCT_SIZE);
+  EXPECT_EQ(sinew_import_file(nullptr, nullptr, &scene, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(scene, nullptr);
+}
+
+}  // namespace
+}  // namespace sinew::test
