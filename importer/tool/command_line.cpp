@@ -24,7 +24,8 @@ constexpr const char* kAbout =
     "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
     "  sinew plan fox.glb                                which stages a frame runs, and why\n"
     "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
-    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that near\n";
+    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that near\n"
+    "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
@@ -63,6 +64,9 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_check(program, outcome);
   add_plan(program, outcome);
   add_convert(program, outcome);
+#ifdef SINEW_WITH_COST
+  add_cost(program, outcome);
+#endif
   const ExitCode code = parse_and_run(program, outcome, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   say_error("stdout cannot be written");

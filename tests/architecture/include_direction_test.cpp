@@ -54,7 +54,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"imgui", {"viewer/app", "tests"}},
     {"CLI/", {"importer/tool", "viewer/app", "tests"}},
     {"nlohmann/", {"importer", "importer/tool", "tests"}},
-    {"hwy/", {"runtime/math", "runtime/jobs", "runtime/plan", "tests"}},
+    {"hwy/", {"runtime/math", "runtime/jobs", "runtime/plan", "importer/tool", "tests"}},
     {"tbb/", {"runtime/plan", "importer", "tests"}},
     {"oneapi/", {"runtime/plan", "importer", "tests"}},
 };

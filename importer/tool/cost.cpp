@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "importer/tool/clip_choice.h"
+#include "importer/tool/cost/make_report.h"
+#include "importer/tool/cost/write_report.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
+#include "importer/tool/progress_line.h"
+#include "samples/showcase/showcase.h"
+
+namespace sinew::tool {
+namespace {
+
+struct CostOptions {
+  std::string file, folder;
+  std::optional<std::string> clip;
+  bool quick = false;
+};
+
+std::string command_of(const CostOptions& options) {
+  return fmt::format("sinew cost{}{}{}{} -o {}", options.file.empty() ? "" : " ", options.file, options.clip ? " --clip " + *options.clip : "",
+                     options.quick ? " --quick" : "", options.folder);
+}
+
+std::string description_of(const std::string& file, const Scene& scene) {
+  return fmt::format("{}: {} joints, {} clips, {} skins, {:.3g} m large", std::filesystem::path(file).filename().string(), scene.skeleton.joint_count(),
+                     scene.clips.size(), scene.skins.size(), model_size_m(scene));
+}
+
+ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip, const std::string& subject, const CostOptions& options) {
+  ProgressLine progress;
+  const auto show = [&](const char* work, double done) { progress.show(work, done); };
+  cost::Report report = cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show);
+  progress.wipe();
+  report.subject = subject;
+  report.command = command_of(options);
+  if (const auto failed = cost::write_report(report, options.folder)) {
+    say_error(fmt::format("{}: {}", options.folder, *failed));
+    return ExitCode::machine_lacks;
+  }
+  for (const cost::Group& group : report.groups)
+    fmt::print("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
+  fmt::print("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
+  return ExitCode::done;
+}
+
+ExitCode report_on_showcase(const CostOptions& options) {
+  if (options.clip) return say_error("--clip: names a clip of FILE, and there is no FILE"), ExitCode::wrong_usage;
+  const auto arms = showcase::twisted_arms(), face = showcase::morphed_face();
+  return report_on({&arms.scene, &arms.scene, &face.scene}, std::nullopt, "the built-in showcase: twisted arms and a morphed face", options);
+}
+
+ExitCode report_cost(const CostOptions& options) {
+  if (const std::string why = cost::objection_to(options.folder); !why.empty())
+    return say_error(fmt::format("{}: {}", options.folder, why)), ExitCode::wrong_usage;
+  if (options.file.empty()) return report_on_showcase(options);
+  ImportOptions import;
+  import.decode_images = false;
+  const auto file = load_file(options.file, import);
+  if (!file) return ExitCode::input_at_fault;
+  std::optional<std::uint32_t> clip;
+  if (options.clip) {
+    const auto chosen = choose_clips(file->scene, options.clip);
+    if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
+    clip = chosen->front();
+  }
+  return report_on({&file->scene, &file->scene, &file->scene}, clip, description_of(options.file, file->scene), options);
+}
+
+}  // namespace
+
+void add_cost(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<CostOptions>();
+  CLI::App* command = program.add_subcommand(
+      "cost",
+      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph and to\n"
+      "calculate, each with its error against double precision and its time on this machine. DIR gets report.html (open it in\n"
+      "a browser), report.json and report.csv, and appears complete or not at all.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file; without it the built-in showcase");
+  command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
+  command->add_option("--clip", options->clip, "Index or name of the clip to look at, or none; the one that moves most joints is the default");
+  command->add_flag("--quick", options->quick, "A first impression within seconds, with more noise");
+  command->callback([options, &outcome] { outcome = report_cost(*options); });
+}
+
+}  // namespace sinew::tool

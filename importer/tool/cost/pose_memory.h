@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "runtime/jobs/pose.h"
+
+namespace sinew::cost {
+
+/// Memory of one pose and the view over it.
+class PoseMemory {
+ public:
+  explicit PoseMemory(std::size_t joint_count) : joint_count_(joint_count), lines_(PoseSpan::floats_for(joint_count) / 16 + 1) {}
+
+  PoseSpan span() noexcept { return pose_over({lines_.front().floats, PoseSpan::floats_for(joint_count_)}, joint_count_); }
+
+ private:
+  struct alignas(64) Line {
+    float floats[16] = {};
+  };
+  std::size_t joint_count_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace sinew::cost

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/cost/report_json.h"
+
+#include <fmt/format.h>
+
+namespace sinew::cost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kPageTemplate =
+#include "report_page.inc"
+    ;
+
+Json point_json(const Group& group, const Point& point) {
+  Json out = {{"name", point.name},
+              {"error", point.error},
+              {"error_unit", group.error_unit},
+              {"time", point.time_ns},
+              {"time_unit", "ns/" + group.item},
+              {"spread", point.spread},
+              {"noisy", point.noisy},
+              {"pareto", point.pareto},
+              {"default", point.is_default},
+              {"other_aim", point.other_aim}};
+  if (point.size) out["size"] = *point.size, out["size_unit"] = group.size_unit;
+  out["values"] = Json::array();
+  for (const Value& value : point.values) out["values"].push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
+  out["note"] = point.note;
+  return out;
+}
+
+Json group_json(const Group& group) {
+  Json out = {{"name", group.name}, {"title", group.title}, {"question", group.question}};
+  if (!group.left_out.empty()) out["left_out"] = group.left_out;
+  out["about"] = group.about;
+  out["findings"] = group.findings;
+  out["error_name"] = group.error_name, out["error_unit"] = group.error_unit, out["rounding"] = group.rounding;
+  out["cost"] = group.size_unit.empty() ? "time" : "size";
+  out["cost_unit"] = group.size_unit.empty() ? "ns a " + group.item : group.size_unit;
+  out["points"] = Json::array();
+  for (const Point& point : group.points) out["points"].push_back(point_json(group, point));
+  return out;
+}
+
+/// RFC 4180.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+/// A number as JSON writes it, shortest that reads back the same.
+std::string csv_number(double value) { return fmt::format("{}", value); }
+
+std::string csv_row(const Group& group, const Point& point) {
+  std::string more;
+  for (const Value& value : point.values)
+    more += fmt::format("{}{}={}{}{}", more.empty() ? "" : "; ", value.name, csv_number(value.value), value.unit.empty() ? "" : " ", value.unit);
+  const auto truth = [](bool b) { return b ? "true" : "false"; };
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(group.name), csv_cell(point.name), csv_number(point.error),
+                     csv_cell(group.error_unit), csv_number(point.time_ns), csv_cell("ns/" + group.item), csv_number(point.spread), truth(point.noisy),
+                     truth(point.pareto), truth(point.is_default), truth(point.other_aim), point.size ? csv_number(*point.size) : "",
+                     csv_cell(group.size_unit), csv_cell(more), csv_cell(point.note));
+}
+
+/// JSON that may stand inside a script element: no "</script" and no "<!--" can begin in it.
+std::string inside_script(const Json& json) {
+  std::string safe;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
+    if (c == '<') safe += "\\u003c";
+    else safe += c;
+  return safe;
+}
+
+}  // namespace
+
+Json report_json(const Report& report) {
+  Json machine = Json::object();
+  for (const auto& [name, value] : report.machine) machine[name] = value;
+  Json out = {{"subject", report.subject}, {"machine", machine}, {"command", report.command}, {"noisy_from", kNoisySpread}};
+  out["groups"] = Json::array();
+  for (const Group& group : report.groups) out["groups"].push_back(group_json(group));
+  return out;
+}
+
+std::string report_csv(const Report& report) {
+  std::string out = "group,name,error,error_unit,time,time_unit,spread,noisy,pareto,default,other_aim,size,size_unit,values,note\n";
+  for (const Group& group : report.groups)
+    for (const Point& point : group.points) out += csv_row(group, point);
+  return out;
+}
+
+std::string report_page(const Report& report) {
+  constexpr std::string_view kPlace = "@REPORT@";
+  std::string page(kPageTemplate);
+  page.replace(page.find(kPlace), kPlace.size(), inside_script(report_json(report)));
+  return page;
+}
+
+}  // namespace sinew::cost

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "importer/tool/cost/pose_memory.h"
+#include "importer/tool/cost/studies.h"
+#include "importer/tool/cost/words.h"
+#include "runtime/assets/track_sample.h"
+#include "runtime/jobs/sample_clip.h"
+
+namespace sinew::cost {
+namespace {
+
+constexpr double kChance = 1.5;  // times the error of the keys as they are, which is rounding
+constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
+constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips are left at the rates below
+
+std::vector<float> even_times(double duration_s, double fps) {
+  std::vector<float> times_s;
+  for (std::size_t f = 0; static_cast<double>(f) / fps < duration_s; ++f) times_s.push_back(static_cast<float>(static_cast<double>(f) / fps));
+  const auto end = static_cast<float>(duration_s);
+  if (times_s.empty() || times_s.back() < end) times_s.push_back(end);
+  return times_s;
+}
+
+/// The same motion with keys at even times, linear between them. Step tracks keep their jumps, which no rate catches.
+template <class V>
+Track<V> resampled(const Track<V>& track, const std::vector<float>& times_s) {
+  if (track.key_count() < 2 || track.interpolation == Interpolation::step) return track;
+  Track<V> out{Interpolation::linear, times_s, {}};
+  for (const float time_s : times_s) out.values.push_back(V(sample_track<double>(track, static_cast<double>(time_s))));
+  return out;
+}
+
+Animation resampled(const Animation& animation, double fps) {
+  const std::vector<float> times_s = even_times(animation.duration_s, fps);
+  Animation out;
+  out.name = animation.name, out.duration_s = animation.duration_s;
+  for (const BoneAnimation& bone : animation.bones) {
+    BoneAnimation& even = out.bones.emplace_back();
+    even.joint = bone.joint;
+    even.translation = resampled(bone.translation, times_s);
+    even.rotation = resampled(bone.rotation, times_s);
+    even.scale = resampled(bone.scale, times_s);
+  }
+  return out;
+}
+
+Animation joints_only(const Animation& animation) {
+  Animation out;
+  out.name = animation.name, out.duration_s = animation.duration_s, out.bones = animation.bones;
+  return out;
+}
+
+double error_mm(const Subject& subject, const Clip& clip, const std::vector<double>& moments) {
+  const Skeleton& skeleton = subject.scene.skeleton;
+  PoseMemory memory(skeleton.joint_count());
+  double largest_m = 0.0;
+  for (const double time_s : moments) {
+    run(SampleClipJob{&clip, time_s, memory.span(), {}, {}});
+    LocalPose found;
+    for (std::size_t j = 0; j < skeleton.joint_count(); ++j) {
+      const Transform local = memory.span().get(j);
+      found.push_back({Vec3<double>(local.translation), quat_cast<double>(local.rotation), Vec3<double>(local.scale)});
+    }
+    const ModelPose truth = model_pose(skeleton, true_local_pose(skeleton, *subject.animation(), time_s));
+    largest_m = std::max(largest_m, subject.probe.distance_m(model_pose(skeleton, found), truth));
+  }
+  return 1e3 * largest_m;
+}
+
+void add_stored(Study& study, const Subject& subject, const char* name, const Animation& animation, const std::string& note, const std::vector<double>& moments) {
+  struct Play {
+    Clip clip;
+    PoseMemory memory;
+    double duration_s;
+  };
+  const Skeleton& skeleton = subject.scene.skeleton;
+  const auto play = std::make_shared<Play>(Play{compile_clip(animation, skeleton, {}, {}, {}), PoseMemory(skeleton.joint_count()), animation.duration_s});
+  const std::size_t joints = subject.animation()->bones.size();
+  Point point;
+  point.name = name, point.note = note;
+  point.error = error_mm(subject, play->clip, moments);
+  point.size = static_cast<double>(play->clip.byte_size()) / (static_cast<double>(joints) * std::max(1e-3, animation.duration_s));
+  point.values = {{"whole clip", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
+  constexpr std::size_t kMoments = 16;
+  study.add(std::move(point), {joints * kMoments, [play] {
+              for (std::size_t i = 0; i < kMoments; ++i) {
+                const double share = (static_cast<double>(i * 7 % kMoments) + 0.37) / static_cast<double>(kMoments);
+                run(SampleClipJob{&play->clip, share * play->duration_s, play->memory.span(), {}, {}});
+              }
+            }});
+}
+
+std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
+  const Point& whole = default_of(group);
+  std::vector<std::string> out{fmt::format("The keys as they are take {} {}; sampling them takes {} and is within {} of the truth.", number(*whole.size), group.size_unit,
+                                           time_of(group, whole), error_of(group, whole))};
+  for (const Point& point : group.points)
+    if (&point != &whole)
+      out.push_back(sentence(fmt::format("{}: {} times the size, off by up to {}; sampling {}.", point.name, number(*point.size / *whole.size),
+                                         error_of(group, point), time_beside(group, point, whole))));
+  if (const Point* best = cheapest_within(group, hardly_seen_mm))
+    out.push_back(fmt::format("The smallest that stays within {}, a ten-thousandth of the model's size: {}.", length(hardly_seen_mm), best->name));
+  return out;
+}
+
+}  // namespace
+
+Study study_storage(const Subject& subject) {
+  Study study;
+  Group& group = study.group;
+  group.name = "storage", group.title = "Key storage";
+  group.question = "How should the keys of this clip be kept?";
+  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint", group.size_unit = "bytes a joint and second";
+  if (subject.animation() == nullptr) return group.left_out = "the file has no clips", study;
+  if (subject.animation()->bones.empty()) return group.left_out = fmt::format("{} moves no joints", subject.clip_name()), study;
+  const std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
+  group.about = fmt::format("The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} move against "
+                            "the file's own keys in double precision.",
+                            subject.animation()->bones.size(), subject.clip_name(), subject.probe.description());
+  add_stored(study, subject, "keys as they are", joints_only(*subject.animation()), "full floats at the file's own times", moments);
+  group.points.back().is_default = true;
+  for (const double fps : kRates)
+    if (fps * subject.animation()->duration_s < kMostKeys)
+      add_stored(study, subject, fmt::format("{} Hz", fps).c_str(), resampled(*subject.animation(), fps), "full floats at even times, linear between them", moments);
+  group.rounding = kChance * default_of(group).error;
+  study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
+  return study;
+}
+
+}  // namespace sinew::cost

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/cost/write_report.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "importer/tool/cost/report_json.h"
+
+namespace sinew::cost {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kFiles[] = {"report.json", "report.csv", "report.html"};
+
+/// DIR and DIR/ are the same folder.
+fs::path without_slash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
+
+fs::path beside(const fs::path& folder, std::string_view ending) {
+  return folder.string() + fmt::format(".{}.{}", ::getpid(), ending);
+}
+
+std::optional<std::string> write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream) return std::nullopt;
+  return fmt::format("{} cannot be written", file.string());
+}
+
+std::optional<std::string> fill(const Report& report, const fs::path& folder) {
+  for (const std::string_view name : kFiles) {
+    const std::string text = name == "report.json" ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                             : name == "report.csv" ? report_csv(report)
+                                                    : report_page(report);
+    if (auto failed = write_file(folder / name, text)) return failed;
+  }
+  return std::nullopt;
+}
+
+/// Puts `made` where `folder` is or will be.
+std::optional<std::string> put_in_place(const fs::path& made, const fs::path& folder) {
+  std::error_code error;
+  const fs::path older = beside(folder, "old");
+  const bool replaces = fs::exists(folder, error);
+  if (replaces) fs::rename(folder, older, error);
+  if (!error) fs::rename(made, folder, error);
+  if (error) {
+    const std::string why = error.message();
+    if (replaces && !fs::exists(folder, error)) fs::rename(older, folder, error);
+    return why;
+  }
+  if (replaces) fs::remove_all(older, error);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string objection_to(const fs::path& given) {
+  const fs::path folder = without_slash(given), parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", parent.string());
+  if (!fs::exists(folder, error)) return {};
+  if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "is there, and no folder";
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (std::find(std::begin(kFiles), std::end(kFiles), entry.path().filename().string()) == std::end(kFiles))
+      return fmt::format("holds {}, which is no part of a report; it is left as it is", entry.path().filename().string());
+  return error ? error.message() : std::string();
+}
+
+std::optional<std::string> write_report(const Report& report, const fs::path& given) {
+  const fs::path folder = without_slash(given), made = beside(folder, "new");
+  std::error_code error;
+  if (!fs::create_directory(made, error)) return fmt::format("{} cannot be made: {}", made.string(), error.message());
+  auto failed = fill(report, made);
+  if (!failed) failed = put_in_place(made, folder);
+  if (failed) fs::remove_all(made, error);
+  return failed;
+}
+
+}  // namespace sinew::cost

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// `sinew cost` as people and programs meet it: errors of known size, the files it writes, and what it refuses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "importer/tool/cost/report_json.h"
+#include "importer/tool/cost/studies.h"
+#include "importer/tool/cost/write_report.h"
+#include "tests/importer/tool_model.h"
+#include "tests/scenes/hand_scenes.h"
+
+namespace sinew::test {
+namespace {
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+const cost::Point& point_named(const cost::Group& group, const std::string& name) {
+  for (const cost::Point& point : group.points)
+    if (point.name == name) return point;
+  throw std::runtime_error("no point " + name);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(cost_studies, N04_nlerp_loses_what_its_closed_form_says) {
+  const Scene arm = arm_scene();  // a quarter turn between two keys; the farthest vertex is a metre from the joint
+  const cost::Subject subject(arm, 0, cost::Effort::quick());
+  const cost::Study study = cost::study_rotation(subject);
+  constexpr double kWorst = 0.919 * 0.017453292519943295;
+  const cost::Point& nlerp = point_named(study.group, "nlerp");
+  EXPECT_NEAR(nlerp.values[0].value, kWorst, 0.002 * kWorst);
+  EXPECT_NEAR(nlerp.error, 1e3 * 2.0 * std::sin(0.5 * kWorst), 0.04);
+  EXPECT_NEAR(point_named(study.group, "corrected nlerp").values[0].value, 0.003 * 0.01745, 3e-5);
+  for (const char* exact : {"exact slerp", "polynomial slerp", "incremental slerp"}) EXPECT_LT(point_named(study.group, exact).error, 1e-3) << exact;
+  EXPECT_NEAR(point_named(study.group, "step").values[0].value, 0.7887 * 1.5707963, 1e-3) << "at the last moment looked at";
+  EXPECT_TRUE(point_named(study.group, "exact slerp").is_default);
+}
+
+TEST(cost_studies, cubic_files_are_compared_with_their_own_curve) {
+  Scene arm = arm_scene();
+  QuatTrack& track = arm.animations[0].bones[0].rotation;
+  const glm::quat none(0.0f, 0.0f, 0.0f, 0.0f), first = track.values[0], second = track.values[1];
+  track = {Interpolation::cubic_spline, track.times_s, {none, first, none, none, second, none}};
+  const cost::Subject subject(arm, 0, cost::Effort::quick());
+  const cost::Study study = cost::study_rotation(subject);
+  EXPECT_TRUE(point_named(study.group, "cubic").is_default);
+  EXPECT_LT(point_named(study.group, "cubic").error, 1e-3);
+  EXPECT_GT(point_named(study.group, "exact slerp").error, 10.0) << "ease in and out is not slerp";
+  EXPECT_FALSE(point_named(study.group, "cubic").other_aim);
+}
+
+TEST(cost_studies, resampling_between_keys_loses_a_straight_line_nothing_and_a_corner_something) {
+  Scene arm = arm_scene();
+  arm.animations[0].bones[0].rotation = {};
+  arm.animations[0].bones[0].translation = {Interpolation::linear, {0.0f, 0.49f, 1.0f}, {{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}};
+  arm.clips[0] = compile_clip(arm.animations[0], arm.skeleton, {}, {}, {});
+  const cost::Subject subject(arm, 0, cost::Effort::quick());
+  const cost::Study study = cost::study_storage(subject);
+  EXPECT_LT(point_named(study.group, "keys as they are").error, 1e-3);
+  // 24 a second have keys at 11/24 and 12/24: the corner at 0.49 is cut by less than it moves in between
+  const double cut = point_named(study.group, "24 Hz").error;
+  EXPECT_GT(cut, 1.0);
+  EXPECT_LT(cut, 1e3 / 24.0 / 0.49);
+  EXPECT_GT(*point_named(study.group, "120 Hz").size, *point_named(study.group, "24 Hz").size);
+}
+
+TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_does) {
+  const Scene arm = arm_scene();
+  const cost::Subject subject(arm, 0, cost::Effort::quick());
+  const cost::Study study = cost::study_influences(subject);
+  EXPECT_LT(point_named(study.group, "all influences").error, 1e-3);
+  // The vertices at (+-0.25, 1) are half and half. The last pose turns by 15/16 of a quarter turn: half its chord at 0.25 m.
+  EXPECT_NEAR(point_named(study.group, "one influence").error, 1e3 * 0.25 * std::sin(0.5 * 15.0 / 16.0 * 1.5707963), 0.1);
+}
+
+TEST(cost_studies, dual_quaternions_keep_the_volume_that_linear_blending_loses) {
+  const Scene arm = arm_scene();
+  const cost::Study study = cost::study_skinning(cost::Subject(arm, 0, cost::Effort::quick()));
+  EXPECT_GT(point_named(study.group, "linear").error, 15.0);
+  EXPECT_LT(point_named(study.group, "dual quaternion").error, 1.0);
+  EXPECT_LT(point_named(study.group, "center of rotation").error, 1.0);
+}
+
+TEST(cost_studies, thresholds_of_morph_weights_lose_what_they_leave_out) {
+  Scene face = face_scene();
+  face.animations[0].weights[0].weights.values = {0.0f, 0.04f, 0.0f, 0.04f};  // "spread" moves two vertices by a metre
+  const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
+  const auto off_mm = [&](const char* name) { return point_named(study.group, name).values[0].value; };
+  for (const char* exact : {"all targets", "active targets", "weights from 0.01"}) EXPECT_LT(off_mm(exact), 1e-3) << exact;
+  EXPECT_NEAR(off_mm("weights from 0.05"), 40.0, 1e-3);
+}
+
+TEST(cost_studies, normals_not_made_unit_again_count_as_wrong) {
+  Scene face = face_scene();
+  face.animations[0].weights[0].weights.values = {1.0f, 0.0f, 1.0f, 0.0f};  // "lift" leans a normal by its own length
+  const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
+  EXPECT_LT(point_named(study.group, "active targets").error, 1e-4);
+  // length sqrt(2) in place of 1: the angle whose chord that is
+  EXPECT_NEAR(point_named(study.group, "normals as summed").error, 2.0 * 57.29578 * std::asin(0.5 * (std::sqrt(2.0) - 1.0)), 1e-3);
+}
+
+TEST(cost_studies, say_why_they_have_nothing_to_say) {
+  const Scene prop = prop_scene();
+  const cost::Subject subject(prop, kNone, cost::Effort::quick());
+  for (const auto study : {cost::study_rotation, cost::study_storage, cost::study_influences, cost::study_skinning, cost::study_skinned_normals, cost::study_morphing}) {
+    const cost::Study nothing = study(subject);
+    EXPECT_FALSE(nothing.group.left_out.empty()) << nothing.group.name;
+    EXPECT_TRUE(nothing.group.points.empty() && nothing.works.empty()) << nothing.group.name;
+  }
+  EXPECT_FALSE(cost::study_arithmetic(subject).group.points.empty()) << "skins a limb of its own";
+}
+
+cost::Report small_report() {
+  cost::Report report;
+  report.subject = "a \"quoted\" </script><!-- name";
+  report.machine = {{"processor", "one"}};
+  report.command = "sinew cost";
+  cost::Group group;
+  group.name = "rotation", group.title = "Rotation", group.question = "Which?", group.error_unit = "mm", group.item = "joint";
+  cost::Point point;
+  point.name = "slow, but \"exact\"", point.error = std::numeric_limits<double>::infinity(), point.time_ns = 2.5;
+  point.values = {{"angle", 0.5, "rad"}};
+  group.points = {point, point};
+  report.groups = {group};
+  return report;
+}
+
+TEST(cost_report, page_holds_the_report_whatever_the_names_are) {
+  const std::string page = cost::report_page(small_report());
+  const std::string open = "<script type=\"application/json\" id=\"report\">";
+  const std::size_t begin = page.find(open) + open.size();
+  const Json inside = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(inside["subject"], small_report().subject);
+  EXPECT_TRUE(inside["groups"][0]["points"][0]["error"].is_null()) << "JSON has no infinity";
+  EXPECT_EQ(page.find("@REPORT@"), std::string::npos);
+}
+
+TEST(cost_report, page_needs_nothing_from_elsewhere) {
+  const std::string page = cost::report_page(small_report());
+  for (const char* outside : {"src=", "<link", "@import", "url(", "fetch(", "https://"}) EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
+TEST(cost_report, csv_quotes_what_has_commas) {
+  EXPECT_THAT(cost::report_csv(small_report()), HasSubstr("rotation,\"slow, but \"\"exact\"\"\",inf,mm,2.5,ns/joint,"));
+}
+
+/// Runs the command once for all that is asked of its outcome.
+class CostCommand : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = std::make_unique<ToolModelFile>();
+    outcome_ = run_tool({"cost", model_->path(), "--quick", "-o", folder().string()});
+  }
+  static void TearDownTestSuite() { model_.reset(); }
+  static fs::path folder() { return model_->beside("costs"); }
+  static std::size_t rows_of_csv() {
+    std::istringstream csv(text_of(folder() / "report.csv"));
+    std::size_t lines = 0;
+    for (std::string line; std::getline(csv, line);) ++lines;
+    return lines - 1;
+  }
+
+  static inline std::unique_ptr<ToolModelFile> model_;
+  static inline CommandOutcome outcome_;
+};
+
+TEST_F(CostCommand, writes_three_files_and_says_where) {
+  ASSERT_EQ(outcome_.status, 0) << outcome_.err;
+  EXPECT_THAT(outcome_.out, HasSubstr("report.html"));
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder())) names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, testing::ElementsAre("report.csv", "report.html", "report.json"));
+}
+
+TEST_F(CostCommand, json_has_the_agreed_form) {
+  const Json report = Json::parse(text_of(folder() / "report.json"));
+  EXPECT_TRUE(report["machine"].is_object() && report["machine"].contains("processor"));
+  EXPECT_THAT(report["command"].get<std::string>(), HasSubstr("--quick -o "));
+  std::set<std::string> names;
+  std::size_t points = 0;
+  for (const Json& group : report["groups"]) {
+    points += group["points"].size();
+    names.insert(group["name"]);
+    ASSERT_TRUE(group["points"].is_array());
+    EXPECT_EQ(group["points"].empty(), group.contains("left_out")) << group["name"];
+    int defaults = 0;
+    bool any_front = group["points"].empty();
+    for (const Json& point : group["points"]) {
+      for (const char* number : {"error", "time", "spread"}) EXPECT_TRUE(point[number].is_number()) << number;
+      for (const char* text : {"name", "error_unit", "time_unit", "note"}) EXPECT_TRUE(point[text].is_string()) << text;
+      for (const char* flag : {"pareto", "default", "noisy", "other_aim"}) EXPECT_TRUE(point[flag].is_boolean()) << flag;
+      EXPECT_GT(point["time"].get<double>(), 0.0) << point["name"];
+      EXPECT_EQ(point["noisy"].get<bool>(), point["spread"].get<double>() > report["noisy_from"].get<double>());
+      defaults += point["default"].get<bool>() ? 1 : 0;
+      any_front = any_front || point["pareto"].get<bool>();
+    }
+    EXPECT_EQ(defaults, group["points"].empty() ? 0 : 1) << group["name"];
+    EXPECT_TRUE(any_front) << group["name"];
+    EXPECT_EQ(group["findings"].empty(), group["points"].empty());
+  }
+  EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
+  EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing", "arithmetic"}));
+}
+
+TEST(cost_command, refuses_a_folder_that_holds_other_things) {
+  const ToolModelFile model;
+  const fs::path other = model.beside("photos");
+  fs::create_directory(other);
+  std::ofstream(other / "cat.jpg") << "meow";
+  const CommandOutcome refused = run_tool({"cost", model.path(), "--quick", "-o", other.string()});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cat.jpg"));
+  EXPECT_EQ(text_of(other / "cat.jpg"), "meow");
+}
+
+TEST(cost_command, leaves_no_folder_behind_for_a_broken_file) {
+  const ToolModelFile model;
+  const fs::path broken = model.beside("broken.gltf"), out = model.beside("none");
+  std::ofstream(broken) << "{\"asset\": {";
+  EXPECT_EQ(run_tool({"cost", broken.string(), "-o", out.string()}).status, 1);
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(cost_command, refuses_wrong_usage_before_any_work) {
+  const ToolModelFile model;
+  EXPECT_EQ(run_tool({"cost", model.path()}).status, 2);
+  EXPECT_EQ(run_tool({"cost", model.path(), "-o", model.beside("no/such/folder")}).status, 2);
+  EXPECT_EQ(run_tool({"cost", model.path(), "--clip", "nobody", "-o", model.beside("x")}).status, 2);
+  EXPECT_EQ(run_tool({"cost", "--clip", "0", "-o", model.beside("x")}).status, 2);
+}
+
+TEST(cost_command, replaces_an_older_report_whole) {
+  const ToolModelFile model;
+  const fs::path out = model.beside("again/");
+  ASSERT_FALSE(cost::write_report(small_report(), out));
+  cost::Report other = small_report();
+  other.subject = "newer";
+  ASSERT_FALSE(cost::write_report(other, out));
+  EXPECT_EQ(Json::parse(text_of(out / "report.json"))["subject"], "newer");
+  for (const auto& entry : fs::directory_iterator(out.parent_path().parent_path())) EXPECT_FALSE(entry.path().filename().string().starts_with("again.")) << entry;
+}
+
+}  // namespace
+}  // namespace sinew::test
