@@ -12,6 +12,7 @@
 #include "importer/tool/cost/report_json.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/write_report.h"
+#include "runtime/math/interpolate.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"
 
@@ -72,6 +73,25 @@ TEST(cost_studies, resampling_between_keys_loses_a_straight_line_nothing_and_a_c
   EXPECT_GT(cut, 1.0);
   EXPECT_LT(cut, 1e3 / 24.0 / 0.49);
   EXPECT_GT(*point_named(study.group, "120 Hz").size, *point_named(study.group, "24 Hz").size);
+}
+
+TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
+  Scene arm = arm_scene();
+  QuatTrack& track = arm.animations[0].bones[0].rotation;
+  const QuatTrack ends = track;
+  track.times_s.clear(), track.values.clear();
+  for (int k = 0; k <= 100; ++k) {  // keys that a slerp between the ends brings back
+    track.times_s.push_back(static_cast<float>(k) / 100.0f);
+    track.values.push_back(glm::quat(slerp_short_arc(quat_cast<double>(ends.values[0]), quat_cast<double>(ends.values[1]), k / 100.0)));
+  }
+  const cost::Subject subject(arm, 0, cost::Effort::quick());
+  const cost::Study study = cost::study_storage(subject);
+  const cost::Point& whole = study.group.points[0];
+  for (std::size_t i = 1; i <= 3; ++i) {
+    const double budget_mm = 1e3 * subject.size_m * std::pow(10.0, static_cast<double>(i) - 6.0);
+    EXPECT_LE(study.group.points[i].error, budget_mm) << study.group.points[i].name;
+    EXPECT_LT(*study.group.points[i].size, 0.5 * *whole.size) << study.group.points[i].name;
+  }
 }
 
 TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_does) {

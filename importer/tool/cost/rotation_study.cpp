@@ -45,7 +45,7 @@ std::vector<Variant> variants() {
       {"corrected nlerp", Interpolation::linear, by(ArcRule::corrected_nlerp), false, "nlerp at a warped time"},
       {"polynomial slerp", Interpolation::linear, by(ArcRule::polynomial_slerp), false, "slerp without sines"},
       {"exact slerp", Interpolation::linear, sample_as_compiled, true, "what the runtime plays linear tracks with"},
-      {"squad", Interpolation::squad, sample_as_compiled, true, "a smooth curve through the keys, vertex of arcs; one joint at a time"},
+      {"squad", Interpolation::squad, sample_as_compiled, true, "a smooth curve through the keys, by squad; one joint at a time"},
       {"cubic", Interpolation::cubic_spline, sample_as_compiled, true, "Hermite curve through the keys; tangents from neighbouring keys where the file has none"},
   };
 }

@@ -7,13 +7,16 @@
 #include "importer/tool/cost/pose_memory.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
+#include "importer/tool/length_text.h"
 #include "runtime/assets/track_sample.h"
 #include "runtime/jobs/sample_clip.h"
+#include "runtime/plan/compile_clip_within.h"
 
 namespace sinew::cost {
 namespace {
 
 constexpr double kChance = 1.5;  // times the error of the keys as they are, which is rounding
+constexpr double kBudgets[] = {1e-5, 1e-4, 1e-3};  // of the model's size
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips are left at the rates below
 
@@ -71,19 +74,19 @@ double error_mm(const Subject& subject, const Clip& clip, const std::vector<doub
   return 1e3 * largest_m;
 }
 
-void add_stored(Study& study, const Subject& subject, const char* name, const Animation& animation, const std::string& note, const std::vector<double>& moments) {
+void add_stored(Study& study, const Subject& subject, const std::string& name, Clip clip, const std::string& note, const std::vector<double>& moments) {
   struct Play {
     Clip clip;
     PoseMemory memory;
     double duration_s;
   };
-  const Skeleton& skeleton = subject.scene.skeleton;
-  const auto play = std::make_shared<Play>(Play{compile_clip(animation, skeleton, {}, {}, {}), PoseMemory(skeleton.joint_count()), animation.duration_s});
+  const double duration_s = subject.animation()->duration_s;
+  const auto play = std::make_shared<Play>(Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), duration_s});
   const std::size_t joints = subject.animation()->bones.size();
   Point point;
   point.name = name, point.note = note;
   point.error = error_mm(subject, play->clip, moments);
-  point.size = static_cast<double>(play->clip.byte_size()) / (static_cast<double>(joints) * std::max(1e-3, animation.duration_s));
+  point.size = static_cast<double>(play->clip.byte_size()) / (static_cast<double>(joints) * std::max(1e-3, duration_s));
   point.values = {{"whole clip", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
   constexpr std::size_t kMoments = 16;
   study.add(std::move(point), {joints * kMoments, [play] {
@@ -121,11 +124,19 @@ Study study_storage(const Subject& subject) {
   group.about = fmt::format("The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} move against "
                             "the file's own keys in double precision.",
                             subject.animation()->bones.size(), subject.clip_name(), subject.probe.description());
-  add_stored(study, subject, "keys as they are", joints_only(*subject.animation()), "full floats at the file's own times", moments);
+  const Animation joints = joints_only(*subject.animation());
+  const auto compiled = [&](const Animation& animation) { return compile_clip(animation, subject.scene.skeleton, {}, {}, {}); };
+  add_stored(study, subject, "keys as they are", compiled(joints), "full floats at the file's own times", moments);
   group.points.back().is_default = true;
+  const VirtualVertices vertices = virtual_vertices(subject.scene);
+  for (const double share : kBudgets) {
+    const double budget_m = share * subject.size_m;
+    add_stored(study, subject, "within " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
+               "the fewest keys that keep every virtual vertex within that budget (sinew convert --budget)", moments);
+  }
   for (const double fps : kRates)
     if (fps * subject.animation()->duration_s < kMostKeys)
-      add_stored(study, subject, fmt::format("{} Hz", fps).c_str(), resampled(*subject.animation(), fps), "full floats at even times, linear between them", moments);
+      add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)), "full floats at even times, linear between them", moments);
   group.rounding = kChance * default_of(group).error;
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;

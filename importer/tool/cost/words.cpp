@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/length_text.h"
+
 namespace sinew::cost {
 namespace {
 
@@ -23,9 +25,7 @@ std::string number(double value) {
 }
 
 std::string length(double mm) {
-  if (mm == 0.0) return "0 mm";
-  if (mm < 1e-6) return fmt::format("{} nm", number(1e6 * mm));
-  return mm < 1e-3 ? fmt::format("{} µm", number(1e3 * mm)) : fmt::format("{} mm", number(mm));
+  return tool::length_text(1e-3 * mm);
 }
 
 std::string sentence(std::string text) {

@@ -12,7 +12,7 @@ inline constexpr double kNoDifference = 0.05;
 /// Three digits: "0.0123", "4.56", "1234", "3.4e-07".
 std::string number(double value);
 
-/// A length that a person can picture: "84.7 mm", "0.35 µm".
+/// A length that a person can picture: "84.7 mm", "0.35 um".
 std::string length(double mm);
 
 /// A number of the group's errors with its unit, or "nothing" for 0; angles that nobody sees as their limit.
