@@ -110,6 +110,47 @@ TEST_F(drawing, G48_relief_keeps_its_direction_where_a_mesh_is_mirrored) {
   EXPECT_LT(glm::length(lit(38, -1.0f) - lit(38, 1.0f)), 2e-3f);
 }
 
+TEST_F(drawing, relief_of_a_mesh_without_tangents_is_that_of_its_texture_coordinates) {
+  const auto lit = [](bool tangents, unsigned char right, unsigned char up, float mirror, bool back) {
+    BuiltScene built;
+    built.scene.images.push_back({"relief", 1, 1, {right, up, 218, 255}, ""});
+    built.scene.textures.push_back({0, {}});
+    Material material = matte({0.6f, 0.6f, 0.6f});
+    material.normal_texture.texture = 0;
+    material.double_sided = true;
+    Primitive p = facing_square();
+    if (tangents) p.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+    Affine m;
+    m.row[0].x = mirror;
+    if (back) m.row[0].x *= -1.0f, m.row[2].z = -1.0f;
+    built.add(p, built.add_material(material), m, mirror < 0.0f);
+    return middle(draw(built));
+  };
+  EXPECT_GT(glm::length(lit(false, 218, 128, 1.0f, false) - lit(false, 38, 128, 1.0f, false)), 0.02f) << "the relief is seen";
+  for (const float mirror : {1.0f, -1.0f})
+    for (const bool back : {false, true})
+      for (const auto& [right, up] : {std::pair(218, 128), std::pair(38, 128), std::pair(128, 218), std::pair(128, 38)}) {
+        const auto r = static_cast<unsigned char>(right), u = static_cast<unsigned char>(up);
+        EXPECT_LT(glm::length(lit(true, r, u, mirror, back) - lit(false, r, u, mirror, back)), 2e-3f) << mirror << back << right << ' ' << up;
+      }
+}
+
+TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
+  BuiltScene built;
+  const std::uint32_t wall = built.add_material(unlit({0.5f, 0.5f, 0.5f, 1}));   // occlusion does not show on it
+  built.add(facing_square(0.8f), wall);
+  Affine floor;   // a square that comes out of the wall, towards the viewer
+  floor.row[1] = {0, 0, 1, -0.1f}, floor.row[2] = {0, -1, 0, 0.4f};
+  built.add(facing_square(0.4f), wall, floor);
+  Material glass = matte({0.7f, 0.7f, 0.7f});
+  glass.base_color.a = 0.5f, glass.alpha_mode = AlphaMode::blend;
+  built.add(facing_square(0.8f, 0.05f), built.add_material(glass));
+  RenderOptions with, without, ao;
+  without.ao.on = false, ao.show = Show::ao;
+  EXPECT_LT(middle(draw(built, ao)).r, 0.95f) << "the wall behind is occluded";
+  EXPECT_LT(glm::length(middle(draw(built, with)) - middle(draw(built, without))), 1e-4f);
+}
+
 TEST_F(drawing, double_sided_backs_are_lit_from_behind) {
   BuiltScene built;
   Material material = matte({1, 1, 1});

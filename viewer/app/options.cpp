@@ -201,7 +201,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   add_picture_options(app, options);
   add_time_options(app, options);
   app.footer("Keys in the window:\n" + describe_keys() +
-             "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window");
+             "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n");
   try {
     app.parse(arguments(argc, argv));
     check_together(options);

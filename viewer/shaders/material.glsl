@@ -22,9 +22,11 @@ layout(set = 1, binding = 5) uniform sampler2D emissive_texture;
 
 bool has_texture(int use) { return material.uses[use].row_u.w > 0.0; }
 
+vec2 set_of(int use, vec4 texcoords) { return material.uses[use].row_u.w > 1.5 ? texcoords.zw : texcoords.xy; }
+
 vec2 texcoord_of(int use, vec4 texcoords) {
   TextureUse t = material.uses[use];
-  vec2 uv = t.row_u.w > 1.5 ? texcoords.zw : texcoords.xy;
+  vec2 uv = set_of(use, texcoords);
   return vec2(dot(t.row_u.xy, uv) + t.row_u.z, dot(t.row_v.xy, uv) + t.row_v.z);
 }
 

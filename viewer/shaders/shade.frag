@@ -24,14 +24,36 @@ layout(location = 4) in vec4 vertex_color;
 
 layout(location = 0) out vec4 color;   // premultiplied
 
-vec3 mapped_normal(vec3 n) {
-  if (!has_texture(2) || (draw.flags & kHasTangents) == 0u) return n;
-  vec3 t = view_tangent.xyz - n * dot(n, view_tangent.xyz);
-  if (dot(t, t) == 0.0) return n;
+// Where the relief's right and up point on the surface; false when nothing tells.
+bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
+  t = view_tangent.xyz - n * dot(n, view_tangent.xyz);
+  if (dot(t, t) == 0.0) return false;
   t = normalize(t);
   // On back faces n is turned round; t and the handedness turn with it, so that the relief keeps its direction.
   float turn = gl_FrontFacing == ((draw.flags & kMirrored) == 0u) ? 1.0 : -1.0;
-  vec3 b = cross(n, t) * view_tangent.w * turn;
+  b = cross(n, t) * view_tangent.w * turn;
+  return true;
+}
+
+// The same of a mesh without tangents, from how position and texture coordinate change over the screen; v points down.
+// eq   Schueler, "Followup: Normal Mapping Without Precomputed Tangents" (2013)
+bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
+  vec3 dx = dFdx(view_position), dy = dFdy(view_position);
+  vec2 uv = set_of(2, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
+  vec3 across_y = cross(dy, n), across_x = cross(n, dx);
+  float side = sign(dot(dx, across_y));
+  t = side * (across_y * uv_x.x + across_x * uv_y.x);
+  b = -side * (across_y * uv_x.y + across_x * uv_y.y);
+  float longest = max(dot(t, t), dot(b, b));
+  if (longest == 0.0) return false;
+  t *= inversesqrt(longest), b *= inversesqrt(longest);
+  return true;
+}
+
+vec3 mapped_normal(vec3 n) {
+  if (!has_texture(2)) return n;
+  vec3 t, b;
+  if (!((draw.flags & kHasTangents) != 0u ? stored_frame(n, t, b) : derived_frame(n, t, b))) return n;
   vec3 relief = texture(normal_texture, texcoord_of(2, texcoords)).xyz * 2.0 - 1.0;
   return normalize(t * relief.x * material.surface.z + b * relief.y * material.surface.z + n * relief.z);
 }
