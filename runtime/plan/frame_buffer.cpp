@@ -19,6 +19,19 @@ bool same(const ClipLayer& a, const ClipLayer& b) noexcept {
          a.kind == b.kind;
 }
 
+/// Whether the layers leave every joint at rest, to the last bit: none at all, or a single one of full weight whose clip has no
+/// tracks of joints.
+bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
+  std::size_t active = 0;
+  for (const ClipLayer& layer : layers) {
+    if (layer.weight == 0.0f) continue;
+    const Clip::Counts counts = plan.scene->clips[layer.clip].counts();
+    const bool moves_joints = counts.translations + counts.rotations + counts.scales + counts.folded > 0;
+    if (moves_joints || ++active > 1 || layer.weight < 1.0f || layer.mask != kNone || layer.kind != LayerKind::blend) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
@@ -56,6 +69,12 @@ bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) con
   const FrameTables tables(plan, FrameMemory{block_.get()});
   return std::equal(input.layers.begin(), input.layers.end(), tables.input_layers.begin(), same) &&
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
+}
+
+bool FrameBuffer::is_still(const Plan& plan, const FrameInput& input) const noexcept {
+  if (!keeps_input_ || !same_bits(input.root, root_)) return false;
+  const FrameTables tables(plan, FrameMemory{block_.get()});
+  return leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, tables.input_layers.first(layer_count_));
 }
 
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.

@@ -47,6 +47,7 @@ class FrameBuffer {
   };
   FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block);
   bool holds_result_of(const Plan& plan, const FrameInput& input) const noexcept;
+  bool is_still(const Plan& plan, const FrameInput& input) const noexcept;
   void keep(const Plan& plan, const FrameInput& input) noexcept;
 
   const Scene* scene_ = nullptr;         // the rest pose in the memory is this scene's

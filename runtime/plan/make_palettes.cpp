@@ -21,24 +21,33 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
   work.spent_on(Stage::split_palette);
 }
 
-void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, FrameWork& work) noexcept {
-  const Skin& skin = plan.scene->skins[s];
-  const std::size_t count = skin.joints.size();
-  const std::span<JointMatrix> made = step.memory.array<JointMatrix>(plan.new_palette_at, count);
+/// Palette of a skin from the model matrices, in memory that all skins share.
+std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::span<const Affine> model, FrameMemory memory,
+                                     FrameWork& work) noexcept {
+  const std::span<JointMatrix> made = memory.array<JointMatrix>(plan.new_palette_at, skin.joints.size());
   const JointPaletteJob job{.skin = &skin, .model = model, .palette = made};
   assert(check(job) == ErrorCode::ok);
   run(job);
-  work.palette_entries += count;
+  work.palette_entries += made.size();
   work.spent_on(Stage::palette);
+  return made;
+}
+
+void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, FrameWork& work) noexcept {
+  const Skin& skin = plan.scene->skins[s];
+  const std::size_t count = skin.joints.size();
+  const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
+  SkinPalette& kept = step.tables.palettes[s];
+  const bool is_there = step.still && kept.since_frame != 0;
+  const std::span<const JointMatrix> made = is_there ? palette : compute(plan, skin, model, step.memory, work);
 
   const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);
   const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
   const bool unchanged = since_before != 0 && same_bits<JointMatrix>(made, before);
-  SkinPalette& kept = step.tables.palettes[s];
-  if (unchanged && kept.since_frame == since_before) return;
-  const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
-  std::copy(made.begin(), made.end(), palette.begin());
+  const bool is_current = is_there || (unchanged && kept.since_frame == since_before);
   kept = {palette, unchanged ? since_before : step.number};
+  if (is_current) return;
+  std::copy(made.begin(), made.end(), palette.begin());
   if (plan.split[s]) split(plan, s, palette, step.memory, work);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/assets/clip_layout.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/pose.h"
 
@@ -19,13 +20,36 @@ std::uint64_t pose_bytes(const Plan& plan) {
   return sizeof(float) * (PoseSpan::floats_for(plan.scene->skeleton.joint_count()) + plan.scene->weight_count());
 }
 
+/// How many tracks of a clip go which way between keys (P04, P05): only ways that some track takes cost anything.
+std::string describe_tracks(const Clip& clip) {
+  std::uint32_t steps = 0, lerps = 0, slerps = 0, cubics = 0, squads = 0;
+  for (const TimeGroup& group : clip.layout().groups)
+    for (const TrackBlock& block : group.blocks) {
+      if (block.property == Property::number) continue;
+      switch (block.interpolation) {
+        case Interpolation::step: steps += block.lane_count; break;
+        case Interpolation::linear: (block.property == Property::rotation ? slerps : lerps) += block.lane_count; break;
+        case Interpolation::cubic_spline: cubics += block.lane_count; break;
+        case Interpolation::squad: squads += block.lane_count; break;
+      }
+    }
+  std::string text;
+  const auto add = [&](std::uint32_t count, const char* kind) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
+  };
+  add(steps, "step"), add(lerps, "linear"), add(slerps, "slerp"), add(cubics, "cubic"), add(squads, "squad");
+  return text.empty() ? "none that moves" : text;
+}
+
 PlanStage describe_sample(const Plan& plan) {
   const std::size_t clips = plan.scene->clips.size();
   if (clips == 0) return {"sample", false, "no clips: the rest pose is written once", 0, 0};
   if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
-  std::uint32_t tracks = 0;
-  for (const ClipTracks& clip : plan.clip_tracks) tracks = std::max(tracks, clip.joints + clip.weights);
-  return {"sample", true, counted(clips, "clip", "clips") + "; the count is of the one with most tracks", tracks,
+  const auto tracks_of = [](const ClipTracks& clip) { return clip.joints + clip.weights; };
+  const auto most = std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
+                                     [&](const ClipTracks& a, const ClipTracks& b) { return tracks_of(a) < tracks_of(b); });
+  const Clip& clip = plan.scene->clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
+  return {"sample", true, counted(clips, "clip", "clips") + "; the one with most tracks has " + describe_tracks(clip), tracks_of(*most),
           pose_bytes(plan)};
 }
 

@@ -57,12 +57,13 @@ void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory
   work.spent_on(Stage::correctives);
 }
 
-/// World matrices of all joints, or nothing when the plan leaves them out.
-std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const Affine& root, FrameMemory memory,
+/// World matrices of all joints, or nothing when the plan leaves them out. Those that are there already are not made again (P01).
+std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const Affine& root, const FrameStep& step,
                                 FrameWork& work) noexcept {
   if (!plan.local_to_model) return {};
   const std::size_t joints = plan.scene->skeleton.joint_count();
-  const std::span<Affine> model = memory.array<Affine>(plan.model_at, joints);
+  const std::span<Affine> model = step.memory.array<Affine>(plan.model_at, joints);
+  if (step.still) return model;
   const LocalToModelJob job{.skeleton = &plan.scene->skeleton, .local = local, .root = root, .model = model};
   assert(check(job) == ErrorCode::ok);
   run(job);
@@ -217,7 +218,7 @@ FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep&
   const PoseSpan local = evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
-  const std::span<const Affine> model = compose(plan, local, input.root, memory, work);
+  const std::span<const Affine> model = compose(plan, local, input.root, step, work);
   const std::span<const float> properties =
       memory.array<const float>(plan.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
   const std::span<const bool> hidden = hide(plan, properties, memory, work);
@@ -246,7 +247,8 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameBuffer* other = std::exchange(frame.before_, nullptr);
   const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
-  const FrameStep step{memory, FrameTables(plan, memory), memory_before, FrameTables(plan, memory_before), frame.result_.frame + 1};
+  const FrameStep step{memory, FrameTables(plan, memory), memory_before, FrameTables(plan, memory_before), frame.result_.frame + 1,
+                       frame.is_still(plan, input)};
   const bool same_before = before.holds_result_of(plan, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
   if (frame.holds_result_of(plan, input)) {

@@ -37,7 +37,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   Needs needs;
   needs.max_layers = 1;
   EXPECT_EQ(dump(compile_plan(scene, needs)),
-            "+ sample [1, 640 B]: 1 clip; the count is of the one with most tracks\n"
+            "+ sample [1, 640 B]: 1 clip; the one with most tracks has 1 slerp\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
             "- add [0, 0 B]: no layers that add are asked for\n"
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
@@ -58,7 +58,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   Needs needs;
   needs.joints = false, needs.bounds = true, needs.max_layers = 2;
   EXPECT_EQ(dump(compile_plan(scene, needs)),
-            "+ sample [2, 648 B]: 1 clip; the count is of the one with most tracks\n"
+            "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
             "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
             "- add [0, 0 B]: no layers that add are asked for\n"
             "- correctives [0, 0 B]: the scene has no corrective shapes\n"
@@ -152,6 +152,25 @@ TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   EXPECT_GE(large.frame_bytes, small.frame_bytes + 3 * layer_bytes);
   EXPECT_EQ(large.layer_poses_at + 3 * layer_bytes, large.weights_at);
   EXPECT_EQ(small.layer_poses_at, small.weights_at);
+}
+
+TEST(compile_plan, P04_P05_tracks_are_told_by_the_way_they_take_between_keys) {
+  Scene scene = arm_scene();
+  Animation& bend = scene.animations[0];
+  ASSERT_EQ(bend.bones.size(), 1u);
+  BoneAnimation& lower = bend.bones[0];
+  const auto reason = [&] {
+    finish_scene(scene);
+    return stage(compile_plan(scene, {}), "sample").reason;
+  };
+  lower.rotation.interpolation = Interpolation::step;
+  EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 step");
+  lower.rotation.interpolation = Interpolation::squad;
+  EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 squad");
+  lower.translation = {.interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(0, 1, 0), glm::vec3(0, 2, 0)}};
+  EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 linear, 1 squad");
+  bend.bones.clear();
+  EXPECT_EQ(reason(), "1 clip; the one with most tracks has none that moves");
 }
 
 TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {

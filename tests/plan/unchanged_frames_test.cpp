@@ -54,7 +54,7 @@ class FewInputs {
 
   FrameInput next() {
     layers_.clear(), weights_.clear();
-    if (!scene_.clips.empty() && choose(4) > 0) layers_.push_back({choose(2), 0.5 * choose(3)});
+    if (!scene_.clips.empty() && choose(4) > 0) layers_.push_back({choose(static_cast<std::uint32_t>(scene_.clips.size())), 0.5 * choose(3)});
     if (!scene_.clips.empty() && choose(4) == 0) layers_.push_back({0, 100.0 + choose(3)});
     if (choose(2) == 0) weights_.assign(scene_.weight_count(), static_cast<float>(choose(2)));
     root_ = {};
@@ -76,6 +76,7 @@ class FewInputs {
 Scene scene_by_seed(std::uint32_t seed) {
   RandomSceneOptions options;
   options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = 2;
+  if (seed % 7 == 6) return face_scene();  // no clip of it moves a joint
   options.flat_normals = seed % 2 == 0, options.correctives = options.targets > 0 ? seed % 3 : 0;
   return random_scene(seed, options);
 }
@@ -85,7 +86,7 @@ TEST(unchanged_frames, P19_the_same_input_again_does_exactly_nothing) {
     const Scene scene = scene_by_seed(seed);
     const Plan plan = compile_plan(scene, needs_by_bits(seed));
     FrameBuffer frame(plan), fresh(plan);
-    const ClipLayer layer{1, 0.7};
+    const ClipLayer layer{0, 0.7};
     const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
     for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
     ASSERT_NE(frame.result().work, WorkCounters{});
@@ -114,6 +115,38 @@ TEST(unchanged_frames, P19_a_clip_held_at_its_end_is_not_skinned_again) {
     EXPECT_EQ(frame.result().primitives[0].since_frame, number == 1 ? 1u : number == 5 ? 5u : 2u);
   }
   EXPECT_EQ(skinned, 3 * 4u);
+}
+
+TEST(unchanged_frames, P01_joints_that_no_clip_moves_are_composed_once) {
+  const Scene scene = face_scene();
+  const Plan plan = compile_plan(scene, {});
+  FrameBuffer frame(plan);
+  for (int number = 0; number < 5; ++number) {
+    const ClipLayer layer{0, 0.2 * number};
+    FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+    if (number == 4) input.root.row[2].w = 1.0f;
+    FrameBuffer fresh(plan);
+    for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
+    expect_same(frame.result(), fresh.result());
+    EXPECT_EQ(frame.result().work.joints_composed, number == 0 || number == 4 ? 1u : 0u) << number;
+    EXPECT_EQ(frame.result().work.tracks_sampled, 2u);
+    EXPECT_EQ(frame.result().primitives[0].since_frame, frame.result().frame);
+  }
+}
+
+TEST(unchanged_frames, a_scene_without_clips_does_nothing_from_its_second_frame_on) {
+  RandomSceneOptions options;
+  options.clips = 0;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    options.skins = seed % 2 * 2, options.targets = seed / 2 % 2 * 3, options.flat_normals = seed > 3;
+    const Scene scene = random_scene(seed, options);
+    const Plan plan = compile_plan(scene, needs_by_bits(4));
+    FrameBuffer frame(plan);
+    for (int number = 1; number <= 4; ++number) {
+      ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+      EXPECT_EQ(frame.result().work == WorkCounters{}, number > 1) << seed;
+    }
+  }
 }
 
 TEST(unchanged_frames, P19_a_moved_face_is_not_morphed_again) {
