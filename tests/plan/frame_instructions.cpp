@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Frames of a scene with COUNT effects that nothing calls for, for callgrind to count their instructions:
+//   sinew-frame-instructions COUNT
+#include <valgrind/callgrind.h>
+
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "runtime/plan/run_plan.h"
+#include "tests/scenes/hand_scenes.h"
+
+namespace sinew::test {
+namespace {
+
+/// Clips that do not play, meshes that hang nowhere with morph targets of their own, materials, lights, cameras, variants.
+void add_unused(Scene& scene, std::uint32_t count) {
+  const Scene face = face_scene();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    scene.animations.push_back(scene.animations[0]);
+    scene.meshes.push_back(face.meshes[0]);
+    scene.materials.emplace_back();
+    scene.lights.emplace_back();
+    scene.cameras.emplace_back();
+    scene.variants.emplace_back("variant");
+  }
+  finish_scene(scene);
+}
+
+void play(const Plan& plan, FrameBuffer& frame, int first, int count) {
+  for (int i = first; i < first + count; ++i) {
+    const ClipLayer layer{0, 0.01 * i};
+    if (run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame) != ErrorCode::ok) std::abort();
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
+
+int main(int argc, char** argv) {
+  using namespace sinew::test;
+  std::uint32_t count = 0;
+  if (argc != 2) return 2;
+  const std::string_view text = argv[1];
+  if (std::from_chars(text.data(), text.data() + text.size(), count).ec != std::errc()) return 2;
+  sinew::Scene scene = arm_scene();
+  add_unused(scene, count);
+  const sinew::Plan plan = sinew::compile_plan(scene, {});
+  sinew::FrameBuffer frame(plan);
+  play(plan, frame, 0, 3);  // the kernels have chosen their instruction set
+  CALLGRIND_START_INSTRUMENTATION;
+  play(plan, frame, 3, 50);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  const sinew::WorkCounters& work = frame.result().work;
+  std::printf("%llu joints composed, %llu vertices skinned\n", static_cast<unsigned long long>(work.joints_composed),
+              static_cast<unsigned long long>(work.vertices_skinned_linear));
+  return work.vertices_skinned_linear == 4 ? 0 : 1;
+}
