@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/seeds.h"
 
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include <nlohmann/json.hpp>
 
@@ -26,9 +26,8 @@ using Blob = std::vector<std::byte>;
 constexpr std::size_t kLargest = 30'000;
 
 Blob blob(const std::string& text) {
-  Blob out(text.size());
-  std::memcpy(out.data(), text.data(), text.size());
-  return out;
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
 }
 
 void append(Blob& out, const Blob& more) { out.insert(out.end(), more.begin(), more.end()); }
