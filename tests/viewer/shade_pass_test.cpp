@@ -186,7 +186,8 @@ TEST_F(shade_pass, P17_occlusion_of_strength_0_is_bit_for_bit_the_picture_withou
   RenderOptions with, without;
   with.ao.power = 0.0f;
   without.ao.on = false;
-  EXPECT_EQ(render_float(shiny_scene(), kWidth, kHeight, the_view(), with).pixels, render_float(shiny_scene(), kWidth, kHeight, the_view(), without).pixels);
+  const FloatPicture a = render_float(shiny_scene(), kWidth, kHeight, the_view(), with);
+  EXPECT_EQ(a.pixels, render_float(shiny_scene(), kWidth, kHeight, the_view(), without).pixels);
 }
 
 TEST_F(shade_pass, leaves_out_the_prepass_without_changing_the_picture) {
