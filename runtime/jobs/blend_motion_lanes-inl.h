@@ -8,7 +8,6 @@
 #endif
 
 #include "runtime/jobs/eight_lanes-inl.h"
-#include "runtime/jobs/joint_numbers.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/jobs/lanes-inl.h"
 #include "runtime/jobs/vertex_tiles-inl.h"
@@ -50,18 +49,17 @@ class Pivot {
 template <int kCount>
 HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex, bool one_side) {
   const EightTag d;
-  const JointNumbers<kCount> joints(vertex.joints);
-  const float* first = &joints.entry(split, 0)->rigid.real.x;
+  const float* first = &split[vertex.joints[0]].rigid.real.x;
   Eight sum = load_eight(first);
   if constexpr (kCount == 1) return sum;
   sum = times(sum, hn::Set(d, vertex.weights[0]));
   if (one_side) {
-    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&joints.entry(split, i)->rigid.real.x, hn::Set(d, vertex.weights[i]), sum);
+    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&split[vertex.joints[i]].rigid.real.x, hn::Set(d, vertex.weights[i]), sum);
     return sum;
   }
   const Pivot pivot(first);
   for (std::size_t i = 1; i < vertex.count(); ++i) {
-    const float* next = &joints.entry(split, i)->rigid.real.x;
+    const float* next = &split[vertex.joints[i]].rigid.real.x;
     sum = times_plus(next, pivot.signed_weight(next, vertex.weights[i]), sum);
   }
   return sum;
@@ -80,7 +78,11 @@ HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInflue
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
   Eight sums[kTileSize];
-  for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = blend_motion_parts(split, tile.at(k), one_side);
+  const auto blend = [&](auto same_side) HWY_ATTR {
+    for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), same_side); });
+  };
+  if (one_side) blend(std::true_type{});
+  else blend(std::false_type{});
   const Lanes8 sum = lanes_of(sums);
   if constexpr (kCount == 1) return {sum.low, sum.high, two, hn::Eq(two, two)};
   const Wide squared = dot(sum.low, sum.low);
@@ -97,13 +99,11 @@ template <int kCount>
 HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInfluences<kCount>& tile) {
   const EightTag d;
   Eight sums[kTileSize];
-  for (std::size_t k = 0; k < kTileSize; ++k) {
+  for_each_of_tile([&](std::size_t k) HWY_ATTR {
     const VertexJoints<kCount> vertex = tile.at(k);
-    const JointNumbers<kCount> joints(vertex.joints);
-    sums[k] = times(load_eight(joints.entry(split, 0)->stretch), hn::Set(d, vertex.weights[0]));
-    for (std::size_t i = 1; i < vertex.count(); ++i)
-      sums[k] = times_plus(joints.entry(split, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
-  }
+    sums[k] = times(load_eight(split[vertex.joints[0]].stretch), hn::Set(d, vertex.weights[0]));
+    for (std::size_t i = 1; i < vertex.count(); ++i) sums[k] = times_plus(split[vertex.joints[i]].stretch, hn::Set(d, vertex.weights[i]), sums[k]);
+  });
   const Lanes8 s = lanes_of(sums);
   return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};
 }

@@ -28,6 +28,14 @@ HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
   return hn::And(hn::Gt(squared, hn::Set(d, 1e-30f)), hn::Lt(squared, hn::Set(d, 1e30f)));
 }
 
+/// Calls `body(vertex of the tile)` for all, four in a row: the loop's own steps are a tenth of what a blend takes.
+template <class Body>
+HWY_INLINE void for_each_of_tile(const Body& body) {
+  constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
+  for (std::size_t first = 0; first < kTileSize; first += kRow)
+    for (std::size_t k = first; k < first + kRow; ++k) body(k);
+}
+
 /// Calls `body(lane)` for the lanes that are not in the mask, which are few and far between.
 template <class Body>
 HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
