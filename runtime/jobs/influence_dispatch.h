@@ -64,7 +64,7 @@ void with_attributes(AttributesPresent wanted, const Body& body) noexcept {
 
 /// Calls `body(group, influence count)` for each group, the latter being a constant of the type.
 template <class Body>
-void for_each_group(const VertexInfluences& influences, const Body& body) noexcept {
+void for_each_group(const InfluenceStreams& influences, const Body& body) noexcept {
   for (const InfluenceGroup& group : influences.groups)
     with_influence_count(group.influence_count, [&](auto count) { body(group, count); });
 }
@@ -72,7 +72,7 @@ void for_each_group(const VertexInfluences& influences, const Body& body) noexce
 /// Calls `body(group, influence count, stretched)`, both being constants of the type, so that joints that are rigid cost nothing
 /// per vertex (P12).
 template <class Body>
-void for_each_group(const VertexInfluences& influences, bool any_stretch, const Body& body) noexcept {
+void for_each_group(const InfluenceStreams& influences, bool any_stretch, const Body& body) noexcept {
   for_each_group(influences, [&](const InfluenceGroup& group, auto count) {
     if (any_stretch) body(group, count, std::true_type{});
     else body(group, count, std::false_type{});

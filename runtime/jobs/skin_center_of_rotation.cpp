@@ -81,8 +81,8 @@ struct CenterCopies {
 
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
-  for_each_group(*job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(*job.influences, group, job.vertices, job.out,
+  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
+    for_each_tile<count>(job.influences, group, job.vertices, job.out,
                          [&](const TilePlace& place, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out) HWY_ATTR {
                            const glm::vec3* centers = job.centers.data() + place.first_vertex;
                            if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);

@@ -2,9 +2,9 @@
 #pragma once
 #include <span>
 
-#include "runtime/assets/skin.h"
 #include "runtime/base/result.h"
 #include "runtime/jobs/joint_palette.h"
+#include "runtime/jobs/influence_streams.h"
 #include "runtime/jobs/vertex_streams.h"
 
 namespace sinew {
@@ -17,9 +17,9 @@ namespace sinew {
 ///      centers[V]  rest-space centers (importer/topology/centers_of_rotation.h); a center equal to the vertex itself
 ///      makes it linear-blend skinning, which is what vertices with one influence get
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation
 struct SkinCenterOfRotationJob {
-  const VertexInfluences* influences = nullptr;
+  InfluenceStreams influences;
   std::span<const JointMatrix> palette;
   std::span<const RigidStretch> split;
   bool any_stretch = true;

@@ -62,8 +62,8 @@ HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, bool one_side, const
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_side = are_on_one_side(job);
-  for_each_group(*job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(*job.influences, group, job.vertices, job.out,
+  for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
+    for_each_tile<count>(job.influences, group, job.vertices, job.out,
                          [&](const TilePlace&, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out)
                              HWY_ATTR { skin_tile<count, stretched>(job, one_side, joints, in, out); });
   });

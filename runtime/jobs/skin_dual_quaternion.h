@@ -2,9 +2,9 @@
 #pragma once
 #include <span>
 
-#include "runtime/assets/skin.h"
 #include "runtime/base/result.h"
 #include "runtime/jobs/joint_palette.h"
+#include "runtime/jobs/influence_streams.h"
 #include "runtime/jobs/vertex_streams.h"
 
 namespace sinew {
@@ -17,10 +17,10 @@ namespace sinew {
 ///      pairs[any]      all distinct (heaviest joint, other joint) of the vertices: when each is on one side, signs are not
 ///                      looked at vertex by vertex; the same bits. Empty: not known
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation;
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation;
 ///      a blend whose real part cancels (norm^2 < 1e-12) follows the pivot alone
 struct SkinDualQuaternionJob {
-  const VertexInfluences* influences = nullptr;
+  InfluenceStreams influences;
   std::span<const RigidStretch> split;
   bool any_stretch = true;
   VertexInput vertices;

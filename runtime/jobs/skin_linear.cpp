@@ -109,8 +109,8 @@ struct SkinTile {
 
 void skin_linear(const SkinLinearJob& job) {
   with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {
-    for_each_group(*job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_tile<count>(*job.influences, group, job.vertices, job.out,
+    for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
+      for_each_tile<count>(job.influences, group, job.vertices, job.out,
                            [&](const TilePlace&, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out)
                                HWY_ATTR { SkinTile<count, normals, tangents>{job, joints}.run(in, out); });
     });

@@ -2,8 +2,8 @@
 #pragma once
 #include <span>
 
-#include "runtime/assets/skin.h"
 #include "runtime/base/result.h"
+#include "runtime/jobs/influence_streams.h"
 #include "runtime/jobs/vertex_streams.h"
 #include "runtime/math/joint_matrix.h"
 
@@ -18,9 +18,9 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59);  t' = normalise(mat3(M) t)
 /// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
 /// out  vertices    must not overlap the input; world space when the palette is; a normal that collapses to zero keeps its input value (N22)
-/// err  size_mismatch, index_out_of_range     cost O(V * influences), no allocation
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation
 struct SkinLinearJob {
-  const VertexInfluences* influences = nullptr;
+  InfluenceStreams influences;
   std::span<const JointMatrix> palette;
   VertexInput vertices;
   VertexOutput out;

@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <limits>
 
 #include "runtime/jobs/influence_dispatch.h"
 #include "runtime/jobs/tile-inl.h"
@@ -79,6 +80,31 @@ struct TileCopies {
   }
 };
 
+/// Joint numbers and weights of a tile in the numbers that kernels work with.
+template <int kCount>
+struct WidenedTile {
+  static constexpr std::size_t kRoom = kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
+  std::uint16_t joints[kRoom];
+  float weights[kRoom];
+
+  /// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2)
+  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count, std::size_t influence_count) {
+    const std::size_t count = vertex_count * influence_count;
+    std::visit([&](auto all) { std::copy_n(all.data() + first, count, joints); }, from.joints);
+    std::visit(
+        [&](auto all) {
+          using Number = typename decltype(all)::value_type;
+          for (std::size_t i = 0; i < count; ++i) {
+            const auto number = static_cast<float>(all[first + i]);
+            if constexpr (std::is_integral_v<Number>) weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
+            else weights[i] = number;
+          }
+        },
+        from.weights);
+    return {joints, weights, influence_count};
+  }
+};
+
 /// Which vertices a tile is about; one that is not whole is filled up with copies of its last.
 struct TilePlace {
   std::size_t first_vertex, count;
@@ -88,18 +114,25 @@ struct TilePlace {
 /// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond
 /// its own.
 template <int kCount, class Tile>
-void for_each_tile(const VertexInfluences& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
+void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
                    const Tile& tile) {
   const AttributesPresent wanted = present(in, out);
+  const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
+  const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
+  const std::size_t stride = group.influence_count;
+  WidenedTile<kCount> widened;
   TileCopies<kCount> copies;
   std::size_t done = 0;
   for (std::size_t v = 0; v < group.vertex_count; v += done) {
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
-    TileInfluences<kCount> joints{joints_of<kCount>(influences, group, v), group.influence_count};
     TileInput from{&in.positions[at], wanted.normals ? &in.normals[at] : nullptr, wanted.tangents ? &in.tangents[at] : nullptr};
     const TileOutput to{&out.positions[at], wanted.normals ? &out.normals[at] : nullptr, wanted.tangents ? &out.tangents[at] : nullptr};
     const bool whole = left >= kTileSize + 2;
     done = whole ? kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
+    const std::size_t first = group.first_influence + v * stride;
+    TileInfluences<kCount> joints{{}, stride};
+    if (HWY_LIKELY(wide_joints && wide_weights)) joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
+    else joints.first = widened.widen(influences, first, done, stride);
     if (HWY_UNLIKELY(!whole)) joints = copies.load(joints.first, done), from = copies.load(from, done);
     tile(TilePlace{at, done, whole}, joints, from, whole ? to : copies.in_place_of(to));
     if (HWY_UNLIKELY(!whole)) copies.store(to, done);

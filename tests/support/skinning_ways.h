@@ -21,17 +21,20 @@ inline std::ostream& operator<<(std::ostream& out, Way way) {
   return out << kNames[static_cast<int>(way)];
 }
 
-/// Skins `s` into its outputs. `centers` are the vertices' centers of rotation.
-inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers) {
+/// Skins `s` into its outputs by `influences`. `centers` are the vertices' centers of rotation.
+inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers, const InfluenceStreams& influences) {
   if (way == Way::linear || way == Way::linear_cofactor) {
     const auto rule = way == Way::linear ? NormalRule::linear : NormalRule::cofactor;
-    return run(SkinLinearJob{&s.influences, s.palette, s.in(), s.out(), rule});
+    return run(SkinLinearJob{influences, s.palette, s.in(), s.out(), rule});
   }
   std::vector<RigidStretch> split(s.palette.size());
   bool any_stretch = false;
   run(SplitPaletteJob{s.palette, split, &any_stretch});
-  if (way == Way::dual_quaternion) run(SkinDualQuaternionJob{&s.influences, split, any_stretch, s.in(), s.out()});
-  else run(SkinCenterOfRotationJob{&s.influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
+  if (way == Way::dual_quaternion) run(SkinDualQuaternionJob{influences, split, any_stretch, s.in(), s.out()});
+  else run(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
 }
+
+/// The same by the influences of `s`.
+inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers) { skin(way, s, centers, &s.influences); }
 
 }  // namespace sinew::test
