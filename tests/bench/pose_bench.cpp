@@ -5,6 +5,7 @@
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/sample_clip.h"
+#include "runtime/plan/tbb_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/measure.h"
@@ -85,6 +86,50 @@ struct Crowd {
   }
 };
 
+/// What one character of a crowd needs a frame: two clips' worth of poses, their mean, model matrices.
+struct Walker {
+  Room from, to, mean;
+  std::vector<std::vector<glm_pose::Joint>> glm_layers;
+
+  explicit Walker(const Shared& c) : from(c), to(c), mean(c), glm_layers(2, from.glm_joints) {}
+
+  void step(double time_s, double later_s) {
+    from.sample(time_s), to.sample(later_s);
+    const BlendLayer layers[] = {{from.pose.span(), 0.7f, {}}, {to.pose.span(), 0.3f, {}}};
+    run(BlendPosesJob{layers, from.pose.span(), mean.pose.span()});
+    run(LocalToModelJob{&mean.of->skeleton, mean.pose.span(), {}, mean.model});
+  }
+  void step_glm(double time_s, double later_s) {
+    const float weights[] = {0.7f, 0.3f};
+    glm_pose::sample(from.of->animation, from.of->skeleton.rest, static_cast<float>(time_s), glm_layers[0]);
+    glm_pose::sample(from.of->animation, from.of->skeleton.rest, static_cast<float>(later_s), glm_layers[1]);
+    glm_pose::blend(glm_layers, weights, mean.glm_joints);
+    glm_pose::local_to_model(mean.of->skeleton, mean.glm_joints, mean.glm_model);
+  }
+};
+
+/// Walkers of one clip, each at a time of its own, cut into as many ranges as there are threads.
+struct Walkers {
+  std::vector<std::unique_ptr<Walker>> all;
+  double time_s = 0.0, duration_s;
+
+  Walkers(const Shared& c, std::size_t count) : duration_s(c->animation.duration_s) {
+    for (std::size_t i = 0; i < count; ++i) all.push_back(std::make_unique<Walker>(c));
+  }
+  template <class Step>
+  void each(std::size_t threads, const Step& step) {
+    time_s += 1.0 / 60.0;
+    const auto range = [&](std::size_t t) {
+      for (std::size_t i = all.size() * t / threads; i < all.size() * (t + 1) / threads; ++i) {
+        const double now_s = std::fmod(time_s + 0.618 * static_cast<double>(i), duration_s);
+        step(*all[i], now_s, std::fmod(now_s + 0.4, duration_s));
+      }
+    };
+    if (threads == 1) range(0);
+    else run_with_tbb(threads, range);
+  }
+};
+
 }  // namespace
 
 void add_sample() {
@@ -136,6 +181,17 @@ void add_crowd() {
   const std::size_t joints = kCrowd * characters().front()->joint_count();
   add("sample/sinew/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample(t); }); });
   add("sample/glm/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample_glm(t); }); });
+  const auto fewer_joints = [](const Shared& a, const Shared& b) { return a->joint_count() < b->joint_count(); };
+  for (const Shared& c : {characters().front(), *std::min_element(characters().begin(), characters().end(), fewer_joints)})
+    for (const std::size_t count : {std::size_t{64}, kCrowd}) {
+      const auto walkers = std::make_shared<Walkers>(c, count);
+      for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
+        const std::string tail = c->name + "/" + std::to_string(count) + "/" + std::to_string(threads) + "threads";
+        const std::size_t all_joints = count * c->joint_count();
+        add("crowd/sinew/" + tail, all_joints, [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step(a, b); }); });
+        add("crowd/glm/" + tail, all_joints, [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step_glm(a, b); }); });
+      }
+    }
 }
 
 }  // namespace sinew::bench

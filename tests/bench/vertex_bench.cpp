@@ -9,7 +9,9 @@
 #include "runtime/jobs/skin_center_of_rotation.h"
 #include "runtime/jobs/skin_dual_quaternion.h"
 #include "runtime/jobs/skin_linear.h"
+#include "runtime/plan/needs.h"
 #include "runtime/plan/sign_pairs.h"
+#include "runtime/plan/tbb_executor.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/slower_variants.h"
@@ -75,8 +77,16 @@ struct Surface {
     return sizeof(glm::vec3) + (wanted.normals ? sizeof(glm::vec3) : 0) + (wanted.tangents ? sizeof(glm::vec4) : 0);
   }
 
+  /// A little below each vertex.
+  std::vector<glm::vec3> centers() const {
+    std::vector<glm::vec3> around = primitive.positions;
+    for (std::size_t v = 0; v < around.size(); ++v) around[v] -= 0.03f * primitive.normals[v];
+    return around;
+  }
+
   /// Largest distance in metres of the last output from double precision, over a thousandth of the vertices at least.
-  double error_m(bool dual_quaternions) const {
+  double error_m(Skinning kind) const {
+    const std::vector<glm::vec3> around = kind == Skinning::center_of_rotation ? centers() : std::vector<glm::vec3>(primitive.vertex_count());
     const InfluenceGroup& group = primitive.influences.groups[0];
     double worst = 0.0;
     for (std::size_t v = 0; v < primitive.vertex_count(); v += 1 + primitive.vertex_count() / 5000) {
@@ -90,13 +100,29 @@ struct Surface {
         weights.push_back(static_cast<double>(primitive.influences.weights[at]));
       }
       const Vec3<double> p(primitive.positions[v]), n(primitive.normals[v]);
-      const Vec3<double> truth = dual_quaternions ? reference::skin_dual_quaternion<double>(motions, {}, weights, p, n).position
-                                                  : reference::skin_linear<double>(matrices, weights, p);
-      const Vec3<double> d = Vec3<double>(out.positions[v]) - truth;
-      worst = std::max(worst, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+      const auto truth = [&]() -> Vec3<double> {
+        switch (kind) {
+          case Skinning::linear: return reference::skin_linear<double>(matrices, weights, p);
+          case Skinning::dual_quaternion: return reference::skin_dual_quaternion<double>(motions, {}, weights, p, n).position;
+          case Skinning::center_of_rotation: break;
+        }
+        return reference::skin_center_of_rotation<double>(motions, matrices, weights, p, n, Vec3<double>(around[v])).position;
+      };
+      worst = std::max(worst, glm::length(Vec3<double>(out.positions[v]) - truth()));
     }
     return worst;
   }
+};
+
+/// The same influences in bytes, as most files have them: joints and normalised weights.
+struct Bytes {
+  std::vector<InfluenceGroup> groups;
+  std::vector<std::uint8_t> joints, weights;
+
+  explicit Bytes(const VertexInfluences& from) : groups(from.groups), joints(from.joints.begin(), from.joints.end()) {
+    for (const float w : from.weights) weights.push_back(static_cast<std::uint8_t>(std::lround(w * 255.0f)));
+  }
+  InfluenceStreams streams() const { return {groups, std::span(joints), std::span(weights)}; }
 };
 
 struct Kind {
@@ -106,67 +132,92 @@ struct Kind {
 
 /// Adds one implementation with its error, measured here.
 template <class Work>
-void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted, bool dual_quaternions, Work work) {
+void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted, Skinning kind, Work work) {
   work();
   const std::size_t count = s->primitive.vertex_count();
-  add(name, count, std::move(work), {s->error_m(dual_quaternions), count * (s->bytes_in(wanted) + Surface::bytes_out(wanted))});
+  add(name, count, std::move(work), {s->error_m(kind), count * (s->bytes_in(wanted) + Surface::bytes_out(wanted))});
 }
 
 void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const std::string& tail) {
   const auto wanted = kind.wanted;
   const std::size_t count = s->primitive.vertex_count();
-  add_with_error("skin_linear/sinew/" + tail, s, wanted, false, [s, wanted] {
+  add_with_error("skin_linear/sinew/" + tail, s, wanted, Skinning::linear, [s, wanted] {
     run(SkinLinearJob{&s->primitive.influences, s->palette, s->in(wanted), s->output(), NormalRule::linear});
   });
-  add_with_error("skin_linear/glm/" + tail, s, wanted, false, [s, wanted] {
+  add_with_error("skin_linear/glm/" + tail, s, wanted, Skinning::linear, [s, wanted] {
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
-  add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, true, [s, wanted] {
+  add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), s->pairs});
   });
-  add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, true, [s, wanted] {
+  add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
   });
-  add_with_error("skin_dual_quaternion/signs_by_vertex/" + tail, s, wanted, true, [s, wanted] {
+  add_with_error("skin_dual_quaternion/signs_by_vertex/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), {}});
+  });
+  const auto small = std::make_shared<Bytes>(s->primitive.influences);
+  add_with_error("skin_linear/bytes/" + tail, s, wanted, Skinning::linear, [s, wanted, small] {
+    run(SkinLinearJob{small->streams(), s->palette, s->in(wanted), s->output(), NormalRule::linear});
   });
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
   if (wanted.tangents || !wanted.normals) return;
-  add_with_error("skin_linear/vertexwise/" + tail, s, wanted, false, [s, wanted] {
+  add_with_error("skin_linear/vertexwise/" + tail, s, wanted, Skinning::linear, [s, wanted] {
     vertexwise_linear(s->primitive.influences, s->palette, s->in(wanted), s->output());
   });
-  add_with_error("skin_dual_quaternion/vertexwise/" + tail, s, wanted, true, [s, wanted] {
+  add_with_error("skin_dual_quaternion/vertexwise/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     vertexwise_dual_quaternion(s->primitive.influences, s->split, s->in(wanted), s->output());
   });
 }
 
-
-/// Both ways of one case; a center lies a little below its vertex.
+/// Both ways of one case.
 void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::string& tail) {
-  const auto centers = std::make_shared<std::vector<glm::vec3>>(s->primitive.positions);
-  for (std::size_t v = 0; v < centers->size(); ++v) (*centers)[v] -= 0.03f * s->primitive.normals[v];
-  const std::size_t count = s->primitive.vertex_count();
-  add("skin_center_of_rotation/sinew/" + tail, count, [s, centers] {
-    run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers, s->in({true, false}), s->output()});
+  const auto centers = std::make_shared<std::vector<glm::vec3>>(s->centers());
+  const glm_skin::Attributes wanted{true, false};
+  add_with_error("skin_center_of_rotation/sinew/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
+    run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers, s->in(wanted), s->output()});
   });
-  add("skin_center_of_rotation/glm/" + tail, count, [s, centers] {
-    glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in({true, false}), s->output());
+  add_with_error("skin_center_of_rotation/glm/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
+    glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted), s->output());
   });
+}
+
+/// The same cut into `threads` ranges, one a thread: what the memory of two cores gives beside that of one.
+void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::size_t threads) {
+  const auto parts = std::make_shared<std::vector<std::shared_ptr<Surface>>>();
+  for (std::size_t t = 0; t < threads; ++t) parts->push_back(std::make_shared<Surface>(vertex_count / static_cast<std::uint32_t>(threads), 4u));
+  const glm_skin::Attributes wanted{true, false};
+  const auto each = [parts, threads](const auto& skin) { run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); }); };
+  const Surface& one = *parts->front();
+  const Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
+  add("skin_linear/sinew/" + tail, vertex_count, [each, wanted] {
+    each([&](Surface& s) { run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear}); });
+  }, facts);
+  add("skin_linear/glm/" + tail, vertex_count, [each, wanted] {
+    each([&](Surface& s) { glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted); });
+  }, facts);
 }
 
 }  // namespace
 
 void add_skin(std::size_t most_vertices) {
   const Kind kinds[] = {{"P", {}}, {"PN", {true, false}}, {"PNT", {true, true}}};
-  const std::pair<const char*, std::uint32_t> sizes[] = {{"10k", 10'000}, {"1M", 1'000'000}};
-  for (const auto& [label, count] : sizes)
-    for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
-      if (count > most_vertices || (count > 10'000 && influences != 4)) continue;
-      const auto surface = std::make_shared<Surface>(count, influences);
-      if (influences == 4) add_center_of_rotation_case(surface, "PN/4/" + std::string(label));
-      for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/" + label);
-    }
+  for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
+    const auto surface = std::make_shared<Surface>(10'000, influences);
+    if (influences == 4) add_center_of_rotation_case(surface, "PN/4/10k");
+    for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/10k");
+  }
+  // From the nearest cache to memory.
+  for (const auto& [label, count] : {std::pair{"300", 300u}, {"1k", 1'000u}, {"100k", 100'000u}, {"1M", 1'000'000u}}) {
+    if (count > most_vertices) continue;
+    const auto surface = std::make_shared<Surface>(count, 4u);
+    add_center_of_rotation_case(surface, "PN/4/" + std::string(label));
+    for (const Kind& kind : kinds)
+      if (count == 1'000'000 || &kind == &kinds[1]) add_skin_case(surface, kind, std::string(kind.name) + "/4/" + label);
+  }
+  for (const std::size_t threads : {std::size_t{1}, std::size_t{2}})
+    if (most_vertices >= 1'000'000) add_threads_case("PN/4/1M/" + std::to_string(threads) + "threads", 1'000'000, threads);
 }
 
 void add_morph() {
