@@ -44,6 +44,14 @@ TEST(library_symbols, the_runtime_has_no_globals) {
   for (const std::string& name : writable_variables(table)) EXPECT_TRUE(is_allowed(name)) << name;
 }
 
+TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_casting) {
+  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVE);
+  ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // what it does ask for is seen
+  for (const char* name : {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate", "vkCreate",
+                           "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
+    EXPECT_THAT(table, testing::Not(testing::HasSubstr(name)));
+}
+
 TEST(library_symbols, a_variable_is_found_and_a_constant_is_not) {
   EXPECT_THAT(writable_variables("0000000000000000 l     O .bss\t0000000000000008 (anonymous namespace)::calls\n"
                                  "0000000000000000 l     O .tbss.x\t0000000000000008 cache\n"

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "runtime/jobs/pose.h"
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/run_plan.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -141,6 +143,24 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
   EXPECT_LT(positions.frame_bytes, fewer.frame_bytes);
   for (const PrimitivePlan& p : positions.primitives)
     EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
+}
+
+TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
+  const Scene scene = random_scene(7);
+  Needs needs;
+  const Plan without = compile_plan(scene, needs);
+  needs.bounds = true;
+  const Plan with = compile_plan(scene, needs);
+  EXPECT_FALSE(stage(without, "bounds").runs);
+  EXPECT_TRUE(stage(with, "bounds").runs);
+  const ClipLayer layer{0, 0.4};
+  FrameBuffer plain(without), boxed(with);
+  ASSERT_EQ(run_plan(without, {.layers = {&layer, 1}, .weights = {}, .root = {}}, plain), ErrorCode::ok);
+  ASSERT_EQ(run_plan(with, {.layers = {&layer, 1}, .weights = {}, .root = {}}, boxed), ErrorCode::ok);
+  EXPECT_EQ(plain.result().work.bounds_vertices, 0u);
+  EXPECT_EQ(boxed.result().work.bounds_vertices, stage(with, "bounds").count);
+  for (const InstanceResult& instance : plain.result().instances) EXPECT_TRUE(instance.bounds.empty());
+  EXPECT_EQ(hash_vertices(plain.result()), hash_vertices(boxed.result()));
 }
 
 TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
