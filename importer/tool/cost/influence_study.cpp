@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
   std::vector<std::string> out{fmt::format("All influences with float weights take {}.", time_of(group, all))};
   for (const Point& point : group.points)
     if (&point != &all)
-      out.push_back(sentence(fmt::format("{} puts vertices up to {} elsewhere and {}.", point.name, error_of(group, point), time_beside(group, point, all))));
+      out.push_back(sentence(fmt::format("{}: vertices are up to {} elsewhere; {}.", point.name, error_of(group, point), time_beside(group, point, all))));
   if (const Point* best = cheapest_within(group, hardly_seen_mm))
     out.push_back(fmt::format("The cheapest that stays within {}, a ten-thousandth of the model's size: {}.", length(hardly_seen_mm), best->name));
   return out;
@@ -70,9 +71,9 @@ Study study_influences(const Subject& subject) {
   constexpr double kFloatWeight = 6.0, kWeight16 = 4.0, kWeight8 = 3.0;  // bytes, with a 16-bit joint
   std::uint32_t most = 0;
   for (const InfluenceGroup& g : all.groups) most = std::max(most, g.influence_count);
-  for (const std::uint32_t count : {1u, 2u, 4u})
-    if (count < most)
-      add_variant(study, *part, count == 1 ? std::string("one influence") : fmt::format("{} influences", count), heaviest_influences(all, count), kFloatWeight, "the heaviest, renormalised");
+  const std::pair<std::uint32_t, const char*> fewer[] = {{1, "one influence"}, {2, "two influences"}, {4, "four influences"}};
+  for (const auto& [count, name] : fewer)
+    if (count < most) add_variant(study, *part, name, heaviest_influences(all, count), kFloatWeight, "the heaviest, renormalised");
   add_variant(study, *part, "all influences", all, kFloatWeight, "float weights");
   group.points.back().is_default = true;
   add_variant(study, *part, "rounding weights to 16 bits", coarse_weights(all, 65535), kWeight16, "all influences; widened to float at load");

@@ -161,9 +161,8 @@ std::vector<std::string> findings(const Group& group) {
                                            cost::error_of(group, active))};
   for (const Point& point : group.points) {
     if (&point == &active) continue;
-    const std::string beside = time_beside(group, point, active);
-    out.push_back(sentence(fmt::format("{}: {}; {} is {}, and vertices are off by up to {}.", point.name, beside, group.error_name, cost::error_of(group, point),
-                                       length(point.values[0].value))));
+    const std::string normals = group.error_unit == "mm" ? "" : fmt::format(", normals up to {}", cost::error_of(group, point));
+    out.push_back(sentence(fmt::format("{}: vertices are up to {} off{}; {}.", point.name, length(point.values[0].value), normals, time_beside(group, point, active))));
   }
   const Point& all = group.points.front();
   out.push_back(fmt::format("Leaving out targets of weight 0 loses nothing and {}; thresholds above 0 are for those who accept the errors above.",

@@ -101,12 +101,16 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
   const Point& whole = default_of(group);
   std::vector<std::string> out{fmt::format("The keys as they are take {} {}; sampling them takes {} and is within {} of the truth.", number(*whole.size), group.size_unit,
                                            time_of(group, whole), error_of(group, whole))};
-  for (const Point& point : group.points)
-    if (&point != &whole)
-      out.push_back(sentence(fmt::format("{}: {} times the size, off by up to {}; sampling {}.", point.name, number(*point.size / *whole.size),
-                                         error_of(group, point), time_beside(group, point, whole))));
-  if (const Point* best = cheapest_within(group, hardly_seen_mm))
-    out.push_back(fmt::format("The smallest that stays within {}, a ten-thousandth of the model's size: {}.", length(hardly_seen_mm), best->name));
+  for (const char* name : {"30 Hz", "60 Hz"})
+    if (const Point* even = find(group, name))
+      out.push_back(fmt::format("Resampled at {} they take {} times the size and are off by up to {}; sampling {}.", even->name, number(*even->size / *whole.size),
+                                error_of(group, *even), time_beside(group, *even, whole)));
+  const Point* best = cheapest_within(group, hardly_seen_mm);
+  const std::string limit = fmt::format("{}, a ten-thousandth of the model's size", length(hardly_seen_mm));
+  if (best == &whole) out.push_back(fmt::format("Keep the keys as they are: nothing smaller stays within {}.", limit));
+  else if (best != nullptr)
+    out.push_back(sentence(fmt::format("{} is the smallest that stays within {}: {} times the size, off by up to {}; sampling {}.", best->name, limit,
+                                       number(*best->size / *whole.size), error_of(group, *best), time_beside(group, *best, whole))));
   return out;
 }
 
@@ -131,7 +135,7 @@ Study study_storage(const Subject& subject) {
   const VirtualVertices vertices = virtual_vertices(subject.scene);
   for (const double share : kBudgets) {
     const double budget_m = share * subject.size_m;
-    add_stored(study, subject, "within " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
+    add_stored(study, subject, "budget " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
                "the fewest keys that keep every virtual vertex within that budget (sinew convert --budget)", moments);
   }
   for (const double fps : kRates)
