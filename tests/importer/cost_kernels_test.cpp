@@ -113,6 +113,14 @@ TEST(cost_skin_probe, finds_the_distance_of_the_farthest_vertex) {
   EXPECT_EQ(probe.distance_m(pose(0.3), pose(0.3)), 0.0);
 }
 
+TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
+  Scene arm = arm_scene();
+  arm.meshes[0].primitives[0].positions[1] = {0, 1, 0};  // on the joint that turns: the half and half ones at 0.25 m move most
+  const cost::SkinProbe probe(arm, 1000);
+  const auto pose = [&](double time_s) { return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s)); };
+  EXPECT_NEAR(probe.distance_m(pose(0.0), pose(1.0)), 0.5 * 0.25 * std::sqrt(2.0), 1e-6);
+}
+
 TEST(cost_skin_probe, looks_around_the_joints_of_a_scene_without_vertices) {
   Scene bones = arm_scene();
   bones.instances.clear();

@@ -111,6 +111,18 @@ TEST(cost_studies, dual_quaternions_keep_the_volume_that_linear_blending_loses) 
   EXPECT_LT(point_named(study.group, "center of rotation").error, 1.0);
 }
 
+TEST(cost_studies, normals_of_a_stretched_joint_need_the_cofactor_rule) {
+  Scene arm = arm_scene();
+  arm.animations[0].bones[0].scale = {Interpolation::step, {0.0f}, {{1.0f, 1.0f, 2.0f}}};
+  const float half = std::sqrt(0.5f);
+  arm.meshes[0].primitives[0].normals[1] = {0.0f, half, half};  // the others stay along the stretched axis
+  const cost::Study study = cost::study_skinned_normals(cost::Subject(arm, 0, cost::Effort::quick()));
+  constexpr double kOff = 36.86989764584402;  // from (0, 1, 1/2), which is right, to (0, 1, 2)
+  EXPECT_NEAR(point_named(study.group, "blended matrix").error, kOff, 1e-4);
+  EXPECT_NEAR(point_named(study.group, "blended matrix").values[0].value, kOff / 4.0, 1e-4);
+  EXPECT_LT(point_named(study.group, "cofactor matrix").error, 1e-4);
+}
+
 TEST(cost_studies, thresholds_of_morph_weights_lose_what_they_leave_out) {
   Scene face = face_scene();
   face.animations[0].weights[0].weights.values = {0.0f, 0.04f, 0.0f, 0.04f};  // "spread" moves two vertices by a metre
