@@ -25,6 +25,7 @@ constexpr const char* kAbout =
     "  sinew plan fox.glb                                which stages a frame runs, and why\n"
     "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
     "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that near\n"
+    "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playing, rounded within the same bounds\n"
     "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
@@ -64,6 +65,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_check(program, outcome);
   add_plan(program, outcome);
   add_convert(program, outcome);
+  add_compile(program, outcome);
 #ifdef SINEW_WITH_COST
   add_cost(program, outcome);
 #endif

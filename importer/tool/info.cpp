@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/info_clips.h"
 #include "importer/tool/info_json.h"
 #include "importer/tool/info_text.h"
 #include "importer/tool/load_file.h"
@@ -19,6 +20,7 @@ struct InfoOptions {
 };
 
 ExitCode tell_about(const InfoOptions& options) {
+  if (const auto outcome = tell_about_clips(options.file, options.json)) return *outcome;
   const auto file = load_file(options.file);
   if (!file) return ExitCode::input_at_fault;
   const nlohmann::ordered_json info = info_json(options.file, *file);
@@ -36,7 +38,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "info",
       "Tell what is inside: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  command->add_option("FILE", options->file, "A .gltf or .glb file, or compiled clips")->required();
   command->add_flag("--json", options->json, "Print the same as JSON");
   command->callback([options, &outcome] { outcome = tell_about(*options); });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/assets/clip.h"
 
+#include <utility>
+
 #include "runtime/assets/clip_layout.h"
 
 namespace sinew {
@@ -24,13 +26,19 @@ Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
   return clip;
 }
 
+Clip clip_of(ClipLayout layout) {
+  Clip clip;
+  const_cast<ClipLayout&>(clip.layout()) = std::move(layout);  // no one else has seen it yet
+  return clip;
+}
+
 std::size_t Clip::byte_size() const noexcept {
   std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
                       sizeof(float);
   for (const TimeGroup& group : layout_->groups) {
     bytes += group.times.byte_size();
     for (const TrackBlock& block : group.blocks)
-      bytes += block.rows.size() * sizeof(float) + block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
+      bytes += block.rows.size() * sizeof(float) + block.packed.byte_size() + block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
   }
   return bytes;
 }

@@ -10,6 +10,7 @@
 
 #include "runtime/assets/bone_animation.h"
 #include "runtime/assets/clip_certificate.h"
+#include "runtime/assets/key_tolerances.h"
 #include "runtime/assets/skeleton.h"
 
 namespace sinew {
@@ -49,7 +50,7 @@ class Clip {
 
  private:
   friend Clip compile_clip(const Animation&, const Skeleton&, std::span<const float>, std::span<const std::uint32_t>,
-                           const PropertyTable&);
+                           const PropertyTable&, const KeyTolerances&);
   friend Clip with_certificate(Clip, const ClipCertificate&);
   std::unique_ptr<ClipLayout> layout_;
 };
@@ -58,9 +59,11 @@ class Clip {
 /// in   rest_weights[W]        morph weights of all mesh instances at rest, one after another
 ///      first_weight[I + 1]    where the weights of each instance begin
 ///      properties             has every property that the animation moves
+///      rounding               by how much keys may be rounded, so that they take fewer bits
 /// cost O(total keys), allocates the clip
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {});
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
+                  const KeyTolerances& rounding = {});
 
 /// The same clip, with what was measured of it.
 Clip with_certificate(Clip clip, const ClipCertificate& certificate);

@@ -21,7 +21,7 @@ struct ClipCertificate {
   std::uint32_t times_checked = 0;
   std::uint32_t animated_joints = 0;    ///< with tracks in the authoring form
   std::uint64_t source_keys = 0, kept_keys = 0;  ///< of all tracks; folded tracks keep one
-  std::uint64_t source_bytes = 0, bytes = 0;     ///< of the clip with every key in full float, and of this one
+  std::uint64_t source_bytes = 0, bytes = 0;     ///< saved (clip_file.h): with every key in full float, and this one
 
   /// False only where the budget is below what float arithmetic itself is off by: such clips keep everything.
   bool is_met() const noexcept { return measured_m <= asked_m; }

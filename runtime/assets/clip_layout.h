@@ -9,6 +9,7 @@
 #include "runtime/assets/clip.h"
 #include "runtime/assets/joint_places.h"
 #include "runtime/assets/key_times.h"
+#include "runtime/assets/packed_keys.h"
 
 /// What a compiled clip is made of. Written by compile_clip, read by sample_clip, of no interest to anybody else.
 namespace sinew {
@@ -61,6 +62,7 @@ struct TrackBlock {
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight or number; increasing
   JointPlaces places;                  ///< of the targets that are joints: weights and numbers are neighbours
   std::vector<float> rows;             ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
+  PackedRows packed;                   ///< of step and linear tracks in place of `rows`, where keys are rounded
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {
     return rows.data() + (key * plane_count + p) * lane_count;
@@ -68,6 +70,9 @@ struct TrackBlock {
 };
 
 inline constexpr std::size_t kLanePadding = 16;
+
+/// A block without keys; what follows from its kind is filled in.
+TrackBlock block_of(Property property, Interpolation interpolation, std::size_t lane_count);
 
 /// Below this arc the ratio of the sines in slerp is that of the fractions to within arc^2 / 6 = 2e-9, so that the arc
 /// may be taken for this one: no division by a tiny sine, no branch (N01).
@@ -89,5 +94,11 @@ struct ClipLayout {
   Clip::Counts counts;
   std::optional<ClipCertificate> certificate;
 };
+
+/// Adds the tracks of a block to those evaluated per sample.
+void count_tracks(const TrackBlock& block, Clip::Counts& counts) noexcept;
+
+/// The clip that is made of this.
+Clip clip_of(ClipLayout layout);
 
 }  // namespace sinew

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <numeric>
 
 #include "runtime/assets/clip_layout.h"
+#include "runtime/assets/track_sample.h"
 #include "runtime/base/contract.h"
 
 namespace sinew {
@@ -16,6 +18,15 @@ template <class TrackType>
 struct Lane {
   std::uint32_t target;
   const TrackType* track;
+  double tolerance = 0.0;   ///< of its keys; 0 = full float
+};
+
+/// A track of weights or numbers: its targets are neighbours.
+template <>
+struct Lane<WeightTrack> {
+  std::uint32_t target;     ///< the first
+  const WeightTrack* track;
+  std::span<const double> tolerances = {};  ///< of each target, or empty
 };
 
 /// Tracks that will share one key search.
@@ -23,8 +34,7 @@ struct Draft {
   std::vector<float> times_s;
   std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
   std::vector<Lane<QuatTrack>> rotations;
-  std::vector<Lane<WeightTrack>> weights;   // target: the first of its weights
-  std::vector<Lane<WeightTrack>> numbers;   // target: the first of its numbers
+  std::vector<Lane<WeightTrack>> weights, numbers;
 };
 
 /// Finds the draft with exactly these key times, or opens one.
@@ -132,55 +142,81 @@ void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
   }
 }
 
-std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
-  switch (interpolation) {
-    case Interpolation::step: return 4;
-    case Interpolation::linear: return 5;
-    case Interpolation::cubic_spline: return 12;
-    case Interpolation::squad: return 13;
-  }
-  return 0;
-}
-
-TrackBlock empty_block(Property property, Interpolation interpolation, std::size_t lane_count, std::size_t key_count) {
-  const bool vector = property == Property::translation || property == Property::scale;
-  const std::uint32_t components = vector ? 3 : property == Property::rotation ? 4 : 1;
-  TrackBlock block;
-  block.property = property;
-  block.interpolation = interpolation;
-  block.lane_count = static_cast<std::uint32_t>(lane_count);
-  block.value_plane = is_cubic(interpolation) ? components : 0;
-  block.plane_count = property == Property::rotation ? rotation_planes(interpolation) : is_cubic(interpolation) ? 3 * components : components;
-  block.rows.assign(key_count * block.plane_count * lane_count + kLanePadding, 0.0f);
-  return block;
+void make_room(TrackBlock& block, std::size_t key_count) {
+  block.rows.assign(key_count * block.plane_count * block.lane_count + kLanePadding, 0.0f);
 }
 
 constexpr Interpolation kInterpolations[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
                                              Interpolation::squad};
 
 template <class TrackType>
-void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<TrackType>>& lanes) {
-  for (const Interpolation interpolation : kInterpolations) {
-    std::vector<Lane<TrackType>> chosen;
-    for (const auto& lane : lanes)
-      if (lane.track->interpolation == interpolation) chosen.push_back(lane);
-    if (chosen.empty()) continue;
-    TrackBlock block = empty_block(property, interpolation, chosen.size(), group.times.key_count());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      block.targets.push_back(chosen[i].target);
-      fill_lane(block, *chosen[i].track, i);
-    }
-    block.places = JointPlaces(block.targets);
+void add_full_block(TimeGroup& group, Property property, std::span<const Lane<TrackType>> lanes) {
+  TrackBlock block = block_of(property, lanes.front().track->interpolation, lanes.size());
+  make_room(block, group.times.key_count());
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    block.targets.push_back(lanes[i].target);
+    fill_lane(block, *lanes[i].track, i);
+  }
+  block.places = JointPlaces(block.targets);
+  group.blocks.push_back(std::move(block));
+}
+
+/// Blocks of no more lanes than packed rows can have.
+void add_packed_blocks(TimeGroup& group, Property property, Interpolation interpolation, std::span<const std::uint32_t> targets,
+                       std::span<const PackedTrack> tracks) {
+  for (std::size_t first = 0; first < tracks.size(); first += kMostPackedLanes) {
+    const std::size_t count = std::min(kMostPackedLanes, tracks.size() - first);
+    TrackBlock block = block_of(property, interpolation, count);
+    block.targets.assign(targets.begin() + static_cast<std::ptrdiff_t>(first), targets.begin() + static_cast<std::ptrdiff_t>(first + count));
+    block.packed = packed_rows(tracks.subspan(first, count), group.times.key_count());
+    if (property < Property::weight) block.places = JointPlaces(block.targets);
     group.blocks.push_back(std::move(block));
   }
+}
+
+template <class TrackType>
+void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<TrackType>>& lanes) {
+  for (const Interpolation interpolation : kInterpolations) {
+    std::vector<Lane<TrackType>> full;
+    std::vector<std::uint32_t> targets;
+    std::vector<PackedTrack> packed;
+    for (const auto& lane : lanes) {
+      if (lane.track->interpolation != interpolation) continue;
+      std::optional<PackedTrack> keys = lane.tolerance > 0.0 ? pack_keys(*lane.track, lane.tolerance) : std::nullopt;
+      if (!keys) {
+        full.push_back(lane);
+        continue;
+      }
+      targets.push_back(lane.target);
+      packed.push_back(*std::move(keys));
+    }
+    if (!full.empty()) add_full_block(group, property, std::span<const Lane<TrackType>>(full));
+    add_packed_blocks(group, property, interpolation, targets, packed);
+  }
+}
+
+/// All targets of a weight track in packed form, or nothing when one of them cannot be.
+std::vector<PackedTrack> packed_weights(const Lane<WeightTrack>& lane) {
+  std::vector<PackedTrack> packed;
+  for (std::uint32_t i = 0; i < lane.tolerances.size(); ++i) {
+    auto keys = lane.tolerances[i] > 0.0 ? pack_keys(*lane.track, i, lane.tolerances[i]) : std::nullopt;
+    if (!keys) return {};
+    packed.push_back(*std::move(keys));
+  }
+  return packed;
 }
 
 /// A weight track is frame-major already: its targets become lanes one after another.
 void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lane) {
   const std::size_t n = lane.track->target_count;
-  TrackBlock block = empty_block(property, lane.track->interpolation, n, group.times.key_count());
+  std::vector<std::uint32_t> targets(n);
+  std::iota(targets.begin(), targets.end(), lane.target);
+  if (const std::vector<PackedTrack> packed = packed_weights(lane); !packed.empty())
+    return add_packed_blocks(group, property, lane.track->interpolation, targets, packed);
+  TrackBlock block = block_of(property, lane.track->interpolation, n);
+  make_room(block, group.times.key_count());
   std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.begin());
-  for (std::uint32_t i = 0; i < n; ++i) block.targets.push_back(lane.target + i);
+  block.targets = std::move(targets);
   group.blocks.push_back(std::move(block));
 }
 
@@ -195,66 +231,65 @@ class Compiler {
     layout.base_properties = properties.rest;
   }
 
-  void add(const Animation& animation, std::span<const std::uint32_t> first_weight) {
+  void add(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
     // One track per joint and property: when an animation has several, the last one counts (G20).
-    std::vector<const Vec3Track*> translation(layout_.joint_count), scale(layout_.joint_count);
-    std::vector<const QuatTrack*> rotation(layout_.joint_count);
-    for (const BoneAnimation& bone : animation.bones) {
+    std::vector<Lane<Vec3Track>> translation(layout_.joint_count, {0, nullptr}), scale = translation;
+    std::vector<Lane<QuatTrack>> rotation(layout_.joint_count, {0, nullptr});
+    for (std::size_t b = 0; b < animation.bones.size(); ++b) {
+      const BoneAnimation& bone = animation.bones[b];
+      const KeyTolerances::OfBone tolerance = rounding.bones.empty() ? KeyTolerances::OfBone() : rounding.bones[b];
       CONTRACT(bone.joint < layout_.joint_count);
-      if (!bone.translation.empty()) translation[bone.joint] = &bone.translation;
-      if (!bone.rotation.empty()) rotation[bone.joint] = &bone.rotation;
-      if (!bone.scale.empty()) scale[bone.joint] = &bone.scale;
+      if (!bone.translation.empty()) translation[bone.joint] = {bone.joint, &bone.translation, tolerance.translation};
+      if (!bone.rotation.empty()) rotation[bone.joint] = {bone.joint, &bone.rotation, tolerance.rotation};
+      if (!bone.scale.empty()) scale[bone.joint] = {bone.joint, &bone.scale, tolerance.scale};
     }
     for (std::uint32_t j = 0; j < layout_.joint_count; ++j) {
-      add_vector(j, Property::translation, translation[j]);
-      add_rotation(j, rotation[j]);
-      add_vector(j, Property::scale, scale[j]);
+      add_vector(Property::translation, translation[j]);
+      add_rotation(rotation[j]);
+      add_vector(Property::scale, scale[j]);
     }
-    add_weights(animation, first_weight);
+    add_weights(animation, first_weight, rounding);
     add_properties(animation);
     for (const Draft& draft : drafts_.all()) add_group(draft);
   }
 
  private:
-  void add_vector(std::uint32_t joint, Property property, const Vec3Track* track) {
-    if (track == nullptr) return;
+  void add_vector(Property property, const Lane<Vec3Track>& lane) {
+    if (lane.track == nullptr) return;
     const bool scale = property == Property::scale;
-    if (is_constant(*track)) {
-      const glm::vec3& v = track->values[is_cubic(track->interpolation) ? 1 : 0];
-      layout_.base_pose.set(first_plane(property), joint, {v.x, v.y, v.z});
+    if (is_constant(*lane.track)) {
+      const glm::vec3& v = lane.track->values[value_row(lane.track->interpolation, 0)];
+      layout_.base_pose.set(first_plane(property), lane.target, {v.x, v.y, v.z});
       ++layout_.counts.folded;
       return;
     }
-    ++(scale ? layout_.counts.scales : layout_.counts.translations);
-    drafts_.with_times(track->times_s).vectors[scale ? 1 : 0].push_back({joint, track});
+    drafts_.with_times(lane.track->times_s).vectors[scale ? 1 : 0].push_back(lane);
   }
 
-  void add_rotation(std::uint32_t joint, const QuatTrack* track) {
-    if (track == nullptr) return;
-    const glm::quat& q = track->values[is_cubic(track->interpolation) ? 1 : 0];
-    if (is_constant(*track) && (holds_keys(*track) || is_unit(q))) {
-      layout_.base_pose.set(first_plane(Property::rotation), joint, {q.x, q.y, q.z, q.w});
+  void add_rotation(const Lane<QuatTrack>& lane) {
+    if (lane.track == nullptr) return;
+    const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
+    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q))) {
+      layout_.base_pose.set(first_plane(Property::rotation), lane.target, {q.x, q.y, q.z, q.w});
       ++layout_.counts.folded;
       return;
     }
-    ++layout_.counts.rotations;
-    drafts_.with_times(track->times_s).rotations.push_back({joint, track});
+    drafts_.with_times(lane.track->times_s).rotations.push_back(lane);
   }
 
-  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight) {
+  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
     // One track per set of weights: when an animation has several, the last one counts.
-    std::map<std::uint32_t, const WeightTrack*> tracks;
-    for (const WeightAnimation& a : animation.weights) {
+    std::map<std::uint32_t, Lane<WeightTrack>> tracks;
+    for (std::size_t i = 0; i < animation.weights.size(); ++i) {
+      const WeightAnimation& a = animation.weights[i];
       CONTRACT(std::size_t{a.instance} + 1 < first_weight.size());
       const std::uint32_t first = first_weight[a.instance] + a.first_target;
       CONTRACT(first + a.weights.target_count <= first_weight[a.instance + 1]);
-      if (!a.weights.empty() && a.weights.target_count > 0) tracks[first] = &a.weights;
+      if (a.weights.empty() || a.weights.target_count == 0) continue;
+      tracks[first] = {first, &a.weights, rounding.weights.empty() ? std::span<const double>() : rounding.weights[i]};
     }
-    for (const auto& [first, track] : tracks)
-      if (!fold(*track, layout_.base_weights, first)) {
-        layout_.counts.weights += track->target_count;
-        drafts_.with_times(track->times_s).weights.push_back({first, track});
-      }
+    for (const auto& [first, lane] : tracks)
+      if (!fold(*lane.track, layout_.base_weights, first)) drafts_.with_times(lane.track->times_s).weights.push_back(lane);
   }
 
   void add_properties(const Animation& animation) {
@@ -262,7 +297,6 @@ class Compiler {
       const PropertyTable::Entry* entry = properties_.find(track.target);
       CONTRACT(entry != nullptr && entry->count == track.values.target_count);
       if (track.values.empty() || fold(track.values, layout_.base_properties, entry->first)) continue;
-      layout_.counts.properties += entry->count;
       drafts_.with_times(track.values.times_s).numbers.push_back({entry->first, &track.values});
     }
   }
@@ -283,6 +317,7 @@ class Compiler {
     add_blocks(group, Property::scale, draft.vectors[1]);
     for (const auto& lane : draft.weights) add_block(group, Property::weight, lane);
     for (const auto& lane : draft.numbers) add_block(group, Property::number, lane);
+    for (const TrackBlock& block : group.blocks) count_tracks(block, layout_.counts);
     layout_.groups.push_back(std::move(group));
     ++layout_.counts.time_groups;
   }
@@ -295,12 +330,14 @@ class Compiler {
 }  // namespace
 
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties) {
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties, const KeyTolerances& rounding) {
+  CONTRACT(rounding.bones.empty() || rounding.bones.size() == animation.bones.size());
+  CONTRACT(rounding.weights.empty() || rounding.weights.size() == animation.weights.size());
   CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
   Clip clip;
   clip.layout_->name = animation.name;
   clip.layout_->duration_s = animation.duration_s;
-  Compiler(*clip.layout_, skeleton, rest_weights, properties).add(animation, first_weight);
+  Compiler(*clip.layout_, skeleton, rest_weights, properties).add(animation, first_weight, rounding);
   return clip;
 }
 

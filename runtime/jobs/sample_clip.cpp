@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "runtime/jobs/sample_clip.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/jobs/track_lanes-inl.h"
+#include "runtime/jobs/packed_lanes-inl.h"
 
 #if HWY_ONCE
 namespace sinew {
@@ -18,6 +18,8 @@ HWY_EXPORT(lerp_block);
 HWY_EXPORT(hermite_block);
 HWY_EXPORT(slerp_block);
 HWY_EXPORT(hermite_rotation_block);
+HWY_EXPORT(lerp_packed);
+HWY_EXPORT(slerp_packed);
 
 static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(Property::rotation) == PoseSpan::rx &&
               first_plane(Property::scale) == PoseSpan::sx && PoseSpan::plane_count == 10);
@@ -49,6 +51,14 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
     out.plane(0)[joint] = unit.x, out.plane(1)[joint] = unit.y;
     out.plane(2)[joint] = unit.z, out.plane(3)[joint] = unit.w;
   }
+}
+
+void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at, const TrackOutput& out) noexcept {
+  const bool on_key = position.on_key || block.interpolation == Interpolation::step;
+  const std::uint8_t* begin = block.packed.bits.data() + at.key * block.packed.row_bytes;
+  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s, on_key ? 1.0f : at.r};
+  if (block.property == Property::rotation) HWY_DYNAMIC_DISPATCH(slerp_packed)(block, keys, out);
+  else HWY_DYNAMIC_DISPATCH(lerp_packed)(block, keys, out);
 }
 
 void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept {
@@ -90,7 +100,8 @@ void run(const SampleClipJob& job) noexcept {
     for (const TrackBlock& block : group.blocks) {
       if (!wanted(block, job)) continue;
       const TrackOutput out = output_of(block, job);
-      if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, position.key, out);
+      if (!block.packed.empty()) sample_packed(block, position, at, out);
+      else if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, position.key, out);
       else sample_block(block, at, out);
     }
   }

@@ -24,6 +24,12 @@ struct BetweenKeys {
       : key(at.key), fraction(at.fraction), interval_s(at.interval_s), s(static_cast<float>(at.fraction)), r(static_cast<float>(1.0 - at.fraction)) {}
 };
 
+/// Rows of the two keys of packed tracks that a time lies between; on a key that one twice.
+struct PackedKeys {
+  const std::uint8_t *begin, *end;
+  float s, r;
+};
+
 /// Weights of the Hermite form, those of tangents times the interval, from double (N24).
 struct HermiteWeights {
   float value0, out0, value1, in1;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "runtime/assets/clip_file.h"
 #include "runtime/base/contract.h"
 #include "runtime/plan/clip_error.h"
 #include "runtime/plan/joint_reach.h"
@@ -15,14 +16,18 @@ namespace {
 
 /// Of the budget; the rest is for times between those that are measured.
 constexpr double kUsed = 0.97;
+/// How often a clip that holds is tried again with larger shares.
+constexpr int kLoosened = 3;
 /// First guess of what morph weights take of it.
 constexpr double kOfWeights = 0.25;
+/// What rounding of keys takes of a track's part, the rest being for keys that are left out: either may be worth more.
+constexpr double kOfRounding[] = {0.25, 0.97};
 
-Clip compile(const Scene& scene, const Animation& animation) {
+Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
   std::vector<float> rest_weights;
   for (const MeshInstance& instance : scene.instances)
     rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
-  return compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties);
+  return compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties, rounding);
 }
 
 std::uint64_t key_count(const Animation& animation) {
@@ -63,6 +68,13 @@ class Shares {
     return true;
   }
 
+  /// Gives as much more to everything as the largest error leaves.
+  void loosen(const ClipError& error) {
+    const double factor = std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), 2.0);
+    for (double& share : of_joint_) share *= factor;
+    of_weights_ *= factor;
+  }
+
  private:
   const std::vector<std::uint32_t>& parents_;
   double budget_m_;
@@ -96,6 +108,25 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
   return tracks;
 }
 
+/// How far the keys of each track may be rounded, as a part of its tolerance.
+KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> tracks, double part) {
+  std::map<const void*, const LooseTrack*> loose;
+  for (const LooseTrack& track : tracks) loose[std::visit([](const auto* t) -> const void* { return t; }, track.track)] = &track;
+  const auto tolerance_of = [&](const auto& track) {
+    const auto found = loose.find(&track);
+    return found == loose.end() ? 0.0 : part * found->second->tolerance;
+  };
+  KeyTolerances out;
+  for (const BoneAnimation& bone : animation.bones)
+    out.bones.push_back({tolerance_of(bone.translation), tolerance_of(bone.rotation), tolerance_of(bone.scale)});
+  for (const WeightAnimation& animated : animation.weights) {
+    std::vector<double>& targets = out.weights.emplace_back();
+    if (const double metres = tolerance_of(animated.weights) / animated.weights.target_count; metres > 0.0)
+      for (const float per_weight : loose[&animated.weights]->metres_per_weight) targets.push_back(metres / static_cast<double>(per_weight));
+  }
+  return out;
+}
+
 void reduce(std::vector<LooseTrack> tracks) {
   std::erase_if(tracks, [](const LooseTrack& track) { return hold_still(track); });
   std::map<std::vector<float>, std::vector<LooseTrack>> groups;
@@ -118,8 +149,56 @@ ClipCertificate certificate_of(const Scene& scene, const Animation& truth, const
           .animated_joints = animated_joints(truth),
           .source_keys = key_count(truth),
           .kept_keys = key_count(keys),
-          .source_bytes = compile(scene, truth).byte_size(),
-          .bytes = clip.byte_size()};
+          .source_bytes = saved_bytes(compile(scene, truth)),
+          .bytes = saved_bytes(clip)};
+}
+
+/// What stays the same from round to round.
+struct Task {
+  const Scene& scene;
+  const Animation& truth;
+  const VirtualVertices& vertices;
+  double budget_m;
+  std::vector<double> times;
+  std::vector<JointReach> reach;
+};
+
+struct Attempt {
+  ClipWithin within;
+  ClipError error;
+};
+
+Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
+  Attempt out{{task.truth, {}}, {}};
+  Animation& keys = out.within.keys;
+  std::vector<LooseTrack> tracks = moving_tracks(keys, task.scene, task.vertices, task.reach, shares);
+  const KeyTolerances rounding = roundings(keys, tracks, of_rounding);
+  for (LooseTrack& track : tracks) track.tolerance *= 1.0 - of_rounding;
+  reduce(std::move(tracks));
+  Clip clip = compile(task.scene, keys, rounding);
+  out.error = measure_clip(task.scene, task.truth, task.vertices, clip, task.times);
+  const ClipCertificate certificate = certificate_of(task.scene, task.truth, keys, clip, out.error, task.times.size(), task.budget_m);
+  out.within.clip = with_certificate(std::move(clip), certificate);
+  return out;
+}
+
+bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) { return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes; }
+
+/// Takes from the shares until the clip holds, then adds to them while it still does; nothing if it never does in kMostRounds.
+std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
+  Shares shares(task.scene, task.budget_m);
+  std::optional<ClipWithin> smallest;
+  for (int round = 0, held = 0; round < kMostRounds && held <= kLoosened; ++round) {
+    Attempt attempt = try_shares(task, shares, of_rounding);
+    if (shares.tighten(attempt.error)) {
+      if (smallest) break;
+      continue;
+    }
+    if (is_smaller(attempt.within, smallest)) smallest = std::move(attempt.within);
+    shares.loosen(attempt.error);
+    ++held;
+  }
+  return smallest;
 }
 
 }  // namespace
@@ -134,19 +213,15 @@ Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animat
 
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m) {
   CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
-  const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
-  const std::vector<JointReach> reach = joint_reach(truth, scene.skeleton, vertices);
-  Shares shares(scene, budget_m);
-  for (int round = 0; budget_m > 0.0 && round < kMostRounds; ++round) {
-    ClipWithin out{truth, {}};
-    reduce(moving_tracks(out.keys, scene, vertices, reach, shares));
-    out.clip = compile(scene, out.keys);
-    const ClipError error = measure_clip(scene, truth, vertices, out.clip, times);
-    if (shares.tighten(error)) continue;
-    const ClipCertificate certificate = certificate_of(scene, truth, out.keys, out.clip, error, times.size(), budget_m);
-    out.clip = with_certificate(std::move(out.clip), certificate);
-    return out;
+  std::optional<ClipWithin> smallest;
+  if (budget_m > 0.0) {
+    const Task task{scene, truth, vertices, budget_m, times_to_check(truth, scene.skeleton.joint_count()), joint_reach(truth, scene.skeleton, vertices)};
+    for (const double of_rounding : kOfRounding) {
+      std::optional<ClipWithin> found = fit(task, of_rounding);
+      if (found && is_smaller(*found, smallest)) smallest = std::move(found);
+    }
   }
+  if (smallest) return *std::move(smallest);
   return {truth, compile_and_measure(scene, truth, truth, vertices, budget_m)};
 }
 

@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// A clip within a budget, and the keys that it kept in authoring form, to be written to a file.
+/// A clip within a budget, and the keys that it kept in authoring form, not rounded, to be written to a file.
 struct ClipWithin {
   Animation keys;
   Clip clip;      ///< with its certificate
@@ -12,7 +12,7 @@ struct ClipWithin {
 
 /// Compiles an animation as small as it can be while no virtual vertex, in model space, is farther than `budget_m` from where
 /// the truth has it, at keys and between them: tracks that hardly move become constant, and keys are left out where the
-/// track's own interpolation brings them back. The budget is shared out along the skeleton by what an error of each joint does
+/// track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared out along the skeleton by what an error of each joint does
 /// to all below it (joint_reach.h); the compiled clip is then measured (clip_error.h), and while it is off, the joints above
 /// the vertices that are off get less. After kMostRounds of that every key is kept.
 ///

@@ -12,6 +12,8 @@
 #include "importer/file/data_uri.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/meshopt_extension.h"
+#include "runtime/assets/clip_file.h"
+#include "runtime/plan/compile_clip_within.h"
 #include "samples/showcase/showcase.h"
 #include "tests/importer/encoded_images.h"
 #include "tests/importer/glb_seeds.h"
@@ -160,13 +162,25 @@ constexpr const char* kPoses =
     R"("normals": [[0, 0, 1], [1, 0, 0]], "tangents": [[1, 0, 0, -1], null], "dqs": [[0, 1, 2], [3, 4, 5]]}]}]}, )"
     R"({"clip": 0, "name": "a", "samples": []}]})";
 
+/// Compiled clips of the showcase, without their head.
+void add_clips(const Scene& scene, std::vector<Seed>& out) {
+  const VirtualVertices vertices = virtual_vertices(scene);
+  for (const Animation& animation : scene.animations)
+    for (const double budget_m : {0.0, 1e-3}) {
+      const Clip clip = compile_clip_within(scene, animation, vertices, budget_m).clip;
+      const Clip* const one = &clip;
+      const Blob block = save_clips({&one, 1});
+      if (block.size() < kLargest) out.push_back({"clips", Blob(block.begin() + kClipFileHead, block.end())});
+    }
+}
+
 }  // namespace
 
 std::vector<Seed> own_seeds() {
   std::vector<Seed> out;
   for (const Blob& glb : test::glb_seeds()) add_document(glb, {}, out);
   for (const auto& scene : showcase::showcase())
-    if (const auto glb = export_glb(scene.scene)) add_document(*glb, {}, out);
+    if (const auto glb = export_glb(scene.scene)) add_document(*glb, {}, out), add_clips(scene.scene, out);
   out.push_back({"accessors", accessor_seed()});
   const std::vector<std::uint8_t> pixels(4 * 5 * 4, 90);
   out.push_back({"images", test::encode_png(5, 4, 4, pixels)});

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "importer/import_gltf.h"
 #include "importer/tool/length_text.h"
@@ -75,6 +77,37 @@ TEST(convert_budget, that_makes_no_sense_is_wrong_usage_and_writes_nothing) {
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--budget: \"a bit\""));
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(compile_command, writes_clips_that_info_tells_about_and_that_keep_their_budget) {
+  const ToolModelFile model;
+  const std::string out = model.beside("clips.sinew");
+  const CommandOutcome compiled = run_tool({"compile", model.path(), "-o", out, "--budget", "0.2mm"});
+  ASSERT_EQ(compiled.status, 0) << compiled.err;
+  for (const char* text : {"asked", "measured", "0.2 mm", "bend", "talk", "ns/joint", "2 clips"}) EXPECT_THAT(compiled.out, HasSubstr(text));
+  const CommandOutcome info = run_tool({"info", out});
+  ASSERT_EQ(info.status, 0) << info.err;
+  for (const char* text : {"compiled clips, version 1: 2", "0.2 mm", "bend"}) EXPECT_THAT(info.out, HasSubstr(text));
+  const auto json = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
+  ASSERT_EQ(json.at("compiled_clips").size(), 2u);
+  EXPECT_LE(json["compiled_clips"][0]["certificate"]["measured_m"].get<double>(), 2e-4);
+  EXPECT_EQ(json["compiled_clips"][0]["certificate"]["asked_m"].get<double>(), 2e-4);
+}
+
+TEST(compile_command, damaged_clips_are_refused_by_rule_and_place) {
+  const ToolModelFile model;
+  const std::string out = model.beside("clips.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", out}).status, 0);
+  std::fstream file(out, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(100);
+  file.put('?');
+  file.close();
+  const CommandOutcome info = run_tool({"info", out});
+  EXPECT_EQ(info.status, 1);
+  EXPECT_THAT(info.err, HasSubstr("byte 24: clip-checksum: "));
+  EXPECT_EQ(run_tool({"compile", model.path(), "-o", model.path()}).status, 2);
+  EXPECT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "-1"}).status, 2);
+  EXPECT_EQ(run_tool({"compile", model.beside("missing.glb"), "-o", out}).status, 1);
 }
 
 /// At times that the compiler did not look at.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/commands.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "importer/tool/certificate_table.h"
+#include "importer/tool/length_text.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/progress_line.h"
+#include "importer/write/replace_file.h"
+#include "runtime/assets/clip_file.h"
+#include "runtime/plan/compile_clip_within.h"
+
+namespace sinew::tool {
+namespace {
+
+struct CompileOptions {
+  std::string in, out, budget = "0.1mm";
+};
+
+std::vector<Clip> compile_clips(const Scene& scene, double budget_m) {
+  const VirtualVertices vertices = virtual_vertices(scene);
+  ProgressLine progress;
+  std::vector<Clip> clips;
+  for (const Animation& truth : scene.animations) {
+    progress.show("fitting clips", static_cast<double>(clips.size()) / static_cast<double>(scene.animations.size()));
+    clips.push_back(compile_clip_within(scene, truth, vertices, budget_m).clip);
+  }
+  return clips;
+}
+
+ExitCode compile_file(const CompileOptions& options) {
+  const auto budget_m = parse_length(options.budget);
+  if (!budget_m) return say_error("--budget: " + budget_m.error()), ExitCode::wrong_usage;
+  std::error_code error;
+  if (std::filesystem::equivalent(options.in, options.out, error))
+    return say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out)), ExitCode::wrong_usage;
+  ImportOptions import;
+  import.decode_images = import.make_tangents = false;
+  const auto file = load_file(options.in, import);
+  if (!file) return ExitCode::input_at_fault;
+  const std::vector<Clip> clips = compile_clips(file->scene, *budget_m);
+  std::vector<const Clip*> saved;
+  for (const Clip& clip : clips) saved.push_back(&clip);
+  const std::vector<std::byte> bytes = save_clips(saved);
+  if (const auto fault = write::replace_file(options.out, bytes))
+    return say_issue(options.out, {Severity::error, "write-file", "", *fault}), ExitCode::machine_lacks;
+  fmt::print("{}{}: {} clips, {} bytes\n", certificate_table(clips, file->scene.skeleton.names), options.out, clips.size(), bytes.size());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_compile(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<CompileOptions>();
+  CLI::App* command = program.add_subcommand(
+      "compile",
+      "Compile the clips of a file for playing, as small as a budget allows: no vertex of the model is ever farther off than\n"
+      "that from where the file has it. Prints what was measured of each clip, which is also stored in it; `sinew info OUT`\n"
+      "shows it again. OUT belongs to the skeleton of FILE and is read by load_clips (runtime/assets/clip_file.h).");
+  command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
+  command->add_option("-o,--output", options->out, "The file to write")->required();
+  command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")->capture_default_str();
+  command->callback([options, &outcome] { outcome = compile_file(*options); });
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/info_clips.h"
+
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "importer/tool/certificate_table.h"
+#include "importer/tool/messages.h"
+#include "runtime/assets/clip_file.h"
+
+namespace sinew::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The whole file, or only its head where that shows that it holds something else.
+std::vector<std::byte> read_clips(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<char> bytes(kClipFileHead);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto in_bytes = [&] { return std::as_bytes(std::span(bytes)); };
+  if (looks_like_clips(in_bytes())) bytes.insert(bytes.end(), std::istreambuf_iterator<char>(stream), {});
+  return {in_bytes().begin(), in_bytes().end()};
+}
+
+Json json_of(const Clip& clip) {
+  Json out{{"name", clip.name()}, {"duration_s", clip.duration_s()}, {"joints", clip.joint_count()}, {"weights", clip.weight_count()},
+           {"properties", clip.property_count()}, {"bytes", clip.byte_size()}, {"certificate", nullptr}};
+  if (const auto& c = clip.certificate())
+    out["certificate"] = {{"asked_m", c->asked_m}, {"measured_m", c->measured_m}, {"weights_m", c->weights_m}, {"is_met", c->is_met()},
+                          {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)}, {"worst_time_s", c->worst_time_s},
+                          {"times_checked", c->times_checked}, {"source_keys", c->source_keys}, {"kept_keys", c->kept_keys},
+                          {"source_bytes", c->source_bytes}, {"bytes", c->bytes},
+                          {"bytes_per_joint_second", c->bytes_per_joint_second(clip.duration_s())}};
+  return out;
+}
+
+}  // namespace
+
+std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
+  const std::vector<std::byte> bytes = read_clips(file);
+  if (!looks_like_clips(bytes)) return std::nullopt;
+  const auto clips = load_clips(bytes);
+  if (!clips) {
+    say_error(fmt::format("{}: byte {}: {}: {}", file, clips.error().offset, clips.error().rule, clips.error().detail));
+    return ExitCode::input_at_fault;
+  }
+  if (json) {
+    Json out{{"file", file}, {"version", kClipFileVersion}, {"bytes", bytes.size()}, {"compiled_clips", Json::array()}};
+    for (const Clip& clip : *clips) out["compiled_clips"].push_back(json_of(clip));
+    fmt::print("{}\n", out.dump(2, ' ', false, Json::error_handler_t::replace));
+    return ExitCode::done;
+  }
+  fmt::print("{}\ncompiled clips, version {}: {} in {} bytes\n{}", file, kClipFileVersion, clips->size(), bytes.size(), certificate_table(*clips, {}));
+  return ExitCode::done;
+}
+
+}  // namespace sinew::tool
