@@ -1,27 +1,128 @@
 // SPDX-License-Identifier: MIT
+#include "importer/import_gltf.h"
+
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "importer/export_glb.h"
-#include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/tinygltf_parse.h"
+#include "tests/support/corpus.h"
 
 namespace sinew::bench {
+namespace {
 
-/// Whole import of a showcase file from memory beside tinygltf's parse alone; an item is one byte of the file.
+/// A file in memory or on disk. Images are not decoded on either side.
+struct Source {
+  std::string name;
+  std::variant<std::vector<std::byte>, std::filesystem::path> data;
+  std::size_t bytes = 0;    ///< with all buffers
+};
+
+/// Time spent in each stage of imports, as their progress names them.
+class StageClock {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void enter(const char* stage) {
+    const auto now = Clock::now();
+    if (!stage_.empty()) spent_s_[stage_] += std::chrono::duration<double>(now - since_).count();
+    stage_ = stage;
+    since_ = now;
+  }
+
+  /// Adds each stage's part of the time to the counters of the case.
+  void report(benchmark::State& state) {
+    double total_s = 0.0;
+    for (const auto& [stage, seconds] : spent_s_) total_s += seconds;
+    for (const auto& [stage, seconds] : spent_s_) state.counters["part:" + stage] = seconds / total_s;
+    spent_s_.clear();
+  }
+
+  void end() { stage_.clear(); }
+
+ private:
+  std::string stage_;
+  Clock::time_point since_;
+  std::map<std::string, double> spent_s_;
+};
+
+ImportResult<ImportedFile> import_source(const Source& source, const ImportOptions& options) {
+  if (const auto* bytes = std::get_if<std::vector<std::byte>>(&source.data)) return import_gltf(*bytes, source.name, options);
+  return import_gltf(std::get<std::filesystem::path>(source.data), options);
+}
+
+int parse_source(const Source& source) {
+  if (const auto* bytes = std::get_if<std::vector<std::byte>>(&source.data)) return parse_with_tinygltf(*bytes);
+  return parse_with_tinygltf(std::get<std::filesystem::path>(source.data));
+}
+
+/// Whole import beside tinygltf's parse alone; an item is one byte of the files.
+void add_sources(const std::string& name, std::shared_ptr<const std::vector<Source>> sources) {
+  std::size_t bytes = 0;
+  for (const Source& source : *sources) bytes += source.bytes;
+  const auto clock = std::make_shared<StageClock>();
+  ImportOptions options;
+  options.decode_images = false;
+  options.progress = [clock](const char* stage, double) { clock->enter(stage); };
+  Facts facts;
+  facts.bytes = bytes;
+  facts.wall_time = true;  // what runs on other threads counts
+  facts.report = [clock](benchmark::State& state) { clock->report(state); };
+  add("import/sinew/" + name, bytes, [sources, options, clock] {
+    for (const Source& source : *sources) {
+      if (!import_source(source, options)) std::abort();
+      clock->end();
+    }
+  }, facts);
+  facts.report = nullptr;
+  add("import/tinygltf/" + name, bytes, [sources] {
+    for (const Source& source : *sources)
+      if (parse_source(source) < 0) std::abort();
+  }, facts);
+}
+
+bool is_compressed(const ImportedFile& file) {
+  const auto& used = file.facts.extensions_used;
+  return std::any_of(used.begin(), used.end(), [](const std::string& name) { return name.ends_with("_compression"); });
+}
+
+/// Every model of the corpus that both sides read and that unpacks nothing.
+std::vector<Source> corpus_sources() {
+  std::vector<Source> out;
+  ImportOptions options;
+  options.decode_images = false;
+  for (const auto& path : test::corpus_files("models", {".gltf", ".glb"})) {
+    const auto file = import_gltf(path, options);
+    if (!file || is_compressed(*file) || parse_with_tinygltf(path) < 0) continue;
+    out.push_back({path.parent_path().filename().string(), path, static_cast<std::size_t>(file->facts.file_bytes)});
+  }
+  return out;
+}
+
+}  // namespace
+
 void add_import() {
   for (const auto& scene : showcase::showcase()) {
     auto bytes = export_glb(scene.scene);
     if (!bytes) std::abort();
-    const std::string name = scene.name.substr(scene.name.find(' ') + 1);
-    add("import/sinew/" + name, bytes->size(), [bytes = *bytes, name] {
-      if (!import_gltf(bytes, name)) std::abort();
-    });
-    add("import/tinygltf/" + name, bytes->size(), [bytes = *bytes] {
-      if (parse_with_tinygltf(bytes) < 1) std::abort();
-    });
+    Source source{scene.name.substr(scene.name.find(' ') + 1), *bytes, bytes->size()};
+    const std::string name = source.name;
+    add_sources(name, std::make_shared<const std::vector<Source>>(1, std::move(source)));
   }
+  auto models = corpus_sources();
+  if (models.empty()) return;
+  for (const Source& source : models) add_sources(source.name, std::make_shared<const std::vector<Source>>(1, source));
+  add_sources("corpus", std::make_shared<const std::vector<Source>>(std::move(models)));
 }
 
 }  // namespace sinew::bench

@@ -13,8 +13,8 @@ std::vector<Case>& cases() {
 }
 
 void register_cases() {
-  for (const Case& c : cases())
-    benchmark::RegisterBenchmark(c.name.c_str(), [&c](benchmark::State& state) {
+  for (const Case& c : cases()) {
+    auto* const registered = benchmark::RegisterBenchmark(c.name.c_str(), [&c](benchmark::State& state) {
       for (auto _ : state) {
         c.work();
         benchmark::ClobberMemory();
@@ -25,7 +25,10 @@ void register_cases() {
       if (c.facts.bytes > 0) state.SetBytesProcessed(static_cast<std::int64_t>(runs * static_cast<double>(c.facts.bytes)));
       state.counters["per_item"] = benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
       if (!std::isnan(c.facts.error)) state.counters["error"] = c.facts.error;
+      if (c.facts.report) c.facts.report(state);
     });
+    if (c.facts.wall_time) registered->UseRealTime();
+  }
 }
 
 bool count_instructions() {

@@ -19,7 +19,7 @@ PAIRS = ("sample", "blend", "local_to_model", "morph", "skin_linear", "skin_dual
          "skin_center_of_rotation", "frame", "crowd")
 HEADLINES = re.compile(r"""
     (blend|local_to_model|sample) / (CesiumMan|Fox-0|biped67|tree1024|crowd1024) (/.*)? | frame/.* | crowd/.*
-    | memory/(32k|4M|64M) | morph/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
+    | import/(arms|corpus|face|flight) | memory/(32k|4M|64M) | morph/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
     | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/(300|1k|100k|1M|1M/2threads))""", re.VERBOSE)  # what the README shows, without the ways that lost
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 
@@ -70,7 +70,7 @@ def row(job, case, entry, plain, stream, instructions):
     cells = [job, case, number(time, "%.2f"), number(spread * 100 if spread is not None else None, "%.0f %%"),
              number(plain["per_item"] * 1e9 if plain else None, "%.2f"), number(ratio, "%.2f"), number(entry.get("error"), "%.1e"),
              number(plain.get("error") if plain else None, "%.1e"), number(instructions.get(entry["run_name"]), "%.1f"),
-             (number(rate / 1e9, "%.0f") if rate and job != "import" else "") + of_stream]
+             "%.0f MB/s" % (rate / 1e6) if rate and job == "import" else number(rate / 1e9 if rate else None, "%.0f") + of_stream]
     print("| " + " | ".join(cells) + " |")
 
 
@@ -88,15 +88,29 @@ def print_table(found, instructions, everything):
                 row(job, case if implementation == "sinew" else f"{case}, {implementation}", entry, plain, stream, instructions)
 
 
+def print_stages(found):
+    """Where the time of imports goes, in percent."""
+    imports = {case: entries["sinew"] for (job, case), entries in sorted(found.items()) if job == "import" and "sinew" in entries}
+    stages = [stage for stage in ("parse", "buffers", "scene", "meshes", "clips", "images", "check")
+              if any(f"part:{stage}" in entry for entry in imports.values())]
+    if not stages:
+        return
+    print("\n| import | " + " | ".join(stages) + " |\n|---|" + "---|" * len(stages))
+    for case, entry in imports.items():
+        print(f"| {case} | " + " | ".join(number(100 * entry[f"part:{stage}"] if f"part:{stage}" in entry else None, "%.0f %%") for stage in stages) + " |")
+
+
 def main():
     if len(sys.argv) == 3 and sys.argv[1] == "--run":
         command = [sys.argv[2], "--benchmark_format=json", "--benchmark_min_time=0.0001"]
         found = read(json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout))
-        alone = [key for key, entries in found.items() if key[0] in PAIRS and not {"sinew", "glm"} <= entries.keys()]
+        alone = [key for key, entries in found.items() if key[0] in PAIRS and not {"sinew", "glm"} <= entries.keys()
+                 or key[0] == "import" and not {"sinew", "tinygltf"} <= entries.keys()]
         missing = [job for job in PAIRS if not any(key[0] == job for key in found)]
         if alone or missing:
             sys.exit(f"without a partner: {alone}; missing: {missing}")
         print_table(found, {}, everything=True)
+        print_stages(found)
         return
     paths = [argument for argument in sys.argv[1:] if argument != "--all"]
     if len(paths) not in (1, 2) or paths[0].startswith("--"):
@@ -105,6 +119,8 @@ def main():
         found = read(json.load(file))
     print_table(found, read_instructions(paths[1] if len(paths) == 2 else None),
                 everything="--all" in sys.argv)
+    if "--all" in sys.argv:
+        print_stages(found)
 
 
 if __name__ == "__main__":
