@@ -23,8 +23,8 @@
 #include "importer/file/load_buffers.h"
 #include "importer/file/parse_json.h"
 #include "importer/file/quarantine.h"
+#include "importer/file/read_document.h"
 #include "importer/file/sandboxed_files.h"
-#include "importer/file/tinygltf_reader.h"
 #include "importer/issue_log.h"
 #include "importer/read/check_accessors.h"
 #include "importer/read/check_bounds.h"
@@ -54,7 +54,7 @@ class Import {
     progress("scene", 0.3);
     ImportedFile out;
     if (!build(out.scene) || log_.error_count() > 0) return std::nullopt;
-    progress("clips", 0.9);
+    progress("check", 0.9);
     finish_scene(out.scene);
     if (const ErrorCode code = check(out.scene); code != ErrorCode::ok) {
       log_.report(Rule::scene_check, "", std::string(describe(code)));
@@ -75,15 +75,13 @@ class Import {
       parts = *glb;
     }
     bin_ = parts.bin;
-    auto json = parse_json(parts.json, log_);
-    if (!json || !check_major_version(*json, log_)) return false;
-    check_shape(*json, gltf_shape(), "", log_);
+    const auto json = parse_json(parts.json, log_);
+    if (json == nullptr || !check_major_version(json->root, log_)) return false;
+    check_shape(json->root, gltf_shape(), "", log_);
     if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
-    check_capabilities(*json, options_.max_nodes, log_);
+    check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
-    auto document = read_document(*std::move(json), log_);
-    if (!document) return false;
-    document_ = std::move(*document);
+    document_ = read_document(json->root);
     check_references(document_, log_);
     if (!go_on()) return false;
     check_accessor_layout(document_, log_);
@@ -108,24 +106,24 @@ class Import {
     check_memory_budget(document_, files_.bytes_read(), options_.max_unpacked_bytes, log_);
     if (!go_on()) return false;
     if (options_.check_bounds) check_bounds(document_, log_);
-    if (options_.decode_images) load_images(document_, files_, log_);
+    if (options_.decode_images || options_.probe_images) load_images(document_, files_, log_);
     return true;
   }
 
   bool build(Scene& scene) {
     const JointOrder order = order_joints(document_);
-    if (const std::size_t depth = order.level_begin.size() - 1; depth > options_.max_node_depth) {
+    if (const std::size_t depth = order.level_begin.size() - 1; depth > options_.max_node_depth)
       log_.report(Rule::too_many, "/nodes", std::to_string(depth) + " levels, at most " + std::to_string(options_.max_node_depth) + " are allowed");
-      return false;
-    }
     scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
     scene.skins = build_skins(document_, order, log_);
     scene.materials = read_materials(document_, log_);
     scene.textures = read_textures(document_, log_);
     scene.variants = read_variants(document_, log_);
     if (!go_on()) return false;
+    progress("meshes", 0.35);
     scene.meshes = build_meshes(document_, options_, log_);
     if (!go_on()) return false;
+    progress("clips", 0.65);
     check_texcoords(scene, log_);
     Instances instances = build_instances(document_, order, scene.meshes, log_);
     const Placements placements = build_placements(document_, order, scene, log_);

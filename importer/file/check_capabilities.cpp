@@ -13,8 +13,6 @@
 namespace sinew {
 namespace {
 
-using gltf::Json;
-
 constexpr std::string_view kRead[] = {
     "EXT_meshopt_compression",    "KHR_draco_mesh_compression",  "KHR_meshopt_compression",
     "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
@@ -35,7 +33,7 @@ struct Version {
   int major = 0, minor = 0;
 };
 
-std::optional<Version> parse_version(const std::string& text) {
+std::optional<Version> parse_version(std::string_view text) {
   Version version;
   const char *begin = text.data(), *end = begin + text.size();
   const auto major = std::from_chars(begin, end, version.major);
@@ -45,26 +43,27 @@ std::optional<Version> parse_version(const std::string& text) {
   return version;
 }
 
-void check_minor_version(const Json& asset, IssueLog& log) {
-  const std::string text = asset["version"].get<std::string>();
-  if (const auto required = asset.find("minVersion"); required != asset.end()) {
-    const auto minimum = parse_version(required->get<std::string>());
+void check_minor_version(const JsonNode& asset, IssueLog& log) {
+  const std::string_view text = text_of(*find_member(asset, "version"));
+  if (const JsonNode* required = find_member(asset, "minVersion")) {
+    const auto minimum = parse_version(text_of(*required));
     if (!minimum || minimum->major != 2 || minimum->minor > 0)
-      return log.report(Rule::asset_version, "/asset/minVersion", required->dump().substr(0, 40) + " is above 2.0");
+      return log.report(Rule::asset_version, "/asset/minVersion", in_quotes(text_of(*required)) + " is above 2.0");
   }
   if (parse_version(text)->minor > 0)
     log.report(Rule::asset_minor_version, "/asset/version", in_quotes(text) + " is read as 2.0");
 }
 
-void check_list_sizes(const Json& json, std::uint32_t max_nodes, IssueLog& log) {
+void check_list_sizes(const JsonNode& json, std::uint32_t max_nodes, IssueLog& log) {
   constexpr std::size_t kMaxSmallList = 65536;
   constexpr std::string_view kLarge[] = {"accessors", "bufferViews", "meshes", "nodes"};
-  for (const auto& [name, list] : json.items()) {
-    if (!list.is_array()) continue;
+  for (const auto& [key, list] : json.GetObject()) {
+    if (!list.IsArray()) continue;
+    const std::string_view name = text_of(key);
     const bool large = std::find(std::begin(kLarge), std::end(kLarge), name) != std::end(kLarge);
     const std::size_t most = large ? max_nodes : std::min<std::size_t>(max_nodes, kMaxSmallList);
-    if (list.size() > most)
-      log.report(Rule::too_many, pointer(name), std::to_string(list.size()) + " entries, at most " + std::to_string(most) + " are allowed");
+    if (list.Size() > most)
+      log.report(Rule::too_many, pointer(name), std::to_string(list.Size()) + " entries, at most " + std::to_string(most) + " are allowed");
   }
 }
 
@@ -76,23 +75,22 @@ ExtensionSupport extension_support(std::string_view name) noexcept {
   return ExtensionSupport::unknown;
 }
 
-bool check_major_version(const Json& json, IssueLog& log) {
-  static const Json::json_pointer at("/asset/version");
-  if (!json.contains(at)) return true;
-  const Json& said = json[at];
-  if (!said.is_string() && !said.is_number()) return true;
-  const std::string text = said.is_string() ? said.get<std::string>() : said.dump();
+bool check_major_version(const JsonNode& json, IssueLog& log) {
+  const JsonNode* asset = json.IsObject() ? find_member(json, "asset") : nullptr;
+  const JsonNode* said = asset != nullptr && asset->IsObject() ? find_member(*asset, "version") : nullptr;
+  if (said == nullptr || !(said->IsString() || said->IsNumber())) return true;
+  const std::string text = said->IsString() ? std::string(text_of(*said)) : to_json(*said).dump();
   const auto version = parse_version(text);
-  const bool second = said.is_string() ? version && version->major == 2 : std::floor(said.get<double>()) == 2.0;
-  if (!second) log.report(Rule::asset_version, at.to_string(), in_quotes(text) + " is not 2.x");
+  const bool second = said->IsString() ? version && version->major == 2 : std::floor(said->GetDouble()) == 2.0;
+  if (!second) log.report(Rule::asset_version, "/asset/version", in_quotes(text) + " is not 2.x");
   return second;
 }
 
-void check_capabilities(const Json& json, std::uint32_t max_nodes, IssueLog& log) {
-  check_minor_version(json["asset"], log);
-  if (const auto required = json.find("extensionsRequired"); required != json.end())
-    for (std::size_t i = 0; i < required->size(); ++i) {
-      const auto name = (*required)[i].get<std::string>();
+void check_capabilities(const JsonNode& json, std::uint32_t max_nodes, IssueLog& log) {
+  check_minor_version(*find_member(json, "asset"), log);
+  if (const JsonNode* required = find_member(json, "extensionsRequired"))
+    for (rapidjson::SizeType i = 0; i < required->Size(); ++i) {
+      const std::string_view name = text_of((*required)[i]);
       if (extension_support(name) == ExtensionSupport::unknown)
         log.report(Rule::extension_required, pointer("extensionsRequired", i), in_quotes(name) + " is not supported");
     }

@@ -10,8 +10,8 @@
 
 #include "importer/file/document_materials.h"
 
-/// A parsed glTF 2.0 document as plain data: what the file says, defaults filled in, nothing interpreted. Only
-/// tinygltf_reader.cpp knows the parser; every other file of the importer reads this. Indices are the file's own, kNone
+/// A parsed glTF 2.0 document as plain data: what the file says, defaults filled in, nothing interpreted. The
+/// rest of the importer reads this, not the JSON. Indices are the file's own, kNone
 /// where absent. After check_references() (importer/file/check_references.h) every index is in range.
 /// `extensions` members hold the JSON object of that name, null where there is none.
 namespace sinew::gltf {

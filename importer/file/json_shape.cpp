@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "importer/file/json_pointer.h"
 
 namespace sinew {
 namespace {
-
-using Json = nlohmann::json;
 
 std::string_view name_of(JsonKind kind) {
   constexpr std::string_view names[] = {"anything", "true or false", "a number",  "an integer",
@@ -18,21 +17,18 @@ std::string_view name_of(JsonKind kind) {
 }
 
 /// glTF allows integers written with a fraction of zero ("3.0").
-bool is_integer(const Json& value) {
-  if (value.is_number_integer()) return true;
-  return value.is_number_float() && std::floor(value.get<double>()) == value.get<double>();
-}
+bool is_integer(const JsonNode& value) { return value.IsNumber() && std::floor(value.GetDouble()) == value.GetDouble(); }
 
-bool has_kind(const Json& value, JsonKind kind) {
+bool has_kind(const JsonNode& value, JsonKind kind) {
   switch (kind) {
     case JsonKind::any: return true;
-    case JsonKind::boolean: return value.is_boolean();
-    case JsonKind::number: return value.is_number();
+    case JsonKind::boolean: return value.IsBool();
+    case JsonKind::number: return value.IsNumber();
     case JsonKind::integer: return is_integer(value);
-    case JsonKind::string: return value.is_string();
+    case JsonKind::string: return value.IsString();
     case JsonKind::object:
-    case JsonKind::index_map: return value.is_object();
-    case JsonKind::array: return value.is_array();
+    case JsonKind::index_map: return value.IsObject();
+    case JsonKind::array: return value.IsArray();
   }
   return false;
 }
@@ -53,9 +49,9 @@ class Checker {
  public:
   explicit Checker(IssueLog& log) : log_(log) {}
 
-  void check(const Json& value, const JsonValueShape& shape, const Place& place) {
+  void check(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
     if (!has_kind(value, shape.kind))
-      return log_.report(Rule::json_type, place.text(), "must be " + std::string(name_of(shape.kind)) + ", is " + value.type_name());
+      return log_.report(Rule::json_type, place.text(), "must be " + std::string(name_of(shape.kind)) + ", is " + to_json(value).type_name());
     switch (shape.kind) {
       case JsonKind::number:
       case JsonKind::integer: return check_number(value, shape, place);
@@ -69,43 +65,60 @@ class Checker {
   }
 
  private:
-  void check_number(const Json& value, const JsonValueShape& shape, const Place& place) {
-    const double number = value.get<double>();
+  void check_number(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+    const double number = value.GetDouble();
     if (!(number >= shape.lower && number <= shape.upper))
-      return log_.report(Rule::json_type, place.text(), value.dump() + " is out of range");
+      return log_.report(Rule::json_type, place.text(), to_json(value).dump() + " is out of range");
     const auto same = [&](std::int64_t allowed) { return number == static_cast<double>(allowed); };
     if (!shape.numbers.empty() && std::none_of(shape.numbers.begin(), shape.numbers.end(), same))
-      log_.report(Rule::json_type, place.text(), value.dump() + " is none of the values that glTF defines");
+      log_.report(Rule::json_type, place.text(), to_json(value).dump() + " is none of the values that glTF defines");
   }
 
-  void check_word(const Json& value, const JsonValueShape& shape, const Place& place) {
-    const auto& text = value.get_ref<const std::string&>();
+  void check_word(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+    const std::string_view text = text_of(value);
     if (!shape.words.empty() && std::find(shape.words.begin(), shape.words.end(), text) == shape.words.end())
       log_.report(Rule::json_type, place.text(), in_quotes(text) + " is none of the words that glTF defines");
   }
 
-  void check_array(const Json& value, const JsonValueShape& shape, const Place& place) {
-    if (shape.length != 0 && value.size() != shape.length)
+  void check_array(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+    if (shape.length != 0 && value.Size() != shape.length)
       return log_.report(Rule::json_type, place.text(),
-                         "has " + std::to_string(value.size()) + " entries instead of " + std::to_string(shape.length));
-    if (value.empty()) return log_.report(Rule::empty_array, place.text(), "an empty array is taken as absent");
+                         "has " + std::to_string(value.Size()) + " entries instead of " + std::to_string(shape.length));
+    if (value.Empty()) return log_.report(Rule::empty_array, place.text(), "an empty array is taken as absent");
     if (shape.element == nullptr) return;
-    for (std::size_t i = 0; i < value.size(); ++i) check(value[i], *shape.element, {&place, {}, i});
+    for (rapidjson::SizeType i = 0; i < value.Size(); ++i) check(value[i], *shape.element, {&place, {}, i});
   }
 
-  void check_object(const Json& value, const JsonValueShape& shape, const Place& place) {
+  void check_object(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
     if (shape.object == nullptr) return;
+    check_names(value, place);
     for (const auto& property : shape.object->properties) {
-      const auto found = value.find(property.name);
-      if (found != value.end())
+      const JsonNode* found = find_member(value, property.name);
+      if (found != nullptr)
         check(*found, property.value, {&place, property.name});
       else if (property.required)
         log_.report(Rule::json_missing, place.text(), "has no " + in_quotes(property.name));
     }
   }
 
-  void check_map(const Json& value, const JsonValueShape& shape, const Place& place) {
-    for (const auto& [name, entry] : value.items()) check(entry, *shape.element, {&place, name});
+  void check_map(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+    check_names(value, place);
+    for (const auto& [name, entry] : value.GetObject()) check(entry, *shape.element, {&place, text_of(name)});
+  }
+
+  /// Objects of glTF have a few members; only those with many are sorted.
+  void check_names(const JsonNode& value, const Place& place) {
+    constexpr rapidjson::SizeType kMany = 24;
+    const auto report = [&](std::string_view name) { log_.report(Rule::json_duplicate, place.text(), "has " + in_quotes(name) + " more than once"); };
+    if (value.MemberCount() > kMany) {
+      std::vector<std::string_view> names;
+      for (const auto& member : value.GetObject()) names.push_back(text_of(member.name));
+      std::sort(names.begin(), names.end());
+      if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end()) report(*twice);
+      return;
+    }
+    for (auto member = value.MemberBegin(); member != value.MemberEnd(); ++member)
+      if (find_member(value, text_of(member->name)) != &member->value) return report(text_of(member->name));
   }
 
   IssueLog& log_;
@@ -113,8 +126,15 @@ class Checker {
 
 }  // namespace
 
-void check_shape(const Json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log) {
+void check_shape(const JsonNode& value, const JsonValueShape& shape, const std::string& place, IssueLog& log) {
   Checker(log).check(value, shape, {nullptr, place, 0});
+}
+
+void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log) {
+  constexpr std::size_t kPiece = 1024;
+  JsonTree tree(kPiece);
+  tree.root = from_json(value, tree.pool);
+  check_shape(tree.root, shape, place, log);
 }
 
 }  // namespace sinew

@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
+#include "importer/file/json_tree.h"
 #include "importer/issue_log.h"
 
 namespace sinew {
@@ -40,7 +39,8 @@ struct JsonObjectShape {
 };
 
 /// Compares a value with its description and reports every difference with its place.
-/// err  json-type, json-missing;  warning empty-array.   cost O(value)
+/// err  json-type, json-missing;  warning empty-array, json-duplicate.   cost O(value)
+void check_shape(const JsonNode& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 
 }  // namespace sinew

@@ -31,7 +31,7 @@ tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, Sa
 
 /// How the views and accessors use a buffer.
 struct BufferUse {
-  bool in_accessor = false;       ///< some accessor reads it
+  bool in_accessor = false;       ///< some accessor reads it as it is, not unpacked
   bool compressed_view = false, plain_view = false;
 };
 
@@ -41,7 +41,8 @@ std::vector<BufferUse> find_uses(const Document& document) {
     if (view.buffer != kNone)
       (meshopt_extension(view.extensions) ? uses[view.buffer].compressed_view : uses[view.buffer].plain_view) = true;
   const auto mark = [&](std::uint32_t view) {
-    if (view != kNone && document.buffer_views[view].buffer != kNone) uses[document.buffer_views[view].buffer].in_accessor = true;
+    if (view == kNone || document.buffer_views[view].buffer == kNone || meshopt_extension(document.buffer_views[view].extensions)) return;
+    uses[document.buffer_views[view].buffer].in_accessor = true;
   };
   for (const auto& accessor : document.accessors)
     mark(accessor.buffer_view), mark(accessor.sparse.indices_view), mark(accessor.sparse.values_view);

@@ -2,56 +2,111 @@
 #include "importer/file/parse_json.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 #include <string_view>
+
+#include <rapidjson/error/en.h>
+#include <rapidjson/reader.h>
 
 namespace sinew {
 namespace {
 
-std::size_t nesting_depth(std::string_view text) {
-  std::size_t depth = 0, deepest = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      else if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      deepest = std::max(deepest, ++depth);
-    } else if ((c == ']' || c == '}') && depth > 0) {
-      --depth;
-    }
-  }
-  return deepest;
+constexpr unsigned kFlags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
+
+/// The whole text as a number that T can hold.
+template <class T>
+bool converts(std::string_view text, T& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && end == text.data() + text.size();
 }
 
-/// nlohmann's messages start with "[json.exception.parse_error.101] ", which says nothing to a reader.
-std::string plain_message(const std::exception& error) {
-  const std::string_view what = error.what();
-  const auto end = what.find("] ");
-  return std::string(what.starts_with("[json.") && end != what.npos ? what.substr(end + 2) : what);
+/// Hands what the reader finds to the tree. Numbers come as text: the reader's own conversion is not exact.
+class TreeEvents {
+ public:
+  explicit TreeEvents(JsonBuilder& tree) : tree_(tree) {}
+
+  bool Null() { return tree_.Null(); }
+  bool Bool(bool value) { return tree_.Bool(value); }
+  bool String(const char* text, rapidjson::SizeType size, bool) { return is_utf8({text, size}) && tree_.String(text, size, true); }
+  bool Key(const char* text, rapidjson::SizeType size, bool) { return is_utf8({text, size}) && tree_.Key(text, size, true); }
+  bool StartObject() { return enter() && tree_.StartObject(); }
+  bool EndObject(rapidjson::SizeType count) { return --depth_, tree_.EndObject(count); }
+  bool StartArray() { return enter() && tree_.StartArray(); }
+  bool EndArray(rapidjson::SizeType count) { return --depth_, tree_.EndArray(count); }
+
+  bool RawNumber(const char* text, rapidjson::SizeType size, bool) {
+    if (std::int64_t integer = 0; converts({text, size}, integer)) return tree_.Int64(integer);
+    if (std::uint64_t integer = 0; converts({text, size}, integer)) return tree_.Uint64(integer);
+    double number = 0.0;
+    if (!converts({text, size}, number)) number = std::strtod(std::string(text, size).c_str(), nullptr);  // too small or too large
+    if (!std::isfinite(number)) return fail("number overflow");
+    return tree_.Double(number);
+  }
+
+  // The reader gives numbers as text only.
+  bool Int(int) { return false; }
+  bool Uint(unsigned) { return false; }
+  bool Int64(std::int64_t) { return false; }
+  bool Uint64(std::uint64_t) { return false; }
+  bool Double(double) { return false; }
+
+  bool too_deep() const noexcept { return depth_ > kMaxJsonDepth; }
+  const char* reason() const noexcept { return reason_; }
+
+ private:
+  bool enter() { return ++depth_ <= kMaxJsonDepth; }
+  bool fail(const char* reason) { return reason_ = reason, false; }
+
+  /// The reader has checked bytes, but lets half a surrogate pair pass where it is escaped: those encode as ED A0..BF.
+  bool is_utf8(std::string_view text) {
+    for (std::size_t at = text.find('\xed'); at != text.npos; at = text.find('\xed', at + 1))
+      if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0xa0) return fail("half a surrogate pair");
+    return true;
+  }
+
+  JsonBuilder& tree_;
+  std::size_t depth_ = 0;
+  const char* reason_ = nullptr;
+};
+
+std::string describe_place(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, std::min(offset, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n') + 1;  // 0 without one
+  return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1) + ": ";
 }
 
 }  // namespace
 
-std::optional<nlohmann::json> parse_json(std::span<const std::byte> bytes, IssueLog& log) {
+std::unique_ptr<JsonTree> parse_json(std::span<const std::byte> bytes, IssueLog& log) {
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (text.starts_with("\xEF\xBB\xBF")) {
     log.report(Rule::json_bom, "", "the text starts with a byte order mark, which is skipped");
     text.remove_prefix(3);
   }
-  if (const auto depth = nesting_depth(text); depth > kMaxJsonDepth) {
-    log.report(Rule::json_depth, "", "nested " + std::to_string(depth) + " deep, at most " + std::to_string(kMaxJsonDepth));
-    return std::nullopt;
+  constexpr std::size_t kSmallest = 2048, kLargest = std::size_t{1} << 20;
+  auto out = std::make_unique<JsonTree>(std::clamp(text.size(), kSmallest, kLargest));
+  JsonBuilder tree(&out->pool, 256, &out->memory);
+  TreeEvents events(tree);
+  rapidjson::MemoryStream stream(text.data(), text.size());
+  rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory> reader(&out->memory);
+  rapidjson::ParseResult result;
+  auto parse = [&](JsonBuilder&) { return !(result = reader.Parse<kFlags>(stream, events)).IsError(); };
+  tree.Populate(parse);
+  if (events.too_deep()) {
+    log.report(Rule::json_depth, "", "nested more than " + std::to_string(kMaxJsonDepth) + " deep");
+    return nullptr;
   }
-  try {
-    return nlohmann::json::parse(text.begin(), text.end());
-  } catch (const nlohmann::json::exception& error) {
-    log.report(Rule::json_syntax, "", plain_message(error));
+  if (result.IsError()) {
+    const char* reason = events.reason() != nullptr ? events.reason() : rapidjson::GetParseError_En(result.Code());
+    log.report(Rule::json_syntax, "", describe_place(text, result.Offset()) + reason);
+    return nullptr;
   }
-  return std::nullopt;
+  out->root.Swap(tree);
+  return out;
 }
 
 }  // namespace sinew

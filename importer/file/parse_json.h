@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <span>
 
-#include <nlohmann/json.hpp>
-
+#include "importer/file/json_tree.h"
 #include "importer/issue_log.h"
 
 namespace sinew {
 
 inline constexpr std::size_t kMaxJsonDepth = 256;
 
-/// JSON text to a value. Nesting is bounded first, because what handles values later recurses.
+/// JSON text as a tree. Nesting is bounded, because what handles values later recurses. Numbers are the nearest doubles.
+/// out  null after an error
 /// err  json-syntax with line and column, json-depth;  warning json-bom
-std::optional<nlohmann::json> parse_json(std::span<const std::byte> text, IssueLog& log);
+std::unique_ptr<JsonTree> parse_json(std::span<const std::byte> text, IssueLog& log);
 
 }  // namespace sinew

@@ -225,6 +225,11 @@ bool Quarantine::mark_errors(IssueLog& log) {
   const auto places = log.settle();
   if (!places) return false;
   for (const std::string& text : *places) {
+    if (text == "/scene") {
+      broken_scene_ = true;
+      log.mute(text);
+      continue;
+    }
     const auto place = parse_place(text);
     if (!place) return false;
     if (place->primitive) broken_primitives_.emplace(place->index, *place->primitive);
@@ -233,20 +238,22 @@ bool Quarantine::mark_errors(IssueLog& log) {
   return true;
 }
 
-bool Quarantine::isolate(Json& document, IssueLog& log) {
+bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
   if (!mark_errors(log)) return false;
+  if (broken_scene_) document.root.RemoveMember("scene");
   for (const auto& [mesh, primitive] : broken_primitives_) broken_[meshes].insert(mesh);
   broken_primitives_.clear();
   for (std::size_t list = 0; list < kLists; ++list)
     for (const std::uint32_t index : broken_[list]) {
       log.mute(pointer(kTraits[list].name, index));
-      document[std::string(kTraits[list].name)][index] = Json::parse(kTraits[list].smallest);
+      (*find_member(document.root, kTraits[list].name))[index] = from_json(Json::parse(kTraits[list].smallest), document.pool);
     }
   return true;
 }
 
 bool Quarantine::isolate(Document& document, IssueLog& log) {
   if (!mark_errors(log)) return false;
+  if (broken_scene_) document.scene = kNone;
   Emptying(document, broken_, broken_primitives_, log).run();
   return true;
 }

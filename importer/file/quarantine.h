@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "importer/file/document.h"
+#include "importer/file/json_tree.h"
 #include "importer/issue_log.h"
 
 namespace sinew {
@@ -20,7 +21,7 @@ class Quarantine {
   /// After check_shape(): entries of lists that broke their shape become the smallest valid ones.
   /// out  false where the document as a whole is at fault (root, asset, a list that is none) or there are too many errors:
   ///      the import ends then
-  bool isolate(gltf::Json& document, IssueLog& log);
+  bool isolate(JsonTree& document, IssueLog& log);
 
   /// After any later step, with the document read.
   bool isolate(gltf::Document& document, IssueLog& log);
@@ -33,6 +34,7 @@ class Quarantine {
 
   std::array<std::set<std::uint32_t>, kLists> broken_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> broken_primitives_;  ///< mesh, primitive
+  bool broken_scene_ = false;                                            ///< the index of the scene to show
 };
 
 }  // namespace sinew

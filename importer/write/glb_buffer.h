@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "importer/file/tinygltf.h"
+#include "importer/write/tinygltf.h"
 #include "runtime/assets/morph_set.h"
 #include "runtime/math/affine.h"
 

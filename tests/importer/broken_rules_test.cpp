@@ -83,6 +83,7 @@ std::multimap<std::string_view, std::vector<ImportIssue>> cases_in_code() {
   cases.emplace("json-syntax", text(R"({"asset":)"));
   cases.emplace("json-syntax", text("{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xff\"}}"));
   cases.emplace("json-bom", text("\xEF\xBB\xBF" + kEmpty));
+  cases.emplace("json-duplicate", text(R"({"asset":{"version":"2.0"},"nodes":[{}],"nodes":[{},{}]})"));
   cases.emplace("json-depth", text(std::string(100'000, '[')));
   cases.emplace("too-many", text(R"({"asset":{"version":"2.0"},"nodes":[{},{},{}]})", two_nodes));
   cases.emplace("buffer-longer", text(container({{"JSON", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )"}, {kBin, "12345678"}})));
