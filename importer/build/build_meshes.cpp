@@ -73,9 +73,10 @@ Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, st
   Primitive& primitive = data.primitive;
   if (broken()) return {};
   const std::string place = pointer("meshes", mesh, "primitives", index, "attributes");
-  const auto merged = merge_influences(data.influence_sets, primitive.vertex_count(), joint_limit, place, log);
+  auto merged = merge_influences(data.influence_sets, primitive.vertex_count(), joint_limit, place, log);
   if (broken()) return {};
-  group_vertices(primitive, merged);
+  data.influence_sets.clear();
+  group_vertices(primitive, std::move(merged));
   build_morph_set(document, mesh, index, targets, primitive, log);
   primitive.variant_materials = read_variant_materials(document, mesh, index, log);
   for (const auto& p : primitive.positions) primitive.bounds.add(p);
@@ -109,7 +110,7 @@ std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptio
     for (std::uint32_t p = 0; p < source.primitives.size(); ++p)
       mesh.primitives.push_back(build_primitive(document, m, p, targets, limits[m], options, log));
     meshes.push_back(std::move(mesh));
-    if (options.progress) options.progress("meshes", 0.3 + 0.4 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
+    if (options.progress) options.progress("meshes", 0.35 + 0.3 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
   }
   return meshes;
 }

@@ -11,7 +11,7 @@ namespace sinew {
 /// Morph targets of a primitive as sparse deltas: vertices that a target does not move have no entry (P10).
 /// in   primitive     its vertices in their final order
 ///      target_count  of the mesh; missing targets are empty
-/// out  primitive.morphs.   cost O(targets * V), one dense target at a time
+/// out  primitive.morphs.   cost O(values in the file), one target at a time
 void build_morph_set(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t target_count,
                      Primitive& primitive, IssueLog& log);
 

@@ -2,6 +2,7 @@
 #include "importer/build/group_vertices.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -19,15 +20,30 @@ std::uint32_t count_of(const MergedInfluences& merged, std::uint32_t vertex) {
   return merged.first[vertex + 1] - merged.first[vertex];
 }
 
-void append_vertex(VertexInfluences& out, const MergedInfluences& merged, std::uint32_t old, std::uint32_t position) {
-  const std::uint32_t count = count_of(merged, old);
-  if (out.groups.empty() || out.groups.back().influence_count != count)
-    out.groups.push_back({position, 0, count, static_cast<std::uint32_t>(out.joints.size())});
+void add_group(VertexInfluences& out, std::uint32_t count, std::uint32_t position, std::uint32_t first_entry) {
+  if (out.groups.empty() || out.groups.back().influence_count != count) out.groups.push_back({position, 0, count, first_entry});
   ++out.groups.back().vertex_count;
-  for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i) {
-    out.joints.push_back(merged.joints[i]);
-    out.weights.push_back(merged.weights[i]);
+}
+
+/// The lists themselves where the vertices are in order already.
+void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::vector<std::uint32_t>& source, bool in_order) {
+  std::uint32_t entry = 0;
+  for (std::uint32_t v = 0; v < source.size(); ++v) {
+    const std::uint32_t count = count_of(merged, source[v]);
+    add_group(out, count, v, entry);
+    entry += count;
   }
+  if (in_order) {
+    out.joints = std::move(merged.joints);
+    out.weights = std::move(merged.weights);
+    return;
+  }
+  out.joints.resize(merged.joints.size());
+  out.weights.resize(merged.weights.size());
+  auto joint = out.joints.begin();
+  auto weight = out.weights.begin();
+  for (const std::uint32_t old : source)
+    for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i) *joint++ = merged.joints[i], *weight++ = merged.weights[i];
 }
 
 /// Vertices by rising number of influences, those of equal number in their order: a counting sort.
@@ -46,14 +62,13 @@ std::vector<std::uint32_t> sorted_by_count(const MergedInfluences& merged, std::
 
 }  // namespace
 
-void group_vertices(Primitive& primitive, const MergedInfluences& merged) {
+void group_vertices(Primitive& primitive, MergedInfluences merged) {
   const std::size_t vertices = primitive.vertex_count();
   if (merged.first.size() != vertices + 1 || vertices == 0) return;
   std::vector<std::uint32_t> source = sorted_by_count(merged, vertices);
-  primitive.influences.joints.reserve(merged.joints.size());
-  primitive.influences.weights.reserve(merged.weights.size());
-  for (std::uint32_t v = 0; v < vertices; ++v) append_vertex(primitive.influences, merged, source[v], v);
-  if (std::is_sorted(source.begin(), source.end())) return;
+  const bool in_order = std::is_sorted(source.begin(), source.end());
+  fill_influences(primitive.influences, std::move(merged), source, in_order);
+  if (in_order) return;
 
   std::vector<std::uint32_t> position(vertices);
   for (std::uint32_t v = 0; v < vertices; ++v) position[source[v]] = v;

@@ -9,6 +9,6 @@ namespace sinew {
 /// a group the file's order stays; source_vertex keeps the way back, indices follow.
 /// in   primitive   in the file's vertex order, without morph targets
 /// out  primitive   with influences, groups by rising count.   cost O(V + indices)
-void group_vertices(Primitive& primitive, const MergedInfluences& merged);
+void group_vertices(Primitive& primitive, MergedInfluences merged);
 
 }  // namespace sinew

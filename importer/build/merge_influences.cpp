@@ -24,10 +24,11 @@ struct Oddities {
   double worst_deviation = 0.0, sum_of_deviations = 0.0;
 };
 
+constexpr std::size_t kFew = 32;
+
 /// Four elements as a rule, mostly in order: there insertion beats the general sort, which allocates.
 template <class Less>
 void sort_influences(std::vector<Influence>& list, Less less) {
-  constexpr std::size_t kFew = 32;
   if (list.size() > kFew) return std::stable_sort(list.begin(), list.end(), less);
   for (std::size_t i = 1; i < list.size(); ++i) {
     const Influence moved = list[i];
@@ -98,6 +99,20 @@ class Merger {
       ++odd_.off_sum;
       odd_.sum_of_deviations += deviation;
     }
+    if (vertex_.size() > kFew || repeats_a_joint()) add_up_joints();
+    sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint; });
+    if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
+    for (auto& influence : vertex_) influence.weight /= sum_;
+  }
+
+  bool repeats_a_joint() const {
+    for (std::size_t i = 1; i < vertex_.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (vertex_[i].joint == vertex_[k].joint) return true;
+    return false;
+  }
+
+  void add_up_joints() {
     sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
     std::size_t kept = 0;
     for (std::size_t i = 1; i < vertex_.size(); ++i) {
@@ -109,9 +124,6 @@ class Merger {
       }
     }
     vertex_.resize(kept + 1);
-    sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
-    if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
-    for (auto& influence : vertex_) influence.weight /= sum_;
   }
 
   void report() {

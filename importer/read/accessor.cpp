@@ -112,20 +112,27 @@ void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& 
   }
 }
 
+/// V is a vector of the accessor's width, or a number: then there are several values for each index.
 template <class V>
-void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<V>& out) {
+Replacements<V> replacements(const Document& document, const Accessor& accessor, const ElementLayout& layout) {
   const auto& sparse = accessor.sparse;
   const auto count = static_cast<std::size_t>(sparse.count);
   const std::byte* index_bytes = document.buffer_views[sparse.indices_view].bytes.data() + sparse.indices_offset;
   const std::byte* value_bytes = document.buffer_views[sparse.values_view].bytes.data() + sparse.values_offset;
-  std::vector<V> values;
-  append(values, accessor, layout, value_bytes, layout.element_bytes, count);
+  Replacements<V> out;
+  append(out.values, accessor, layout, value_bytes, layout.element_bytes, count);
+  with_elements<std::uint32_t>(sparse.index_type, false, index_bytes, component_bytes(sparse.index_type),
+                               [&](auto it) { out.indices.assign(it, it + static_cast<std::ptrdiff_t>(count)); });
+  return out;
+}
+
+template <class V>
+void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<V>& out) {
+  const auto [indices, values] = replacements<V>(document, accessor, layout);
   const std::size_t entries = layout.components() / width_of<V>();  // of `out` per element
-  with_elements<std::uint32_t>(sparse.index_type, false, index_bytes, component_bytes(sparse.index_type), [&](auto index) {
-    for (std::size_t i = 0; i < count; ++i, ++index)
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * entries), entries,
-                  out.begin() + static_cast<std::ptrdiff_t>(*index * entries));
-  });
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * entries), entries,
+                out.begin() + static_cast<std::ptrdiff_t>(indices[i] * entries));
 }
 
 template <class V>
@@ -151,6 +158,7 @@ bool is_unsigned(ComponentType type) noexcept {
 }
 
 }  // namespace
+
 std::uint32_t component_bytes(ComponentType type) noexcept {
   switch (type) {
     case ComponentType::i8:
@@ -198,5 +206,14 @@ std::vector<V> read_vectors(const Document& document, std::uint32_t accessor) {
 template std::vector<glm::vec2> read_vectors(const Document&, std::uint32_t);
 template std::vector<glm::vec3> read_vectors(const Document&, std::uint32_t);
 template std::vector<glm::vec4> read_vectors(const Document&, std::uint32_t);
+
+template <class V>
+Replacements<V> read_replacements(const Document& document, std::uint32_t index) {
+  const Accessor& accessor = document.accessors[index];
+  return replacements<V>(document, accessor, element_layout(accessor));
+}
+template Replacements<glm::vec2> read_replacements(const Document&, std::uint32_t);
+template Replacements<glm::vec3> read_replacements(const Document&, std::uint32_t);
+template Replacements<glm::vec4> read_replacements(const Document&, std::uint32_t);
 
 }  // namespace sinew

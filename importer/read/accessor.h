@@ -42,6 +42,15 @@ std::vector<float> read_floats(const gltf::Document& document, std::uint32_t acc
 template <class V>
 std::vector<V> read_vectors(const gltf::Document& document, std::uint32_t accessor);
 
+/// The replacements of a sparse accessor alone, in the file's order: `indices` say which elements.
+template <class V>
+struct Replacements {
+  std::vector<std::uint32_t> indices;
+  std::vector<V> values;
+};
+template <class V>
+Replacements<V> read_replacements(const gltf::Document& document, std::uint32_t accessor);
+
 /// The same for unsigned integers (indices, joints), never normalised. Other component types give zeros.
 std::vector<std::uint32_t> read_unsigned(const gltf::Document& document, std::uint32_t accessor);
 

@@ -157,16 +157,27 @@ class PrimitiveReader {
 }  // namespace
 
 template <class V>
+bool check_finite(std::span<const V> values, std::span<const std::uint32_t> indices, std::size_t components, const std::string& place,
+                  IssueLog& log) {
+  if (all_finite(values)) return true;
+  const auto* first = reinterpret_cast<const float*>(values.data());
+  const auto* bad = std::find_if(first, first + values.size_bytes() / sizeof(float), [](float f) { return !std::isfinite(f); });
+  const auto element = static_cast<std::size_t>(bad - first) / components;
+  log.report(Rule::not_finite, place, "element " + std::to_string(indices.empty() ? element : indices[element]) + " holds NaN or infinity");
+  return false;
+}
+template bool check_finite(std::span<const glm::vec2>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
+template bool check_finite(std::span<const glm::vec3>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
+template bool check_finite(std::span<const glm::vec4>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
+
+template <class V>
 std::vector<V> read_finite(const gltf::Document& document, std::uint32_t index, const std::string& place, IssueLog& log) {
   const gltf::Accessor& accessor = document.accessors[index];
   std::vector<V> values;
   if constexpr (std::is_same_v<V, float>) values = read_floats(document, index);
   else values = read_vectors<V>(document, index);
-  if (accessor.component_type != gltf::ComponentType::f32 || all_finite(std::span<const V>(values))) return values;
-  const auto* first = reinterpret_cast<const float*>(values.data());
-  const auto* bad = std::find_if(first, first + accessor.count * element_layout(accessor).components(), [](float f) { return !std::isfinite(f); });
-  const auto element = static_cast<std::size_t>(bad - first) / element_layout(accessor).components();
-  log.report(Rule::not_finite, place, "element " + std::to_string(element) + " holds NaN or infinity");
+  const bool whole = accessor.component_type != gltf::ComponentType::f32;  // integers are finite
+  if (whole || check_finite<V>(values, {}, element_layout(accessor).components(), place, log)) return values;
   return {};
 }
 template std::vector<float> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);

@@ -23,18 +23,30 @@ bool base_has(const Primitive& base, const Semantic& semantic) {
   return false;
 }
 
-std::vector<glm::vec4> without_alpha(const std::vector<glm::vec3>& colors) {
-  std::vector<glm::vec4> out;
-  out.reserve(colors.size());
-  for (const auto& c : colors) out.emplace_back(c, 0.0f);
+Displacements<glm::vec4> without_alpha(const Displacements<glm::vec3>& colors) {
+  Displacements<glm::vec4> out{colors.indices, {}};
+  out.values.reserve(colors.values.size());
+  for (const auto& c : colors.values) out.values.emplace_back(c, 0.0f);
+  return out;
+}
+
+/// Where only replacements move anything, nothing else is read: the zeros beneath would be dropped again.
+template <class V>
+Displacements<V> read_displacements(const gltf::Document& document, std::uint32_t index, const std::string& place, IssueLog& log) {
+  const gltf::Accessor& accessor = document.accessors[index];
+  if (accessor.sparse.count == 0 || accessor.buffer_view != kNone) return {{}, read_finite<V>(document, index, place, log)};
+  auto out = read_replacements<V>(document, index);
+  if (accessor.component_type == gltf::ComponentType::f32 &&
+      !check_finite<V>(out.values, out.indices, element_layout(accessor).components(), place, log))
+    return {};
   return out;
 }
 
 }  // namespace
 
-DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t target,
-                              const Primitive& base, IssueLog& log) {
-  DenseTarget out;
+TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t target,
+                             const Primitive& base, IssueLog& log) {
+  TargetData out;
   const auto& attributes = document.meshes[mesh].primitives[primitive].targets[target].attributes;
   for (const auto& [name, accessor] : attributes) {
     const std::string place = pointer("meshes", mesh, "primitives", primitive, "targets", target, pointer_token(name));
@@ -56,19 +68,19 @@ DenseTarget read_morph_target(const gltf::Document& document, std::uint32_t mesh
     if (semantic->attribute == Attribute::texcoord)
       log.report(Rule::morph_texcoord, place, "texture coordinates stay as they are when the mesh is morphed");
     const auto vec3 = [&, accessor = accessor] {  // clang below 16 captures no binding
-      return read_finite<glm::vec3>(document, accessor, place, log);
+      return read_displacements<glm::vec3>(document, accessor, place, log);
     };
     switch (semantic->attribute) {
       case Attribute::position: out.positions = vec3(); break;
       case Attribute::normal: out.normals = vec3(); break;
       case Attribute::tangent: out.tangents = vec3(); break;
       case Attribute::color:
-        out.colors = document.accessors[accessor].type == gltf::ElementType::vec4 ? read_finite<glm::vec4>(document, accessor, place, log)
+        out.colors = document.accessors[accessor].type == gltf::ElementType::vec4 ? read_displacements<glm::vec4>(document, accessor, place, log)
                                                                                   : without_alpha(vec3());
         break;
       case Attribute::texcoord:
         if (out.texcoords.size() <= semantic->set) out.texcoords.resize(semantic->set + 1);
-        out.texcoords[semantic->set] = read_finite<glm::vec2>(document, accessor, place, log);
+        out.texcoords[semantic->set] = read_displacements<glm::vec2>(document, accessor, place, log);
         break;
       case Attribute::joints:
       case Attribute::weights: break;
