@@ -17,6 +17,7 @@ namespace sinew {
 /// What to read and how much of it to allow. The defaults suit files of unknown origin.
 struct ImportOptions {
   bool decode_images = true;                           ///< false: images stay empty, nothing is missing
+  bool probe_images = false;                           ///< where they are not decoded: kind and size all the same, from their headers
   bool keep_encoded_images = false;                    ///< Image::encoded, for writing images back unchanged
   bool make_normals = true;                            ///< where triangles have none
   bool make_tangents = true;                           ///< where a normal map needs them and the file has none

@@ -33,11 +33,10 @@ std::string admit(gltf::Bytes encoded, std::uint64_t& pixels_left, Image& image)
   return {};
 }
 
-void decode(gltf::Bytes encoded, bool keep_encoded, Image& image) {
+void decode(gltf::Bytes encoded, Image& image) {
   auto pixels = decode_image(encoded);
   if (pixels) {
     image.rgba = std::move(*pixels);
-    if (keep_encoded) image.encoded.assign(encoded.begin(), encoded.end());
     return;
   }
   image.width = image.height = 0;
@@ -52,7 +51,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
   const std::size_t count = document.images.size();
   std::vector<Image> images(count);
   for (std::size_t i = 0; i < count; ++i) images[i].name = document.images[i].name;
-  if (!options.decode_images) return images;
+  if (!options.decode_images && !options.probe_images) return images;
 
   std::uint64_t pixels_left = options.max_image_pixels;
   for (std::size_t i = 0; i < count; ++i) {
@@ -61,7 +60,9 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
         source.encoded.empty() ? source.missing_reason : admit(source.encoded, pixels_left, images[i]);
   }
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    if (images[i].missing_reason.empty()) decode(document.images[i].encoded, options.keep_encoded_images, images[i]);
+    const gltf::Bytes encoded = document.images[i].encoded;
+    if (options.decode_images && images[i].missing_reason.empty()) decode(encoded, images[i]);
+    if (options.keep_encoded_images && images[i].missing_reason.empty()) images[i].encoded.assign(encoded.begin(), encoded.end());
   });
   // What could not even be fetched has been reported where that was found out.
   for (std::size_t i = 0; i < count; ++i)

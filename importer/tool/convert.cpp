@@ -69,7 +69,8 @@ ExitCode convert_file(const ConvertOptions& options) {
   const auto budget_m = parse_length(options.budget.value_or("0"));
   if (!budget_m) return say_error("--budget: " + budget_m.error()), ExitCode::wrong_usage;
   ImportOptions import;
-  import.keep_encoded_images = true;
+  import.decode_images = false;
+  import.probe_images = import.keep_encoded_images = true;
   auto file = load_file(options.in, import);
   if (!file) return ExitCode::input_at_fault;
   const auto bytes = options.budget ? export_within(*file, *budget_m) : export_shown(*file);

@@ -21,7 +21,10 @@ struct InfoOptions {
 
 ExitCode tell_about(const InfoOptions& options) {
   if (const auto outcome = tell_about_clips(options.file, options.json)) return *outcome;
-  const auto file = load_file(options.file);
+  ImportOptions import;
+  import.decode_images = false;
+  import.probe_images = true;
+  const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const nlohmann::ordered_json info = info_json(options.file, *file);
   if (options.json)

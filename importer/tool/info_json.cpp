@@ -167,7 +167,7 @@ Json image_json(const Image& image) {
           {"width", image.width},
           {"height", image.height},
           {"bytes", image.encoded_size},
-          {"bytes_decoded", image.rgba.size()},
+          {"bytes_decoded", std::uint64_t{4} * image.width * image.height},
           {"missing", image.missing_reason.empty() ? Json(nullptr) : Json(image.missing_reason)}};
 }
 

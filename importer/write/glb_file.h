@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "importer/file/tinygltf.h"
+#include "importer/write/tinygltf.h"
 
 namespace sinew::write {
 

@@ -120,11 +120,34 @@ void write_materials(const Scene& scene, tinygltf::Model& model) {
     model.materials.push_back(written(scene.materials[m], MovedParts(scene.properties, m), model));
 }
 
+namespace {
+
+/// An image goes into the file as it was where it is of a kind that glTF knows.
+bool is_kept(const Image& image) {
+  const std::string& kind = image.mime_type;
+  return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || kind == "image/webp");
+}
+
+/// WebP is an extension's source of a texture, without another one to fall back to.
+void set_source(const Scene& scene, std::uint32_t image, tinygltf::Model& model, tinygltf::Texture& texture) {
+  constexpr const char* kWebp = "EXT_texture_webp";
+  if (!is_kept(scene.images[image]) || scene.images[image].mime_type != "image/webp") {
+    texture.source = static_cast<int>(image);
+    return;
+  }
+  texture.extensions[kWebp] = tinygltf::Value(Object{{"source", tinygltf::Value(static_cast<int>(image))}});
+  declare_extension(model, kWebp);
+  auto& required = model.extensionsRequired;
+  if (std::find(required.begin(), required.end(), kWebp) == required.end()) required.emplace_back(kWebp);
+}
+
+}  // namespace
+
 void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
   for (const auto& image : scene.images) {
     tinygltf::Image out;
     out.name = image.name;
-    const bool keep = !image.encoded.empty() && (image.mime_type == "image/png" || image.mime_type == "image/jpeg");
+    const bool keep = is_kept(image);
     out.mimeType = keep ? image.mime_type : "image/png";
     const Image placeholder{.name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // missing images stay visible
     out.bufferView =
@@ -139,7 +162,7 @@ void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
     sampler.wrapT = wrap_of(texture.sampler.wrap_v);
     tinygltf::Texture out;
     out.sampler = static_cast<int>(model.samplers.size());
-    if (texture.image != kNone) out.source = static_cast<int>(texture.image);
+    if (texture.image != kNone) set_source(scene, texture.image, model, out);
     model.samplers.push_back(std::move(sampler));
     model.textures.push_back(std::move(out));
   }

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "importer/export_glb.h"
 #include "importer/read/image_codec.h"
 #include "tests/importer/encoded_images.h"
+#include "tests/importer/tiny_gltf.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew {
@@ -53,6 +55,60 @@ TEST(read_images, give_the_pixels_of_a_png) {
   EXPECT_EQ(images[0].rgba, kFourPixels);
   EXPECT_THAT(images[0].missing_reason, IsEmpty());
   EXPECT_THAT(log.take_warnings(), IsEmpty());
+}
+
+/// Three textures, each of one image of another kind, as `sinew convert` reads them.
+test::TinyGltf images_of_three_kinds(const std::vector<std::vector<std::byte>>& encoded) {
+  test::TinyGltf file;
+  file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"EXT_texture_webp"};
+  const char* const kinds[] = {"image/png", "image/jpeg", "image/webp"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    file.root["images"].push_back({{"bufferView", file.add_view(encoded[i])}, {"mimeType", kinds[i]}});
+    test::Json texture{{"source", i}};
+    if (i == 2) texture = {{"extensions", {{"EXT_texture_webp", {{"source", i}}}}}};
+    file.root["textures"].push_back(texture);
+    file.root["materials"].push_back({{"emissiveTexture", {{"index", i}}}});
+  }
+  return file;
+}
+
+TEST(read_images, are_written_back_byte_for_byte_webp_by_its_extension) {
+  const std::vector<std::vector<std::byte>> encoded{test::encode_png(2, 2, 4, kFourPixels), test::encode_jpeg(2, 1, 3, {9, 8, 7, 6, 5, 4}),
+                                                    test::encode_webp(2, 2, kFourPixels)};
+  ImportOptions options;
+  options.decode_images = false;
+  options.probe_images = options.keep_encoded_images = true;
+  const auto before = images_of_three_kinds(encoded).import(options);
+  ASSERT_EQ(test::outcome(before), "ok");
+  const auto written = export_glb(before->scene);
+  ASSERT_TRUE(written);
+  const auto after = import_gltf(*written, "written.glb", options);
+  ASSERT_EQ(test::outcome(after), "ok");
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(after->scene.images[i].encoded, encoded[i]) << i;
+    EXPECT_EQ(after->scene.textures[i].image, i);
+    EXPECT_THAT(after->scene.images[i].rgba, IsEmpty());
+  }
+  EXPECT_THAT(after->facts.extensions_required, testing::ElementsAre("EXT_texture_webp"));
+  EXPECT_THAT(after->facts.extensions_used, testing::ElementsAre("EXT_texture_webp"));
+}
+
+TEST(read_images, probing_takes_kind_and_size_from_the_header_alone) {
+  auto cut = test::encode_png(2, 2, 4, kFourPixels);
+  cut.resize(40);  // signature and header; no pixel is left
+  ImportOptions options;
+  options.decode_images = false;
+  options.probe_images = true;
+  IssueLog log;
+  const auto images = read_images(document_of({cut, test::encode_webp(2, 2, kFourPixels), {std::byte{1}}}), options, log);
+  EXPECT_EQ(images[0].width, 2u);
+  EXPECT_EQ(images[0].height, 2u);
+  EXPECT_EQ(images[0].mime_type, "image/png");
+  EXPECT_EQ(images[0].encoded_size, 40u);
+  EXPECT_EQ(images[1].mime_type, "image/webp");
+  EXPECT_THAT(images[1].rgba, IsEmpty());
+  EXPECT_THAT(images[1].encoded, IsEmpty());
+  EXPECT_THAT(images[2].missing_reason, HasSubstr("neither"));
 }
 
 TEST(read_images, give_the_pixels_of_a_lossless_webp) {
