@@ -2,7 +2,6 @@
 #include "importer/build/build_clips.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <string>
@@ -14,9 +13,6 @@
 
 namespace sinew {
 namespace {
-
-/// Larger than what normalised bytes and shorts lose.
-constexpr double kUnitTolerance = 0.00769;
 
 Vec3Track vec3_track(SamplerData data) {
   Vec3Track track{data.interpolation, std::move(data.times_s), std::vector<glm::vec3>(data.values.size() / 3)};
@@ -30,19 +26,15 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
   QuatTrack track{data.interpolation, std::move(data.times_s), {}};
   track.values.reserve(data.values.size() / 4);
   const bool cubic = data.interpolation == Interpolation::cubic_spline;
-  double worst = 1.0;
-  std::size_t zeros = 0;
+  RotationTally tally;
   for (std::size_t i = 0; i + 3 < data.values.size(); i += 4) {
     const float* q = data.values.data() + i;
     const UnitRotation unit = unit_rotation(q[0], q[1], q[2], q[3]);
     const bool is_value = !cubic || i / 4 % 3 == 1;
-    if (is_value && unit.length <= 1e-12) ++zeros;
-    else if (is_value && std::abs(unit.length - 1.0) > std::abs(worst - 1.0)) worst = unit.length;
+    if (is_value) tally.add(unit.length);
     track.values.push_back(cubic ? quat_xyzw(q[0], q[1], q[2], q[3]) : unit.rotation);
   }
-  if (zeros > 0) log.report(Rule::rotation_zero, place, std::to_string(zeros) + " rotation keys have no length; taken as no rotation");
-  if (std::abs(worst - 1.0) > kUnitTolerance)
-    log.report(Rule::rotation_length, place, "a rotation key has length " + std::to_string(worst) + "; normalised");
+  tally.report(place, "a rotation key", "rotation keys", log);
   return track;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/mesh_copies.h"
 
-#include <cmath>
-
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
 #include "importer/read/meshes.h"
@@ -16,7 +14,6 @@ using gltf::ElementType;
 using gltf::Json;
 
 constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
-constexpr double kUnitTolerance = 0.00769;  // what normalised bytes and shorts lose
 
 std::string place_of(std::uint32_t node) { return pointer("nodes", node, "extensions", kExtension, "attributes"); }
 
@@ -59,18 +56,14 @@ class CopyReader {
   }
 
   void fill_rotations(std::vector<Transform>& copies, const std::vector<float>& numbers) {
-    std::size_t zeros = 0;
-    double worst = 1.0;
+    RotationTally tally;
     for (std::size_t i = 0; i < copies.size(); ++i) {
       const float* q = numbers.data() + 4 * i;
       const UnitRotation unit = unit_rotation(q[0], q[1], q[2], q[3]);
       copies[i].rotation = unit.rotation;
-      if (unit.length <= 1e-12) ++zeros;
-      else if (std::abs(unit.length - 1.0) > std::abs(worst - 1.0)) worst = unit.length;
+      tally.add(unit.length);
     }
-    const std::string place = pointer(place_, "ROTATION");
-    if (zeros > 0) log_.report(Rule::rotation_zero, place, std::to_string(zeros) + " have no length; taken as no rotation");
-    if (std::abs(worst - 1.0) > kUnitTolerance) log_.report(Rule::rotation_length, place, "one has length " + std::to_string(worst) + "; normalised");
+    tally.report(pointer(place_, "ROTATION"), "a rotation", "rotations", log_);
   }
 
   const gltf::Document& document_;

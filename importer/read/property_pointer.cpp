@@ -4,6 +4,8 @@
 #include <charconv>
 #include <utility>
 
+#include "runtime/assets/texture_slot.h"
+
 namespace sinew {
 namespace {
 
@@ -96,17 +98,6 @@ std::size_t size_of(const gltf::Document& document, List list) {
   return lights == nullptr ? 0 : lights->size();
 }
 
-const gltf::TextureInfo& texture_info(const gltf::Material& material, TextureSlot slot) {
-  switch (slot) {
-    case TextureSlot::metallic_roughness: return material.metallic_roughness_texture;
-    case TextureSlot::normal: return material.normal_texture;
-    case TextureSlot::occlusion: return material.occlusion_texture;
-    case TextureSlot::emissive: return material.emissive_texture;
-    case TextureSlot::base_color: break;
-  }
-  return material.base_color_texture;
-}
-
 bool camera_defines(const gltf::Camera& camera, std::string_view path, Kind kind) {
   if (camera.perspective != path.starts_with("perspective")) return false;
   if (kind == Kind::camera_aspect) return camera.aspect != 0.0;
@@ -128,7 +119,7 @@ bool material_defines(const gltf::Material& material, const PropertyTarget& targ
     case Kind::texture_offset:
     case Kind::texture_rotation:
     case Kind::texture_scale: {
-      const gltf::TextureInfo& info = texture_info(material, target.slot);
+      const gltf::TextureInfo& info = texture_in_slot(material, target.slot);
       return info.index != kNone && member(&info.extensions, "KHR_texture_transform") != nullptr;
     }
     default: return true;

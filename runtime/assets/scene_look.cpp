@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "runtime/assets/texture_slot.h"
 #include "runtime/base/contract.h"
 
 namespace sinew {
@@ -57,16 +58,7 @@ std::span<float> components_of(Material& material, const PropertyTarget& target)
 
 }  // namespace
 
-TextureUse& texture_of(Material& material, TextureSlot slot) noexcept {
-  switch (slot) {
-    case TextureSlot::metallic_roughness: return material.metallic_roughness_texture;
-    case TextureSlot::normal: return material.normal_texture;
-    case TextureSlot::occlusion: return material.occlusion_texture;
-    case TextureSlot::emissive: return material.emissive_texture;
-    case TextureSlot::base_color: break;
-  }
-  return material.base_color_texture;
-}
+TextureUse& texture_of(Material& material, TextureSlot slot) noexcept { return texture_in_slot(material, slot); }
 
 std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept {
   if (target.kind == PropertyKind::node_visible) return {};
