@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "importer/export_glb.h"
 #include "samples/showcase/showcase.h"
 #include "tests/support/allocation_counter.h"
+#include "tests/support/corpus.h"
 #include "tests/support/scene_equality.h"
 
 namespace sinew {
@@ -46,6 +49,37 @@ TEST_F(import_gltf_test, T11_takes_less_memory_than_three_times_the_file_at_any_
     EXPECT_GT(peak.bytes(), fs::file_size(path)) << "the counter sees nothing";
     EXPECT_LT(peak.bytes(), 3 * fs::file_size(path)) << path;
   }
+}
+
+/// Bytes of JSON in a file: its tree is there beside the text while the document is read.
+std::size_t json_bytes(const fs::path& path) {
+  if (path.extension() == ".gltf") return fs::file_size(path);
+  std::ifstream stream(path, std::ios::binary);
+  std::array<unsigned char, 16> header{};
+  stream.read(reinterpret_cast<char*>(header.data()), header.size());
+  return header[12] | std::size_t{header[13]} << 8 | std::size_t{header[14]} << 16 | std::size_t{header[15]} << 24;
+}
+
+bool is_packed(const ImportedFile& file) {
+  const auto& used = file.facts.extensions_used;
+  return std::any_of(used.begin(), used.end(), [](const std::string& name) { return name.ends_with("_compression") || name.ends_with("_quantization"); });
+}
+
+TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_the_file_and_the_tree_of_their_json) {
+  if (!test::corpus()) GTEST_SKIP() << test::kNoCorpus;
+  constexpr std::size_t kTree = 5, kFixed = std::size_t{16} << 10;
+  ImportOptions options;
+  options.decode_images = false;  // they are packed
+  std::size_t compared = 0;
+  for (const fs::path& path : test::corpus_files("models", {".gltf", ".glb"})) {
+    const test::PeakMemory peak;
+    const auto file = import_gltf(path, options);
+    const std::size_t most = peak.bytes();
+    if (!file || is_packed(*file)) continue;
+    ++compared;
+    EXPECT_LT(most, 3 * file->facts.file_bytes + kTree * json_bytes(path) + kFixed) << path << ", " << file->facts.file_bytes << " bytes";
+  }
+  EXPECT_GT(compared, 0u);
 }
 
 TEST_F(import_gltf_test, G67_the_size_allowed_is_an_option_and_exact) {

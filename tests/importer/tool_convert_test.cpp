@@ -8,10 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "importer/export_glb.h"
 #include "importer/import_gltf.h"
+#include "samples/showcase/showcase.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/corpus.h"
 
@@ -89,7 +92,7 @@ TEST(convert, says_why_the_output_cannot_be_written) {
 
 /// Prints {file: [[code, rest], ...]} for the errors of the files given, with the npm package gltf-validator.
 constexpr const char* kScript = R"(
-const validator = require(process.env.SINEW_GLTF_VALIDATOR || 'gltf-validator'), fs = require('fs');
+const validator = require(process.env.SINEW_GLTF_VALIDATOR || 'gltf-validator'), fs = require('fs');  // a folder, or by NODE_PATH
 if (process.argv.length > 2) (async () => {
   const out = {};
   for (const file of process.argv.slice(2)) {
@@ -100,6 +103,35 @@ if (process.argv.length > 2) (async () => {
 })();
 )";
 
+constexpr const char* kNoValidator = "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
+
+/// Errors of each file as the validator tells them; nothing where there is no validator.
+std::optional<nlohmann::json> errors_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files) {
+  const std::string script = folder.beside("validate.js"), report = folder.beside("report.json");
+  std::ofstream(script) << kScript;
+  if (std::system(("node " + script + " >/dev/null 2>&1").c_str()) != 0) return std::nullopt;
+  std::string command = "node " + script;
+  for (const std::string& file : files) command += " '" + file + "'";
+  EXPECT_EQ(std::system((command + " >" + report).c_str()), 0);
+  return nlohmann::json::parse(content_of(report));
+}
+
+TEST(convert, an_independent_validator_finds_no_error_in_the_samples_as_they_are_written) {
+  const ToolModelFile folder;
+  std::vector<std::string> files;
+  for (const auto& sample : showcase::showcase()) {
+    const std::string in = folder.beside("in" + std::to_string(files.size()) + ".glb"), out = folder.beside("out" + std::to_string(files.size()) + ".glb");
+    ASSERT_TRUE(export_glb(sample.scene, fs::path(in)));
+    ASSERT_EQ(run_tool({"convert", in, out}).status, 0);
+    files.push_back(out);
+  }
+  ASSERT_EQ(run_tool({"convert", folder.path(), folder.beside("model.glb")}).status, 0);
+  files.push_back(folder.beside("model.glb"));
+  const auto errors = errors_by_validator(folder, files);
+  if (!errors) GTEST_SKIP() << kNoValidator;
+  for (const std::string& file : files) EXPECT_TRUE(errors->at(file).empty()) << file << ": " << errors->at(file);
+}
+
 bool has_code(const nlohmann::json& errors, const nlohmann::json& code) {
   return std::any_of(errors.begin(), errors.end(), [&](const auto& error) { return error[0] == code; });
 }
@@ -108,23 +140,19 @@ bool has_code(const nlohmann::json& errors, const nlohmann::json& code) {
 TEST(convert_corpus, an_independent_validator_finds_no_new_error_in_what_is_written) {
   if (!corpus()) GTEST_SKIP() << kNoCorpus;
   const ToolModelFile folder;
-  const std::string script = folder.beside("validate.js"), report = folder.beside("report.json");
-  std::ofstream(script) << kScript;
-  if (std::system(("node " + script + " >/dev/null 2>&1").c_str()) != 0)
-    GTEST_SKIP() << "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
-  std::string command = "node " + script;
+  std::vector<std::string> files;
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const fs::path& file : corpus_files("models", {".gltf", ".glb"})) {
     const std::string out = folder.beside(std::to_string(pairs.size()) + ".glb");
     if (run_tool({"convert", file.string(), out}).status != 0) continue;
-    command += " '" + file.string() + "' " + out;
+    files.insert(files.end(), {file.string(), out});
     pairs.emplace_back(file.string(), out);
   }
   ASSERT_FALSE(pairs.empty());
-  ASSERT_EQ(std::system((command + " >" + report).c_str()), 0);
-  const auto errors = nlohmann::json::parse(content_of(report));
+  const auto errors = errors_by_validator(folder, files);
+  if (!errors) GTEST_SKIP() << kNoValidator;
   for (const auto& [in, out] : pairs)
-    for (const auto& error : errors.at(out)) EXPECT_TRUE(has_code(errors.at(in), error[0])) << in << ": " << error;
+    for (const auto& error : errors->at(out)) EXPECT_TRUE(has_code(errors->at(in), error[0])) << in << ": " << error;
 }
 
 }  // namespace
