@@ -240,7 +240,8 @@ bool Quarantine::mark_errors(IssueLog& log) {
 
 bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
   if (!mark_errors(log)) return false;
-  if (broken_scene_) document.root.RemoveMember("scene");
+  while (broken_scene_ && document.root.RemoveMember("scene")) {
+  }
   for (const auto& [mesh, primitive] : broken_primitives_) broken_[meshes].insert(mesh);
   broken_primitives_.clear();
   for (std::size_t list = 0; list < kLists; ++list)

@@ -240,7 +240,8 @@ void check_appearance(const Scene& scene, Findings& f) noexcept {
                                   &m.emissive_texture})
       check_texture_use(*use, scene, f);
   for (const Texture& t : scene.textures) f.require_optional_index(t.image, scene.images.size());
-  for (const Image& i : scene.images) f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);
+  for (const Image& i : scene.images)
+    if (!i.rgba.empty()) f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // else only its header has been read
   for (const Camera& c : scene.cameras) f.require_optional_index(c.joint, scene.skeleton.joint_count());
   for (const Light& l : scene.lights) f.require_optional_index(l.joint, scene.skeleton.joint_count());
   for (const SceneRoots& roots : scene.scenes)
