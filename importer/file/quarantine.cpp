@@ -221,10 +221,11 @@ class Emptying {
 
 }  // namespace
 
-bool Quarantine::mark_errors(IssueLog& log) {
+bool Quarantine::mark_errors(IssueLog& log, std::string_view harmless) {
   const auto places = log.settle();
   if (!places) return false;
   for (const std::string& text : *places) {
+    if (!harmless.empty() && text == harmless) continue;
     if (text == "/scene") {
       broken_scene_ = true;
       log.mute(text);
@@ -253,7 +254,7 @@ bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
 }
 
 bool Quarantine::isolate(Document& document, IssueLog& log) {
-  if (!mark_errors(log)) return false;
+  if (!mark_errors(log, "/nodes")) return false;  // a tree too deep to show can still be read
   if (broken_scene_) document.scene = kNone;
   Emptying(document, broken_, broken_primitives_, log).run();
   return true;

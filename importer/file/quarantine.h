@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string_view>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ class Quarantine {
   static constexpr std::size_t kLists = 13;
 
  private:
-  bool mark_errors(IssueLog& log);
+  bool mark_errors(IssueLog& log, std::string_view harmless = {});
 
   std::array<std::set<std::uint32_t>, kLists> broken_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> broken_primitives_;  ///< mesh, primitive

@@ -65,7 +65,7 @@ TEST(sample_features, G24_indices_may_be_sparse) {
 TEST(sample_features, G24_G47_sparse_displacements_follow_their_vertices) {
   TinyGltf file;
   Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0}, {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 0.25f, 0.75f, 0, 0});
-  primitive["targets"] = Json::array({{{"POSITION", add_sparse<std::uint16_t>(file, {2, 0, 2, 1}, 5123, {9, 9, 9, 1, 0, 0, 3, 0, 0, 0, 0, 0}, "VEC3", 3)}}});
+  primitive["targets"] = Json::array({{{"POSITION", add_sparse<std::uint16_t>(file, {2, 0, 2}, 5123, {9, 9, 9, 1, 0, 0, 3, 0, 0}, "VEC3", 3)}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const Primitive& read = first_primitive(result);
