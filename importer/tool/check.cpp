@@ -58,7 +58,8 @@ ExitCode check_file(const CheckOptions& options) {
     for (const ImportIssue& issue : issues)
       fmt::print("{}: {}{}{}: {}: {}\n", options.file, issue.json_pointer, issue.json_pointer.empty() ? "" : ": ",
                  issue.rule, severity_name(issue), issue.detail);
-    fmt::print("{}: {} errors, {} warnings\n", options.file, errors, issues.size() - errors);
+    const std::size_t warnings = issues.size() - errors;
+    fmt::print("{}: {} error{}, {} warning{}\n", options.file, errors, errors == 1 ? "" : "s", warnings, warnings == 1 ? "" : "s");
   }
   return errors == 0 ? ExitCode::done : ExitCode::input_at_fault;
 }

@@ -27,7 +27,7 @@ struct Sampler {
 struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;              ///< [4 * width * height] rows from the top
+  std::vector<std::uint8_t> rgba;              ///< [4 * width * height] rows from the top; empty where only the header was read
   std::string missing_reason;                  ///< not empty = draw the placeholder
   std::string mime_type;                       ///< what the file holds, by content, such as "image/png"; empty when missing
   std::uint64_t encoded_size = 0;              ///< bytes of it in the file

@@ -39,6 +39,9 @@ Scene good_scene() {
 
 TEST(asset_checks, a_good_scene_and_an_empty_one_pass) {
   EXPECT_EQ(check(good_scene()), ErrorCode::ok);
+  Scene header_only = good_scene();
+  header_only.images.push_back({"", 2, 2, {}, ""});
+  EXPECT_EQ(check(header_only), ErrorCode::ok);
   Scene empty;
   finish_scene(empty);
   EXPECT_EQ(check(empty), ErrorCode::ok);
@@ -89,7 +92,7 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"weight offsets", [](Scene& s) { s.first_weight.push_back(1); }, ErrorCode::size_mismatch},
       {"texture index", [](Scene& s) { s.materials[0].normal_texture.texture = 0; }, ErrorCode::index_out_of_range},
       {"image index", [](Scene& s) { s.textures.push_back({0, {}}); }, ErrorCode::index_out_of_range},
-      {"pixels missing", [](Scene& s) { s.images.push_back({"", 2, 2, {}, ""}); }, ErrorCode::size_mismatch},
+      {"half of the pixels", [](Scene& s) { s.images.push_back({"", 2, 2, std::vector<std::uint8_t>(8), ""}); }, ErrorCode::size_mismatch},
       {"camera joint", [](Scene& s) { s.cameras.emplace_back().joint = 3; }, ErrorCode::index_out_of_range},
       {"light joint", [](Scene& s) { s.lights.emplace_back().joint = 3; }, ErrorCode::index_out_of_range},
       {"scene root", [](Scene& s) { s.scenes.push_back({"", {3}}); }, ErrorCode::index_out_of_range},
