@@ -167,9 +167,10 @@ TEST(cost_influences, the_heaviest_are_kept_with_sum_one) {
   EXPECT_THAT(one.weights, ElementsAre(1.0f, 1.0f));
 }
 
-TEST(cost_influences, coarse_weights_are_steps_with_sum_one) {
-  const VertexInfluences coarse = cost::coarse_weights(two_vertices(), 4);  // 0.6 0.3 0.1 -> 2/4 1/4 0/4
-  EXPECT_THAT(coarse.weights, ElementsAre(1.0f, testing::FloatEq(2.0f / 3.0f), testing::FloatEq(1.0f / 3.0f), 0.0f));
+TEST(cost_influences, whole_weights_have_sum_one_and_the_heaviest_takes_what_is_missing) {
+  const VertexInfluences two{{{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // 127.5 63.9 63.6
+  EXPECT_THAT(cost::whole_weights<std::uint8_t>(two), ElementsAre(255, 127, 64, 64));
+  EXPECT_THAT(cost::whole_weights<std::uint16_t>(two_vertices()), ElementsAre(65535, 39320, 19661, 6554));
 }
 
 cost::Point point(double error, double time_ns) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <span>
 
 namespace sinew::cost {
@@ -37,13 +39,20 @@ VertexInfluences heaviest_influences(const VertexInfluences& influences, std::ui
   return out;
 }
 
-VertexInfluences coarse_weights(const VertexInfluences& influences, std::uint32_t steps) {
-  VertexInfluences out = influences;
-  for (float& w : out.weights) w = static_cast<float>(std::round(static_cast<double>(w) * steps) / steps);
-  for (const InfluenceGroup& group : out.groups)
-    for (std::size_t v = 0; v < group.vertex_count; ++v)
-      make_sum_one(std::span(out.weights).subspan(group.first_influence + v * group.influence_count, group.influence_count));
+template <class N>
+std::vector<N> whole_weights(const VertexInfluences& influences) {
+  constexpr int kOne = std::numeric_limits<N>::max();
+  std::vector<N> out;
+  for (const float w : influences.weights) out.push_back(static_cast<N>(std::lround(static_cast<double>(w) * kOne)));
+  for (const InfluenceGroup& group : influences.groups)
+    for (std::size_t v = 0; v < group.vertex_count; ++v) {
+      const auto weights = std::span(out).subspan(group.first_influence + v * group.influence_count, group.influence_count);
+      weights[0] = static_cast<N>(weights[0] + kOne - std::accumulate(weights.begin(), weights.end(), 0));
+    }
   return out;
 }
+
+template std::vector<std::uint8_t> whole_weights(const VertexInfluences&);
+template std::vector<std::uint16_t> whole_weights(const VertexInfluences&);
 
 }  // namespace sinew::cost

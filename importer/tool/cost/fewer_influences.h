@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "runtime/assets/skin.h"
 
@@ -9,8 +10,11 @@ namespace sinew::cost {
 /// At most `count` influences a vertex: the heaviest, which come first, with weights of sum 1 again.
 VertexInfluences heaviest_influences(const VertexInfluences& influences, std::uint32_t count);
 
-/// Weights rounded to multiples of 1 / `steps`, then of sum 1 again, as normalised integers in a file are read. Those that round to 0
-/// stay as influences of weight 0: the work is the same.
-VertexInfluences coarse_weights(const VertexInfluences& influences, std::uint32_t steps);
+/// Weights as normalised integers of type N, of sum 1 in each vertex: each rounded, the heaviest takes what is missing. Those that
+/// round to 0 stay as influences of weight 0: the work is the same.
+template <class N>
+std::vector<N> whole_weights(const VertexInfluences& influences);
+extern template std::vector<std::uint8_t> whole_weights(const VertexInfluences&);
+extern template std::vector<std::uint16_t> whole_weights(const VertexInfluences&);
 
 }  // namespace sinew::cost

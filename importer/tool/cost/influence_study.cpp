@@ -16,31 +16,37 @@ namespace sinew::cost {
 namespace {
 
 /// Largest distance in mm of positions skinned by `influences` from those of the part's own influences in double precision.
-double error_mm(const SkinnedPart& part, const VertexInfluences& influences) {
+double error_mm(const SkinnedPart& part, const InfluenceStreams& influences) {
   PlainVertices<double> truth(part.vertex_count());
   DeformedVertices found(part.vertex_count());
   double largest_m = 0.0;
   for (const PosedSkin& pose : part.poses) {
     skin_plainly<double>(part.primitive->influences, pose.exact, {part.primitive->positions, {}, {}}, NormalRule::linear, truth);
-    run(SkinLinearJob{&influences, pose.palette, part.in(), found.out(), NormalRule::linear});
+    run(SkinLinearJob{influences, pose.palette, part.in(), found.out(), NormalRule::linear});
     largest_m = std::max(largest_m, largest_distance<glm::vec3, Vec3<double>>(found.positions, truth.positions));
   }
   return 1e3 * largest_m;
 }
 
-void add_variant(Study& study, const SkinnedPart& part, const std::string& name, VertexInfluences influences, double bytes_per_influence, const char* note) {
+/// in   weights  float or normalised integers, parallel to `influences.joints`
+template <class N>
+void add_variant(Study& study, const SkinnedPart& part, const char* name, const VertexInfluences& influences, std::vector<N> weights, const char* note) {
   struct Skinned {
     SkinnedPart part;
     VertexInfluences influences;
+    std::vector<N> weights;
     DeformedVertices out;
+
+    InfluenceStreams streams() const { return {influences.groups, std::span(influences.joints), std::span<const N>(weights)}; }
   };
+  const auto skinned = std::make_shared<Skinned>(Skinned{part, influences, std::move(weights), DeformedVertices(part.vertex_count())});
+  constexpr std::size_t kBytes = sizeof(N) + sizeof(std::uint16_t);
   Point point;
   point.name = name, point.note = note;
-  point.error = error_mm(part, influences);
-  point.values = {{"weights and joints", bytes_per_influence * static_cast<double>(influences.weights.size()) / static_cast<double>(part.vertex_count()), "bytes a vertex"}};
-  const auto skinned = std::make_shared<Skinned>(Skinned{part, std::move(influences), DeformedVertices(part.vertex_count())});
+  point.error = error_mm(part, skinned->streams());
+  point.values = {{"weights and joints", static_cast<double>(kBytes * influences.joints.size()) / static_cast<double>(part.vertex_count()), "bytes a vertex"}};
   study.add(std::move(point), {part.vertex_count(), [skinned] {
-              run(SkinLinearJob{&skinned->influences, skinned->part.poses.front().palette, skinned->part.in(), skinned->out.out(), NormalRule::linear});
+              run(SkinLinearJob{skinned->streams(), skinned->part.poses.front().palette, skinned->part.in(), skinned->out.out(), NormalRule::linear});
             }});
 }
 
@@ -68,16 +74,18 @@ Study study_influences(const Subject& subject) {
   group.about = fmt::format("Linear blending of positions and normals of the largest primitive: {}. The error is the largest distance of a vertex "
                             "from where all its influences put it in double precision.", part->description);
   const VertexInfluences& all = part->primitive->influences;
-  constexpr double kFloatWeight = 6.0, kWeight16 = 4.0, kWeight8 = 3.0;  // bytes, with a 16-bit joint
   std::uint32_t most = 0;
   for (const InfluenceGroup& g : all.groups) most = std::max(most, g.influence_count);
   const std::pair<std::uint32_t, const char*> fewer[] = {{1, "one influence"}, {2, "two influences"}, {4, "four influences"}};
   for (const auto& [count, name] : fewer)
-    if (count < most) add_variant(study, *part, name, heaviest_influences(all, count), kFloatWeight, "the heaviest, renormalised");
-  add_variant(study, *part, "all influences", all, kFloatWeight, "float weights");
+    if (count < most) {
+      const VertexInfluences heaviest = heaviest_influences(all, count);
+      add_variant(study, *part, name, heaviest, heaviest.weights, "the heaviest, renormalised");
+    }
+  add_variant(study, *part, "all influences", all, all.weights, "float weights");
   group.points.back().is_default = true;
-  add_variant(study, *part, "rounding weights to 16 bits", coarse_weights(all, 65535), kWeight16, "all influences; widened to float at load");
-  add_variant(study, *part, "rounding weights to 8 bits", coarse_weights(all, 255), kWeight8, "all influences; widened to float at load");
+  add_variant(study, *part, "16-bit weights", all, whole_weights<std::uint16_t>(all), "all influences; widened to float vertex by vertex");
+  add_variant(study, *part, "8-bit weights", all, whole_weights<std::uint8_t>(all), "all influences; widened to float vertex by vertex");
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;
 }
