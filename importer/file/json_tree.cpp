@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/file/json_tree.h"
 
+#include <cstddef>
 #include <string>
 
 namespace sinew {
@@ -11,8 +12,9 @@ rapidjson::SizeType size_of(const std::string& text) { return static_cast<rapidj
 }  // namespace
 
 JsonNode* find_member(JsonNode& object, std::string_view name) noexcept {
-  for (auto member = object.MemberEnd(); member != object.MemberBegin();)
-    if (--member; text_of(member->name) == name) return &member->value;
+  const auto first = object.MemberBegin();
+  for (auto left = static_cast<std::ptrdiff_t>(object.MemberCount()); left > 0; --left)  // of equal names the last counts
+    if (const auto member = first + (left - 1); text_of(member->name) == name) return &member->value;
   return nullptr;
 }
 
