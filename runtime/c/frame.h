@@ -27,6 +27,8 @@ typedef struct sinew_frame_input {
   size_t layer_count;              ///< at most max_layers + max_adding_layers
   sinew_floats weights;            ///< all morph weights in place of the clips' own; empty = the clips'
   sinew_affine root;               ///< placed above all root joints
+  const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded; null = all in view
+  uint32_t asleep;                 ///< 1 = nobody needs anything of the character: no work is done, the result is empty
 } sinew_frame_input;
 
 /// No layers, root identity; struct_size is set.
@@ -76,7 +78,7 @@ typedef struct sinew_instance_result {
   sinew_box bounds;                ///< world space; empty unless asked for
   uint32_t first_shape;            ///< one shape per primitive of its mesh
   uint32_t mirrored;               ///< 1: front faces wind clockwise
-  uint32_t visible;                ///< 0: on a hidden joint
+  uint32_t visible;                ///< 0: on a hidden joint, or out of view
 } sinew_instance_result;
 sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance, sinew_instance_result* out);
 

@@ -20,6 +20,9 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, s
   }
   input.layers = room.first(own.layer_count);
   input.weights = {own.weights.data, own.weights.count};
+  if (own.out_of_view != nullptr) input.out_of_view = {own.out_of_view, plan.plan.scene->instances.size()};
+  else input.out_of_view = {};
+  input.asleep = own.asleep != 0;
   copy_bits(own.root, input.root);
   return SINEW_OK;
 }
@@ -31,5 +34,7 @@ sinew_frame_input sinew_default_input(void) {
           .layers = nullptr,
           .layer_count = 0,
           .weights = {nullptr, 0},
-          .root = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+          .root = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
+          .out_of_view = nullptr,
+          .asleep = 0};
 }

@@ -163,6 +163,7 @@ void place_tables(Plan& plan, BlockLayout& block) {
   tables.winding_since_at = block.take_array<std::uint64_t>(scene.instances.size());
   tables.last_weights_at = block.take_array<float>(scene.weight_count());
   tables.input_weights_at = block.take_array<float>(scene.weight_count());
+  tables.input_out_of_view_at = block.take_array<std::uint8_t>(scene.instances.size());
   tables.input_layer_count = plan.needs.max_layers + (plan.needs.additive ? kKeptAddingLayers : 0);
   tables.stage_ns_at = block.take_array<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
   tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
@@ -190,7 +191,7 @@ void place(Plan& plan) {
   plan.properties_at = block.take_array<float>(numbers);
   plan.layer_properties_at = block.take_array<float>(extra_layers * numbers);
   plan.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
-  plan.palette_wanted_at = block.take_array<bool>(plan.hide_per_frame ? scene.skins.size() : 0);
+  plan.palette_wanted_at = block.take_array<bool>(scene.skins.size());
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
   std::size_t largest_palette = 0;
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {

@@ -50,7 +50,7 @@ struct ClipTracks {
 struct TablePlaces {
   std::size_t instances_at = 0, primitives_at = 0, blend_layers_at = 0;
   std::size_t palettes_at = 0, weights_since_at = 0, winding_since_at = 0;
-  std::size_t last_weights_at = 0, input_weights_at = 0;
+  std::size_t last_weights_at = 0, input_weights_at = 0, input_out_of_view_at = 0;
   std::size_t input_layers_at = 0, input_layer_count = 0;
   std::size_t stage_ns_at = 0;
 };
@@ -80,7 +80,7 @@ struct Plan {
   std::size_t added_weights_at = 0, reference_weights_at = 0;
   std::size_t properties_at = 0, layer_properties_at = 0;
   std::size_t hidden_at = 0;                                      ///< bool[joints]
-  std::size_t palette_wanted_at = 0;                              ///< bool[skins]: a visible instance needs the skin
+  std::size_t palette_wanted_at = 0;                              ///< bool[skins]: an instance that is seen needs the skin
   std::size_t model_at = 0;
   std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
   std::size_t new_palette_at = 0;              ///< of the skin at hand, until it is known to differ from the frame before

@@ -19,6 +19,11 @@ bool same(const ClipLayer& a, const ClipLayer& b) noexcept {
          a.kind == b.kind;
 }
 
+/// As FrameTables::input_out_of_view.
+std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
+  return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
+}
+
 /// Whether the layers leave every joint at rest, to the last bit: none at all, or a single one of full weight whose clip has no
 /// tracks of joints.
 bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
@@ -65,14 +70,18 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
 }
 
 bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {
-  if (!keeps_input_ || input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
+  if (!keeps_input_ || input.asleep != asleep_) return false;
+  if (input.asleep) return true;  // whatever it would do
+  if (input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
   const FrameTables tables(plan, FrameMemory{block_.get()});
+  for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
+    if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
   return std::equal(input.layers.begin(), input.layers.end(), tables.input_layers.begin(), same) &&
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
 }
 
 bool FrameBuffer::is_still(const Plan& plan, const FrameInput& input) const noexcept {
-  if (!keeps_input_ || !same_bits(input.root, root_)) return false;
+  if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return false;
   const FrameTables tables(plan, FrameMemory{block_.get()});
   return leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, tables.input_layers.first(layer_count_));
 }
@@ -80,11 +89,13 @@ bool FrameBuffer::is_still(const Plan& plan, const FrameInput& input) const noex
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.
 void FrameBuffer::keep(const Plan& plan, const FrameInput& input) noexcept {
   const FrameTables tables(plan, FrameMemory{block_.get()});
+  asleep_ = input.asleep;
   keeps_input_ = input.layers.size() <= tables.input_layers.size();
   if (!keeps_input_) return;
   layer_count_ = input.layers.size(), weight_count_ = input.weights.size(), root_ = input.root;
   std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
+  for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
 }
 
 }  // namespace sinew

@@ -56,6 +56,7 @@ class FrameBuffer {
   const FrameBuffer* before_ = nullptr;
   bool keeps_input_ = false;             // the block has the input of its last run as well, and whatever that gave
   std::size_t layer_count_ = 0, weight_count_ = 0;
+  bool asleep_ = false;                  // in the last run: the joints in the block are of another one
   Affine root_;
   FrameResult result_;
 };

@@ -29,6 +29,10 @@ struct FrameInput {
   std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest.
                                        ///< Correctives add to either
   Affine root;                         ///< placed above all root joints
+  std::span<const std::uint8_t> out_of_view = {};  ///< [instances] 1: nobody sees the mesh, which is then neither morphed nor
+                                       ///< skinned nor bounded; joints and weights are as ever. Empty = all are in view
+  bool asleep = false;                 ///< nobody needs anything of the character: no stage runs and the result is empty. Clocks,
+                                       ///< events and root motion go on, they lie outside of frames
 };
 
 }  // namespace sinew

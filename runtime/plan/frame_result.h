@@ -31,7 +31,8 @@ struct InstanceResult {
   std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
   bool mirrored = false;              ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
                                       ///< negative, for a skinned mesh that of the first joint's skinning matrix
-  bool visible = true;                ///< false: on a hidden joint; nothing is deformed, the box is empty
+  bool visible = true;                ///< false: on a hidden joint, or out of view by FrameInput; then its box is empty and,
+                                      ///< but for hidden meshes that are asked for, nothing is deformed
   Aabb bounds;                        ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
                                       ///< vertices; rigid ones: the box of their moved rest box, which holds it (G54)
 };

@@ -24,6 +24,7 @@ struct FrameTables {
         last_weights(memory.array<float>(plan.tables.last_weights_at, plan.rest_weights.size())),
         input_layers(memory.array<ClipLayer>(plan.tables.input_layers_at, plan.tables.input_layer_count)),
         input_weights(memory.array<float>(plan.tables.input_weights_at, plan.rest_weights.size())),
+        input_out_of_view(memory.array<std::uint8_t>(plan.tables.input_out_of_view_at, plan.scene->instances.size())),
         stage_ns(memory.array<std::uint64_t>(plan.tables.stage_ns_at, plan.needs.stage_times ? kStageCount : 0)) {}
 
   std::span<InstanceResult> instances;
@@ -35,6 +36,7 @@ struct FrameTables {
   std::span<float> last_weights;               // [W] FrameResult::weights
   std::span<ClipLayer> input_layers;           // the input that the results belong to
   std::span<float> input_weights;
+  std::span<std::uint8_t> input_out_of_view;   // 0 or 1, all 0 where the input leaves it empty
   std::span<std::uint64_t> stage_ns;           // FrameResult::stage_ns
 };
 

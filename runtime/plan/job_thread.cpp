@@ -20,18 +20,22 @@ namespace {
 struct OwnInput {
   std::pmr::vector<ClipLayer> layers;
   std::pmr::vector<float> weights;
+  std::pmr::vector<std::uint8_t> out_of_view;
   Affine root;
+  bool asleep = false;
 
-  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), weights(memory) {
+  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), weights(memory), out_of_view(memory) {
     layers.reserve(plan.needs.max_layers);
     weights.reserve(plan.rest_weights.size());
+    out_of_view.reserve(plan.scene->instances.size());
   }
   void assign(const FrameInput& input) {
     layers.assign(input.layers.begin(), input.layers.end());
     weights.assign(input.weights.begin(), input.weights.end());
-    root = input.root;
+    out_of_view.assign(input.out_of_view.begin(), input.out_of_view.end());
+    root = input.root, asleep = input.asleep;
   }
-  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root}; }
+  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root, .out_of_view = out_of_view, .asleep = asleep}; }
 };
 
 struct Batch {

@@ -36,6 +36,7 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
   if (active > plan.needs.max_layers) return ErrorCode::size_mismatch;
   if (plan.sample && !plan.blend && active > 0 && total_weight < 1.0) return ErrorCode::unsupported;
   if (!input.weights.empty() && input.weights.size() != plan.rest_weights.size()) return ErrorCode::size_mismatch;
+  if (!input.out_of_view.empty() && input.out_of_view.size() != plan.scene->instances.size()) return ErrorCode::size_mismatch;
   for (const float weight : input.weights)
     if (!std::isfinite(weight)) return ErrorCode::not_finite;
   return ErrorCode::ok;
@@ -84,22 +85,28 @@ std::span<const bool> hide(const Plan& plan, std::span<const float> properties, 
   return hidden;
 }
 
-bool is_shown(const Plan& plan, std::size_t instance, std::span<const bool> hidden) noexcept {
-  return hidden.empty() || !hidden[plan.scene->instances[instance].joint];
-}
+/// What this frame need not show.
+struct Unseen {
+  std::span<const bool> hidden;               // [joints], empty = none
+  std::span<const std::uint8_t> out_of_view;  // [instances], empty = none
 
-bool is_deformed(const Plan& plan, std::size_t instance, std::span<const bool> hidden) noexcept {
-  return plan.needs.hidden_meshes || is_shown(plan, instance, hidden);
-}
+  bool is_hidden(const Plan& plan, std::size_t instance) const noexcept {
+    return !hidden.empty() && hidden[plan.scene->instances[instance].joint];
+  }
+  bool is_out_of_view(std::size_t instance) const noexcept { return !out_of_view.empty() && out_of_view[instance] != 0; }
+  bool is_deformed(const Plan& plan, std::size_t instance) const noexcept {
+    return !is_out_of_view(instance) && (plan.needs.hidden_meshes || !is_hidden(plan, instance));
+  }
+};
 
 /// Skins that some instance of this frame needs; empty = as the plan says.
-std::span<const bool> wanted_palettes(const Plan& plan, std::span<const bool> hidden, FrameMemory memory) noexcept {
-  if (!plan.hide_per_frame) return {};
+std::span<const bool> wanted_palettes(const Plan& plan, const Unseen& unseen, FrameMemory memory) noexcept {
+  if (!plan.hide_per_frame && unseen.out_of_view.empty()) return {};
   const std::span<bool> wanted = memory.array<bool>(plan.palette_wanted_at, plan.palette.size());
   std::fill(wanted.begin(), wanted.end(), false);
   for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)
     if (const std::uint32_t skin = plan.scene->instances[i].skin; skin != kNone)
-      wanted[skin] = wanted[skin] || is_deformed(plan, i, hidden);
+      wanted[skin] = wanted[skin] || unseen.is_deformed(plan, i);
   return wanted;
 }
 
@@ -143,7 +150,7 @@ std::uint64_t since_of(const Plan& plan, const PrimitivePlan& planned, const Fra
   return since;
 }
 
-/// A hidden instance deforms nothing.
+/// An instance that nobody sees deforms nothing.
 void leave_out(const Plan& plan, std::size_t instance, std::span<DeformedPrimitive> shapes) noexcept {
   for (std::uint32_t p = plan.first_primitive[instance]; p < plan.first_primitive[instance + 1]; ++p)
     shapes[p] = nothing_deformed(plan.primitives[p]);
@@ -185,14 +192,14 @@ void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std
   }
 }
 
-void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, std::span<const bool> hidden,
-                   const FrameStep& step, FrameWork& work) noexcept {
+void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, const Unseen& unseen, const FrameStep& step,
+                   FrameWork& work) noexcept {
   InstanceResult placed = place_instance(plan, i, model);
-  placed.visible = is_shown(plan, i, hidden);
+  placed.visible = !unseen.is_hidden(plan, i) && !unseen.is_out_of_view(i);
   const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
   const auto weights = step.memory.array<const float>(plan.weights_at, plan.rest_weights.size()).subspan(first, end - first);
   stamp_instance(plan, i, weights, placed, step);
-  if (is_deformed(plan, i, hidden)) return deform_instance(plan, i, placed, weights, step, work);
+  if (unseen.is_deformed(plan, i)) return deform_instance(plan, i, placed, weights, step, work);
   step.tables.instances[i] = placed;
   leave_out(plan, i, step.tables.primitives);
 }
@@ -211,6 +218,25 @@ void restamp(bool same_before, const FrameStep& step) noexcept {
   for (std::size_t p = 0; p < now.primitives.size(); ++p) take(now.primitives[p].since_frame, before.primitives[p].since_frame);
 }
 
+/// The result of a character that sleeps: tables of nothing, so that whatever comes next is new.
+FrameResult sleep(const Plan& plan, const FrameStep& step) noexcept {
+  const FrameTables& tables = step.tables;
+  std::fill(tables.palettes.begin(), tables.palettes.end(), SkinPalette{});
+  std::fill(tables.weights_since.begin(), tables.weights_since.end(), 0);
+  std::fill(tables.winding_since.begin(), tables.winding_since.end(), 0);
+  for (std::size_t i = 0; i < tables.instances.size(); ++i) {
+    tables.instances[i] = {.world_from_mesh = {}, .first_primitive = plan.first_primitive[i], .visible = false, .bounds = {}};
+    leave_out(plan, i, tables.primitives);
+  }
+  FrameResult result;
+  if (plan.needs.palettes) result.palettes = tables.palettes;
+  result.instances = tables.instances;
+  result.primitives = tables.primitives;
+  result.stage_ns = tables.stage_ns;
+  result.work = FrameWork(tables.stage_ns).counters();
+  return result;
+}
+
 /// Everything from the input to the tables. Answers the result without its numbers of frames.
 FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step) noexcept {
   const FrameMemory memory = step.memory;
@@ -222,8 +248,9 @@ FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep&
   const std::span<const float> properties =
       memory.array<const float>(plan.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
   const std::span<const bool> hidden = hide(plan, properties, memory, work);
-  make_palettes(plan, model, wanted_palettes(plan, hidden, memory), step, work);
-  for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, hidden, step, work);
+  const Unseen unseen{hidden, input.out_of_view};
+  make_palettes(plan, model, wanted_palettes(plan, unseen, memory), step, work);
+  for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, unseen, step, work);
   std::copy(weights.begin(), weights.end(), step.tables.last_weights.begin());
   FrameResult result;
   if (plan.needs.joints) result.model = model;
@@ -255,7 +282,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
     if (&before != &frame) restamp(same_before, step);
     frame.result_.work = FrameWork(step.tables.stage_ns).counters();   // no stage ran
   } else {
-    frame.result_ = evaluate(plan, input, step);
+    frame.result_ = input.asleep ? sleep(plan, step) : evaluate(plan, input, step);
     frame.keep(plan, input);
   }
   frame.result_.frame = step.number, frame.result_.since_frame = since;

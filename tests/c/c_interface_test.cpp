@@ -112,6 +112,23 @@ TEST(c_interface, frames_have_the_bits_of_the_cpp_interface) {
   }
 }
 
+TEST(c_interface, what_nobody_sees_is_told_to_the_frame) {
+  const sinew_scene scene = random_handle(6);
+  const sinew_needs needs = all_needs();
+  const std::vector<std::uint8_t> out_of_view{0, 1, 1, 0};
+  ASSERT_EQ(scene.scene.instances.size(), out_of_view.size());
+  sinew_frame_input input = layered_input();
+  FrameInput in_cpp = layered_input_in_cpp();
+  input.out_of_view = out_of_view.data(), in_cpp.out_of_view = out_of_view;
+  Numbers some, none;
+  ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &some), SINEW_OK);
+  expect_same(some.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
+  input.asleep = 1, in_cpp.asleep = true;
+  ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &none), SINEW_OK);
+  expect_same(none.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
+  EXPECT_LT(none.count, some.count);
+}
+
 TEST(c_interface, masks_weights_and_skinning_per_instance_reach_the_plan) {
   const sinew_scene scene = random_handle(4);
   const std::size_t joints = scene.scene.skeleton.joint_count();

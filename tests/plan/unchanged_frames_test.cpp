@@ -60,7 +60,10 @@ class FewInputs {
     root_ = {};
     if (choose(4) == 0) root_.row[0].w = 1.0f;
     if (choose(6) == 0) root_.row[1].y = -1.0f;
-    return {.layers = layers_, .weights = weights_, .root = root_};
+    out_of_view_.clear();
+    if (choose(2) == 0)
+      for (std::size_t i = 0; i < scene_.instances.size(); ++i) out_of_view_.push_back(choose(3) == 0);
+    return {.layers = layers_, .weights = weights_, .root = root_, .out_of_view = out_of_view_, .asleep = choose(5) == 0};
   }
 
  private:
@@ -70,6 +73,7 @@ class FewInputs {
   FixedRandom random_;
   std::vector<ClipLayer> layers_;
   std::vector<float> weights_;
+  std::vector<std::uint8_t> out_of_view_;
   Affine root_;
 };
 
@@ -174,7 +178,7 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   std::vector<FrameBuffer> buffers;
   for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
   FewInputs inputs(scene, seed);
-  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_since(plan.primitives.size());
+  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame(plan.primitives.size());  // of those that gave vertices
   FixedRandom random(seed + 1000);
   std::size_t at = 0, kept = 0;
   for (std::uint64_t number = 1; number <= 40; ++number) {
@@ -188,11 +192,15 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
     expect_same(buffers[at].result(), fresh.result());
     for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
       const DeformedPrimitive& shape = buffers[at].result().primitives[p];
-      EXPECT_EQ(shape.since_frame != 0, plan.primitives[p].deformed()) << p;
+      const std::uint32_t i = plan.primitives[p].instance;
+      const bool is_seen = !input.asleep && (input.out_of_view.empty() || input.out_of_view[i] == 0);
+      EXPECT_EQ(shape.since_frame != 0, plan.primitives[p].deformed() && is_seen) << p;
       EXPECT_LE(shape.since_frame, number);
-      const auto [seen, is_new] = hash_since[p].emplace(shape.since_frame, hash_shape(shape));
-      EXPECT_EQ(seen->second, hash_shape(shape)) << "primitive " << p << " frame " << number;
-      kept += !is_new;
+      if (shape.since_frame == 0) continue;
+      const std::uint64_t hash = hash_of_frame[p][number] = hash_shape(shape);
+      for (auto seen = hash_of_frame[p].lower_bound(shape.since_frame); seen != hash_of_frame[p].end(); ++seen)
+        EXPECT_EQ(seen->second, hash) << "primitive " << p << " frame " << number << " since " << shape.since_frame;
+      kept += shape.since_frame < number;
     }
   }
   return kept;
@@ -201,13 +209,13 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
 TEST(unchanged_frames, P19_results_and_stamps_are_right_whatever_ran_before) {
   std::size_t kept = 0;
   for (std::uint32_t seed = 0; seed < 32; ++seed) kept += run_in_turns(seed, 1);
-  EXPECT_GT(kept, 32 * 20u);
+  EXPECT_GT(kept, 32 * 10u);
 }
 
 TEST(unchanged_frames, P19_results_and_stamps_are_right_for_buffers_that_take_turns) {
   std::size_t kept = 0;
   for (std::uint32_t seed = 0; seed < 32; ++seed) kept += run_in_turns(seed, 3);
-  EXPECT_GT(kept, 32 * 20u);
+  EXPECT_GT(kept, 32 * 10u);
 }
 
 TEST(unchanged_frames, a_frame_with_more_adding_layers_than_are_kept_is_right_as_well) {
