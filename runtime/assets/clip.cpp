@@ -8,6 +8,7 @@
 namespace sinew {
 
 Clip::Clip() : layout_(std::make_unique<ClipLayout>()) {}
+Clip::Clip(ClipLayout&& layout) : layout_(std::make_unique<ClipLayout>(std::move(layout))) {}
 Clip::Clip(Clip&&) noexcept = default;
 Clip& Clip::operator=(Clip&&) noexcept = default;
 Clip::~Clip() = default;
@@ -26,11 +27,7 @@ Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
   return clip;
 }
 
-Clip clip_of(ClipLayout layout) {
-  Clip clip;
-  const_cast<ClipLayout&>(clip.layout()) = std::move(layout);  // no one else has seen it yet
-  return clip;
-}
+Clip clip_of(ClipLayout layout) { return Clip(std::move(layout)); }
 
 std::size_t Clip::byte_size() const noexcept {
   std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *

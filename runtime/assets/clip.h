@@ -49,9 +49,9 @@ class Clip {
   const ClipLayout& layout() const noexcept { return *layout_; }
 
  private:
-  friend Clip compile_clip(const Animation&, const Skeleton&, std::span<const float>, std::span<const std::uint32_t>,
-                           const PropertyTable&, const KeyTolerances&);
-  friend Clip with_certificate(Clip, const ClipCertificate&);
+  explicit Clip(ClipLayout&& layout);
+  friend Clip clip_of(ClipLayout layout);
+  friend Clip with_certificate(Clip clip, const ClipCertificate& certificate);
   std::unique_ptr<ClipLayout> layout_;
 };
 

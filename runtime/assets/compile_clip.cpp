@@ -334,11 +334,11 @@ Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::spa
   CONTRACT(rounding.bones.empty() || rounding.bones.size() == animation.bones.size());
   CONTRACT(rounding.weights.empty() || rounding.weights.size() == animation.weights.size());
   CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
-  Clip clip;
-  clip.layout_->name = animation.name;
-  clip.layout_->duration_s = animation.duration_s;
-  Compiler(*clip.layout_, skeleton, rest_weights, properties).add(animation, first_weight, rounding);
-  return clip;
+  ClipLayout layout;
+  layout.name = animation.name;
+  layout.duration_s = animation.duration_s;
+  Compiler(layout, skeleton, rest_weights, properties).add(animation, first_weight, rounding);
+  return clip_of(std::move(layout));
 }
 
 }  // namespace sinew
