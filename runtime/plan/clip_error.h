@@ -16,8 +16,9 @@ struct ClipError {
   std::uint32_t worst_joint = kNone;
 };
 
-/// Every key time of every track, both ends of the clip, and four times between each two. Clips of so many joints and keys
-/// that this would be more than kMostJointTimes poses of joints are looked at in even steps through that list.
+/// Every key time of every track, both ends of the clip, five times between each two, and the time right before each jump: of
+/// steps, and of keys that share a time. Clips of so many joints and keys that this would be more than kMostJointTimes poses of
+/// joints are looked at in even steps through that list.
 std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
 inline constexpr std::size_t kMostJointTimes = 10'000'000;
 
