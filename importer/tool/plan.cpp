@@ -2,6 +2,7 @@
 #include "importer/tool/commands.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -21,30 +22,49 @@ struct PlanOptions {
   std::string file;
   std::optional<std::string> clip;
   std::vector<std::string> needs;
-  std::string skinning = "linear";
+  std::uint32_t layers = Needs{}.max_layers;
+  std::vector<std::string> skinning = {"linear"};
+  std::string normals = "linear";
   bool json = false;
 };
 
-constexpr const char* kNeedNames[] = {"joints", "weights", "positions", "normals", "tangents", "bounds"};
+/// What --needs may name, beside kMasks.
+const std::map<std::string, bool Needs::*> kNeeds = {
+    {"joints", &Needs::joints},         {"weights", &Needs::weights},
+    {"positions", &Needs::positions},   {"normals", &Needs::normals},
+    {"tangents", &Needs::tangents},     {"palettes", &Needs::palettes},
+    {"bounds", &Needs::bounds},         {"properties", &Needs::properties},
+    {"additive", &Needs::additive},     {"hidden-meshes", &Needs::hidden_meshes},
+    {"stage-times", &Needs::stage_times}};
+constexpr const char* kMasks = "masks";
 
-Needs needs_from(const PlanOptions& options) {
+const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear}, {"cofactor", NormalRule::cofactor}};
+
+std::vector<std::string> need_names() {
+  std::vector<std::string> names = {kMasks};
+  for (const auto& [name, flag] : kNeeds) names.push_back(name);
+  return names;
+}
+
+Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
   Needs needs;
-  needs.skinning = kSkinningNames.at(options.skinning);
+  if (options.skinning.size() != 1 && options.skinning.size() != scene.instances.size()) return tl::unexpected(ErrorCode::size_mismatch);
+  needs.skinning = kSkinningNames.at(options.skinning.front());
+  if (options.skinning.size() > 1)
+    for (const std::string& method : options.skinning) needs.instance_skinning.push_back(kSkinningNames.at(method));
+  needs.normal_rule = kNormalRules.at(options.normals);
+  needs.max_layers = options.layers;
   if (options.needs.empty()) return needs;
-  const auto asked = [&](const char* name) {
-    return std::find(options.needs.begin(), options.needs.end(), name) != options.needs.end();
-  };
-  needs.joints = asked("joints");
-  needs.weights = asked("weights");
-  needs.positions = asked("positions");
-  needs.normals = asked("normals");
-  needs.tangents = asked("tangents");
-  needs.bounds = asked("bounds");
+  for (const auto& [name, flag] : kNeeds) needs.*flag = false;
+  for (const std::string& name : options.needs)
+    if (name == kMasks) needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 1.0f)};
+    else needs.*kNeeds.at(name) = true;
   return needs;
 }
 
 nlohmann::ordered_json work_json(const WorkCounters& work) {
   return {{"tracks_sampled", work.tracks_sampled},
+          {"properties_sampled", work.properties_sampled},
           {"poses_blended", work.poses_blended},
           {"poses_added", work.poses_added},
           {"poses_compared", work.poses_compared},
@@ -100,13 +120,20 @@ void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
 ExitCode plan_file(const PlanOptions& options) {
   ImportOptions import;
   import.decode_images = false;
-  import.make_centers_of_rotation = kSkinningNames.at(options.skinning) == Skinning::center_of_rotation;
+  import.make_centers_of_rotation = std::any_of(options.skinning.begin(), options.skinning.end(), [](const std::string& method) {
+    return kSkinningNames.at(method) == Skinning::center_of_rotation;
+  });
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto chosen = choose_clips(file->scene, options.clip);
   if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
 
-  const Plan plan = compile_plan(file->scene, needs_from(options));
+  const auto needs = needs_from(options, file->scene);
+  if (!needs) {
+    say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(), file->scene.instances.size()));
+    return ExitCode::wrong_usage;
+  }
+  const Plan plan = compile_plan(file->scene, *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {
     const auto counted = work_of_one_frame(plan, chosen->front());
@@ -129,13 +156,22 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
       ->add_option("--clip", options->clip,
                    "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
       ->type_name("INDEX|NAME|none");
-  command->add_option("--needs", options->needs, "What the consumer of frames asks for (default: all but bounds)")
+  command
+      ->add_option("--needs", options->needs,
+                   "What the consumer of frames asks for (default: joints,weights,positions,normals,tangents,properties)")
       ->delimiter(',')
       ->type_name("LIST")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kNeedNames), std::end(kNeedNames))));
-  command->add_option("--skinning", options->skinning, "Skinning to plan for (default: linear)")
+      ->check(CLI::IsMember(need_names()));
+  command->add_option("--layers", options->layers, "Most clips that blend in one frame (default: 4)")
+      ->type_name("N")
+      ->check(CLI::Range(1u, 64u));
+  command->add_option("--skinning", options->skinning, "Skinning to plan for: one method, or one for each mesh instance (default: linear)")
+      ->delimiter(',')
       ->type_name("METHOD")
       ->check(CLI::IsMember(skinning_names()));
+  command->add_option("--normals", options->normals, "How linear skinning turns normals: linear or cofactor (default: linear)")
+      ->type_name("RULE")
+      ->check(CLI::IsMember(std::vector<std::string>{"linear", "cofactor"}));
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });
 }

@@ -48,6 +48,9 @@ TEST(command_line, wrong_usage_is_2_with_a_message_and_no_result) {
       {"verify", model.path()},
       {"verify", model.path(), model.path(), "--tolerance", "-1"},
       {"plan", model.path(), "--needs", "joints,smell"},
+      {"plan", model.path(), "--layers", "0"},
+      {"plan", model.path(), "--skinning", "linear,linear,linear"},
+      {"plan", model.path(), "--normals", "flat"},
   };
   for (const auto& arguments : wrong) {
     const CommandOutcome outcome = run_tool(arguments);
@@ -265,6 +268,33 @@ TEST(command_line, plan_names_each_stage_with_its_reason) {
   EXPECT_EQ(stage(joints, "skin_linear")["runs"], false);
   EXPECT_EQ(joints["work"]["vertices_skinned_linear"], 0);
   EXPECT_THAT(run_tool({"plan", model.path()}).out, HasSubstr("left out"));
+}
+
+TEST(command_line, plan_takes_everything_that_a_consumer_can_ask_for) {
+  const ToolModelFile model;
+  const auto plan = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"plan", model.path(), "--json"});
+    return json::parse(run_tool(arguments).out);
+  };
+  const auto runs = [&](const std::string& stage, const std::vector<std::string>& arguments) {
+    const json report = plan(arguments);
+    for (const json& entry : report["stages"])
+      if (entry["stage"] == stage) return entry["runs"].get<bool>();
+    ADD_FAILURE() << stage;
+    return false;
+  };
+  EXPECT_FALSE(runs("palette", {"--needs", "joints"}));
+  EXPECT_TRUE(runs("palette", {"--needs", "joints,palettes"}));
+  EXPECT_TRUE(runs("bounds", {"--needs", "bounds"}));
+  EXPECT_FALSE(runs("add", {}));
+  EXPECT_TRUE(runs("add", {"--needs", "joints,additive"}));
+  EXPECT_TRUE(runs("blend", {}));
+  EXPECT_FALSE(runs("blend", {"--layers", "1"}));
+  EXPECT_TRUE(runs("blend", {"--layers", "1", "--needs", "joints,masks"}));
+  EXPECT_TRUE(runs("skin_dual_quaternion", {"--skinning", "dual-quaternion,linear"}));
+  EXPECT_FALSE(runs("skin_dual_quaternion", {"--skinning", "linear,dual-quaternion"})) << "the second mesh has no skin";
+  EXPECT_GT(plan({"--needs", "joints,stage-times"})["frame_bytes"], plan({"--needs", "joints"})["frame_bytes"]);
+  EXPECT_EQ(plan({"--normals", "cofactor"}), plan({}));
 }
 
 }  // namespace
