@@ -21,7 +21,7 @@ enum class ElementType : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, ma
 enum class PrimitiveMode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
 struct Buffer {
-  std::string uri;                        ///< empty = the BIN chunk of a .glb (buffer 0), or a placeholder
+  std::string uri;                        ///< empty = the BIN chunk of a .glb (buffer 0), a placeholder, or read
   std::uint64_t byte_length = 0;
   bool placeholder = false;               ///< holds no bytes: EXT_meshopt_compression fallback (T6), or missing
   Json extensions;

@@ -60,6 +60,7 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
   auto& buffer = document.buffers[index];
   const std::string place = pointer("buffers", index);
   const bool unread = use.compressed_view && !use.plain_view;
+  const bool in_chunk = index == 0 && bin && buffer.uri.empty();
   const bool says_so = static_cast<bool>(meshopt_extension(buffer.extensions));
   Bytes bytes;
   if (says_so && unread) {
@@ -75,7 +76,8 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
       return log.report(large ? Rule::file_too_large : Rule::uri_forbidden, pointer(place, "uri"), read.error().detail);
     }
     bytes = keep(document, std::move(*read));
-  } else if (index == 0 && bin) {
+    std::string().swap(buffer.uri);  // as long as the data, if these are in it
+  } else if (in_chunk) {
     bytes = *bin;
   } else if (says_so || unread) {
     buffer.placeholder = true;
@@ -86,7 +88,7 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
   if (bytes.size() < buffer.byte_length)
     return log.report(Rule::buffer_short, place,
                       std::to_string(buffer.byte_length) + " bytes, there are " + std::to_string(bytes.size()));
-  if (buffer.uri.empty() && bytes.size() - buffer.byte_length > 3)
+  if (in_chunk && bytes.size() - buffer.byte_length > 3)
     log.report(Rule::buffer_longer, pointer(place, "byteLength"),
                std::to_string(buffer.byte_length) + " bytes, the BIN chunk has " + std::to_string(bytes.size()) + "; the rest is ignored");
   buffer.bytes = bytes.first(static_cast<std::size_t>(buffer.byte_length));

@@ -26,12 +26,16 @@ bool converts(std::string_view text, T& out) {
 /// Hands what the reader finds to the tree. Numbers come as text: the reader's own conversion is not exact.
 class TreeEvents {
  public:
-  explicit TreeEvents(JsonBuilder& tree) : tree_(tree) {}
+  TreeEvents(JsonBuilder& tree, std::string_view source, const rapidjson::MemoryStream& stream) : tree_(tree), source_(source), stream_(stream) {}
 
   bool Null() { return tree_.Null(); }
   bool Bool(bool value) { return tree_.Bool(value); }
-  bool String(const char* text, rapidjson::SizeType size, bool) { return is_utf8({text, size}) && tree_.String(text, size, true); }
-  bool Key(const char* text, rapidjson::SizeType size, bool) { return is_utf8({text, size}) && tree_.Key(text, size, true); }
+  bool String(const char* text, rapidjson::SizeType size, bool) {
+    if (!is_utf8({text, size})) return false;
+    const std::string_view here = just_read(size);
+    return here == std::string_view(text, size) ? tree_.String(here.data(), size, false) : tree_.String(text, size, true);
+  }
+  bool Key(const char* text, rapidjson::SizeType size, bool copy) { return String(text, size, copy); }
   bool StartObject() { return enter() && tree_.StartObject(); }
   bool EndObject(rapidjson::SizeType count) { return --depth_, tree_.EndObject(count); }
   bool StartArray() { return enter() && tree_.StartArray(); }
@@ -67,7 +71,16 @@ class TreeEvents {
     return true;
   }
 
+  /// The source's last bytes before the closing quote: the string itself unless something in it was escaped. Data URIs are as
+  /// long as the file, so the tree has no copy of what is there already.
+  std::string_view just_read(std::size_t size) const noexcept {
+    const std::size_t end = stream_.Tell() - 1;
+    return size < end ? source_.substr(end - size, size) : std::string_view();
+  }
+
   JsonBuilder& tree_;
+  std::string_view source_;
+  const rapidjson::MemoryStream& stream_;
   std::size_t depth_ = 0;
   const char* reason_ = nullptr;
 };
@@ -87,11 +100,11 @@ std::unique_ptr<JsonTree> parse_json(std::span<const std::byte> bytes, IssueLog&
     log.report(Rule::json_bom, "", "the text starts with a byte order mark, which is skipped");
     text.remove_prefix(3);
   }
-  constexpr std::size_t kSmallest = 2048, kLargest = std::size_t{1} << 20;
+  constexpr std::size_t kSmallest = 2048, kLargest = std::size_t{1} << 18;
   auto out = std::make_unique<JsonTree>(std::clamp(text.size(), kSmallest, kLargest));
   JsonBuilder tree(&out->pool, 256, &out->memory);
-  TreeEvents events(tree);
   rapidjson::MemoryStream stream(text.data(), text.size());
+  TreeEvents events(tree, text, stream);
   rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory> reader(&out->memory);
   rapidjson::ParseResult result;
   auto parse = [&](JsonBuilder&) { return !(result = reader.Parse<kFlags>(stream, events)).IsError(); };

@@ -43,9 +43,23 @@ TEST(json, text_is_utf8_also_where_it_is_escaped) {
   for (const char* bad : {"\"\xed\xa0\x80\"", "\"\\ud800\"", "\"\\udc00\"", "\"\\ud800x\"", "\"\\ud800\\u0041\"", "\"\xc0\x80\"", "\"\xf5\x80\x80\x80\"",
                           "\"\xe2\x82\"", "{\"\\udfff\":1}", "\"\x01\"", "\"\\x\"", "\"\\u12g4\""})
     EXPECT_EQ(parse(bad), nullptr) << bad;
-  const auto tree = parse(R"("\ud83d\ude00 \u00e9 ퟿")");
+  const std::string text = R"("\ud83d\ude00 \u00e9 ퟿")";
+  const auto tree = parse(text);
   ASSERT_NE(tree, nullptr);
   EXPECT_EQ(text_of(tree->root), "\xF0\x9F\x98\x80 \xC3\xA9 \xED\x9F\xBF");
+}
+
+TEST(json, T11_strings_are_not_copied_out_of_the_text_unless_they_are_escaped) {
+  const std::string text = "\xEF\xBB\xBF" R"( {"plain":"abc","":"","esc\u0061ped":"abc\n"} )";
+  const auto tree = parse(text);
+  ASSERT_NE(tree, nullptr);
+  const auto in_text = [&](std::string_view value) { return value.data() >= text.data() && value.data() < text.data() + text.size(); };
+  EXPECT_TRUE(in_text(text_of(*find_member(tree->root, "plain"))));
+  EXPECT_EQ(text_of(*find_member(tree->root, "plain")), "abc");
+  EXPECT_EQ(text_of(*find_member(tree->root, "")), "");
+  ASSERT_NE(find_member(tree->root, "escaped"), nullptr);
+  EXPECT_FALSE(in_text(text_of(*find_member(tree->root, "escaped"))));
+  EXPECT_EQ(text_of(*find_member(tree->root, "escaped")), "abc\n");
 }
 
 TEST(json, what_json_does_not_allow_is_refused) {
@@ -76,7 +90,8 @@ TEST(json, many_names_are_compared_too) {
 }
 
 TEST(json, trees_go_into_values_and_back) {
-  const auto tree = parse(R"({"a":[1,-2,3.5,true,null,"x\u0000y",18446744073709551615],"b":{}})");
+  const std::string text = R"({"a":[1,-2,3.5,true,null,"x\u0000y",18446744073709551615],"b":{}})";
+  const auto tree = parse(text);
   ASSERT_NE(tree, nullptr);
   const auto value = to_json(tree->root);
   EXPECT_EQ(value["a"][5], std::string("x\0y", 3));
