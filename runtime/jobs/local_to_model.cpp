@@ -152,7 +152,31 @@ HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std:
 #endif
 }
 
+/// Composes one joint and writes nothing beside its own matrix.
+HWY_INLINE void multiply_one(const LocalToModelJob& job, const Tile& tile, std::size_t i, std::size_t joint) {
+  const std::uint32_t parent = job.skeleton->parents[joint];
+  const Affine& above = parent == kNone ? job.root : job.model[parent];
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
+  store_rows(multiply(load_rows(above), tile, i), true, job.model[joint]);
+#else
+  multiply(above, tile, i, job.model[joint]);
+#endif
+}
+
+void some_model_matrices(const LocalToModelJob& job) {
+  const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
+  const bool any_fixed = !job.skeleton->fixed_matrices.empty();
+  Tile tile;
+  for (std::size_t k = 0; k < job.only.size();) {
+    const std::size_t first = job.only[k] / lanes * lanes;
+    local_matrices(job.local, first, tile);
+    if (any_fixed) use_fixed_matrices(*job.skeleton, first, HWY_MIN(lanes, joints - first), tile);
+    for (; k < job.only.size() && job.only[k] < first + lanes; ++k) multiply_one(job, tile, job.only[k] - first, job.only[k]);
+  }
+}
+
 void model_matrices(const LocalToModelJob& job) {
+  if (!job.only.empty()) return some_model_matrices(job);
   const Skeleton& skeleton = *job.skeleton;
   const std::size_t joints = skeleton.joint_count(), lanes = hn::Lanes(Floats());
   const bool any_fixed = !skeleton.fixed_matrices.empty();
@@ -184,6 +208,7 @@ ErrorCode check(const LocalToModelJob& job) noexcept {
   if (job.local.joint_count < count || job.model.size() < count) return ErrorCode::size_mismatch;
   if (job.local.stride != PoseSpan::stride_for(job.local.joint_count)) return ErrorCode::size_mismatch;
   if (count > 0 && !job.local.planes) return ErrorCode::size_mismatch;
+  if (!job.only.empty() && job.only.back() >= count) return ErrorCode::index_out_of_range;
   const auto* pose_begin = reinterpret_cast<const std::byte*>(job.local.planes);
   const auto* pose_end = pose_begin + PoseSpan::plane_count * job.local.stride * sizeof(float);
   const auto out = std::as_bytes(job.model);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <memory>
 
+#include "runtime/assets/clip_layout.h"
 #include "runtime/base/contract.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/correct_pose.h"
 #include "runtime/jobs/joint_palette.h"
@@ -222,6 +224,28 @@ std::uint64_t fingerprint_of(const Needs& needs) {
   return hash.value();
 }
 
+/// Joints that some clip moves, by tracks or by a constant other than the rest pose, and all below them.
+std::vector<std::uint32_t> moved_joints(const Scene& scene) {
+  std::vector<bool> moved(scene.skeleton.joint_count());
+  const BasePose rest(scene.skeleton.rest);
+  for (const Clip& clip : scene.clips) {
+    const ClipLayout& layout = clip.layout();
+    for (std::size_t i = 0; i < rest.planes.size(); ++i)
+      if (!same_bits(layout.base_pose.planes[i], rest.planes[i])) moved[i % rest.stride] = true;
+    for (const TimeGroup& group : layout.groups)
+      for (const TrackBlock& block : group.blocks)
+        if (block.property != Property::weight && block.property != Property::number)
+          for (std::uint32_t i = 0; i < block.lane_count; ++i) moved[block.targets[i]] = true;
+  }
+  std::vector<std::uint32_t> joints;
+  for (std::uint32_t j = 0; j < moved.size(); ++j) {
+    const std::uint32_t parent = scene.skeleton.parents[j];
+    moved[j] = moved[j] || (parent != kNone && moved[parent]);
+    if (moved[j]) joints.push_back(j);
+  }
+  return joints;
+}
+
 bool any_morphs(const Plan& plan) noexcept {
   return std::any_of(plan.primitives.begin(), plan.primitives.end(),
                      [](const PrimitivePlan& p) { return p.morph.any() || p.morph_colors; });
@@ -246,6 +270,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   }
   plan.local_to_model =
       scene.skeleton.joint_count() > 0 && (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
+  plan.moved_joints = moved_joints(scene);
   const auto& entries = scene.properties.entries;
   const bool flags = std::any_of(entries.begin(), entries.end(), [](const PropertyTable::Entry& entry) {
     return entry.target.kind == PropertyKind::node_visible;

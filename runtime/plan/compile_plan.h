@@ -65,6 +65,7 @@ struct Plan {
   std::vector<std::uint32_t> first_primitive;  ///< [instances + 1] into `primitives`
   std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
   std::vector<ClipTracks> clip_tracks;         ///< [clips]
+  std::vector<std::uint32_t> moved_joints;     ///< by some clip, or below such joints: the others rest while no layers blend (P01)
   std::vector<float> rest_weights;             ///< [W]
   bool sample = false, blend = false, add = false, correctives = false, properties = false, local_to_model = false,
        bounds = false;

@@ -24,15 +24,20 @@ std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
 
-/// Whether the layers leave every joint at rest, to the last bit: none at all, or a single one of full weight whose clip has no
-/// tracks of joints.
-bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
+/// At most one clip plays, and alone makes up the pose: joints that it does not move have their rest pose to the last bit.
+bool plays_alone(std::span<const ClipLayer> layers) noexcept {
   std::size_t active = 0;
+  for (const ClipLayer& layer : layers)
+    if (layer.weight != 0.0f && (++active > 1 || layer.weight < 1.0f || layer.mask != kNone || layer.kind != LayerKind::blend)) return false;
+  return true;
+}
+
+/// No clip that plays has tracks of joints.
+bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
   for (const ClipLayer& layer : layers) {
     if (layer.weight == 0.0f) continue;
     const Clip::Counts counts = plan.scene->clips[layer.clip].counts();
-    const bool moves_joints = counts.translations + counts.rotations + counts.scales + counts.folded > 0;
-    if (moves_joints || ++active > 1 || layer.weight < 1.0f || layer.mask != kNone || layer.kind != LayerKind::blend) return false;
+    if (counts.translations + counts.rotations + counts.scales + counts.folded > 0) return false;
   }
   return true;
 }
@@ -80,10 +85,12 @@ bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) con
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
 }
 
-bool FrameBuffer::is_still(const Plan& plan, const FrameInput& input) const noexcept {
-  if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return false;
-  const FrameTables tables(plan, FrameMemory{block_.get()});
-  return leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, tables.input_layers.first(layer_count_));
+StandingJoints FrameBuffer::standing(const Plan& plan, const FrameInput& input) const noexcept {
+  if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return StandingJoints::none;
+  const std::span<const ClipLayer> last = FrameTables(plan, FrameMemory{block_.get()}).input_layers.first(layer_count_);
+  if (!plays_alone(input.layers) || !plays_alone(last)) return StandingJoints::none;
+  const bool at_rest = leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
+  return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
 }
 
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.

@@ -13,6 +13,8 @@
 
 namespace sinew {
 
+enum class StandingJoints : std::uint8_t;
+
 /// Memory that one frame runs into: one block of Plan::frame_bytes bytes, made once and reused every frame. Nothing else is
 /// ever allocated for a character.
 class FrameBuffer {
@@ -47,7 +49,7 @@ class FrameBuffer {
   };
   FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block);
   bool holds_result_of(const Plan& plan, const FrameInput& input) const noexcept;
-  bool is_still(const Plan& plan, const FrameInput& input) const noexcept;
+  StandingJoints standing(const Plan& plan, const FrameInput& input) const noexcept;
   void keep(const Plan& plan, const FrameInput& input) noexcept;
 
   const Scene* scene_ = nullptr;         // the rest pose in the memory is this scene's

@@ -40,6 +40,13 @@ struct FrameTables {
   std::span<std::uint64_t> stage_ns;           // FrameResult::stage_ns
 };
 
+/// Which joints are, in the memory that a frame runs into, where this frame has them as well (P01).
+enum class StandingJoints : std::uint8_t {
+  none,
+  unmoved,  ///< those that no clip moves
+  all
+};
+
 /// The entry of a primitive that goes through no stage.
 inline DeformedPrimitive nothing_deformed(const PrimitivePlan& planned) noexcept {
   DeformedPrimitive shape;

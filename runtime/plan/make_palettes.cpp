@@ -38,7 +38,7 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
   const std::size_t count = skin.joints.size();
   const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
   SkinPalette& kept = step.tables.palettes[s];
-  const bool is_there = step.still && kept.since_frame != 0;
+  const bool is_there = step.standing == StandingJoints::all && kept.since_frame != 0;
   const std::span<const JointMatrix> made = is_there ? palette : compute(plan, skin, model, step.memory, work);
 
   const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);

@@ -14,7 +14,7 @@ struct FrameStep {
   FrameMemory memory_before;
   FrameTables tables_before;
   std::uint64_t number = 0;
-  bool still = false;      ///< the joints are where the last run into `memory` left them
+  StandingJoints standing = StandingJoints::none;
 };
 
 /// Stages palette and split_palette, with the stamps of the palettes. A palette of the same bits as in the frame before is

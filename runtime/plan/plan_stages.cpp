@@ -92,8 +92,11 @@ PlanStage describe_local_to_model(const Plan& plan) {
   const std::size_t joints = plan.scene->skeleton.joint_count();
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
   if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
-  return {"local_to_model", true, plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints", joints,
-          joints * sizeof(Affine)};
+  const std::size_t moved = plan.moved_joints.size();
+  std::string reason = plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints";
+  if (moved == 0) reason += "; no clip moves any, they are composed once";
+  else if (moved < joints) reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) + " are moved by no clip: composed once unless layers blend";
+  return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
 }
 
 /// Palettes and their split: `used[skin]` of the skins, `entry_bytes` for each of their joints.

@@ -64,11 +64,12 @@ std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const A
   if (!plan.local_to_model) return {};
   const std::size_t joints = plan.scene->skeleton.joint_count();
   const std::span<Affine> model = step.memory.array<Affine>(plan.model_at, joints);
-  if (step.still) return model;
-  const LocalToModelJob job{.skeleton = &plan.scene->skeleton, .local = local, .root = root, .model = model};
+  if (step.standing == StandingJoints::all) return model;
+  LocalToModelJob job{.skeleton = &plan.scene->skeleton, .local = local, .root = root, .model = model};
+  if (step.standing == StandingJoints::unmoved) job.only = plan.moved_joints;
   assert(check(job) == ErrorCode::ok);
   run(job);
-  work.joints_composed += joints;
+  work.joints_composed += job.only.empty() ? joints : job.only.size();
   work.spent_on(Stage::local_to_model);
   return model;
 }
@@ -275,7 +276,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
   const FrameStep step{memory, FrameTables(plan, memory), memory_before, FrameTables(plan, memory_before), frame.result_.frame + 1,
-                       frame.is_still(plan, input)};
+                       frame.standing(plan, input)};
   const bool same_before = before.holds_result_of(plan, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
   if (frame.holds_result_of(plan, input)) {

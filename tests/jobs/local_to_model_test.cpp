@@ -5,8 +5,10 @@
 
 #include <vector>
 
+#include "runtime/base/same_bits.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 
 namespace sinew {
 namespace {
@@ -136,6 +138,42 @@ TEST(local_to_model, N25_random_trees_agree_with_double_within_a_few_roundings_p
       EXPECT_TRUE(test::is_near(affine_cast<double>(rig.model[j]), truth[j], 16 * test::kEps * depth[j] * size)) << j;
     }
   }
+}
+
+TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not_touched) {
+  test::FixedRandom random(77);
+  const std::vector<std::int64_t> targets = test::simd_targets();
+  for (std::size_t round = 0; round < 60; ++round) {
+    const test::OnlyTarget target(targets[round % targets.size()]);
+    const std::uint32_t count = 1 + random.below(70);
+    std::vector<std::uint32_t> parents(count, kNone);
+    for (std::uint32_t j = 1; j < count; ++j) parents[j] = random.below(8) == 0 ? kNone : random.below(j);
+    Rig rig(parents);
+    for (std::uint32_t j = 0; j < count; ++j)
+      rig.pose.set(j, random.transform());
+    if (round % 3 == 0) {
+      rig.skeleton.fixed_matrices.push_back(affine_from(glm::mat3(2.0f), {3, 2, 1}));
+      rig.skeleton.fixed_matrix_of[count / 2] = 0;
+    }
+    run(rig.job());
+    const std::vector<Affine> whole = rig.model;
+    std::vector<std::uint32_t> some;
+    std::vector<bool> chosen(count);
+    for (std::uint32_t j = 0; j < count; ++j)
+      if ((parents[j] != kNone && chosen[parents[j]]) || random.below(4) == 0) chosen[j] = true, some.push_back(j);
+    if (some.empty()) continue;
+    for (const std::uint32_t j : some) rig.model[j] = {};
+    LocalToModelJob job = rig.job();
+    job.only = some;
+    ASSERT_EQ(check(job), ErrorCode::ok);
+    run(job);
+    EXPECT_TRUE(same_bits<Affine>(rig.model, whole)) << round;
+  }
+  Rig rig(chain(3));
+  const std::uint32_t beyond = 3;
+  LocalToModelJob job = rig.job();
+  job.only = {&beyond, 1};
+  EXPECT_EQ(check(job), ErrorCode::index_out_of_range);
 }
 
 }  // namespace
