@@ -190,7 +190,8 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
   const glm_skin::Attributes wanted{true, false};
   const auto each = [parts, threads](const auto& skin) { run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); }); };
   const Surface& one = *parts->front();
-  const Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
+  Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
+  facts.wall_time = true;
   add("skin_linear/sinew/" + tail, vertex_count, [each, wanted] {
     each([&](Surface& s) { run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear}); });
   }, facts);
