@@ -40,7 +40,7 @@ HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
 template <int kCount>
 HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
   MatrixParts matrices[kBlocks];
-  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile.at(quarter * kBlocks + b));
+  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile, quarter * kBlocks + b);
   return columns_of(matrices);
 }
 

@@ -20,20 +20,41 @@ struct MatrixParts {
   Wide part[kCount];
 };
 
-/// eq   M = sum(w_i * palette[joint_i]), fused from the second on; a vertex with one influence takes the joint's matrix as it is.
+/// Weight `i` of vertex `k`, in all lanes. Four weights are loaded at once: loads are what blending spends its time on.
 template <int kCount>
-HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const VertexJoints<kCount>& vertex) {
+HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std::size_t i) {
   const TileTag d;
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kCount > 1) {
+    const std::size_t at = k * kCount + i;
+    const Wide four = hn::LoadDup128(d, tile.first.weights + at / 4 * 4);
+    switch (at % 4) {
+      case 0: return hn::Broadcast<0>(four);
+      case 1: return hn::Broadcast<1>(four);
+      case 2: return hn::Broadcast<2>(four);
+      default: return hn::Broadcast<3>(four);
+    }
+  }
+#endif
+  return hn::Set(d, tile.at(k).weights[i]);
+}
+
+/// eq   M = sum(w_i * palette[joint_i]) of vertex `k`, fused from the second on; a vertex with one influence takes the joint's
+///      matrix as it is.
+template <int kCount>
+HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t k) {
+  const TileTag d;
+  const VertexJoints<kCount> vertex = tile.at(k);
   MatrixParts sum;
   const JointNumbers<kCount> joints(vertex.joints);
   const float* joint = &joints.entry(palette, 0)->column[0].x;
   for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
   if constexpr (kCount == 1) return sum;
-  const Wide first = hn::Set(d, vertex.weights[0]);
+  const Wide first = weight_of(tile, k, 0);
   for (Wide& part : sum.part) part = hn::Mul(part, first);
   for (std::size_t i = 1; i < vertex.count(); ++i) {
     joint = &joints.entry(palette, i)->column[0].x;
-    const Wide weight = hn::Set(d, vertex.weights[i]);
+    const Wide weight = weight_of(tile, k, i);
     for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
   }
   return sum;

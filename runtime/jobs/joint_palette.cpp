@@ -4,10 +4,54 @@
 #include <algorithm>
 #include <cmath>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/jobs/joint_palette.cpp"
+#include <hwy/foreach_target.h>
+
+#include "runtime/jobs/affine_lanes-inl.h"
 #include "runtime/math/decompose.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace {
+
+/// The columns of a product of affine matrices, and its last row.
+HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
+#if HWY_TARGET == HWY_SCALAR
+  out = joint_matrix_from(m);
+#elif HWY_MAX_BYTES >= 64
+  const RowsTag d;
+  alignas(64) static constexpr float kLastRow[16] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+  alignas(64) static constexpr std::int32_t kColumns[16] = {0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
+  const Rows whole = hn::IfThenElse(hn::FirstN(d, 12), m, hn::Load(d, kLastRow));
+  hn::Store(hn::TableLookupLanes(whole, hn::SetTableIndices(d, kColumns)), d, &out.column[0].x);
+#else
+  const RowTag d;
+  alignas(16) static constexpr float kLastRow[4] = {0, 0, 0, 1};
+  const auto last = hn::Load(d, kLastRow);
+  const auto xz_low = hn::InterleaveLower(d, m.row[0], m.row[2]), xz_high = hn::InterleaveUpper(d, m.row[0], m.row[2]);
+  const auto yw_low = hn::InterleaveLower(d, m.row[1], last), yw_high = hn::InterleaveUpper(d, m.row[1], last);
+  hn::Store(hn::InterleaveLower(d, xz_low, yw_low), d, &out.column[0].x);
+  hn::Store(hn::InterleaveUpper(d, xz_low, yw_low), d, &out.column[1].x);
+  hn::Store(hn::InterleaveLower(d, xz_high, yw_high), d, &out.column[2].x);
+  hn::Store(hn::InterleaveUpper(d, xz_high, yw_high), d, &out.column[3].x);
+#endif
+}
+
+void skinning_matrices(const JointPaletteJob& job) {
+  const std::span<const std::uint32_t> joints = job.skin->joints;
+  for (std::size_t i = 0; i < joints.size(); ++i) store_columns(product(job.model[joints[i]], rows_at(job.skin->inverse_bind[i])), job.palette[i]);
+}
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace sinew {
 namespace {
+
+HWY_EXPORT(skinning_matrices);
 
 /// A stretch this close to the identity is rounding, not scale: the split of a rigid float matrix leaves about 1e-7.
 constexpr float kStretchTolerance = 1e-6f;
@@ -29,11 +73,7 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const JointPaletteJob& job) noexcept {
-  const std::size_t count = job.skin->joints.size();
-  for (std::size_t i = 0; i < count; ++i)
-    job.palette[i] = joint_matrix_from(job.model[job.skin->joints[i]] * job.skin->inverse_bind[i]);
-}
+void run(const JointPaletteJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skinning_matrices)(job); }
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
   const std::size_t count = job.palette.size();
@@ -60,3 +100,4 @@ void run(const SplitPaletteJob& job) noexcept {
 }
 
 }  // namespace sinew
+#endif  // HWY_ONCE

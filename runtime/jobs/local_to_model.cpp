@@ -4,7 +4,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/jobs/local_to_model.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "runtime/jobs/affine_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -23,7 +24,7 @@ struct Tile {
     const std::size_t lanes = hn::Lanes(Floats());
     return lanes < 4 ? 4 * joint : joint % 4 * lanes + joint / 4 * 4;
   }
-  const float* row(std::size_t r, std::size_t joint) const { return rows[r] + place(joint); }
+  RowsAt rows_of(std::size_t joint) const { return {rows[0] + place(joint), rows[1] + place(joint), rows[2] + place(joint)}; }
 };
 
 /// One row of every joint, from its components.
@@ -72,53 +73,23 @@ void use_fixed_matrices(const Skeleton& skeleton, std::size_t first, std::size_t
   }
 }
 
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
+#if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 64
 
-/// A model matrix in one vector: row r is block r, the fourth block is of no interest. Matrices are written in order, so that a
-/// whole vector may run over the one that comes next.
-using Rows = Lanes;
-
-HWY_INLINE Rows load_rows(const Affine& m) {
-  const Floats d;
-  return hn::MaskedLoad(hn::FirstN(d, 12), d, &m.row[0].x);
+HWY_INLINE void store_rows(const Rows& rows, Affine& m) {
+#if HWY_TARGET == HWY_SCALAR
+  m = rows;
+#else
+  for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &m.row[r].x);
+#endif
 }
 
+#else
+
+/// Matrices are written in order, so that a whole vector may run over the one that comes next.
 HWY_INLINE void store_rows(Rows rows, bool is_last, Affine& m) {
   const Floats d;
   if (is_last) hn::BlendedStore(rows, hn::FirstN(d, 12), d, &m.row[0].x);
   else hn::StoreU(rows, d, &m.row[0].x);
-}
-
-/// eq   model = parent * local, each row summed in the order x, y, z, translation as affine.h does (N28)
-HWY_INLINE Rows multiply(Rows parent, const Tile& tile, std::size_t i) {
-  const Floats d;
-  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const Lanes x = hn::Mul(hn::Broadcast<0>(parent), hn::LoadDup128(d, tile.row(0, i)));
-  const Lanes y = hn::Mul(hn::Broadcast<1>(parent), hn::LoadDup128(d, tile.row(1, i)));
-  const Lanes z = hn::Mul(hn::Broadcast<2>(parent), hn::LoadDup128(d, tile.row(2, i)));
-  const Lanes linear = hn::Add(hn::Add(x, y), z);
-  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, parent), linear);
-}
-
-#else
-
-/// eq   model = parent * local, each row summed in the order x, y, z, translation as affine.h does (N28)
-HWY_INLINE void multiply(const Affine& parent, const Tile& tile, std::size_t i, Affine& model) {
-#if HWY_TARGET == HWY_SCALAR
-  Affine local;
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 4; ++c) local.row[r][c] = tile.row(r, i)[c];
-  model = parent * local;
-#else
-  const hn::FixedTag<float, 4> d;
-  const auto b0 = hn::Load(d, tile.row(0, i)), b1 = hn::Load(d, tile.row(1, i)), b2 = hn::Load(d, tile.row(2, i));
-  for (int r = 0; r < 3; ++r) {
-    const float* a = &parent.row[r].x;
-    const auto linear = hn::Add(hn::Add(hn::Mul(hn::Set(d, a[0]), b0), hn::Mul(hn::Set(d, a[1]), b1)), hn::Mul(hn::Set(d, a[2]), b2));
-    const auto moved = hn::Add(linear, hn::Set(d, a[3]));
-    hn::StoreU(hn::ConcatUpperLower(d, hn::OddEven(moved, linear), linear), d, &model.row[r].x);
-  }
-#endif
 }
 
 #endif
@@ -140,14 +111,14 @@ HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std:
     if (parent == kNone) rows = load_rows(job.root);
     else if (joint - parent > Recent::kCount) rows = load_rows(job.model[parent]);
     else if (joint - parent > 1) rows = hn::Load(d, recent.rows[parent % Recent::kCount]);
-    rows = multiply(rows, tile, i);
+    rows = product(rows, tile.rows_of(i));
     hn::Store(rows, d, recent.rows[joint % Recent::kCount]);
     store_rows(rows, joint + 1 == job.model.size(), job.model[joint]);
   }
 #else
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t parent = parents[first + i];
-    multiply(parent == kNone ? job.root : job.model[parent], tile, i, job.model[first + i]);
+    store_rows(product(parent == kNone ? job.root : job.model[parent], tile.rows_of(i)), job.model[first + i]);
   }
 #endif
 }

@@ -20,7 +20,7 @@ struct OneMatrix {
 
 template <int kCount>
 HWY_INLINE OneMatrix blend_one_matrix(const JointMatrix* palette, const TileInfluences<kCount>& tile) {
-  const MatrixParts m = blend_parts(palette, tile.at(0));
+  const MatrixParts m = blend_parts(palette, tile, 0);
   const auto column = [&](std::size_t c) { return Lanes3{m.part[4 * c], m.part[4 * c + 1], m.part[4 * c + 2]}; };
   return {column(0), column(1), column(2), column(3)};
 }

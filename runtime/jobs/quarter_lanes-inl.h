@@ -38,21 +38,19 @@ struct LaneTable {
   }
 };
 
-template <int kComponent>
-HWY_INLINE Wide spread_packed(Wide packed) {
-  if constexpr (kTileSize == 4) return hn::Broadcast<kComponent>(packed);
-  static constexpr LaneTable kTable([](std::size_t i) { return i / 4 * 3 + kComponent; });
-  return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
-}
-
-/// One quarter of packed vectors. Reads up to four floats beyond.
-HWY_INLINE Spread3 load_spread(const glm::vec3* vectors) {
-  const Wide packed = hn::LoadU(TileTag(), &vectors->x);
-  return {spread_packed<0>(packed), spread_packed<1>(packed), spread_packed<2>(packed)};
-}
-
 HWY_INLINE Spread3 spread(Wide quarter) {
   return {hn::Broadcast<0>(quarter), hn::Broadcast<1>(quarter), hn::Broadcast<2>(quarter)};
+}
+
+/// One quarter of a tile of packed vectors; the last one is read up to the tile's end. One step across blocks and three within
+/// them, of which processors do more at a time.
+template <std::size_t kQuarter>
+HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
+  constexpr std::size_t kBefore = kQuarter == 3 ? kBlocks : 0;
+  const Wide packed = hn::LoadU(TileTag(), &tile->x + kQuarter * 3 * kBlocks - kBefore);
+  if constexpr (kTileSize == 4) return {hn::Broadcast<kBefore>(packed), hn::Broadcast<kBefore + 1>(packed), hn::Broadcast<kBefore + 2>(packed)};
+  static constexpr LaneTable kTable([](std::size_t i) { return kBefore + i / 4 * 3 + i % 4 % 3; });
+  return spread(hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes)));
 }
 
 /// Lanes `kOutput * N` and following of the tile's packed vectors, as far as they come from one quarter.
@@ -76,11 +74,9 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
   hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
 }
 
-/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Lanes whose square leaves the range
-/// in which float keeps its digits come out wrong: then `careful(vertex of the tile)` is called for each, when the rest is done
-/// by `store()`.
-template <class Store, class Careful>
-HWY_INLINE void normalise_tile(Wide (&quarter)[4], const Store& store, const Careful& careful) {
+/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Answers the lanes whose square is in
+/// the range in which float keeps its digits; the others come out wrong. Lane i is vertex `vertex_of_lane(i)`.
+HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
   const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]), ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
   const Wide be_low = hn::InterleaveLower(d, quarter[1], quarter[3]), be_high = hn::InterleaveUpper(d, quarter[1], quarter[3]);
@@ -91,9 +87,19 @@ HWY_INLINE void normalise_tile(Wide (&quarter)[4], const Store& store, const Car
   quarter[1] = hn::Mul(quarter[1], hn::Broadcast<1>(scale));
   quarter[2] = hn::Mul(quarter[2], hn::Broadcast<2>(scale));
   quarter[3] = hn::Mul(quarter[3], hn::Broadcast<3>(scale));
-  store();
-  for_each_lane_not_in(keeps_digits(squared), [&](std::size_t lane) { careful(lane % 4 * kBlocks + lane / 4); });
+  return keeps_digits(squared);
 }
+constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
+
+/// The quarters of a tile, kept for later.
+struct KeptQuarters {
+  HWY_ALIGN float lanes[4][kTileSize];
+
+  HWY_INLINE void keep(std::size_t q, Wide quarter) { hn::Store(quarter, TileTag(), lanes[q]); }
+  HWY_INLINE void load(Wide (&quarter)[4]) const {
+    for_each_quarter([&](auto q) HWY_ATTR { quarter[q] = hn::Load(TileTag(), lanes[q]); });
+  }
+};
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

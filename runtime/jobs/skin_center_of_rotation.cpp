@@ -46,7 +46,7 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
   return transform_points(blend_one_matrix(palette, joints), load3(centers));
 #else
   Wide quarters[4];
-  for_each_quarter([&](auto q) HWY_ATTR { quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread(centers + q * kBlocks)); });
+  for_each_quarter([&](auto q) HWY_ATTR { quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread<q>(centers)); });
   HWY_ALIGN float packed[3 * kTileSize];
   glm::vec3* moved = reinterpret_cast<glm::vec3*>(packed);
   store_packed(quarters, moved);
@@ -54,40 +54,41 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
 #endif
 }
 
-/// Skins a tile. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
-template <int kCount, bool kStretch>
-HWY_INLINE void skin_tile(const SkinCenterOfRotationJob& job, const glm::vec3* centers, const TileInfluences<kCount>& joints, const TileInput& in,
-                          const TileOutput& out) {
-  const MotionLanes motion = blend_motions(job.split.data(), joints, false);
-  const Lanes3 moved = moved_centers(job.palette.data(), joints, centers);
-  StretchLanes stretch{};
-  if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
-  const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
-  Lanes3 arm = minus(load3(in.positions), load3(centers));
-  if constexpr (kStretch) arm = apply(stretch, arm);
-  store3(plus(rotate(motion, arm), moved), out.positions);
-  for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job, joints.at(v), centers[v], in, out, v); });
-}
-
 /// The centers of a tile that is not full, filled up as its vertices are.
 struct CenterCopies {
-  glm::vec3 centers[kTileSize + 2];
+  glm::vec3 centers[kTileSize];
 
   const glm::vec3* load(const glm::vec3* from, std::size_t count) {
-    for (std::size_t k = 0; k < kTileSize + 2; ++k) centers[k] = from[std::min(k, count - 1)];
+    for (std::size_t k = 0; k < kTileSize; ++k) centers[k] = from[std::min(k, count - 1)];
     return centers;
+  }
+};
+
+/// Skins tiles. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
+template <int kCount, bool kStretch>
+struct SkinTile {
+  const SkinCenterOfRotationJob& job;
+  CenterCopies& copies;
+
+  HWY_INLINE void operator()(const TilePlace& place, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) const {
+    const glm::vec3* centers = job.centers.data() + place.first_vertex;
+    if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);
+    const MotionLanes motion = blend_motions(job.split.data(), joints, false);
+    const Lanes3 moved = moved_centers(job.palette.data(), joints, centers);
+    StretchLanes stretch{};
+    if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
+    const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
+    Lanes3 arm = minus(load3(in.positions), load3(centers));
+    if constexpr (kStretch) arm = apply(stretch, arm);
+    store3(plus(rotate(motion, arm), moved), out.positions);
+    for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job, joints.at(v), centers[v], in, out, v); });
   }
 };
 
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(job.influences, group, job.vertices, job.out,
-                         [&](const TilePlace& place, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out) HWY_ATTR {
-                           const glm::vec3* centers = job.centers.data() + place.first_vertex;
-                           if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);
-                           skin_tile<count, stretched>(job, centers, joints, in, out);
-                         });
+    for_each_tile<count>(job.influences, group, job.vertices, job.out, SkinTile<count, stretched>{job, copies});
   });
 }
 

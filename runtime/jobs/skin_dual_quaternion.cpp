@@ -46,26 +46,28 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Skins a tile. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
+/// Skins tiles. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
 template <int kCount, bool kStretch>
-HWY_INLINE void skin_tile(const SkinDualQuaternionJob& job, bool one_side, const TileInfluences<kCount>& joints, const TileInput& in,
-                          const TileOutput& out) {
-  const MotionLanes motion = blend_motions(job.split.data(), joints, one_side);
-  StretchLanes stretch{};
-  if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
-  const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
-  Lanes3 p = load3(in.positions);
-  if constexpr (kStretch) p = apply(stretch, p);
-  store3(plus(rotate(motion, p), translation(motion)), out.positions);
-  for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job.split, joints.at(v), in, out, v); });
-}
+struct SkinTile {
+  const SkinDualQuaternionJob& job;
+  bool one_side;
+
+  HWY_INLINE void operator()(const TilePlace&, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) const {
+    const MotionLanes motion = blend_motions(job.split.data(), joints, one_side);
+    StretchLanes stretch{};
+    if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
+    const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
+    Lanes3 p = load3(in.positions);
+    if constexpr (kStretch) p = apply(stretch, p);
+    store3(plus(rotate(motion, p), translation(motion)), out.positions);
+    for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job.split, joints.at(v), in, out, v); });
+  }
+};
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_side = are_on_one_side(job);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(job.influences, group, job.vertices, job.out,
-                         [&](const TilePlace&, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out)
-                             HWY_ATTR { skin_tile<count, stretched>(job, one_side, joints, in, out); });
+    for_each_tile<count>(job.influences, group, job.vertices, job.out, SkinTile<count, stretched>{job, one_side});
   });
 }
 

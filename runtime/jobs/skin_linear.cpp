@@ -31,89 +31,112 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-template <int kCount, bool kNormals, bool kTangents>
-struct SkinTile {
+/// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long as
+/// the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's work.
+template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
+struct SkinRow {
+  using Row = TileRow<kCount>;
   const SkinLinearJob& job;
-  const TileInfluences<kCount>& joints;
 
 #if HWY_TARGET == HWY_SCALAR
 
-  void run(const TileInput& in, const TileOutput& out) const {
-    const OneMatrix m = blend_one_matrix(job.palette.data(), joints);
+  void operator()(const Row& row) const {
+    for (std::size_t t = 0; t < row.tile_count; ++t) skin_tile(row, t);
+  }
+
+ private:
+  void skin_tile(const Row& row, std::size_t t) const {
+    const TileInput in = row.in(t);
+    const TileOutput out = row.out(t);
+    const OneMatrix m = blend_one_matrix(job.palette.data(), row.joints(t));
     store3(transform_points(m, load3(in.positions)), out.positions);
     if constexpr (kNormals) {
-      Lanes3 n = moved_normals(m, load3(in.normals), cofactor_rule());
+      Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
       const auto sound = normalise(n);
       store3(n, out.normals);
-      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_normal(in, out, v); });
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_normal(row, t, v); });
     }
     if constexpr (kTangents) {
       const Lanes4 tangent = load4(in.tangents);
-      Lanes3 t = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
-      const auto sound = normalise(t);
-      store4({t.x, t.y, t.z, tangent.w}, out.tangents);
-      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_tangent(in, out, v); });
+      Lanes3 moved = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
+      const auto sound = normalise(moved);
+      store4({moved.x, moved.y, moved.z, tangent.w}, out.tangents);
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_tangent(row, t, v); });
     }
   }
 
 #else
 
-  HWY_INLINE void run(const TileInput& in, const TileOutput& out) const {
-    Wide positions[4], normals[4], tangents[4];
-    for_each_quarter([&](auto q) HWY_ATTR {
-      constexpr std::size_t at = q * kBlocks;
-      const Columns m = blend_columns(job.palette.data(), joints, q);
-      positions[q] = transform_points(m, load_spread(in.positions + at));
-      if constexpr (kNormals) normals[q] = moved_normals(m, load_spread(in.normals + at), cofactor_rule());
-      if constexpr (kTangents) tangents[q] = transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[at].x)));
-    });
-    if constexpr (kNormals) write_normals(normals, in, out);
-    if constexpr (kTangents) write_tangents(tangents, in, out);
-    store_packed(positions, out.positions);
+  HWY_INLINE void operator()(const Row& row) const {
+    KeptQuarters normals[kNormals ? kKept : 1], tangents[kTangents ? kKept : 1];
+    for (std::size_t first = 0; first < row.tile_count; first += kKept) {
+      const std::size_t end = std::min(row.tile_count, first + kKept);
+      for (std::size_t t = first; t < end; ++t) move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
+      if constexpr (kNormals)
+        for (std::size_t t = first; t < end; ++t) write_normals(normals[t - first], row, t);
+      if constexpr (kTangents)
+        for (std::size_t t = first; t < end; ++t) write_tangents(tangents[t - first], row, t);
+    }
   }
-
-#endif
 
  private:
-  bool cofactor_rule() const { return job.normal_rule == NormalRule::cofactor; }
+  static constexpr std::size_t kKept = 8;  ///< tiles; their quarters stay in the nearest cache
 
-  void write_careful_normal(const TileInput& in, const TileOutput& out, std::size_t v) const {
-    out.normals[v] = careful_normal(job.palette, joints.at(v), in.normals[v], cofactor_rule());
+  HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
+    const TileInput in = row.in(t);
+    const TileInfluences<kCount> joints = row.joints(t);
+    Wide positions[4];
+    for_each_quarter([&](auto q) HWY_ATTR {
+      const Columns m = blend_columns(job.palette.data(), joints, q);
+      positions[q] = transform_points(m, load_spread<q>(in.positions));
+      if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
+      if constexpr (kTangents) tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
+    });
+    store_packed(positions, row.out(t).positions);
   }
-  void write_careful_tangent(const TileInput& in, const TileOutput& out, std::size_t v) const {
-    const glm::vec4 tangent = in.tangents[v];
-    out.tangents[v] = glm::vec4(careful_normal(job.palette, joints.at(v), glm::vec3(tangent), false), tangent.w);
+
+  HWY_INLINE void write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
+    Wide normals[4];
+    kept.load(normals);
+    const auto sound = normalise(normals);
+    store_packed(normals, row.out(t).normals);
+    for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
   }
 
-#if HWY_TARGET != HWY_SCALAR
-
-  HWY_INLINE void write_normals(Wide (&normals)[4], const TileInput& in, const TileOutput& out) const {
-    normalise_tile(normals, [&]() HWY_ATTR { store_packed(normals, out.normals); }, [&](std::size_t v) { write_careful_normal(in, out, v); });
-  }
-
-  HWY_INLINE void write_tangents(Wide (&tangents)[4], const TileInput& in, const TileOutput& out) const {
+  HWY_INLINE void write_tangents(const KeptQuarters& kept, const Row& row, std::size_t t) const {
     const TileTag d;
     static constexpr LaneTable kHandedness([](std::size_t i) { return i % 4 == 3 ? -1 : 0; });
     const auto handedness = hn::MaskFromVec(hn::BitCast(d, hn::Load(hn::RebindToSigned<TileTag>(), kHandedness.lanes)));
-    const auto store = [&]() HWY_ATTR {
-      for_each_quarter([&](auto q) HWY_ATTR {
-        const Wide source = hn::LoadU(d, &in.tangents[q * kBlocks].x);
-        hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &out.tangents[q * kBlocks].x);
-      });
-    };
-    normalise_tile(tangents, store, [&](std::size_t v) { write_careful_tangent(in, out, v); });
+    Wide tangents[4];
+    kept.load(tangents);
+    const auto sound = normalise(tangents);
+    for_each_quarter([&](auto q) HWY_ATTR {
+      const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
+      hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &row.out(t).tangents[q * kBlocks].x);
+    });
+    for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
   }
 
 #endif
+
+  HWY_NOINLINE void write_careful_normal(const Row& row, std::size_t t, std::size_t v) const {
+    row.out(t).normals[v] = careful_normal(job.palette, row.joints(t).at(v), row.in(t).normals[v], kCofactor);
+  }
+  HWY_NOINLINE void write_careful_tangent(const Row& row, std::size_t t, std::size_t v) const {
+    const glm::vec4 tangent = row.in(t).tangents[v];
+    row.out(t).tangents[v] = glm::vec4(careful_normal(job.palette, row.joints(t).at(v), glm::vec3(tangent), false), tangent.w);
+  }
 };
 
 void skin_linear(const SkinLinearJob& job) {
-  with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {
+  const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_tile<count>(job.influences, group, job.vertices, job.out,
-                           [&](const TilePlace&, const TileInfluences<count>& joints, const TileInput& in, const TileOutput& out)
-                               HWY_ATTR { SkinTile<count, normals, tangents>{job, joints}.run(in, out); });
+      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job});
     });
+  };
+  with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {
+    if (normals && job.normal_rule == NormalRule::cofactor) skin(normals, tangents, normals);
+    else skin(normals, tangents, std::false_type{});
   });
 }
 

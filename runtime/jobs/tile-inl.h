@@ -10,7 +10,9 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 #include "runtime/math/conventions.h"
 
@@ -41,10 +43,9 @@ template <class Body>
 HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
   const TileTag d;
   if (HWY_LIKELY(hn::AllTrue(d, mask))) return;
-  HWY_ALIGN float flags[kTileSize];
-  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0f)), d, flags);
-  for (std::size_t lane = 0; lane < kTileSize; ++lane)
-    if (flags[lane] == 0.0f) body(lane);
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, hn::Not(mask), bits);
+  for (unsigned left = bits[0] | unsigned{bits[1]} << 8; left != 0; left &= left - 1) body(static_cast<std::size_t>(std::countr_zero(left)));
 }
 
 }  // namespace sinew::HWY_NAMESPACE

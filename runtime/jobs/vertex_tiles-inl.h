@@ -8,102 +8,13 @@
 #endif
 
 #include <algorithm>
-#include <limits>
 
-#include "runtime/jobs/influence_dispatch.h"
-#include "runtime/jobs/tile-inl.h"
+#include "runtime/jobs/tile_places-inl.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/jobs/vertex_streams.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
-
-/// Influences of a tile of vertices, `stride` apart; only a number known at run time has another stride than itself.
-template <int kCount>
-struct TileInfluences {
-  VertexJoints<kCount> first;
-  std::size_t runtime_stride;
-
-  HWY_INLINE VertexJoints<kCount> at(std::size_t k) const {
-    const std::size_t skip = k * (kCount > 0 ? static_cast<std::size_t>(kCount) : runtime_stride);
-    return {first.joints + skip, first.weights + skip, first.runtime_count};
-  }
-};
-
-/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs nothing.
-struct TileInput {
-  const glm::vec3* positions;
-  const glm::vec3* normals;
-  const glm::vec4* tangents;
-};
-struct TileOutput {
-  glm::vec3* positions;
-  glm::vec3* normals;
-  glm::vec4* tangents;
-};
-
-/// A tile that is not full goes through copies, so that nothing is read or written beyond the arrays.
-template <int kCount>
-struct TileCopies {
-  glm::vec3 positions[kTileSize + 2], normals[kTileSize + 2], out_positions[kTileSize], out_normals[kTileSize];
-  glm::vec4 tangents[kTileSize], out_tangents[kTileSize];
-  std::uint16_t joints[kTileSize * kCount + 1];
-  float weights[kTileSize * kCount + 1];
-
-  TileInput load(const TileInput& in, std::size_t count) {
-    fill(in.positions, count, positions);
-    if (in.normals) fill(in.normals, count, normals);
-    if (in.tangents) fill(in.tangents, count, tangents);
-    return {positions, normals, tangents};
-  }
-  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first one.
-  TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
-    if constexpr (kCount == 0) return {in, 0};
-    for (std::size_t k = 0; k < kTileSize; ++k) {
-      const std::size_t from = std::min(k, count - 1) * kCount;
-      std::copy_n(in.joints + from, kCount, joints + k * kCount);
-      std::copy_n(in.weights + from, kCount, weights + k * kCount);
-    }
-    return {{joints, weights, kCount}, kCount};
-  }
-  TileOutput in_place_of(const TileOutput& out) { return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr}; }
-  void store(const TileOutput& out, std::size_t count) const {
-    std::copy_n(out_positions, count, out.positions);
-    if (out.normals) std::copy_n(out_normals, count, out.normals);
-    if (out.tangents) std::copy_n(out_tangents, count, out.tangents);
-  }
-
- private:
-  template <class V, std::size_t kRoom>
-  static void fill(const V* from, std::size_t count, V (&to)[kRoom]) {
-    for (std::size_t k = 0; k < kRoom; ++k) to[k] = from[std::min(k, count - 1)];
-  }
-};
-
-/// Joint numbers and weights of a tile in the numbers that kernels work with.
-template <int kCount>
-struct WidenedTile {
-  static constexpr std::size_t kRoom = kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
-  std::uint16_t joints[kRoom];
-  float weights[kRoom];
-
-  /// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2)
-  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count, std::size_t influence_count) {
-    const std::size_t count = vertex_count * influence_count;
-    std::visit([&](auto all) { std::copy_n(all.data() + first, count, joints); }, from.joints);
-    std::visit(
-        [&](auto all) {
-          using Number = typename decltype(all)::value_type;
-          for (std::size_t i = 0; i < count; ++i) {
-            const auto number = static_cast<float>(all[first + i]);
-            if constexpr (std::is_integral_v<Number>) weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
-            else weights[i] = number;
-          }
-        },
-        from.weights);
-    return {joints, weights, influence_count};
-  }
-};
 
 /// Which vertices a tile is about; one that is not whole is filled up with copies of its last.
 struct TilePlace {
@@ -111,32 +22,65 @@ struct TilePlace {
   bool whole;
 };
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group. A tile may read two vertices beyond
-/// its own.
-template <int kCount, class Tile>
-void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out,
-                   const Tile& tile) {
+/// Vertices that follow one another, `tile_count` tiles of them.
+template <int kCount>
+struct TileRow {
+  TilePlace place;
+  std::size_t tile_count;
+  TileInfluences<kCount> all_joints;
+  TileInput all_in;
+  TileOutput all_out;
+
+  HWY_INLINE TileInfluences<kCount> joints(std::size_t tile) const { return {all_joints.at(tile * kTileSize), all_joints.runtime_stride}; }
+  HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
+  HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
+};
+
+/// Not inlined: loops over tiles keep their own few numbers in registers.
+template <int kCount, class Row>
+HWY_NOINLINE void skin_row(const TileRow<kCount>& row, const Row& skin) {
+  skin(row);
+}
+
+/// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is done as a tile
+/// that ends with the group: some vertices twice, with the same result. A group of fewer vertices goes through copies.
+template <int kCount, class Row>
+void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Row& skin) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
+  const bool is_wide = wide_joints && wide_weights;
   const std::size_t stride = group.influence_count;
+  const TileInput all_in{in.positions.data(), wanted.normals ? in.normals.data() : nullptr, wanted.tangents ? in.tangents.data() : nullptr};
+  const TileOutput all_out{out.positions.data(), wanted.normals ? out.normals.data() : nullptr, wanted.tangents ? out.tangents.data() : nullptr};
   WidenedTile<kCount> widened;
   TileCopies<kCount> copies;
   std::size_t done = 0;
   for (std::size_t v = 0; v < group.vertex_count; v += done) {
+    const bool whole = group.vertex_count >= kTileSize;
+    if (whole) v = std::min(v, group.vertex_count - kTileSize);
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
-    TileInput from{&in.positions[at], wanted.normals ? &in.normals[at] : nullptr, wanted.tangents ? &in.tangents[at] : nullptr};
-    const TileOutput to{&out.positions[at], wanted.normals ? &out.normals[at] : nullptr, wanted.tangents ? &out.tangents[at] : nullptr};
-    const bool whole = left >= kTileSize + 2;
-    done = whole ? kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
+    const std::size_t tiles = whole && is_wide ? left / kTileSize : 1;
+    done = whole ? tiles * kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
     const std::size_t first = group.first_influence + v * stride;
     TileInfluences<kCount> joints{{}, stride};
-    if (HWY_LIKELY(wide_joints && wide_weights)) joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
+    if (is_wide) joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
     else joints.first = widened.widen(influences, first, done, stride);
-    if (HWY_UNLIKELY(!whole)) joints = copies.load(joints.first, done), from = copies.load(from, done);
-    tile(TilePlace{at, done, whole}, joints, from, whole ? to : copies.in_place_of(to));
-    if (HWY_UNLIKELY(!whole)) copies.store(to, done);
+    TileInput from = all_in.from(at);
+    const TileOutput to = all_out.from(at);
+    if (!whole) joints = copies.load(joints.first, done), from = copies.load(from, done);
+    skin_row(TileRow<kCount>{{at, std::min(done, kTileSize), whole}, tiles, joints, from, whole ? to : copies.in_place_of(to)}, skin);
+    if (!whole) copies.store(to, done);
   }
+}
+
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, one tile after the other.
+template <int kCount, class Tile>
+void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Tile& tile) {
+  for_each_row<kCount>(influences, group, in, out, [&](const TileRow<kCount>& row) HWY_ATTR {
+    TilePlace place = row.place;
+    for (std::size_t t = 0; t < row.tile_count; ++t, place.first_vertex += kTileSize) tile(place, row.joints(t), row.in(t), row.out(t));
+  });
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
+#include "runtime/base/same_bits.h"
 #include "runtime/math/decompose.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 
 namespace sinew {
 namespace {
@@ -43,6 +46,29 @@ TEST(joint_palette, the_bind_pose_gives_identities) {
   }
   run(JointPaletteJob{&skin, model, palette});
   for (const auto& m : palette) EXPECT_TRUE(test::is_near(affine_from(m), Affine{}, 1e-6));
+}
+
+TEST(joint_palette, N27_N28_every_instruction_set_gives_the_bits_of_the_plain_product) {
+  test::FixedRandom random(5);
+  Skin skin;
+  std::vector<Affine> model;
+  for (std::uint32_t j = 0; j < 21; ++j) {
+    model.push_back(affine_from_transform(random.transform()));
+    skin.joints.push_back((j * 8) % 21);
+    skin.inverse_bind.push_back(affine_from_transform(random.transform()));
+  }
+  model[3].row[1].z = std::numeric_limits<float>::infinity();  // stays out of the last row
+  skin.inverse_bind[4] = {{{-1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, -1, 0}}};
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    std::vector<JointMatrix> palette(skin.joints.size());
+    run(JointPaletteJob{&skin, model, palette});
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+      const JointMatrix plain = joint_matrix_from(model[skin.joints[i]] * skin.inverse_bind[i]);
+      EXPECT_TRUE(same_bits(palette[i], plain) || skin.joints[i] == 3) << i << ' ' << test::simd_name(target);
+      for (int c = 0; c < 4; ++c) EXPECT_EQ(palette[i].column[c].w, c == 3 ? 1.0f : 0.0f) << i << ' ' << test::simd_name(target);
+    }
+  }
 }
 
 TEST(joint_palette, G33_joints_may_come_in_any_order) {
