@@ -128,9 +128,9 @@ HWY_INLINE void multiply_one(const LocalToModelJob& job, const Tile& tile, std::
   const std::uint32_t parent = job.skeleton->parents[joint];
   const Affine& above = parent == kNone ? job.root : job.model[parent];
 #if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
-  store_rows(multiply(load_rows(above), tile, i), true, job.model[joint]);
+  store_rows(product(above, tile.rows_of(i)), true, job.model[joint]);
 #else
-  multiply(above, tile, i, job.model[joint]);
+  store_rows(product(above, tile.rows_of(i)), job.model[joint]);
 #endif
 }
 
