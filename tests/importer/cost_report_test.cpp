@@ -12,6 +12,7 @@
 #include "importer/tool/cost/report_json.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/write_report.h"
+#include "runtime/assets/clip_file.h"
 #include "runtime/math/interpolate.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"
@@ -87,11 +88,16 @@ TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
   const cost::Subject subject(arm, 0, cost::Effort::quick());
   const cost::Study study = cost::study_storage(subject);
   const cost::Point& whole = study.group.points[0];
-  for (std::size_t i = 1; i <= 3; ++i) {
-    const double budget_mm = 1e3 * subject.size_m * std::pow(10.0, static_cast<double>(i) - 6.0);
-    EXPECT_LE(study.group.points[i].error, budget_mm) << study.group.points[i].name;
-    EXPECT_LT(*study.group.points[i].size, 0.5 * *whole.size) << study.group.points[i].name;
+  double before = *whole.size;
+  for (const auto& [name, budget_mm] : {std::pair("budget 10 um", 0.01), std::pair("budget 0.1 mm", 0.1), std::pair("budget 1 mm", 1.0)}) {
+    const cost::Point& point = point_named(study.group, name);
+    EXPECT_LE(point.error, budget_mm) << name;
+    EXPECT_LT(*point.size, 0.5 * *whole.size) << name;
+    EXPECT_LE(*point.size, before) << name;
+    before = *point.size;
   }
+  EXPECT_DOUBLE_EQ(whole.values[0].value * 1024.0, static_cast<double>(saved_bytes(compile_clip(arm.animations[0], arm.skeleton, {}, {}, {}))));
+  EXPECT_DOUBLE_EQ(*whole.size, whole.values[0].value * 1024.0 / arm.animations[0].duration_s);
 }
 
 TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_does) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"
+#include "runtime/assets/clip_file.h"
 #include "runtime/assets/track_sample.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/plan/compile_clip_within.h"
@@ -16,9 +18,16 @@ namespace sinew::cost {
 namespace {
 
 constexpr double kChance = 1.5;  // times the error of the keys as they are, which is rounding
-constexpr double kBudgets[] = {1e-5, 1e-4, 1e-3};  // of the model's size
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips are left at the rates below
+
+/// Powers of ten in metres, largest last: 0.1 mm and 1 mm, and around a ten-thousandth of the model's size.
+std::vector<double> budgets_m(double size_m) {
+  const int hardly_seen = size_m > 0.0 ? static_cast<int>(std::lround(std::log10(1e-4 * size_m))) : -4;
+  std::vector<double> budgets;
+  for (int power = std::min(-4, hardly_seen - 1); power <= std::max(-3, hardly_seen + 1); ++power) budgets.push_back(std::pow(10.0, power));
+  return budgets;
+}
 
 std::vector<float> even_times(double duration_s, double fps) {
   std::vector<float> times_s;
@@ -86,8 +95,9 @@ void add_stored(Study& study, const Subject& subject, const std::string& name, C
   Point point;
   point.name = name, point.note = note;
   point.error = error_mm(subject, play->clip, moments);
-  point.size = static_cast<double>(play->clip.byte_size()) / (static_cast<double>(joints) * std::max(1e-3, duration_s));
-  point.values = {{"whole clip", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
+  const auto bytes = static_cast<double>(saved_bytes(play->clip));
+  point.size = bytes / (static_cast<double>(joints) * std::max(1e-3, duration_s));
+  point.values = {{"saved", bytes / 1024.0, "KiB"}, {"in memory", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
   constexpr std::size_t kMoments = 16;
   study.add(std::move(point), {joints * kMoments, [play] {
               for (std::size_t i = 0; i < kMoments; ++i) {
@@ -121,7 +131,7 @@ Study study_storage(const Subject& subject) {
   Group& group = study.group;
   group.name = "storage", group.title = "Key storage";
   group.question = "How should the keys of this clip be kept?";
-  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint", group.size_unit = "bytes a joint and second";
+  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint", group.size_unit = "saved bytes a joint and second";
   if (subject.animation() == nullptr) return group.left_out = "the file has no clips", study;
   if (subject.animation()->bones.empty()) return group.left_out = fmt::format("{} moves no joints", subject.clip_name()), study;
   const std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
@@ -133,11 +143,9 @@ Study study_storage(const Subject& subject) {
   add_stored(study, subject, "keys as they are", compiled(joints), "full floats at the file's own times", moments);
   group.points.back().is_default = true;
   const VirtualVertices vertices = virtual_vertices(subject.scene);
-  for (const double share : kBudgets) {
-    const double budget_m = share * subject.size_m;
+  for (const double budget_m : budgets_m(subject.size_m))
     add_stored(study, subject, "budget " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
-               "the fewest keys that keep every virtual vertex within that budget (sinew convert --budget)", moments);
-  }
+               "the fewest keys, rounded to the fewest bits, that keep every vertex within that budget (sinew compile --budget)", moments);
   for (const double fps : kRates)
     if (fps * subject.animation()->duration_s < kMostKeys)
       add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)), "full floats at even times, linear between them", moments);
