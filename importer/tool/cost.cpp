@@ -5,11 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/cost/make_report.h"
+#include "importer/tool/cost/occlusion_group.h"
+#include "importer/tool/cost/subject.h"
 #include "importer/tool/cost/write_report.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -36,10 +39,25 @@ std::string description_of(const std::string& file, const Scene& scene) {
                      scene.clips.size(), scene.skins.size(), model_size_m(scene));
 }
 
+constexpr double kDoneBefore = 0.8;  // when ambient occlusion begins
+
+/// What the study of ambient occlusion looks at: the same clip of the same file, or a built-in scene of its own.
+std::vector<std::string> study_arguments(const CostOptions& options, const Scene& scene, std::optional<std::uint32_t> clip) {
+  std::vector<std::string> arguments;
+  if (options.quick) arguments.push_back("--quick");
+  if (options.file.empty()) return arguments;
+  const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(scene);
+  arguments.insert(arguments.end(), {"--clip", looked_at == kNone ? "none" : std::to_string(looked_at), "--", options.file});
+  return arguments;
+}
+
 ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip, const std::string& subject, const CostOptions& options) {
   ProgressLine progress;
   const auto show = [&](const char* work, double done) { progress.show(work, done); };
-  cost::Report report = cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show);
+  const auto show_part = [&](const char* work, double done) { show(work, kDoneBefore * done); };
+  cost::Report report = cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show_part);
+  show("ambient occlusion", kDoneBefore);
+  report.groups.push_back(cost::look_at_occlusion(study_arguments(options, *scenes.moving, clip)));
   progress.wipe();
   report.subject = subject;
   report.command = command_of(options);
@@ -82,9 +100,9 @@ void add_cost(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = program.add_subcommand(
       "cost",
-      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph and to\n"
-      "calculate, each with its error against double precision and its time on this machine. DIR gets report.html (open it in\n"
-      "a browser), report.json and report.csv, and appears complete or not at all.");
+      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, to\n"
+      "calculate and to darken corners, each with its error against double precision (or rays) and its time on this machine. DIR\n"
+      "gets report.html (open it in a browser), report.json and report.csv, and appears complete or not at all.");
   command->add_option("FILE", options->file, "A .gltf or .glb file; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
   command->add_option("--clip", options->clip, "Index or name of the clip to look at, or none; the one that moves most joints is the default");

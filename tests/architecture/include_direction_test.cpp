@@ -22,14 +22,14 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const char* folder : kRuntimeOrder)
     if (starts(std::string("runtime/") + folder)) return std::string("runtime/") + folder;
-  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
 
 bool sees(const std::string& from, const std::string& to) {
   if (to == "tests") return from == "tests";
-  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app") return true;
+  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study") return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer")
     return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
@@ -48,12 +48,12 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"OpenMesh/", {"importer", "tests"}},
     {"meshoptimizer", {"importer", "tests"}},
     {"draco/", {"importer", "tests"}},
-    {"embree", {"importer", "tests"}},
+    {"embree", {"importer", "viewer/study", "tests"}},
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
     {"GLFW/", {"viewer", "viewer/app", "tests"}},
     {"imgui", {"viewer/app", "tests"}},
-    {"CLI/", {"importer/tool", "viewer/app", "tests"}},
-    {"nlohmann/", {"importer", "importer/tool", "tests"}},
+    {"CLI/", {"importer/tool", "viewer/app", "viewer/study", "tests"}},
+    {"nlohmann/", {"importer", "importer/tool", "viewer/study", "tests"}},
     {"hwy/", {"runtime/math", "runtime/jobs", "runtime/plan", "importer/tool", "tests"}},
     {"tbb/", {"runtime/plan", "importer", "tests"}},
     {"oneapi/", {"runtime/plan", "importer", "tests"}},

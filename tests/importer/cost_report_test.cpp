@@ -9,7 +9,9 @@
 #include <set>
 #include <sstream>
 
+#include "importer/tool/cost/occlusion_group.h"
 #include "importer/tool/cost/report_json.h"
+#include "importer/tool/cost/run_beside.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/write_report.h"
 #include "runtime/assets/clip_file.h"
@@ -158,6 +160,52 @@ TEST(cost_studies, say_why_they_have_nothing_to_say) {
   EXPECT_FALSE(cost::study_arithmetic(subject).group.points.empty()) << "skins a limb of its own";
 }
 
+/// An answer of the measuring program: the error falls until 14 samples, the time rises.
+std::string occlusion_answer() {
+  Json trials = Json::array();
+  const auto add = [&](const char* name, int samples, bool full, bool blur, double error, double ms) {
+    trials.push_back({{"name", name}, {"note", "as said"}, {"samples", samples}, {"full_size", full}, {"blur", blur}, {"default", std::string(name) == "14 samples"},
+                      {"error", error}, {"milliseconds", {ms, 1.01 * ms, 0.99 * ms}}});
+  };
+  add("4 samples", 4, false, true, 0.08, 1.0), add("14 samples", 14, false, true, 0.05, 2.0), add("64 samples", 64, false, true, 0.049, 6.0);
+  add("14 full size", 14, true, true, 0.048, 8.0), add("14 no blur", 14, false, false, 0.07, 1.2);
+  return Json{{"device", "a device"}, {"width", 100}, {"height", 50}, {"pixels", 3000}, {"radius_m", 0.5}, {"error_without", 0.2}, {"trials", trials}}.dump();
+}
+
+TEST(cost_occlusion, says_how_many_samples_are_worth_it_and_on_what_device) {
+  const cost::Group group = cost::occlusion_group(occlusion_answer());
+  ASSERT_EQ(group.points.size(), 5u) << group.left_out;
+  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").error, 5.0);
+  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").time_ns, 2e6 / 5000.0);
+  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").values[0].value, 2.0);
+  EXPECT_TRUE(point_named(group, "14 samples").is_default && point_named(group, "14 samples").pareto);
+  EXPECT_TRUE(point_named(group, "14 no blur").pareto);
+  EXPECT_THAT(group.findings.front(), testing::AllOf(HasSubstr("20.0 %"), HasSubstr("5.0 %"), HasSubstr("2 ms"), HasSubstr("a device")));
+  EXPECT_THAT(group.findings.back(), HasSubstr("14 samples are worth it here"));
+  EXPECT_THAT(group.findings.back(), HasSubstr("3.00 times as long"));
+  EXPECT_THAT(group.about, HasSubstr("3000 pixels"));
+}
+
+TEST(cost_occlusion, says_why_it_has_nothing_to_say) {
+  EXPECT_EQ(cost::occlusion_group(R"({"left_out": "there is no Vulkan device: none fits"})").left_out, "there is no Vulkan device: none fits");
+  EXPECT_THAT(cost::occlusion_group(R"({"device": )").left_out, HasSubstr("did not finish"));
+  Json without_clock = Json::parse(occlusion_answer());
+  for (Json& trial : without_clock["trials"]) trial["milliseconds"] = Json::array();
+  const cost::Group group = cost::occlusion_group(without_clock.dump());
+  EXPECT_THAT(group.left_out, HasSubstr("no clock"));
+  EXPECT_TRUE(group.points.empty());
+}
+
+TEST(run_beside, hands_over_what_a_program_prints_and_says_what_went_wrong) {
+  const auto missing = cost::output_of_program_beside("no-such-program", {});
+  ASSERT_FALSE(missing);
+  EXPECT_THAT(missing.error(), HasSubstr("no program no-such-program"));
+  const std::string beside = "../../../../../../../../../../../bin/";  // from wherever the tests are
+  EXPECT_EQ(cost::output_of_program_beside(beside + "echo", {"two words", "$HOME"}).value_or("nothing"), "two words $HOME\n");
+  EXPECT_THAT(cost::output_of_program_beside(beside + "false", {}).error(), HasSubstr("ended with status 1"));
+  EXPECT_EQ(cost::output_of_program_beside(beside + "seq", {"100000"}).value_or("").size(), 588895u) << "more than a pipe holds";
+}
+
 cost::Report small_report() {
   cost::Report report;
   report.subject = "a \"quoted\" </script><!-- name";
@@ -247,7 +295,7 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
     EXPECT_EQ(group["findings"].empty(), group["points"].empty());
   }
   EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
-  EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing", "arithmetic"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing", "arithmetic", "occlusion"}));
 }
 
 TEST(cost_command, refuses_a_folder_that_holds_other_things) {

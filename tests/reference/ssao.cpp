@@ -20,8 +20,8 @@ struct Texel {
   bool usable;
 };
 
-Texel texel_at(const DepthAndNormals& image, int x, int y) {
-  const int full_x = std::min(2 * x, image.width - 1), full_y = std::min(2 * y, image.height - 1);
+Texel texel_at(const DepthAndNormals& image, int step, int x, int y) {
+  const int full_x = std::min(step * x, image.width - 1), full_y = std::min(step * y, image.height - 1);
   const std::size_t i = index(image.width, full_x, full_y);
   return {image.distance[i], image.point(full_x, full_y), image.normals[i],
           image.distance[i] > 0.0 && image.normals[i] != glm::dvec3(0.0)};
@@ -55,10 +55,10 @@ glm::dvec3 DepthAndNormals::point(int x, int y) const {
 }
 
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
-  HalfAccess half{(image.width + 1) / 2, (image.height + 1) / 2, {}};
+  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
-      const Texel texel = texel_at(image, x, y);
+      const Texel texel = texel_at(image, s.step, x, y);
       double sum = 0.0;
       if (texel.usable) {
         const double resolved = std::clamp(s.radius * pixels_per_metre(image) / texel.distance - 2.0, 0.0, 1.0);
@@ -69,7 +69,7 @@ HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
           sum += resolved * occlusion_by(image, s, texel.point + s.radius * offset, texel.point, texel.normal);
         }
       }
-      half.access.push_back(std::pow(1.0 - sum / 14.0, s.power));
+      half.access.push_back(std::pow(1.0 - sum / static_cast<double>(s.offsets.size()), s.power));
     }
   return half;
 }
@@ -78,17 +78,17 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
   HalfAccess out{half.width, half.height, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
-      const Texel middle = texel_at(image, x, y);
+      const Texel middle = texel_at(image, s.step, x, y);
       double sum = 0.0, weights = 0.0;
-      for (int k = -2; k <= 2; ++k) {
+      for (int k = -s.reach; k <= s.reach; ++k) {
         const int at_x = vertical ? x : x + k, at_y = vertical ? y + k : y;
         if (at_x < 0 || at_y < 0 || at_x >= half.width || at_y >= half.height) continue;
-        const Texel other = texel_at(image, at_x, at_y);
-        const double screen_m = std::abs(k) * 2.0 * middle.distance / pixels_per_metre(image);
+        const Texel other = texel_at(image, s.step, at_x, at_y);
+        const double screen_m = std::abs(k) * static_cast<double>(s.step) * middle.distance / pixels_per_metre(image);
         const bool joins = middle.usable && other.usable &&
-                           same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m);
+                           (!s.keep_edges || same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m));
         if (k != 0 && !joins) continue;
-        const double weight = std::abs(k) == 2 ? 0.5 : 1.0;
+        const double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
         sum += weight * half.access[index(half.width, at_x, at_y)];
         weights += weight;
       }
@@ -104,10 +104,10 @@ std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& 
       const std::size_t i = index(image.width, x, y);
       const glm::dvec3 p = image.point(x, y), n = image.normals[i];
       double sum = 0.0, weights = 0.0, nearest = 1.0, nearest_m = 1e300;
-      for (int dy = 0; dy <= y % 2; ++dy)
-        for (int dx = 0; dx <= x % 2; ++dx) {
-          const int at_x = std::min(x / 2 + dx, half.width - 1), at_y = std::min(y / 2 + dy, half.height - 1);
-          const Texel other = texel_at(image, at_x, at_y);
+      for (int dy = 0; dy <= y % s.step; ++dy)
+        for (int dx = 0; dx <= x % s.step; ++dx) {
+          const int at_x = std::min(x / s.step + dx, half.width - 1), at_y = std::min(y / s.step + dy, half.height - 1);
+          const Texel other = texel_at(image, s.step, at_x, at_y);
           if (other.distance == 0.0) continue;
           const double access = half.access[index(half.width, at_x, at_y)];
           const double away = glm::length(other.point - p);

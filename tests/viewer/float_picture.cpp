@@ -38,14 +38,14 @@ Device* test_device() { return only().device.get(); }
 const std::string& no_device_reason() { return only().reason; }
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
-                          const RenderOptions& options, const FrameInputs& extras) {
+                          const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion) {
   constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
   Device& device = *test_device();
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
   const SceneUpload scene(device, built.scene);
   FrameUpload frame(device, built.scene, 1);
   frame.update(0, built.frame());
-  FrameRenderer renderer(device, format, 1);
+  FrameRenderer renderer(device, format, 1, occlusion);
   const GpuImage image(device,
                        {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,

@@ -32,7 +32,7 @@ RenderOptions options_with(float radius) {
 
 View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
 
-reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel) {
+reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel, const OcclusionShape& shape) {
   const AmbientOcclusion& ao = options.ao;
   return {static_cast<double>(ao.radius_m),
           static_cast<double>(ao.surface_epsilon_m),
@@ -40,12 +40,16 @@ reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKern
           static_cast<double>(ao.fade_end_m),
           static_cast<double>(ao.power),
           kernel.offsets,
-          kernel.noise};
+          kernel.noise,
+          static_cast<int>(shape.step),
+          static_cast<int>(shape.blur_reach),
+          shape.keep_edges};
 }
 
-std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options) {
-  const SsaoKernel kernel = make_ssao_kernel();
-  const reference::SsaoSettings settings = settings_of(options, kernel);
+std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                     const OcclusionShape& shape = {}) {
+  const SsaoKernel kernel = make_ssao_kernel(shape.samples);
+  const reference::SsaoSettings settings = settings_of(options, kernel, shape);
   reference::HalfAccess half = reference::ssao(image, settings);
   if (options.ao.blur) {
     half = reference::blurred(image, settings, half, false);
@@ -69,6 +73,12 @@ Difference compare(const FloatPicture& picture, const std::vector<double>& expec
   }
   d.spread = 1.0 - lowest;
   return d;
+}
+
+std::vector<glm::vec4> greys(const std::vector<double>& values) {
+  std::vector<glm::vec4> pixels;
+  for (const double value : values) pixels.emplace_back(static_cast<float>(value));
+  return pixels;
 }
 
 TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
@@ -98,6 +108,23 @@ TEST_F(ssao_pass, agrees_with_the_reference_for_other_radii_fades_and_powers) {
         compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
     EXPECT_GT(d.spread, 0.05);
     EXPECT_LT(d.mean, 1e-3) << radius;
+  }
+}
+
+TEST_F(ssao_pass, agrees_with_the_reference_whatever_the_samples_the_size_and_the_blur) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  const RenderOptions options = options_with(0.6f);
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
+  std::vector<double> before = reference_access(image, options);
+  for (const OcclusionShape& shape : {OcclusionShape{.samples = 4}, OcclusionShape{.samples = 64}, OcclusionShape{.step = 1}, OcclusionShape{.blur_reach = 4},
+                                      OcclusionShape{.keep_edges = false}, OcclusionShape{32, 1, 4, false}}) {
+    const std::vector<double> expected = reference_access(image, options, shape);
+    EXPECT_GT(compare(FloatPicture{kWidth, kHeight, greys(before)}, expected).mean, 1e-3)
+        << "the shapes give different pictures";
+    const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape), expected);
+    EXPECT_LT(d.mean, 1e-3) << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
+    EXPECT_LT(d.worst, 2.0 / shape.samples) << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
+    before = expected;
   }
 }
 

@@ -16,12 +16,12 @@ constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
 }  // namespace
 
 struct Headless::State {
-  State(Device& used, const Scene& scene, VkExtent2D size)
+  State(Device& used, const Scene& scene, VkExtent2D size, const OcclusionShape& occlusion)
       : device(used),
         extent(size),
         scene_upload(used, scene),
         frame_upload(used, scene, 1),
-        renderer(used, kFormat, 1),
+        renderer(used, kFormat, 1, occlusion),
         image(used, {kFormat, size, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
         pixels(used, VkDeviceSize{4} * size.width * size.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                MemoryUse::read_back) {}
@@ -36,8 +36,8 @@ struct Headless::State {
   std::uint64_t pictures = 0;
 };
 
-Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height)
-    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height})) {}
+Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height, const OcclusionShape& occlusion)
+    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion)) {}
 
 Headless::~Headless() = default;
 

@@ -29,8 +29,8 @@ std::vector<VkDynamicState> dynamic_states(const PipelineShape& shape) {
 
 VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape) {
   const ShaderModule vertex(device, shape.vertex), fragment(device, shape.fragment);
-  const std::array<VkSpecializationMapEntry, 3> entries = {{{0, 0, 4}, {1, 4, 4}, {2, 8, 4}}};
-  const VkSpecializationInfo constants{3, entries.data(), sizeof(shape.constants), shape.constants.data()};
+  const std::array<VkSpecializationMapEntry, 4> entries = {{{0, 0, 4}, {1, 4, 4}, {2, 8, 4}, {3, 12, 4}}};
+  const VkSpecializationInfo constants{4, entries.data(), sizeof(shape.constants), shape.constants.data()};
   const std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT),
                              fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, &constants)};
 

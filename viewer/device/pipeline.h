@@ -12,7 +12,7 @@ namespace sinew::viewer {
 /// scissor, no multisampling, one colour attachment, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
-  std::array<std::uint32_t, 3> constants{};  ///< specialisation constants 0, 1, 2 of the fragment shader
+  std::array<std::uint32_t, 4> constants{};  ///< specialisation constants 0 to 3 of the fragment shader
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
   bool depth = false;  ///< there is a D32 attachment

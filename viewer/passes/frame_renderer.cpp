@@ -36,12 +36,12 @@ struct FrameSlot {
 }  // namespace
 
 struct FrameRenderer::State {
-  State(Device& used, VkFormat target_format, std::uint32_t slot_count)
+  State(Device& used, VkFormat target_format, std::uint32_t slot_count, const OcclusionShape& occlusion)
       : device(used),
         layouts(used),
-        pipelines(used, layouts, target_format),
-        targets(used),
-        kernel(make_ssao_kernel()) {
+        pipelines(used, layouts, target_format, occlusion),
+        targets(used, occlusion.step),
+        kernel(make_ssao_kernel(occlusion.samples)) {
     for (std::uint32_t i = 0; i < slot_count; ++i) slots.push_back(std::make_unique<FrameSlot>(used, layouts));
   }
 
@@ -58,8 +58,8 @@ struct FrameRenderer::State {
   std::vector<std::unique_ptr<FrameSlot>> slots;
 };
 
-FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count)
-    : state_(std::make_unique<State>(device, target_format, slot_count)) {}
+FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count, const OcclusionShape& occlusion)
+    : state_(std::make_unique<State>(device, target_format, slot_count, occlusion)) {}
 
 FrameRenderer::~FrameRenderer() {
   vkDeviceWaitIdle(state_->device.handle());  // a lost device is reported by the next frame, not here
@@ -104,9 +104,9 @@ void record_pass(Pass pass, const PassContext& context) {
   }
 }
 
-FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, VkExtent2D extent, double collect_us) {
+FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, const FrameTargets& targets, double collect_us) {
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()), blended = static_cast<std::uint32_t>(draws.blended().size());
-  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), extent};
+  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(), targets.access_extent()};
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
@@ -133,8 +133,8 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   const FrameNeeds needs = needs_of(state.draws, inputs);
   const FrameGraph graph(needs);
-  slot.report = report_of(state.draws, needs, inputs, target.extent, collect_us);
   state.targets.fit(graph, target.extent);
+  slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.access_image;
   slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
                  state.targets, graph.has(Pass::normal_depth));

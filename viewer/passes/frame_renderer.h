@@ -7,6 +7,7 @@
 
 #include "viewer/device/device.h"
 #include "viewer/passes/pass_stages.h"
+#include "viewer/passes/occlusion_shape.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
@@ -71,7 +72,7 @@ struct FrameReport {
 class FrameRenderer {
  public:
   /// in   target_format  of every ColorTarget;   slot_count  frames that may be in flight
-  FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count);
+  FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count, const OcclusionShape& occlusion = {});
   ~FrameRenderer();
   FrameRenderer(const FrameRenderer&) = delete;
   FrameRenderer& operator=(const FrameRenderer&) = delete;

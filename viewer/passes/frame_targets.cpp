@@ -5,21 +5,22 @@ namespace sinew::viewer {
 
 namespace {
 
-ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D half) {
+ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
   constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   switch (target) {
     case Target::depth:
       return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::normals: return {kNormalFormat, full, 1, color};
     case Target::color: return {kColorFormat, full, 1, color};
-    default: return {kAccessFormat, half, 1, color};
+    default: return {kAccessFormat, access, 1, color};
   }
 }
 
 }  // namespace
 
-FrameTargets::FrameTargets(const Device& device)
+FrameTargets::FrameTargets(const Device& device, std::uint32_t access_step)
     : device_(device),
+      step_(access_step),
       nothing_(device, {kAccessFormat, {1, 1}, 1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}) {
   constexpr ImageUse cleared{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
@@ -44,7 +45,7 @@ void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   for (std::size_t i = 0; i < kTargetCount; ++i) {
     if (wanted[i] && !resized && slots_[i].image) continue;
     slots_[i] = {};
-    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, half_extent()));
+    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, access_extent()));
   }
 }
 

@@ -36,7 +36,8 @@ inline constexpr ImageUse kReadInShader{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
 /// Owns the images that the frame graph calls for, and no others, and knows what each was last used for.
 class FrameTargets {
  public:
-  explicit FrameTargets(const Device& device);
+  /// in   access_step  OcclusionShape::step
+  FrameTargets(const Device& device, std::uint32_t access_step);
 
   /// Makes and drops images to fit; waits for the device when something changes.
   void fit(const FrameGraph& graph, VkExtent2D extent);
@@ -50,7 +51,8 @@ class FrameTargets {
     return exists(target) ? slot(target).image.view() : nothing_.view();
   }
   VkExtent2D extent() const noexcept { return extent_; }
-  VkExtent2D half_extent() const noexcept { return {(extent_.width + 1) / 2, (extent_.height + 1) / 2}; }
+  /// Of Target::access and access_between.
+  VkExtent2D access_extent() const noexcept { return {(extent_.width + step_ - 1) / step_, (extent_.height + step_ - 1) / step_}; }
 
  private:
   struct Slot {
@@ -61,6 +63,7 @@ class FrameTargets {
   const Slot& slot(Target target) const noexcept { return slots_[static_cast<std::size_t>(target)]; }
 
   const Device& device_;
+  std::uint32_t step_;
   std::array<Slot, kTargetCount> slots_;
   GpuImage nothing_;
   VkExtent2D extent_{};

@@ -29,11 +29,11 @@ struct FrameUniforms {
   glm::vec4 sky, ground, up;
   glm::vec4 background;    ///< linear; w: 1 = transparent
   glm::vec4 output_range;  ///< exposure, depth range, light count
-  std::array<glm::vec4, 14> offsets;
+  std::array<glm::vec4, kMostOcclusionSamples> offsets;
   std::array<glm::vec4, 16> noise;
   std::array<LightUniforms, kMaxLights> lights;
 };
-static_assert(sizeof(FrameUniforms) == 16 * (9 + 14 + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (9 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene with the joint it hangs on, both from this frame.
 struct PlacedLight {

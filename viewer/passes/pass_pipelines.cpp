@@ -24,8 +24,9 @@ bool encodes_in_hardware(VkFormat format) noexcept {
 
 }  // namespace
 
-PassPipelines::PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format)
-    : device_(device), layouts_(layouts), target_format_(target_format) {}
+PassPipelines::PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format,
+                             const OcclusionShape& occlusion)
+    : device_(device), layouts_(layouts), target_format_(target_format), occlusion_(occlusion) {}
 
 PassPipelines::~PassPipelines() {
   for (const auto& [key, pipeline] : mesh_) vkDestroyPipeline(device_.handle(), pipeline, nullptr);
@@ -51,7 +52,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& key) {
   const bool prepass = key.pass == Pass::normal_depth, blended = key.pass == Pass::transparent;
   shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
-  shape.constants = {key.masked, blended, key.occluded};
+  shape.constants = {key.masked, blended, key.occluded, occlusion_.step};
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
@@ -63,16 +64,19 @@ VkPipeline PassPipelines::screen(Pass pass, Show show) {
   if (pipeline) return pipeline;
   PipelineShape shape;
   shape.color_format = target_format_;
-  shape.constants = {!encodes_in_hardware(target_format_), static_cast<std::uint32_t>(show), 0};
+  shape.constants = {!encodes_in_hardware(target_format_), static_cast<std::uint32_t>(show), 0, occlusion_.step};
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
   constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {
       {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12}}};
   switch (pass) {
-    case Pass::ssao: shape.fragment = Shader::ssao_frag, shape.color_format = kAccessFormat; break;
+    case Pass::ssao:
+      shape.fragment = Shader::ssao_frag, shape.color_format = kAccessFormat;
+      shape.constants = {occlusion_.samples, 0, 0, occlusion_.step};
+      break;
     case Pass::blur_horizontal:
     case Pass::blur_vertical:
       shape.fragment = Shader::ssao_blur_frag, shape.color_format = kAccessFormat;
-      shape.constants = {pass == Pass::blur_vertical, 0, 0};
+      shape.constants = {pass == Pass::blur_vertical, occlusion_.blur_reach, occlusion_.keep_edges, occlusion_.step};
       break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:

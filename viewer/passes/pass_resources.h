@@ -69,7 +69,7 @@ struct MeshPipelineKey {
 /// Pipelines, made when first needed and kept.
 class PassPipelines {
  public:
-  PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format);
+  PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format, const OcclusionShape& occlusion);
   ~PassPipelines();
   PassPipelines(const PassPipelines&) = delete;
   PassPipelines& operator=(const PassPipelines&) = delete;
@@ -81,6 +81,7 @@ class PassPipelines {
   const Device& device_;
   const PassLayouts& layouts_;
   VkFormat target_format_;
+  OcclusionShape occlusion_;
   std::map<MeshPipelineKey, VkPipeline> mesh_;
   std::map<std::pair<Pass, Show>, VkPipeline> screen_;
 };

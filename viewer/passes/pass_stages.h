@@ -20,7 +20,7 @@ struct PassStage {
 /// What a frame has to draw.
 struct PassWork {
   std::uint32_t opaque_draws = 0, blended_draws = 0, lines = 0;
-  VkExtent2D extent{};
+  VkExtent2D extent{}, access_extent{};  ///< of the picture, and of the ambient-access image
 };
 
 /// All passes that exist, in the order in which they run. Those that run are the frame graph's of the same needs.

@@ -8,7 +8,7 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
   context.targets.next_use(context.commands, to, kWriteColor, false);
   {
     const Rendering rendering(context.commands,
-                              {.color = context.targets.view(to), .extent = context.targets.half_extent()});
+                              {.color = context.targets.view(to), .extent = context.targets.access_extent()});
     draw_screen(context, context.pipelines.screen(vertical ? Pass::blur_vertical : Pass::blur_horizontal),
                 vertical ? context.set.between_blurs() : context.set.set());
   }

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+
+#include "runtime/base/contract.h"
 
 namespace sinew::viewer {
 
@@ -30,16 +33,30 @@ glm::vec3 scaled_to(const glm::vec3& v, float length) {
   return v * (length / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
 }
 
+/// One end of each line through the middle.
+/// eq   more than seven: height (i + 1/2) / count over the equator, turned on by the golden angle   (Swinbank and Purser 2006)
+std::vector<glm::vec3> lines(std::size_t count) {
+  constexpr std::array<glm::vec3, 7> of_cube = {
+      {{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+  if (count <= of_cube.size()) return {of_cube.begin(), of_cube.begin() + static_cast<std::ptrdiff_t>(count)};
+  std::vector<glm::vec3> spiral;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double height = (static_cast<double>(i) + 0.5) / static_cast<double>(count), width = std::sqrt(1.0 - height * height);
+    const double angle = std::numbers::pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(i);
+    spiral.emplace_back(glm::dvec3(width * std::cos(angle), height, width * std::sin(angle)));
+  }
+  return spiral;
+}
+
 }  // namespace
 
-SsaoKernel make_ssao_kernel() {
-  constexpr std::array<glm::vec3, 7> half = {
-      {{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+SsaoKernel make_ssao_kernel(std::uint32_t samples) {
+  CONTRACT(samples >= 2 && samples % 2 == 0 && samples <= kMostOcclusionSamples);
   Random random;
   SsaoKernel kernel{};
-  for (std::size_t i = 0; i < half.size(); ++i) {
-    kernel.offsets[2 * i] = scaled_to(half[i], random.in(0.25f, 1.0f));
-    kernel.offsets[2 * i + 1] = scaled_to(-half[i], random.in(0.25f, 1.0f));
+  for (const glm::vec3& line : lines(samples / 2)) {
+    kernel.offsets.push_back(scaled_to(line, random.in(0.25f, 1.0f)));
+    kernel.offsets.push_back(scaled_to(-line, random.in(0.25f, 1.0f)));
   }
   for (glm::vec3& mirror : kernel.noise) {
     glm::vec3 v(0.0f);  // uniform in the ball, so uniform in direction

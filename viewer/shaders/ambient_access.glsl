@@ -9,8 +9,8 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
   float sum = 0.0, weight_sum = 0.0, nearest = 1.0, nearest_squared = 3.4e38;
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    if (any(greaterThan(offset, pixel & 1))) continue;   // an even pixel is a texel of its own: no neighbour on that axis
-    ivec2 texel = min((pixel >> 1) + offset, last);
+    if (any(greaterThan(offset, pixel % kAccessStep))) continue;   // a pixel that is a texel of its own has no neighbour on that axis
+    ivec2 texel = min(pixel / kAccessStep + offset, last);
     vec4 stored = texelFetch(access_image, texel, 0);
     if (stored.g <= 0.0) continue;
     vec3 other = view_point(full_pixel(texel), stored.g);

@@ -18,7 +18,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 up;                   // world +y in view space
   vec4 background;           // linear, as displayed; w: 1 = transparent background
   vec4 output_range;         // exposure, nearest and farthest shown depth, light count
-  vec4 offsets[14];          // 8 cube corners, 6 face centres, random lengths
+  vec4 offsets[64];          // of the occlusion samples, random lengths; as many as there are samples
   vec4 noise[16];            // unit vectors, one per pixel of a 4 x 4 tile
   Light lights[16];
 } frame;

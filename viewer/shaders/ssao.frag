@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Screen-space ambient occlusion at half size. For a surface point p with normal n, 14 points around p are looked up in
+// Screen-space ambient occlusion, at half size. For a surface point p with normal n, 14 points around p are looked up in
 // the depth image; r is the surface seen in their direction.
 // eq   occlusion = sum over samples of fade(distance(p) - distance(r)) * max(n . normalise(r - p), 0) / 14
 //      access    = (1 - occlusion)^power
@@ -10,6 +10,8 @@
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
+
+layout(constant_id = 0) const int kSamples = 14;   // OcclusionShape::samples
 
 layout(location = 0) out vec4 access_distance_normal;
 
@@ -47,10 +49,10 @@ void main() {
   vec3 p = view_point(pixel, far_p);
   vec3 mirror = frame.noise[(texel.y & 3) * 4 + (texel.x & 3)].xyz;
   float sum = 0.0;
-  for (int i = 0; i < 14; ++i) {
+  for (int i = 0; i < kSamples; ++i) {
     vec3 offset = reflect(frame.offsets[i].xyz, mirror);
     if (dot(offset, n) < 0.0) offset = -offset;                                 // into the hemisphere about n
     sum += occlusion_of(p + frame.occlusion.x * offset, p, n);
   }
-  access_distance_normal.r = pow(max(1.0 - sum / 14.0 * resolved, 0.0), frame.occlusion_use.x);
+  access_distance_normal.r = pow(max(1.0 - sum / float(kSamples) * resolved, 0.0), frame.occlusion_use.x);
 }

@@ -9,6 +9,8 @@
 #include "same_surface.glsl"
 
 layout(constant_id = 0) const bool kVertical = false;
+layout(constant_id = 1) const int kReach = 2;          // OcclusionShape::blur_reach
+layout(constant_id = 2) const bool kKeepEdges = true;  // OcclusionShape::keep_edges
 
 layout(location = 0) out vec4 access_distance_normal;
 
@@ -22,16 +24,16 @@ void main() {
   ivec2 last = textureSize(access_image, 0) - 1;
   // Not a choice between two vectors: Mesa 22.3 folds that specialisation constant to (0, 0).
   ivec2 direction = ivec2(kVertical ? 0 : 1, kVertical ? 1 : 0);
-  float metres_per_texel = 2.0 / pixels_per_metre(middle.g);
+  float metres_per_texel = float(kAccessStep) / pixels_per_metre(middle.g);
   float sum = middle.r, weight_sum = 1.0;
-  for (int k = -2; k <= 2; ++k) {
+  for (int k = -kReach; k <= kReach; ++k) {
     ivec2 at = texel + k * direction;
     if (k == 0 || any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
     vec4 other = texelFetch(access_image, at, 0);
     if (other.g == 0.0 || other.b > 1.5) continue;
     vec3 q = view_point(full_pixel(at), other.g);
-    if (!same_surface(p, n, q, unpack_normal(other.ba), float(abs(k)) * metres_per_texel)) continue;
-    float weight = abs(k) == 2 ? 0.5 : 1.0;
+    if (kKeepEdges && !same_surface(p, n, q, unpack_normal(other.ba), float(abs(k)) * metres_per_texel)) continue;
+    float weight = abs(k) == kReach ? 0.5 : 1.0;
     sum += weight * other.r;
     weight_sum += weight;
   }

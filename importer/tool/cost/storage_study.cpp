@@ -145,7 +145,7 @@ Study study_storage(const Subject& subject) {
   const VirtualVertices vertices = virtual_vertices(subject.scene);
   for (const double budget_m : budgets_m(subject.size_m))
     add_stored(study, subject, "budget " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
-               "the fewest keys, rounded to the fewest bits, that keep every vertex within that budget (sinew compile --budget)", moments);
+               "fewer keys, in fewer bits: every vertex stays within it (sinew compile --budget)", moments);
   for (const double fps : kRates)
     if (fps * subject.animation()->duration_s < kMostKeys)
       add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)), "full floats at even times, linear between them", moments);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Rays are held to the plain reference that tries every triangle; the study to what must come out whatever the device.
+#include "viewer/study/occlusion_study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "tests/reference/ray_cast.h"
+#include "tests/support/fixed_random.h"
+#include "tests/viewer/device_fixture.h"
+
+namespace sinew::viewer {
+namespace {
+
+std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built) {
+  std::vector<reference::RayTriangle> triangles;
+  const FrameResult frame = built.frame();
+  for (std::size_t i = 0; i < frame.instances.size(); ++i)
+    for (const Primitive& primitive : built.scene.meshes[built.scene.instances[i].mesh].primitives)
+      for (std::size_t k = 0; k < primitive.indices.size(); k += 3) {
+        reference::RayTriangle& triangle = triangles.emplace_back();
+        for (std::size_t c = 0; c < 3; ++c) {
+          triangle.corners[c] = glm::dvec3(transform_point(frame.instances[i].world_from_mesh, primitive.positions[primitive.indices[k + c]]));
+          triangle.normals[c] = glm::dvec3(primitive.normals[primitive.indices[k + c]]);  // only moved, not turned
+        }
+      }
+  return triangles;
+}
+
+TEST(ray_caster, N34_meets_what_the_reference_meets_and_finds_as_much_open) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  const RayCaster rays(built.scene, built.frame());
+  const auto triangles = triangles_of(built);
+  test::FixedRandom random(1);
+  int met = 0, occluded = 0;
+  for (int i = 0; i < 400; ++i) {
+    const glm::dvec3 from = 4.0 * random.direction<double>() + glm::dvec3(0, 1, 0), direction = glm::normalize(random.vec3<double>() - from);
+    const auto expected = reference::cast(triangles, from, direction);
+    const auto seen = rays.seen(from, direction);
+    ASSERT_EQ(seen.has_value(), expected.has_value()) << i;
+    if (!seen) continue;
+    ++met;
+    EXPECT_LT(glm::length(seen->point - (from + expected->t * direction)), 1e-5);
+    EXPECT_LT(glm::length(seen->normal - expected->normal), 1e-3);
+    const double open = reference::open_share(triangles, reference::leave_surface(seen->point, seen->geometric, 0x1p-20), seen->normal, 0.6, 64);
+    EXPECT_NEAR(rays.open_share(*seen, 0.6, 64), open, 2.5 / 64.0) << "two rays along an edge may differ";
+    occluded += open < 0.9;
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(occluded, 20);
+}
+
+TEST(ray_caster, sees_back_faces_only_where_the_material_has_two_sides) {
+  for (const bool double_sided : {false, true})
+    for (const bool mirrored : {false, true}) {
+      BuiltScene built;
+      Material material = matte({1, 1, 1});
+      material.double_sided = double_sided;
+      Affine placed;
+      if (mirrored) placed.row[0].x = -1.0f;
+      built.add(square(1.0f), built.add_material(material), placed, mirrored);
+      const RayCaster rays(built.scene, built.frame());
+      const auto above = rays.seen({0.2, 1, 0.1}, {0, -1, 0}), below = rays.seen({0.2, -1, 0.1}, {0, 1, 0});
+      ASSERT_TRUE(above) << mirrored;
+      EXPECT_GT(above->normal.y, 0.99);
+      EXPECT_EQ(below.has_value(), double_sided) << mirrored;
+      EXPECT_LT(below ? below->normal.y : -1.0, -0.99) << "on the side that is looked at";
+      EXPECT_EQ(rays.open_share(*above, 1.0, 64), 1.0) << "a plane does not darken itself";
+    }
+}
+
+class occlusion_study : public DeviceTest {};
+
+TEST_F(occlusion_study, N34_ambient_occlusion_is_nearer_to_rays_than_none_and_the_default_is_marked) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  AmbientOcclusion settings;
+  settings.radius_m = 0.6f, settings.surface_epsilon_m = 0.012f, settings.fade_start_m = 0.24f, settings.fade_end_m = 1.2f;
+  const View view = look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05);
+  const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, settings, {96, 64, 32, 2, false});
+  EXPECT_EQ(study.device, test_device()->name());
+  EXPECT_GT(study.pixels, 96u * 64u / 3);
+  EXPECT_EQ(std::count_if(study.trials.begin(), study.trials.end(), [](const OcclusionTrial& t) { return t.is_default; }), 1);
+  for (const OcclusionTrial& trial : study.trials) {
+    EXPECT_GT(trial.error, 0.0) << trial.name;
+    EXPECT_LT(trial.error, study.error_without) << trial.name;
+    EXPECT_EQ(trial.milliseconds.size(), test_device()->timestamp_bits() > 0 ? 2u : 0u) << trial.name;
+    for (const double ms : trial.milliseconds) EXPECT_GT(ms, 0.0) << trial.name;
+  }
+}
+
+TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_device_fills) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  constexpr int kWidth = 63, kHeight = 48;
+  const View view = look_at({1.5, 3.2, 3.0}, {0.3, 0.4, 0.2}, 0.8, 0.05);
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, {});
+  const RayCaster rays(built.scene, built.frame());
+  const std::vector<double> access = true_access(rays, view, kWidth, kHeight, 0.5, 1);
+  int differ = 0;
+  for (std::size_t i = 0; i < access.size(); ++i) differ += (access[i] >= 0.0) != (image.distance[i] > 0.0);
+  EXPECT_LE(differ, 3) << "but for roundings on an outline";
+  EXPECT_GT(std::count_if(access.begin(), access.end(), [](double a) { return a < 0.0; }), 30) << "there is something beside the scene";
+}
+
+}  // namespace
+}  // namespace sinew::viewer
