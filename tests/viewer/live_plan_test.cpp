@@ -95,7 +95,7 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0, .blended = (bits & 2) != 0, .overlay = (bits & 4) != 0, .ambient = (bits & 8) != 0,
                              .occlusion = (bits & 16) != 0, .blur = (bits & 32) != 0, .show = show};
       const FrameGraph graph(needs);
-      for (const PassStage& stage : describe_passes(needs, {7, 3, 2, {64, 48}})) {
+      for (const PassStage& stage : describe_passes(needs, {7, 3, 2, {64, 48}, {32, 24}})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
         EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
         EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;
