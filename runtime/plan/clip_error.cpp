@@ -30,13 +30,6 @@ void sort_out(std::vector<float>& times) {
   times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
-std::vector<float> key_times(const Animation& truth) {
-  std::vector<float> times{0.0f, static_cast<float>(truth.duration_s)};
-  each_track(truth, [&](const auto& track) { times.insert(times.end(), track.times_s.begin(), track.times_s.end()); });
-  sort_out(times);
-  return times;
-}
-
 /// Times at which a track has one value and right before them another: keys of steps, and keys that share a time.
 std::vector<float> jump_times(const Animation& truth) {
   std::vector<float> times;
@@ -141,6 +134,13 @@ class Meter {
 };
 
 }  // namespace
+
+std::vector<float> key_times(const Animation& truth) {
+  std::vector<float> times{0.0f, static_cast<float>(truth.duration_s)};
+  each_track(truth, [&](const auto& track) { times.insert(times.end(), track.times_s.begin(), track.times_s.end()); });
+  sort_out(times);
+  return times;
+}
 
 std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count) {
   std::vector<double> times;

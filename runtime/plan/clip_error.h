@@ -16,6 +16,9 @@ struct ClipError {
   std::uint32_t worst_joint = kNone;
 };
 
+/// Every key time of every track of joints and weights, and both ends of the clip; rising, each once.
+std::vector<float> key_times(const Animation& truth);
+
 /// Every key time of every track, both ends of the clip, five times between each two, and the time right before each jump: of
 /// steps, and of keys that share a time. Clips of so many joints and keys that this would be more than kMostJointTimes poses of
 /// joints are looked at in even steps through that list.

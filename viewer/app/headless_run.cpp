@@ -16,6 +16,7 @@
 #include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/settings.h"
+#include "viewer/app/sight.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/validation_outcome.h"
 
@@ -32,9 +33,10 @@ class Poser {
 
   const Plan& plan() const noexcept { return plan_; }
 
-  const FrameResult& at(double time_s) {
+  const FrameResult& at(double time_s, const Unseen& unseen, bool joints_watched) {
     const ClipLayer layer{clip_, time_s, 1.0f};
     FrameInput input;
+    leave_out(unseen, joints_watched, input);
     if (clip_ != kNone) input.layers = {&layer, 1};
     const ErrorCode code = run_plan(plan_, input, frame_);
     CONTRACT(code == ErrorCode::ok);   // the clip is in range and the time is finite
@@ -76,11 +78,12 @@ class PictureMaker {
         watches_plan_(options.plan),
         aspect_(static_cast<double>(options.width) / options.height),
         poser_(exhibit, options, clip),
+        unseen_(unseen_in(view_, clip)),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {}
 
   Picture at(double time_s) {
-    const FrameResult& pose = poser_.at(time_s);
+    const FrameResult& pose = poser_.at(time_s, unseen_, settings_.watches_joints());
     if (settings_.camera != kNone) {
       apply_properties(exhibit_.scene, pose.properties, frame_look_);
       const Camera& camera = frame_look_.cameras[settings_.camera];
@@ -101,6 +104,12 @@ class PictureMaker {
   const LivePlan& live_plan() const noexcept { return live_plan_; }
 
  private:
+  /// A camera of the file may move with the pose: where it looks is known too late.
+  Unseen unseen_in(const View& view, std::uint32_t clip) const {
+    Sight sight(exhibit_.scene, poser_.plan().needs);
+    return settings_.camera == kNone ? sight.of(clip, view, aspect_) : sight.nothing();
+  }
+
   const Exhibit& exhibit_;
   SceneLook frame_look_;
   ClipBounds bounds_;
@@ -109,6 +118,7 @@ class PictureMaker {
   bool transparent_, watches_plan_;
   double aspect_;
   Poser poser_;
+  Unseen unseen_;
   SkeletonLines skeleton_;
   Headless headless_;
   LivePlan live_plan_;

@@ -22,6 +22,9 @@ struct Settings {
   std::uint32_t camera = kNone;          ///< of the scene; kNone = the user's own
   std::uint32_t variant = kNone;         ///< of the scene's materials
 
+  /// The picture takes joints even where no mesh is in view.
+  bool watches_joints() const noexcept { return skeleton || camera != kNone; }
+
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -9,6 +9,8 @@ namespace sinew::viewer {
 ShownScene::ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, bool stage_times, std::uint32_t slot_count)
     : exhibit_(exhibit),
       playback_(exhibit.scene),
+      sight_(exhibit.scene, needs_of(exhibit, skinning, stage_times)),
+      unseen_(sight_.nothing()),
       scene_upload_(device, exhibit.scene, slot_count),
       frame_upload_(device, exhibit.scene, slot_count),
       look_(exhibit.scene),
@@ -29,26 +31,38 @@ void ShownScene::plan_for(Skinning skinning, bool stage_times) {
   jobs_ = std::make_unique<JobThread>();
   character_ = jobs_->add_character(*plan_);
   ready_seen_ = false;
-  FrameInput input;
-  input.layers = playback_.layers();
-  const auto ticket = jobs_->submit({&input, 1});
+  sight_ = Sight(exhibit_.scene, plan_->needs);
+  unseen_ = sight_.nothing();
+  const auto ticket = ask();
   CONTRACT(ticket.has_value());   // nothing else was submitted
-  ticket_ = *ticket;
-  asked_ = current();
   jobs_->wait(ticket_);
   newest();
   CONTRACT(newest_ != nullptr);
 }
 
-void ShownScene::submit() {
-  if (asked_ == current()) return;
+Result<Ticket> ShownScene::ask() {
   FrameInput input;
   input.layers = playback_.layers();
+  leave_out(unseen_, joints_watched_, input);
   const auto ticket = jobs_->submit({&input, 1});
-  if (!ticket) return;   // busy: the next frame asks again
+  if (!ticket) return ticket;
   ticket_ = *ticket;
-  asked_ = current();
+  asked_ = current(), asked_unseen_ = unseen_, asked_joints_ = joints_watched_;
   ready_seen_ = false;
+  return ticket;
+}
+
+void ShownScene::submit(const std::optional<View>& view, double aspect, bool joints_watched) {
+  unseen_ = view ? sight_.of(playback_.clip(), *view, aspect) : sight_.nothing();
+  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();   // one of them may be chosen any time
+  const bool lacks = asked_unseen_.hides_more_than(unseen_) || (asked_unseen_.all && !asked_joints_ && joints_watched_);
+  if (!lacks && asked_ == current()) return;
+  if (!ask()) {
+    if (!lacks) return;   // busy: the next frame asks again
+    jobs_->wait(ticket_);
+    CONTRACT(ask().has_value());
+  }
+  if (lacks) jobs_->wait(ticket_);
 }
 
 const FrameResult& ShownScene::newest() {

@@ -10,6 +10,7 @@
 #include "viewer/app/clip_bounds.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/playback.h"
+#include "viewer/app/sight.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/passes/frame_renderer.h"
 
@@ -30,8 +31,10 @@ class ShownScene {
   /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
   void plan_for(Skinning skinning, bool stage_times);
 
-  /// Asks for the pose at the playback's time, unless the worker still has one waiting or has that pose already.
-  void submit();
+  /// Asks for the pose at the playback's time without what the picture to come does not show, unless the worker still has one
+  /// waiting or has that pose already. Waits only where something comes into view that no pose on the way has.
+  /// in   view  of the picture; nothing = it follows from the pose, all of which is asked for then
+  void submit(const std::optional<View>& view, double aspect, bool joints_watched);
 
   /// The newest pose that is ready, never null.
   const FrameResult& newest();
@@ -64,6 +67,7 @@ class ShownScene {
     friend bool operator==(const Asked&, const Asked&) = default;
   };
   Asked current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
+  Result<Ticket> ask();
 
   const Exhibit& exhibit_;
   Playback playback_;
@@ -72,6 +76,10 @@ class ShownScene {
   JobThread::Character character_ = 0;
   Ticket ticket_ = 0;
   Asked asked_;
+  Sight sight_;
+  Unseen unseen_;                    ///< what the next pose leaves out
+  Unseen asked_unseen_;              ///< what the one asked for last does
+  bool asked_joints_ = true, joints_watched_ = true;
   bool ready_seen_ = false;          ///< newest() was called after ticket_ was done
   const FrameResult* newest_ = nullptr;
   std::uint64_t plan_number_ = 0;    ///< tells the frames of one plan from those of the last

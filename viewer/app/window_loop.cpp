@@ -61,6 +61,7 @@ class WindowLoop {
   void frame_all() { camera_.frame(shown_->bounds().outline.points(), aspect()); }
   void leave_file_camera();
   double aspect() const;
+  std::optional<View> sure_view();
   void react(const Input& input);
   void act(Action action);
   bool act_on_look(Action action);
@@ -121,6 +122,12 @@ void WindowLoop::leave_file_camera() {
 double WindowLoop::aspect() const {
   const VkExtent2D size = swapchain_.extent();
   return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
+}
+
+// Of the next picture, unless a camera of the file makes it, which may move with the pose.
+std::optional<View> WindowLoop::sure_view() {
+  if (settings_.camera != kNone) return std::nullopt;
+  return camera_.view(shown_->bounds().reached);
 }
 
 void WindowLoop::react(const Input& input) {
@@ -247,7 +254,7 @@ int WindowLoop::run() {
       frames_to_draw_ = 0;   // minimised: look again when something happens
       continue;
     }
-    shown_->submit();
+    shown_->submit(sure_view(), aspect(), settings_.watches_joints());
     if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
     if (frames_to_draw_ <= 0) continue;
     draw();

@@ -26,6 +26,12 @@ void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& 
   }
 }
 
+/// How many draws an instance takes when it is in view.
+std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
+  const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(), [](const Primitive& p) { return !p.indices.empty(); });
+  return static_cast<std::uint32_t>(static_cast<std::size_t>(drawn) * std::max<std::size_t>(instance.copies.size(), 1));
+}
+
 DrawConstants constants_of(const Primitive& primitive, const Affine& view_from_mesh, float point_size) {
   DrawConstants constants{{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]}, 0, point_size};
   if (primitive.topology != Topology::triangles) return constants;
@@ -47,7 +53,8 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
     const Scene& scene = drawn.scene->scene();
     for (std::size_t i = 0; i < vertices.instances.size(); ++i) {
       const PlacedInstance& placed = vertices.instances[i];
-      hidden_ += !placed.visible;
+      hidden_ += placed.hidden;
+      if (!placed.visible && !placed.hidden) out_of_view_ += draws_of(scene.instances[i], scene.meshes[scene.instances[i].mesh]);
       if (!placed.visible) continue;
       const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();

@@ -140,7 +140,8 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
   VkDeviceSize at = 0;
   for (std::size_t i = 0; i < result.instances.size(); ++i) {
     const InstanceResult& instance = result.instances[i];
-    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, instance.bounds, instance.first_primitive};
+    const bool hidden = !result.hidden.empty() && result.hidden[scene.instances[i].joint];
+    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, hidden, instance.bounds, instance.first_primitive};
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];

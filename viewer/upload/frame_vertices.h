@@ -18,6 +18,7 @@ struct DeformedBuffers {
 struct PlacedInstance {
   Affine world_from_mesh;
   bool mirrored = false, visible = true;
+  bool hidden = false;                ///< not visible by its node's flag; else because it was said to be out of view
   Aabb bounds;                        ///< world space, of all its vertices; empty = not known
   std::uint32_t first_primitive = 0;  ///< into FrameVertices::primitives
 };
