@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so without
 // `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never fused: all
-// targets give the same bits (N27, N28). Rows are read as little-endian numbers.
+// targets give the same bits (N27, N28).
 #if defined(SINEW_PACKED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_LANES_INL_H
 #undef SINEW_PACKED_LANES_INL_H
@@ -9,45 +9,17 @@
 #define SINEW_PACKED_LANES_INL_H
 #endif
 
+#include "runtime/jobs/packed_numbers-inl.h"
 #include "runtime/jobs/track_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Whole numbers of some lanes' components, one component after another.
-template <std::size_t kComponents>
-struct Numbers {
-  HWY_ALIGN std::int32_t of[kComponents][kLanePadding];
-};
-
-/// Takes the numbers of the lanes from `lane` on out of two rows. One lane at a time: a load of eight bytes and a few shifts are
-/// quicker than gathering.
-template <std::size_t kComponents>
-HWY_INLINE void unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane, Numbers<kComponents>& begin, Numbers<kComponents>& end) {
-  const std::size_t lanes = block.lane_count, count = HWY_MIN(hn::Lanes(Floats()), lanes - lane);
-  const std::uint16_t* first_bit = block.packed.first_bit.data() + lane;
-  const std::uint8_t* widths = block.packed.width.data() + lane;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t first = first_bit[i];
-    std::uint64_t b, e;
-    hwy::CopyBytes<sizeof(b)>(keys.begin + first / 8, &b);
-    hwy::CopyBytes<sizeof(e)>(keys.end + first / 8, &e);
-    b >>= first % 8, e >>= first % 8;
-    for (std::size_t c = 0; c < kComponents; ++c) {
-      const std::uint32_t width = widths[c * lanes + i];
-      const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-      begin.of[c][i] = static_cast<std::int32_t>(b & mask), end.of[c][i] = static_cast<std::int32_t>(e & mask);
-      b >>= width, e >>= width;
-    }
-  }
-}
-
 /// eq   number * step + low
-template <std::size_t kComponents>
-HWY_INLINE Lanes value(const TrackBlock& block, const Numbers<kComponents>& numbers, std::size_t component, std::size_t lane) {
+HWY_INLINE Lanes value(const TrackBlock& block, Whole whole, std::size_t component, std::size_t lane) {
   const Floats d;
   const std::size_t at = component * block.lane_count + lane;
-  const Lanes number = hn::ConvertTo(d, hn::Load(hn::RebindToSigned<Floats>(), numbers.of[component]));
+  const Lanes number = hn::ConvertTo(d, whole);
   return hn::Add(hn::Mul(number, hn::LoadU(d, block.packed.step.data() + at)), hn::LoadU(d, block.packed.low.data() + at));
 }
 
@@ -56,11 +28,10 @@ template <std::size_t kComponents>
 HWY_INLINE void lerp_components(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r);
-  Numbers<kComponents> n0{}, n1{};
   for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    unpack(block, keys, place.lane(), n0, n1);
+    const auto numbers = unpack<kComponents>(block, keys, place.lane());
     for (std::size_t c = 0; c < kComponents; ++c) {
-      const Lanes v0 = value(block, n0, c, place.lane()), v1 = value(block, n1, c, place.lane());
+      const Lanes v0 = value(block, numbers.begin[c], c, place.lane()), v1 = value(block, numbers.end[c], c, place.lane());
       place.store(c, hn::Add(hn::Mul(v0, r), hn::Mul(v1, s)));
     }
   });
@@ -76,11 +47,11 @@ struct QuatLanes {
 };
 
 /// eq   the component that is left out: sqrt(1 - sum of the squares of the others), which reads as 0 until then
-HWY_INLINE QuatLanes rotation(const TrackBlock& block, const Numbers<4>& numbers, std::size_t lane) {
+HWY_INLINE QuatLanes rotation(const TrackBlock& block, const Whole (&numbers)[4], std::size_t lane) {
   const Floats d;
   const hn::RebindToSigned<Floats> whole;
   const auto derived = hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.derived.data() + lane));
-  QuatLanes q{value(block, numbers, 0, lane), value(block, numbers, 1, lane), value(block, numbers, 2, lane), value(block, numbers, 3, lane)};
+  QuatLanes q{value(block, numbers[0], 0, lane), value(block, numbers[1], 1, lane), value(block, numbers[2], 2, lane), value(block, numbers[3], 3, lane)};
   const Lanes rest = hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, 1.0f), dot4(q.x, q.y, q.z, q.w)), hn::Zero(d)));
   const auto put = [&](Lanes stored, std::int32_t component) HWY_ATTR {
     return hn::IfThenElse(hn::RebindMask(d, hn::Eq(derived, hn::Set(whole, component))), rest, stored);
@@ -115,10 +86,9 @@ HWY_INLINE Lanes sine_ratio(Lanes squared) {
 void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r), one = hn::Set(d, 1.0f);
-  Numbers<4> n0{}, n1{};
   for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    unpack(block, keys, place.lane(), n0, n1);
-    const QuatLanes q0 = rotation(block, n0, place.lane()), q1 = rotation(block, n1, place.lane());
+    const auto numbers = unpack<4>(block, keys, place.lane());
+    const QuatLanes q0 = rotation(block, numbers.begin, place.lane()), q1 = rotation(block, numbers.end, place.lane());
     const Lanes dot = hn::Add(hn::Add(hn::Mul(q0.x, q1.x), hn::Mul(q0.y, q1.y)), hn::Add(hn::Mul(q0.z, q1.z), hn::Mul(q0.w, q1.w)));
     const Lanes side = hn::IfThenElse(hn::Lt(dot, hn::Zero(d)), hn::Set(d, -1.0f), one);
     const auto apart = [&](Lanes a, Lanes b) HWY_ATTR { return hn::Sub(hn::Mul(b, side), a); };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "importer/import_gltf.h"
+#include "runtime/plan/compile_clip_within.h"
 #include "samples/showcase/showcase.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/swinging.h"
@@ -28,9 +29,14 @@ bool moves_a_skin(const Scene& scene) {
 }
 
 void add_clips(const std::string& name, const Scene& scene, std::vector<std::shared_ptr<const Character>>& to) {
-  for (std::size_t c = 0; c < std::min(kMostClips, scene.animations.size()); ++c)
-    if (is_linear(scene.animations[c]) && !scene.animations[c].bones.empty())
-      to.push_back(std::make_shared<Character>(scene.animations.size() == 1 ? name : name + "-" + std::to_string(c), scene.skeleton, scene.animations[c]));
+  const VirtualVertices vertices = virtual_vertices(scene);
+  for (std::size_t c = 0; c < std::min(kMostClips, scene.animations.size()); ++c) {
+    const Animation& animation = scene.animations[c];
+    if (!is_linear(animation) || animation.bones.empty()) continue;
+    const auto character = std::make_shared<Character>(scene.animations.size() == 1 ? name : name + "-" + std::to_string(c), scene.skeleton, animation);
+    character->packed = compile_clip_within(scene, animation, vertices, kPackedBudgetM).clip;
+    to.push_back(character);
+  }
 }
 
 Animation joints_of(Animation animation) {

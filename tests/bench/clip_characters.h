@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,15 @@
 
 namespace sinew::bench {
 
+inline constexpr double kPackedBudgetM = 1e-4;  ///< that a packed clip may move a vertex by
+
 /// A skeleton with one clip, in both forms.
 struct Character {
   std::string name;
   Skeleton skeleton;
   Animation animation;
   Clip clip;
+  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; of models only
 
   Character(std::string named, Skeleton s, Animation a);
   std::size_t joint_count() const { return skeleton.joint_count(); }

@@ -52,6 +52,7 @@ void add_local_to_model();
 void add_crowd();
 void add_morph();
 void add_skin(std::size_t most_vertices);
+void add_model_skin();
 void add_frame(std::size_t most_vertices);
 
 }  // namespace sinew::bench

@@ -27,7 +27,8 @@ struct Room {
 
   explicit Room(const Shared& c) : of(c), pose(c->joint_count()), glm_joints(c->joint_count()), model(c->joint_count()), glm_model(c->joint_count()) {}
 
-  void sample(double time_s) { run(SampleClipJob{.clip = &of->clip, .time_s = time_s, .pose = pose.span(), .weights = {}}); }
+  void sample(double time_s) { sample(of->clip, time_s); }
+  void sample(const Clip& clip, double time_s) { run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}}); }
   void sample_glm(double time_s) { glm_pose::sample(of->animation, of->skeleton.rest, static_cast<float>(time_s), glm_joints); }
   Transform joint(std::size_t j) { return pose.span().get(j); }
   Transform glm_joint(std::size_t j) const { return {glm_joints[j].translation, glm_joints[j].rotation, glm_joints[j].scale}; }
@@ -143,6 +144,9 @@ void add_sample() {
       Times times{forward, c->animation.duration_s};
       add("sample/sinew/" + tail, c->joint_count(), [room, times]() mutable { room->sample(times.next()); }, ours);
       add("sample/glm/" + tail, c->joint_count(), [room, times]() mutable { room->sample_glm(times.next()); }, plain);
+      if (!c->packed) continue;
+      const auto unpacked = [&](double t) { return room->sample(*c->packed, t), [r = room.get()](std::size_t j) { return r->joint(j); }; };
+      add("sample/packed/" + tail, c->joint_count(), [room, times]() mutable { room->sample(*room->of->packed, times.next()); }, {sampling_error_rad(*c, unpacked), 0});
     }
   }
 }

@@ -200,6 +200,29 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
   }, facts);
 }
 
+/// Characters that take turns, their vertices together larger than the caches: every one is cold when its turn comes.
+void add_cold_case(const std::string& tail, std::uint32_t vertex_count) {
+  struct Turns {
+    std::vector<Surface> characters;
+    std::size_t now = 0;
+    Surface& next() { return characters[now++ % characters.size()]; }
+  };
+  constexpr std::size_t kCharacters = 64;
+  const auto turns = std::make_shared<Turns>();
+  turns->characters.assign(kCharacters, Surface(vertex_count, 4u));
+  const glm_skin::Attributes wanted{true, false};
+  const Surface& one = turns->characters.front();
+  const Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
+  add("skin_linear/sinew/" + tail, vertex_count, [turns, wanted] {
+    Surface& s = turns->next();
+    run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
+  }, facts);
+  add("skin_linear/glm/" + tail, vertex_count, [turns, wanted] {
+    Surface& s = turns->next();
+    glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted);
+  }, facts);
+}
+
 }  // namespace
 
 void add_skin(std::size_t most_vertices) {
@@ -217,6 +240,7 @@ void add_skin(std::size_t most_vertices) {
     for (const Kind& kind : kinds)
       if (count == 1'000'000 || &kind == &kinds[1]) add_skin_case(surface, kind, std::string(kind.name) + "/4/" + label);
   }
+  if (most_vertices >= 100'000) add_cold_case("PN/4/10k/cold", 10'000);
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}})
     if (most_vertices >= 1'000'000) add_threads_case("PN/4/1M/" + std::to_string(threads) + "threads", 1'000'000, threads);
 }
