@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/frame_input.h"
+
+namespace sinew {
+
+/// How often a character is evaluated: level k in every 2^k-th frame.
+enum class UpdateLevel : std::uint8_t { every, every_second, every_fourth };
+
+/// Where levels change, as parts of the picture's height.
+struct UpdateRates {
+  double second_below = 0.2;    ///< smaller characters are evaluated in every second frame ...
+  double fourth_below = 0.07;   ///< ... and these in every fourth
+  double hysteresis = 0.25;     ///< a character has to be larger by this part to come back, so that none flickers at a border
+};
+
+/// Height of a ball in the picture of a perspective camera, as part of the picture's height; infinite from within.
+/// eq   r / (d tan(fov_y / 2))
+double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept;
+
+/// in   screen_size  of the character;   before  its level in the last frame
+UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates = {}) noexcept;
+
+/// Holds a character's input over the frames that its level leaves out: run_plan is given the same input again and does nothing
+/// (P19), neither for joints nor for vertices, and nothing is uploaded. Between poses that are not evaluated nothing is interpolated:
+/// skinning what was interpolated would cost what is saved.
+/// err  what is shown is up to 2^k - 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times. What moves
+///      the whole character is held as well: whoever draws it can put root_now * inverse(input.root) on top
+class HeldInput {
+ public:
+  explicit HeldInput(const Plan& plan);
+
+  /// The input to run in this frame: `now` in the frames of the level and of this character, and where there is nothing to hold,
+  /// otherwise the last one of these. What is out of view or asleep is always of this frame; who wakes up is evaluated.
+  /// in   turn  of the character, any number: characters that count up share their work out over frames
+  /// out  views of this object, valid until the next call.    cost O(layers + weights), no allocation for layers that the plan has room for
+  FrameInput next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t turn);
+
+ private:
+  std::vector<ClipLayer> layers_;
+  std::vector<float> weights_;
+  Affine root_;
+  bool holds_ = false;
+};
+
+}  // namespace sinew
