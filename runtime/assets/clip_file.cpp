@@ -9,6 +9,7 @@
 
 #include "runtime/assets/byte_stream.h"
 #include "runtime/assets/clip_layout.h"
+#include "runtime/assets/short_numbers.h"
 #include "runtime/base/all_finite.h"
 
 namespace sinew {
@@ -37,32 +38,6 @@ void write_certificate(const std::optional<ClipCertificate>& certificate, ByteWr
 template <class T>
 void write_all(const std::vector<T>& numbers, ByteWriter& out) {
   out.add(std::span<const T>(numbers));
-}
-
-/// Rising numbers as the gaps between them, in as many groups of seven bits as they need (LEB128).
-void write_rising(std::span<const std::uint32_t> numbers, ByteWriter& out) {
-  out.add(static_cast<std::uint32_t>(numbers.size()));
-  std::uint32_t before = 0;
-  for (const std::uint32_t number : numbers) {
-    for (std::uint32_t gap = number - std::exchange(before, number), more = 1; more != 0; gap >>= 7) {
-      more = gap > 0x7f ? 0x80 : 0;
-      out.add(static_cast<std::uint8_t>((gap & 0x7f) | more));
-    }
-  }
-}
-
-std::vector<std::uint32_t> read_rising(ByteReader& in) {
-  std::vector<std::uint32_t> numbers;
-  std::uint32_t before = 0;
-  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left) {
-    std::uint8_t byte = 0x80;
-    for (std::uint32_t shift = 0; (byte & 0x80) != 0 && shift < 32; shift += 7) {
-      byte = in.number<std::uint8_t>();
-      before += (byte & 0x7fu) << shift;
-    }
-    numbers.push_back(before);
-  }
-  return numbers;
 }
 
 void write_block(const TrackBlock& block, ByteWriter& out) {
@@ -130,7 +105,7 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
   write_all(clip.base_properties, out);
   out.add(static_cast<std::uint32_t>(clip.groups.size()));
   for (const TimeGroup& group : clip.groups) {
-    out.add(group.times.times_s());
+    write_times(group.times.times_s(), out);
     out.add(static_cast<std::uint32_t>(group.blocks.size()));
     for (const TrackBlock& block : group.blocks) write_block(block, out);
   }
@@ -138,8 +113,10 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
   for (const Property property : kOfJoints) {
     const std::vector<std::uint32_t> joints = resting_joints(clip, property);
     std::vector<float> values = base_values(clip.base_pose, property, joints);
-    if (values == base_values(identity, property, joints)) values.clear();
-    write_all(values, out);
+    const std::vector<float> expected = base_values(identity, property, joints);
+    if (std::memcmp(values.data(), expected.data(), values.size() * sizeof(float)) == 0) values.clear();  // -0 is not 0
+    out.add(static_cast<std::uint32_t>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) write_near(values[i], expected[i], out);
   }
 }
 
@@ -208,18 +185,18 @@ class Loader {
     if (!ok()) return;
     clip.base_pose = BasePose(std::vector<Transform>(clip.joint_count));
     for (const Property property : kOfJoints) {
-      const std::vector<float> values = in_.numbers<float>();
       const std::vector<std::uint32_t> joints = resting_joints(clip, property);
-      require(values.empty() || values.size() == joints.size() * (property == Property::rotation ? 4 : 3), "the base pose is not of the clip's size");
-      require(all_finite(values), "a base value is not finite");
-      if (!ok() || values.empty()) continue;
-      auto next = values.begin();
-      each_base(clip.base_pose, property, joints, [&](float& x) { x = *next++; });
+      const auto count = in_.number<std::uint32_t>();
+      require(count == 0 || count == joints.size() * (property == Property::rotation ? 4 : 3), "the base pose is not of the clip's size");
+      if (!ok() || count == 0) continue;
+      bool finite = true;
+      each_base(clip.base_pose, property, joints, [&](float& x) { finite = std::isfinite(x = read_near(x, in_)) && finite; });
+      require(finite, "a base value is not finite");
     }
   }
 
   void add_group(ClipLayout& clip) {
-    std::vector<float> times = in_.numbers<float>();
+    std::vector<float> times = read_times(in_);
     require(!times.empty() && all_finite(times) && std::is_sorted(times.begin(), times.end()), "key times are not finite, rising numbers");
     if (!ok()) return;
     TimeGroup group{KeyTimes(std::move(times)), {}};

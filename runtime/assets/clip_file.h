@@ -41,7 +41,7 @@ std::size_t saved_bytes(const Clip& clip);
 /// Whether a block begins as save_clips begins them.
 bool looks_like_clips(std::span<const std::byte> block) noexcept;
 
-inline constexpr std::uint32_t kClipFileVersion = 1;
+inline constexpr std::uint32_t kClipFileVersion = 2;
 inline constexpr std::size_t kClipFileHead = 32;
 
 }  // namespace sinew

@@ -55,12 +55,25 @@ struct ClipFields {
       const auto* bytes = reinterpret_cast<const std::byte*>(&number);
       out.insert(out.end(), bytes, bytes + sizeof(number));
     };
+    // How many floats a number is from what is expected, 0 1 2 3 4 for 0 -1 1 -2 2, in groups of seven bits.
+    const auto add_near = [&](float number, float expected) {
+      std::int32_t bits = 0, expected_bits = 0;
+      std::memcpy(&bits, &number, 4), std::memcpy(&expected_bits, &expected, 4);
+      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - expected_bits);  // of 32 bits, whatever the distance
+      std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2) : static_cast<std::int64_t>(gap) * 2);
+      for (; turned > 127; turned /= 128) add(static_cast<std::uint8_t>(turned % 128 + 128));
+      add(static_cast<std::uint8_t>(turned));
+    };
+    const auto add_rest = [&](const std::vector<float>& numbers, const std::vector<float>& identity) {
+      add(static_cast<std::uint32_t>(numbers.size()));
+      for (std::size_t i = 0; i < numbers.size(); ++i) add_near(numbers[i], identity[i % identity.size()]);
+    };
     const auto add_all = [&](const auto& numbers) {
       add(static_cast<std::uint32_t>(numbers.size()));
       for (const auto& number : numbers) add(number);
     };
     for (const char c : {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'}) add(c);
-    add(std::uint32_t{1}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
+    add(std::uint32_t{2}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
     add(std::uint32_t{1});  // clips
     add_all(name), add(duration_s), add(joint_count), add(folded), add(certificate);
     if (certificate != 0) {
@@ -70,7 +83,9 @@ struct ClipFields {
     }
     add_all(weights), add_all(properties), add(static_cast<std::uint32_t>(groups.size()));
     for (const Group& group : groups) {
-      add_all(group.times_s), add(static_cast<std::uint32_t>(group.blocks.size()));
+      add(static_cast<std::uint32_t>(group.times_s.size()));
+      for (std::size_t k = 0; k < group.times_s.size(); ++k) add_near(group.times_s[k], k < 2 ? 0.0f : 2.0f * group.times_s[k - 1] - group.times_s[k - 2]);
+      add(static_cast<std::uint32_t>(group.blocks.size()));
       for (const Tracks& t : group.blocks) {
         add(t.property), add(t.interpolation), add(t.packed), add(t.target_count);
         for (const std::uint8_t gap : t.target_gaps) add(gap);
@@ -78,7 +93,7 @@ struct ClipFields {
         else add_all(t.width), add_all(t.derived), add_all(t.ranges), add_all(t.bits);
       }
     }
-    add_all(translations), add_all(rotations), add_all(scales);
+    add_rest(translations, {0.0f}), add_rest(rotations, {0.0f, 0.0f, 0.0f, 1.0f}), add_rest(scales, {1.0f});
     sign(out);
     return out;
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "tests/assets/clip_fields.h"
@@ -36,6 +37,31 @@ TEST(clip_file, loaded_clips_sample_the_same_bits) {
     EXPECT_EQ(after->counts().time_groups, before->counts().time_groups);
   }
   EXPECT_EQ(saved({&(*loaded)[0], &(*loaded)[1]}), saved({&a, &b}));
+}
+
+TEST(clip_file, G06_numbers_at_rest_keep_every_bit_and_are_short_where_they_are_the_identity) {
+  Skeleton skeleton = test::chain_skeleton(40);
+  const auto size_of = [](const Clip& clip) { return saved({&clip}).size(); };
+  const std::size_t of_identities = size_of(test::clip_of({}, skeleton));
+  skeleton.rest[7].translation.y = -0.0f, skeleton.rest[9].scale.x = std::nextafter(1.0f, 2.0f), skeleton.rest[11].translation.x = -1e30f;
+  const Clip clip = test::clip_of({}, skeleton);
+  EXPECT_LE(size_of(clip), of_identities + 2 * 3 * 40 + 8) << "a byte each, but for two numbers";
+  const auto loaded = load_clips(saved({&clip}));
+  ASSERT_TRUE(loaded) << loaded.error().detail;
+  const std::vector<float> before = samples_of(clip), after = samples_of(loaded->front());
+  EXPECT_EQ(std::memcmp(before.data(), after.data(), before.size() * sizeof(float)), 0);
+}
+
+TEST(clip_file, key_times_at_even_steps_take_a_byte_each) {
+  std::vector<std::size_t> sizes;
+  for (const std::size_t keys : {100u, 400u}) {
+    test::FixedRandom random(1);
+    std::vector<float> times_s;
+    for (std::size_t k = 0; k < keys; ++k) times_s.push_back(static_cast<float>(k) / 24.0f);
+    const Clip clip = test::clip_of(test::animation_of({{.joint = 0, .translation = test::random_vectors(random, Interpolation::step, times_s)}}), test::chain_skeleton(1));
+    sizes.push_back(saved({&clip}).size());
+  }
+  EXPECT_LE(sizes[1] - sizes[0], 300u * (3 * sizeof(float) + 1) + 8);
 }
 
 TEST(clip_file, a_block_may_lie_anywhere_and_be_empty) {
