@@ -16,8 +16,9 @@ namespace {
 
 /// Of the budget; the rest is for times between those that are measured.
 constexpr double kUsed = 0.97;
-/// How often a clip that holds is tried again with larger shares.
-constexpr int kLoosened = 3;
+/// How often a clip that holds is tried again with other shares.
+constexpr int kLoosened = 9;
+constexpr double kMostLoosened = 2.0;
 /// First guess of what morph weights take of it.
 constexpr double kOfWeights = 0.25;
 /// What rounding of keys takes of a track's part, the rest being for keys that are left out: either may be worth more.
@@ -68,11 +69,16 @@ class Shares {
     return true;
   }
 
-  /// Gives as much more to everything as the largest error leaves.
+  /// Gives as much more to each joint as the errors of all below it leave, and to the weights what the largest leaves.
   void loosen(const ClipError& error) {
-    const double factor = std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), 2.0);
-    for (double& share : of_joint_) share *= factor;
-    of_weights_ *= factor;
+    const double left_m = std::max(kUsed * budget_m_ - error.weights_m, 0.25 * budget_m_);
+    std::vector<double> factor(of_joint_.size(), kMostLoosened);
+    for (std::size_t j = factor.size(); j-- > 0;) {
+      factor[j] = std::min(factor[j], std::max(left_m / std::max(error.of_joint_m[j], 0.01 * budget_m_), 1.0));
+      if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
+      of_joint_[j] *= factor[j];
+    }
+    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMostLoosened);
   }
 
  private:
@@ -184,19 +190,16 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
 
 bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) { return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes; }
 
-/// Takes from the shares until the clip holds, then adds to them while it still does; nothing if it never does in kMostRounds.
+/// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too much; nothing if
+/// it never holds in kMostRounds.
 std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
   std::optional<ClipWithin> smallest;
-  for (int round = 0, held = 0; round < kMostRounds && held <= kLoosened; ++round) {
+  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += smallest.has_value()) {
     Attempt attempt = try_shares(task, shares, of_rounding);
-    if (shares.tighten(attempt.error)) {
-      if (smallest) break;
-      continue;
-    }
+    if (shares.tighten(attempt.error)) continue;
     if (is_smaller(attempt.within, smallest)) smallest = std::move(attempt.within);
     shares.loosen(attempt.error);
-    ++held;
   }
   return smallest;
 }

@@ -12,9 +12,10 @@ struct ClipWithin {
 
 /// Compiles an animation as small as it can be while no virtual vertex, in model space, is farther than `budget_m` from where
 /// the truth has it, at keys and between them: tracks that hardly move become constant, and keys are left out where the
-/// track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared out along the skeleton by what an error of each joint does
-/// to all below it (joint_reach.h); the compiled clip is then measured (clip_error.h), and while it is off, the joints above
-/// the vertices that are off get less. After kMostRounds of that every key is kept.
+/// track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared out along the
+/// skeleton by what an error of each joint does to all below it (joint_reach.h); the compiled clip is then measured
+/// (clip_error.h): joints above vertices that are off get less, and where all vertices below have room, more. The smallest clip
+/// that holds is taken; after kMostRounds without one every key is kept.
 ///
 /// Morph weights share the budget through what they displace vertices by. Properties keep every key: a length says nothing of
 /// colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
