@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
   add_sample();
   add_blend();
   add_local_to_model();
+  add_instances();
   add_crowd();
+  add_correctives();
   add_morph();
   const std::size_t most_vertices = instructions ? 10'000 : 1'000'000;  // valgrind takes its time over the larger ones
   add_skin(most_vertices);

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/base/same_bits.h"
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/local_to_model.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/plan/tbb_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
+#include "tests/bench/instance_lanes.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/pose_truth.h"
 #include "tests/support/tiny_assets.h"
@@ -131,6 +133,40 @@ struct Walkers {
   }
 };
 
+/// Poses of many instances of one skeleton behind one another, and their matrices.
+struct Instances {
+  static constexpr std::size_t kCount = 64;
+  Shared of;
+  test::PoseBuffer poses;
+  std::vector<Affine> model, expected;
+  std::vector<std::unique_ptr<Room>> rooms;
+  InstanceLanes lanes;
+
+  explicit Instances(const Shared& c)
+      : of(c), poses(kCount * PoseSpan::stride_for(c->joint_count())), model(kCount * c->joint_count()), lanes(c->skeleton, kCount) {
+    for (std::size_t i = 0; i < kCount; ++i) {
+      rooms.push_back(std::make_unique<Room>(c));
+      const double time_s = std::fmod(0.11 * static_cast<double>(i), c->animation.duration_s);
+      run(SampleClipJob{.clip = &c->clip, .time_s = time_s, .pose = pose(i), .weights = {}});
+      rooms[i]->sample_glm(time_s);
+    }
+    one_by_one();
+    expected = model;
+    in_lanes();
+    if (!same_bits<Affine>(model, expected)) std::abort();
+  }
+  std::size_t pitch() const { return PoseSpan::floats_for(of->joint_count()); }
+  PoseSpan pose(std::size_t i) { return {poses.span().planes + i * pitch(), of->joint_count(), PoseSpan::stride_for(of->joint_count())}; }
+  void one_by_one() {
+    const std::size_t joints = of->joint_count();
+    for (std::size_t i = 0; i < kCount; ++i) run(LocalToModelJob{.skeleton = &of->skeleton, .local = pose(i), .root = {}, .model = std::span(model).subspan(i * joints, joints)});
+  }
+  void in_lanes() { lanes.local_to_model(poses.span().planes, pitch(), model.data()); }
+  void glm() {
+    for (const auto& room : rooms) glm_pose::local_to_model(of->skeleton, room->glm_joints, room->glm_model);
+  }
+};
+
 }  // namespace
 
 void add_sample() {
@@ -178,6 +214,15 @@ void add_local_to_model() {
     add("local_to_model/sinew/" + c->name, c->joint_count(), ours, {error, 0});
     add("local_to_model/glm/" + c->name, c->joint_count(), plain, {glm_error, 0});
   }
+}
+
+void add_instances() {
+  const auto instances = std::make_shared<Instances>(characters().front());
+  const std::string tail = characters().front()->name + "/64instances";
+  const std::size_t joints = Instances::kCount * characters().front()->joint_count();
+  add("local_to_model/sinew/" + tail, joints, [instances] { instances->one_by_one(); });
+  add("local_to_model/instance_lanes/" + tail, joints, [instances] { instances->in_lanes(); });
+  add("local_to_model/glm/" + tail, joints, [instances] { instances->glm(); });
 }
 
 void add_crowd() {

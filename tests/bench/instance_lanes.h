@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "runtime/assets/skeleton.h"
+#include "runtime/jobs/pose.h"
+
+namespace sinew::bench {
+
+/// Model matrices of many instances of one skeleton, an instance a lane. Lost: the products take no shuffles, but poses are joint
+/// after joint and matrices instance after instance, so that every number is gathered and scattered, which takes longer than all the
+/// rest of either way.
+class InstanceLanes {
+ public:
+  /// in   instance_count  a multiple of sixteen
+  InstanceLanes(const Skeleton& skeleton, std::size_t instance_count)
+      : skeleton_(skeleton), instance_count_(instance_count), kept_((skeleton.joint_count() + 1) * 12) {}
+
+  /// in   poses  each behind the one before by `pose_pitch` floats
+  /// out  model  each behind the one before by all joints' matrices; bits as LocalToModelJob gives them
+  void local_to_model(const float* poses, std::size_t pose_pitch, Affine* model);
+
+ private:
+  struct alignas(64) Line {
+    float floats[16];
+  };
+  const Skeleton& skeleton_;
+  std::size_t instance_count_;
+  std::vector<Line> kept_;
+};
+
+}  // namespace sinew::bench
