@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/jobs/local_to_model.h"
 
+#include <algorithm>
+#include <iterator>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/jobs/local_to_model.cpp"
 #include <hwy/foreach_target.h>
@@ -123,26 +126,47 @@ HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std:
 #endif
 }
 
-/// Composes one joint and writes nothing beside its own matrix.
-HWY_INLINE void multiply_one(const LocalToModelJob& job, const Tile& tile, std::size_t i, std::size_t joint) {
-  const std::uint32_t parent = job.skeleton->parents[joint];
-  const Affine& above = parent == kNone ? job.root : job.model[parent];
+/// Composes joints one at a time; a matrix that is not to be written is not touched.
+class SomeJoints {
+ public:
+  explicit SomeJoints(const LocalToModelJob& job) : job_(job) { std::fill(std::begin(holders_), std::end(holders_), kNone); }
+
 #if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
-  store_rows(product(above, tile.rows_of(i)), true, job.model[joint]);
+  /// in   next  joint that is composed after this one: only over its matrix a whole vector may run
+  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t next) {
+    const Floats d;
+    const std::uint32_t parent = job_.skeleton->parents[joint];
+    const std::size_t slot = parent % Recent::kCount, own = joint % Recent::kCount;
+    const Rows above = parent == kNone ? load_rows(job_.root) : holders_[slot] == parent ? hn::Load(d, recent_.rows[slot]) : load_rows(job_.model[parent]);
+    const Rows rows = product(above, tile.rows_of(i));
+    hn::Store(rows, d, recent_.rows[own]);
+    holders_[own] = joint;
+    store_rows(rows, next != joint + 1, job_.model[joint]);
+  }
 #else
-  store_rows(product(above, tile.rows_of(i)), job.model[joint]);
+  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t) {
+    const std::uint32_t parent = job_.skeleton->parents[joint];
+    store_rows(product(parent == kNone ? job_.root : job_.model[parent], tile.rows_of(i)), job_.model[joint]);
+  }
 #endif
-}
+
+ private:
+  const LocalToModelJob& job_;
+  Recent recent_;
+  std::uint32_t holders_[Recent::kCount];  // the joints whose matrices are in the slots
+};
 
 void some_model_matrices(const LocalToModelJob& job) {
   const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
   const bool any_fixed = !job.skeleton->fixed_matrices.empty();
+  const std::span<const std::uint32_t> only = job.only;
   Tile tile;
-  for (std::size_t k = 0; k < job.only.size();) {
-    const std::size_t first = job.only[k] / lanes * lanes;
+  SomeJoints some(job);
+  for (std::size_t k = 0; k < only.size();) {
+    const std::size_t first = only[k] / lanes * lanes;
     local_matrices(job.local, first, tile);
     if (any_fixed) use_fixed_matrices(*job.skeleton, first, HWY_MIN(lanes, joints - first), tile);
-    for (; k < job.only.size() && job.only[k] < first + lanes; ++k) multiply_one(job, tile, job.only[k] - first, job.only[k]);
+    for (; k < only.size() && only[k] < first + lanes; ++k) some.compose(tile, only[k] - first, only[k], k + 1 < only.size() ? only[k + 1] : kNone);
   }
 }
 
