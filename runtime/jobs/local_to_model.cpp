@@ -126,35 +126,50 @@ HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std:
 #endif
 }
 
+#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
+
 /// Composes joints one at a time; a matrix that is not to be written is not touched.
 class SomeJoints {
  public:
   explicit SomeJoints(const LocalToModelJob& job) : job_(job) { std::fill(std::begin(holders_), std::end(holders_), kNone); }
 
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
   /// in   next  joint that is composed after this one: only over its matrix a whole vector may run
   HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t next) {
     const Floats d;
     const std::uint32_t parent = job_.skeleton->parents[joint];
     const std::size_t slot = parent % Recent::kCount, own = joint % Recent::kCount;
-    const Rows above = parent == kNone ? load_rows(job_.root) : holders_[slot] == parent ? hn::Load(d, recent_.rows[slot]) : load_rows(job_.model[parent]);
+    const Rows above = parent == kNone             ? load_rows(job_.root)
+                       : holders_[slot] == parent ? hn::Load(d, recent_.rows[slot])
+                                                  : load_rows(job_.model[parent]);
     const Rows rows = product(above, tile.rows_of(i));
     hn::Store(rows, d, recent_.rows[own]);
     holders_[own] = joint;
     store_rows(rows, next != joint + 1, job_.model[joint]);
   }
-#else
-  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t) {
-    const std::uint32_t parent = job_.skeleton->parents[joint];
-    store_rows(product(parent == kNone ? job_.root : job_.model[parent], tile.rows_of(i)), job_.model[joint]);
-  }
-#endif
 
  private:
   const LocalToModelJob& job_;
   Recent recent_;
   std::uint32_t holders_[Recent::kCount];  // the joints whose matrices are in the slots
 };
+
+#else
+
+/// Composes joints one at a time.
+class SomeJoints {
+ public:
+  explicit SomeJoints(const LocalToModelJob& job) : job_(job) {}
+
+  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t) {
+    const std::uint32_t parent = job_.skeleton->parents[joint];
+    store_rows(product(parent == kNone ? job_.root : job_.model[parent], tile.rows_of(i)), job_.model[joint]);
+  }
+
+ private:
+  const LocalToModelJob& job_;
+};
+
+#endif
 
 void some_model_matrices(const LocalToModelJob& job) {
   const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
