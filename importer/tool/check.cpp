@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/import_gltf.h"
+#include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
 
 namespace sinew::tool {
@@ -59,7 +60,7 @@ ExitCode check_file(const CheckOptions& options) {
       fmt::print("{}: {}{}{}: {}: {}\n", options.file, issue.json_pointer, issue.json_pointer.empty() ? "" : ": ",
                  issue.rule, severity_name(issue), issue.detail);
     const std::size_t warnings = issues.size() - errors;
-    fmt::print("{}: {} error{}, {} warning{}\n", options.file, errors, errors == 1 ? "" : "s", warnings, warnings == 1 ? "" : "s");
+    fmt::print("{}: {}, {}\n", options.file, counted(errors, "error"), counted(warnings, "warning"));
   }
   return errors == 0 ? ExitCode::done : ExitCode::input_at_fault;
 }

@@ -51,7 +51,7 @@ ExitCode compile_file(const CompileOptions& options) {
   const std::vector<std::byte> bytes = save_clips(saved);
   if (const auto fault = write::replace_file(options.out, bytes))
     return say_issue(options.out, {Severity::error, "write-file", "", *fault}), ExitCode::machine_lacks;
-  fmt::print("{}{}: {} clips, {} bytes\n", certificate_table(clips, file->scene.skeleton.names), options.out, clips.size(), bytes.size());
+  fmt::print("{}{}: {}, {}\n", certificate_table(clips, file->scene.skeleton.names), options.out, counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
 

@@ -35,8 +35,8 @@ std::string command_of(const CostOptions& options) {
 }
 
 std::string description_of(const std::string& file, const Scene& scene) {
-  return fmt::format("{}: {} joints, {} clips, {} skins, {:.3g} m large", std::filesystem::path(file).filename().string(), scene.skeleton.joint_count(),
-                     scene.clips.size(), scene.skins.size(), model_size_m(scene));
+  return fmt::format("{}: {}, {}, {}, {:.3g} m large", std::filesystem::path(file).filename().string(), counted(scene.skeleton.joint_count(), "joint"),
+                     counted(scene.clips.size(), "clip"), counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
 
 constexpr double kDoneBefore = 0.8;  // when ambient occlusion begins

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "importer/import_error.h"
@@ -8,6 +10,9 @@ namespace sinew::tool {
 
 /// Messages go to stderr, results to stdout, so that results can be piped.
 void say_error(std::string_view text);
+
+/// "1 clip", "2 clips".
+std::string counted(std::size_t count, std::string_view thing);
 
 /// "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left out when
 /// the container or the whole file is meant.
