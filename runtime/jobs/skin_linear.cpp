@@ -72,15 +72,15 @@ struct SkinRow {
     for (std::size_t first = 0; first < row.tile_count; first += kKept) {
       const std::size_t end = std::min(row.tile_count, first + kKept);
       for (std::size_t t = first; t < end; ++t) move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
-      if constexpr (kNormals)
-        for (std::size_t t = first; t < end; ++t) write_normals(normals[t - first], row, t);
-      if constexpr (kTangents)
-        for (std::size_t t = first; t < end; ++t) write_tangents(tangents[t - first], row, t);
+      for (std::size_t t = first; t < end; ++t) {
+        if constexpr (kNormals) write_normals(normals[t - first], row, t);
+        if constexpr (kTangents) write_tangents(tangents[t - first], row, t);
+      }
     }
   }
 
  private:
-  static constexpr std::size_t kKept = 8;  ///< tiles; their quarters stay in the nearest cache
+  static constexpr std::size_t kKept = kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
 
   HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
     const TileInput in = row.in(t);
