@@ -78,8 +78,9 @@ HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInflue
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
   Eight sums[kTileSize];
-  if (one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
-  else for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), false); });
+  if constexpr (kCount == 1) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
+  else if (one_side) for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
+  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), false); });
   const Lanes8 sum = lanes_of(sums);
   if constexpr (kCount == 1) return {sum.low, sum.high, two, hn::Eq(two, two)};
   const Wide squared = dot(sum.low, sum.low);

@@ -38,6 +38,17 @@ HWY_INLINE void for_each_of_tile(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
+/// The same in rows that a compiler does not unroll: what `body` leaves in registers would not fit them for a whole tile.
+template <class Body>
+HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
+  constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
+#if HWY_COMPILER_GCC_ACTUAL
+#pragma GCC unroll 1
+#endif
+  for (std::size_t first = 0; first < kTileSize; first += kRow)
+    for (std::size_t k = first; k < first + kRow; ++k) body(k);
+}
+
 /// Calls `body(lane)` for the lanes that are not in the mask, which are few and far between.
 template <class Body>
 HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
