@@ -3,11 +3,13 @@
 // After a deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-plan-text     writes the new texts
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
 
 #include "importer/export_glb.h"
 #include "samples/showcase/showcase.h"
@@ -20,10 +22,10 @@ namespace fs = std::filesystem;
 
 const fs::path kPlans = SINEW_SOURCE_DIR "/tests/golden/plans";
 
-/// The samples as files, in a folder that goes away with this object.
+/// The samples as files, in a folder of this process that goes away with this object.
 class Samples {
  public:
-  Samples() : folder_(fs::path(::testing::TempDir()) / "sinew-plan-texts") {
+  Samples() : folder_(fs::path(::testing::TempDir()) / ("sinew-plan-texts-" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
     add("skull.glb", showcase::skull_flight().scene), add("arms.glb", showcase::twisted_arms().scene), add("face.glb", showcase::morphed_face().scene);
     fs::copy_file(SINEW_SOURCE_DIR "/samples/link_from_an_engine/lift.gltf", file("lift.gltf"), fs::copy_options::overwrite_existing);
