@@ -31,18 +31,21 @@ void give_back(void* p) noexcept {
   std::free(p);
 }
 
-void* allocate(std::size_t size) {
+void* allocate(std::size_t size) noexcept {
   count();
-  if (void* p = std::malloc(size != 0 ? size : 1)) return taken(p);
-  throw std::bad_alloc();
+  return taken(std::malloc(size != 0 ? size : 1));
 }
 
-void* allocate(std::size_t size, std::align_val_t alignment) {
+void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
   count();
   const auto step = static_cast<std::size_t>(alignment);
   const std::size_t rounded = (size + step - 1) / step * step;
-  if (void* p = std::aligned_alloc(step, rounded != 0 ? rounded : step)) return taken(p);
-  throw std::bad_alloc();
+  return taken(std::aligned_alloc(step, rounded != 0 ? rounded : step));
+}
+
+void* or_throw(void* p) {
+  if (p == nullptr) throw std::bad_alloc();
+  return p;
 }
 
 }  // namespace
@@ -55,14 +58,13 @@ std::size_t sinew::test::PeakMemory::bytes() const noexcept { return most_in_use
 
 // The array forms of the standard library call these; its nothrow forms do too, but not the address sanitizer's, which would
 // then miss the delete that belongs to its own new.
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  count();
-  return taken(std::malloc(size != 0 ? size : 1));
-}
+void* operator new(std::size_t size) { return or_throw(allocate(size)); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return or_throw(allocate(size, alignment)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept { return allocate(size, alignment); }
 void operator delete(void* p) noexcept { give_back(p); }
 void operator delete(void* p, const std::nothrow_t&) noexcept { give_back(p); }
 void operator delete(void* p, std::size_t) noexcept { give_back(p); }
 void operator delete(void* p, std::align_val_t) noexcept { give_back(p); }
+void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept { give_back(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { give_back(p); }
