@@ -5,10 +5,12 @@ Exit status 77 where there is no Chromium."""
 import json
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "support"))
+from browser import DARK, browser, run
 
 # Runs after the page's own script and leaves its findings where --dump-dom shows them.
 PROBE = """<script>
@@ -22,20 +24,6 @@ document.body.dataset.probe = JSON.stringify({ charts: boxes.length, labels: box
   wide: document.documentElement.scrollWidth > innerWidth });
 </script>
 </body>"""
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-         "--disable-component-update", "--disable-sync", "--hide-scrollbars", "--enable-logging=stderr", "--virtual-time-budget=5000"]
-DARK = ["--blink-settings=preferredColorScheme=0"]
-
-
-def browser():
-    return next((p for p in map(shutil.which, ("chromium", "chromium-browser", "google-chrome")) if p), None)
-
-
-def run(folder, page, *arguments):
-    """What the browser prints, and what it logs; its profile is new each time."""
-    with tempfile.TemporaryDirectory(dir=folder) as profile:
-        return subprocess.run([browser(), *FLAGS, "--user-data-dir=" + profile, *arguments, page.as_uri()],
-                              capture_output=True, text=True, timeout=100, check=True)
 
 
 def probe(folder, page, *arguments):

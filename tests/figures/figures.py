@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes again what the README shows: figures.py BUILD CORPUS [NAME...]       all of them without a NAME
+
+speed     the table of `./run bench --instructions`
+budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models
+cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
+showcase  samples/showcase/showcase.png
+
+Tables go between the lines `<!-- figures: NAME -->` and `<!-- end -->`. Models come from CORPUS; without it what needs them is
+left as it is. Leave the machine alone meanwhile.
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+sys.path.append(str(ROOT / "tests/support"))
+from browser import browser, run
+
+BUDGET_MODELS = ("CesiumMan", "Fox", "Knight", "InfiniteSkinnedTentacle")
+COST_MODEL = "CesiumMan"
+WIDTH = 988  # of the picture, pixels
+
+# Leaves one chart of the page, without the table under it, and says how high that is.
+ONE_CHART = """<style>main { padding: 0 !important } main > :not(#groups), .scroll, .about, .detail, section:not(#rotation) { display: none !important }
+section { margin: 4px !important }</style>
+<script>document.body.dataset.height = Math.ceil(document.getElementById("rotation").getBoundingClientRect().bottom) + 4;</script></body>"""
+
+
+def model(corpus, name):
+    found = sorted(path for ending in ("glb", "gltf") for path in (corpus / "models" / name).glob(f"*.{ending}"))
+    return found[0] if found else None
+
+
+def with_table(text, name, table):
+    """The README with a table in place of the one between its marks."""
+    marks = re.compile(rf"(<!-- figures: {name} -->\n).*?(<!-- end -->)", re.DOTALL)
+    assert len(marks.findall(text)) == 1, f"README.md has to hold <!-- figures: {name} --> and <!-- end --> once"
+    return marks.sub(lambda m: f"{m[1]}\n{table.strip()}\n\n{m[2]}", text)
+
+
+def write_table(name, table):
+    README.write_text(with_table(README.read_text(), name, table))
+
+
+def speed(build, corpus):
+    done = subprocess.run([ROOT / "run", "--preset", build.name, "bench", "--instructions"], stdout=subprocess.PIPE, text=True, check=True)
+    write_table("speed", done.stdout)
+
+
+def budget_rows(build, name, file, folder):
+    out = pathlib.Path(folder) / f"{name}.sinew"
+    subprocess.run([build / "bin/sinew", "compile", file, "-o", out, "--budget", "0.1mm"], stdout=subprocess.DEVNULL, check=True)
+    clips = json.loads(subprocess.run([build / "bin/sinew", "info", "--json", out], stdout=subprocess.PIPE, check=True).stdout)["compiled_clips"]
+    clips.sort(key=lambda clip: -clip["certificate"]["bytes"])
+    for clip in clips[:3]:  # of models with dozens of clips, the largest
+        c = clip["certificate"]
+        title = name + (f", {clip['name']}" if clip["name"] else "")
+        yield (f"| {title} | {1e3 * c['measured_m']:.4f} mm | {c['kept_keys']} of {c['source_keys']} | {c['bytes']} | "
+               f"{c['bytes_per_joint_second']:.1f} | {c['bytes'] / c['source_bytes']:.2f} |")
+
+
+def budgets(build, corpus):
+    head = ["| clip | largest error | keys | bytes | bytes/joint/s | of all keys in float |", "|---|---|---|---|---|---|"]
+    with tempfile.TemporaryDirectory() as folder:
+        rows = [row for name in BUDGET_MODELS if model(corpus, name) for row in budget_rows(build, name, model(corpus, name), folder)]
+    if not rows:
+        return print("budgets: no corpus, left as they are")
+    write_table("budgets", "\n".join(head + rows))
+
+
+def cost(build, corpus):
+    file = model(corpus, COST_MODEL)
+    if file is None or browser() is None:
+        return print("cost: no corpus or no Chromium, left as it is")
+    (build / "figures").mkdir(exist_ok=True)
+    subprocess.run([build / "bin/sinew", "cost", file, "-o", build / "figures/cost"], check=True)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        page, picture = folder / "chart.html", ROOT / "importer/tool/cost/report.png"
+        page.write_text((build / "figures/cost/report.html").read_text().replace("</body>", ONE_CHART))
+        height = re.search(r'data-height="(\d+)"', run(folder, page, "--dump-dom", f"--window-size={WIDTH},800").stdout)[1]
+        run(folder, page, f"--screenshot={picture}", f"--window-size={WIDTH},{height}")
+    if shutil.which("convert"):
+        subprocess.run(["convert", picture, "-colors", "128", picture], check=True)
+
+
+def showcase(build, corpus):
+    no_display = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    subprocess.run([ROOT / "run", "--preset", build.name, "demo"], env=no_display, check=True)
+    shutil.copy(ROOT / "build/demo/showcase.png", ROOT / "samples/showcase/showcase.png")
+
+
+def main():
+    build, corpus, names = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3:]
+    figures = {"showcase": showcase, "budgets": budgets, "cost": cost, "speed": speed}
+    if unknown := [name for name in names if name not in figures]:
+        sys.exit(f"figures: there is no {unknown[0]}; there are {', '.join(figures)}")
+    for name in names or figures:
+        print(f"figures: {name}", flush=True)
+        figures[name](build, corpus)
+
+
+if __name__ == "__main__":
+    main()
