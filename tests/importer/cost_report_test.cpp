@@ -102,6 +102,38 @@ TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
   EXPECT_DOUBLE_EQ(*whole.size, whole.values[0].value * 1024.0 / arm.animations[0].duration_s);
 }
 
+TEST(cost_studies, keys_in_fewer_bits_are_smaller_and_farther_off_by_what_bits_are_worth) {
+  Scene arm = arm_scene();
+  arm.animations[0].bones[0].rotation = {};
+  Vec3Track& track = arm.animations[0].bones[0].translation;
+  track = {Interpolation::linear, {}, {}};
+  for (int k = 0; k <= 200; ++k) {
+    track.times_s.push_back(static_cast<float>(k) / 200.0f);
+    const double x = k;
+    track.values.push_back(glm::vec3(std::sin(x), std::cos(x), std::sin(2.0 * x)));
+  }
+  arm.clips[0] = compile_clip(arm.animations[0], arm.skeleton, {}, {}, {});
+  const cost::Study study = cost::study_storage(cost::Subject(arm, 0, cost::Effort::quick()));
+  double before = *study.group.points[0].size;
+  for (const auto& [name, bits] : {std::pair("16 bits", 16), std::pair("12 bits", 12), std::pair("8 bits", 8)}) {
+    const cost::Point& point = point_named(study.group, name);
+    const double half_step_mm = 1e3 * 0.5 * 2.0 / std::exp2(bits);
+    EXPECT_LE(point.error, 1.2 * std::sqrt(3.0) * half_step_mm) << name;
+    EXPECT_GE(point.error, 0.8 * half_step_mm) << name << ": no bit too many";
+    EXPECT_LT(*point.size, before) << name;
+    before = *point.size;
+  }
+}
+
+TEST(cost_studies, keys_of_curves_are_not_rounded) {
+  Scene arm = arm_scene();
+  QuatTrack& track = arm.animations[0].bones[0].rotation;
+  const glm::quat none(0.0f, 0.0f, 0.0f, 0.0f), first = track.values[0], second = track.values[1];
+  track = {Interpolation::cubic_spline, track.times_s, {none, first, none, none, second, none}};
+  const cost::Study study = cost::study_storage(cost::Subject(arm, 0, cost::Effort::quick()));
+  EXPECT_TRUE(std::none_of(study.group.points.begin(), study.group.points.end(), [](const cost::Point& p) { return p.name == "16 bits"; }));
+}
+
 TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_does) {
   const Scene arm = arm_scene();
   const cost::Subject subject(arm, 0, cost::Effort::quick());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/cost/keys_in_bits.h"
 #include "importer/tool/cost/pose_memory.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double kChance = 1.5;  // times the error of the keys as they are, which is rounding
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
+constexpr std::uint32_t kBits[] = {16, 12, 8};
 constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips are left at the rates below
 
 /// Powers of ten in metres, largest last: 0.1 mm and 1 mm, and around a ten-thousandth of the model's size.
@@ -64,6 +66,10 @@ Animation joints_only(const Animation& animation) {
   Animation out;
   out.name = animation.name, out.duration_s = animation.duration_s, out.bones = animation.bones;
   return out;
+}
+
+bool rounds_any(const KeyTolerances& rounding) {
+  return std::any_of(rounding.bones.begin(), rounding.bones.end(), [](const KeyTolerances::OfBone& t) { return t.translation + t.rotation + t.scale > 0.0; });
 }
 
 double error_mm(const Subject& subject, const Clip& clip, const std::vector<double>& moments) {
@@ -139,9 +145,14 @@ Study study_storage(const Subject& subject) {
                             "the file's own keys in double precision.",
                             subject.animation()->bones.size(), subject.clip_name(), subject.probe.description());
   const Animation joints = joints_only(*subject.animation());
-  const auto compiled = [&](const Animation& animation) { return compile_clip(animation, subject.scene.skeleton, {}, {}, {}); };
+  const auto compiled = [&](const Animation& animation, const KeyTolerances& rounding = {}) {
+    return compile_clip(animation, subject.scene.skeleton, {}, {}, {}, rounding);
+  };
   add_stored(study, subject, "keys as they are", compiled(joints), "full floats at the file's own times", moments);
   group.points.back().is_default = true;
+  for (const std::uint32_t bits : kBits)
+    if (const KeyTolerances rounding = keys_in_bits(joints, bits); rounds_any(rounding))
+      add_stored(study, subject, fmt::format("{} bits", bits), compiled(joints, rounding), fmt::format("every key, at most {} bits a component over its track's range", bits), moments);
   const VirtualVertices vertices = virtual_vertices(subject.scene);
   for (const double budget_m : budgets_m(subject.size_m))
     add_stored(study, subject, "budget " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
