@@ -2,6 +2,7 @@
 #include "runtime/jobs/local_to_model.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 #undef HWY_TARGET_INCLUDE
@@ -27,7 +28,7 @@ struct Tile {
     const std::size_t lanes = hn::Lanes(Floats());
     return lanes < 4 ? 4 * joint : joint % 4 * lanes + joint / 4 * 4;
   }
-  RowsAt rows_of(std::size_t joint) const { return {rows[0] + place(joint), rows[1] + place(joint), rows[2] + place(joint)}; }
+  RowsAt rows_at(std::size_t place) const { return {rows[0] + place, rows[1] + place, rows[2] + place}; }
 };
 
 /// One row of every joint, from its components.
@@ -66,137 +67,130 @@ HWY_INLINE void local_matrices(const PoseSpan& pose, std::size_t j, Tile& tile) 
                         hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), tile.rows[2]);
 }
 
-/// Puts the matrices that the file gives verbatim in place of T * R * S (G50).
+/// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read back at once.
 void use_fixed_matrices(const Skeleton& skeleton, std::size_t first, std::size_t count, Tile& tile) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t fixed = skeleton.fixed_matrix_of[first + i];
     if (fixed == kNone) continue;
-    for (std::size_t r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) tile.rows[r][Tile::place(i) + static_cast<std::size_t>(c)] = skeleton.fixed_matrices[fixed].row[r][c];
+    for (int r = 0; r < 3; ++r) std::memcpy(tile.rows[r] + Tile::place(i), &skeleton.fixed_matrices[fixed].row[r], sizeof(glm::vec4));
   }
+}
+
+/// Local matrices of the tile that begins with joint `first`.
+HWY_INLINE void fill(const LocalToModelJob& job, std::size_t first, Tile& tile) {
+  local_matrices(job.local, first, tile);
+  const Skeleton& skeleton = *job.skeleton;
+  if (!skeleton.fixed_matrices.empty()) use_fixed_matrices(skeleton, first, HWY_MIN(hn::Lanes(Floats()), skeleton.joint_count() - first), tile);
 }
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 64
 
-HWY_INLINE void store_rows(const Rows& rows, Affine& m) {
+struct Recent {
+  explicit Recent(const LocalToModelJob&) {}
+};
+
+/// Composes joints, parents first.
+class Composer {
+ public:
+  Composer(const LocalToModelJob& job, Recent&) : job_(job), parents_(job.skeleton->parents.data()) {}
+
+  HWY_INLINE void compose(const RowsAt& local, std::uint32_t joint) const {
+    const std::uint32_t parent = parents_[joint];
+    const Rows rows = product(parent == kNone ? job_.root : job_.model[parent], local);
 #if HWY_TARGET == HWY_SCALAR
-  m = rows;
+    job_.model[joint] = rows;
 #else
-  for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &m.row[r].x);
+    for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &job_.model[joint].row[r].x);
 #endif
-}
+  }
+
+ private:
+  const LocalToModelJob& job_;
+  const std::uint32_t* parents_;
+};
 
 #else
-
-/// Matrices are written in order, so that a whole vector may run over the one that comes next.
-HWY_INLINE void store_rows(Rows rows, bool is_last, Affine& m) {
-  const Floats d;
-  if (is_last) hn::BlendedStore(rows, hn::FirstN(d, 12), d, &m.row[0].x);
-  else hn::StoreU(rows, d, &m.row[0].x);
-}
-
-#endif
 
 /// The last model matrices, each on a cache line of its own: a parent that was stored a moment ago is read back from one store.
 struct Recent {
-  static constexpr std::size_t kCount = 64;
+  static constexpr std::uint32_t kCount = 64;
   HWY_ALIGN float rows[kCount][16];
+  std::uint32_t joints[kCount];  // whose they are
+
+  /// The root stands for the parent kNone until its place is taken.
+  HWY_INLINE explicit Recent(const LocalToModelJob& job) {
+    std::fill(std::begin(joints), std::end(joints), kNone);
+    hn::Store(load_rows(job.root), Floats(), rows[kNone % kCount]);
+  }
+  HWY_INLINE bool has(std::uint32_t joint) const { return joints[joint % kCount] == joint; }
+  HWY_INLINE Rows of(std::uint32_t joint) const { return hn::Load(Floats(), rows[joint % kCount]); }
+  HWY_INLINE void keep(std::uint32_t joint, Rows model) {
+    hn::Store(model, Floats(), rows[joint % kCount]);
+    joints[joint % kCount] = joint;
+  }
 };
 
-/// Model matrices of a tile of joints; parents come before them.
-HWY_INLINE void multiply_tile(const LocalToModelJob& job, const Tile& tile, std::size_t first, std::size_t count, [[maybe_unused]] Recent& recent) {
-  const std::uint32_t* parents = job.skeleton->parents.data();
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
-  const Floats d;
-  Rows rows = hn::Load(d, recent.rows[(first + Recent::kCount - 1) % Recent::kCount]);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t joint = first + i, parent = parents[joint];
-    if (parent == kNone) rows = load_rows(job.root);
-    else if (joint - parent > Recent::kCount) rows = load_rows(job.model[parent]);
-    else if (joint - parent > 1) rows = hn::Load(d, recent.rows[parent % Recent::kCount]);
-    rows = product(rows, tile.rows_of(i));
-    hn::Store(rows, d, recent.rows[joint % Recent::kCount]);
-    store_rows(rows, joint + 1 == job.model.size(), job.model[joint]);
-  }
-#else
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t parent = parents[first + i];
-    store_rows(product(parent == kNone ? job.root : job.model[parent], tile.rows_of(i)), job.model[first + i]);
-  }
-#endif
-}
-
-#if HWY_TARGET != HWY_SCALAR && HWY_MAX_BYTES >= 64
-
-/// Composes joints one at a time; a matrix that is not to be written is not touched.
-class SomeJoints {
+/// Composes joints, parents first. What it has in single variables stays in registers, `recent` being elsewhere.
+class Composer {
  public:
-  explicit SomeJoints(const LocalToModelJob& job) : job_(job) { std::fill(std::begin(holders_), std::end(holders_), kNone); }
+  HWY_INLINE Composer(const LocalToModelJob& job, Recent& recent)
+      : recent_(recent), model_(job.model.data()), parents_(job.skeleton->parents.data()), root_(load_rows(job.root)), rows_(root_) {}
 
-  /// in   next  joint that is composed after this one: only over its matrix a whole vector may run
-  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t next) {
-    const Floats d;
-    const std::uint32_t parent = job_.skeleton->parents[joint];
-    const std::size_t slot = parent % Recent::kCount, own = joint % Recent::kCount;
-    const Rows above = parent == kNone             ? load_rows(job_.root)
-                       : holders_[slot] == parent ? hn::Load(d, recent_.rows[slot])
-                                                  : load_rows(job_.model[parent]);
-    const Rows rows = product(above, tile.rows_of(i));
-    hn::Store(rows, d, recent_.rows[own]);
-    holders_[own] = joint;
-    store_rows(rows, next != joint + 1, job_.model[joint]);
+  HWY_INLINE void compose(const RowsAt& local, std::uint32_t joint) {
+    const std::uint32_t parent = parents_[joint];
+    if (parent != last_) rows_ = HWY_LIKELY(recent_.has(parent)) ? recent_.of(parent) : far_rows(parent);
+    rows_ = product(rows_, local);
+    last_ = joint;
+    recent_.keep(joint, rows_);
+    hn::BlendedStore(rows_, hn::FirstN(Floats(), 12), Floats(), &model_[joint].row[0].x);
   }
 
  private:
-  const LocalToModelJob& job_;
-  Recent recent_;
-  std::uint32_t holders_[Recent::kCount];  // the joints whose matrices are in the slots
-};
+  HWY_INLINE Rows far_rows(std::uint32_t parent) const { return parent == kNone ? root_ : load_rows(model_[parent]); }
 
-#else
-
-/// Composes joints one at a time.
-class SomeJoints {
- public:
-  explicit SomeJoints(const LocalToModelJob& job) : job_(job) {}
-
-  HWY_INLINE void compose(const Tile& tile, std::size_t i, std::uint32_t joint, std::uint32_t) {
-    const std::uint32_t parent = job_.skeleton->parents[joint];
-    store_rows(product(parent == kNone ? job_.root : job_.model[parent], tile.rows_of(i)), job_.model[joint]);
-  }
-
- private:
-  const LocalToModelJob& job_;
+  Recent& recent_;
+  Affine* model_;
+  const std::uint32_t* parents_;
+  Rows root_, rows_;  // of joint last_
+  std::uint32_t last_ = kNone;
 };
 
 #endif
 
 void some_model_matrices(const LocalToModelJob& job) {
-  const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
-  const bool any_fixed = !job.skeleton->fixed_matrices.empty();
+  const std::size_t lanes = hn::Lanes(Floats());
   const std::span<const std::uint32_t> only = job.only;
   Tile tile;
-  SomeJoints some(job);
+  Recent recent(job);
+  Composer composer(job, recent);
   for (std::size_t k = 0; k < only.size();) {
     const std::size_t first = only[k] / lanes * lanes;
-    local_matrices(job.local, first, tile);
-    if (any_fixed) use_fixed_matrices(*job.skeleton, first, HWY_MIN(lanes, joints - first), tile);
-    for (; k < only.size() && only[k] < first + lanes; ++k) some.compose(tile, only[k] - first, only[k], k + 1 < only.size() ? only[k + 1] : kNone);
+    fill(job, first, tile);
+    for (; k < only.size() && only[k] < first + lanes; ++k) composer.compose(tile.rows_at(Tile::place(only[k] - first)), only[k]);
   }
 }
 
+/// Joints of one tile; four in a row are at one step from each other.
+HWY_INLINE void compose_tile(Composer& composer, const Tile& tile, std::size_t first, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) composer.compose(tile.rows_at(Tile::place(i) + k * hn::Lanes(Floats())), static_cast<std::uint32_t>(first + i + k));
+  for (; i < count; ++i) composer.compose(tile.rows_at(Tile::place(i)), static_cast<std::uint32_t>(first + i));
+}
+
+/// Local matrices are made some tiles ahead of the joints' chains, which wait for each other's products.
 void model_matrices(const LocalToModelJob& job) {
   if (!job.only.empty()) return some_model_matrices(job);
-  const Skeleton& skeleton = *job.skeleton;
-  const std::size_t joints = skeleton.joint_count(), lanes = hn::Lanes(Floats());
-  const bool any_fixed = !skeleton.fixed_matrices.empty();
-  Tile tile;
-  Recent recent;
-  for (std::size_t first = 0; first < joints; first += lanes) {
-    const std::size_t count = HWY_MIN(lanes, joints - first);
-    local_matrices(job.local, first, tile);
-    if (any_fixed) use_fixed_matrices(skeleton, first, count, tile);
-    multiply_tile(job, tile, first, count, recent);
+  constexpr std::size_t kAhead = 64;
+  const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
+  Tile tiles[kAhead / hn::MaxLanes(Floats())];
+  Recent recent(job);
+  Composer composer(job, recent);
+  for (std::size_t begin = 0; begin < joints; begin += kAhead) {
+    const std::size_t end = HWY_MIN(joints, begin + kAhead);
+    for (std::size_t first = begin; first < end; first += lanes) fill(job, first, tiles[(first - begin) / lanes]);
+    const Tile* tile = tiles;
+    for (std::size_t first = begin; first < end; first += lanes) compose_tile(composer, *tile++, first, HWY_MIN(lanes, end - first));
   }
 }
 
