@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/left_out_joints.h"
+#include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/skinning_choice.h"
@@ -25,6 +27,7 @@ struct PlanOptions {
   std::uint32_t layers = Needs{}.max_layers;
   std::vector<std::string> skinning = {"linear"};
   std::string normals = "linear";
+  std::optional<std::string> joint_tolerance;
   bool json = false;
 };
 
@@ -35,7 +38,7 @@ const std::map<std::string, bool Needs::*> kNeeds = {
     {"tangents", &Needs::tangents},     {"palettes", &Needs::palettes},
     {"bounds", &Needs::bounds},         {"properties", &Needs::properties},
     {"additive", &Needs::additive},     {"hidden-meshes", &Needs::hidden_meshes},
-    {"stage-times", &Needs::stage_times}};
+    {"stage-times", &Needs::stage_times}, {"between-updates", &Needs::between_updates}};
 constexpr const char* kMasks = "masks";
 
 const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear}, {"cofactor", NormalRule::cofactor}};
@@ -67,6 +70,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"properties_sampled", work.properties_sampled},
           {"poses_blended", work.poses_blended},
           {"poses_added", work.poses_added},
+          {"poses_interpolated", work.poses_interpolated},
           {"poses_compared", work.poses_compared},
           {"joints_composed", work.joints_composed},
           {"palette_entries", work.palette_entries},
@@ -90,7 +94,21 @@ Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
   return frame.result().work;
 }
 
-void print_json(const Plan& plan, const std::optional<WorkCounters>& work) {
+/// The joints that --joint-tolerance leaves out, over the clip that is chosen or all.
+struct LeftOut {
+  double asked_m = 0.0;
+  DetailWithin within;
+};
+
+/// err  a sentence that says what is wrong with the length
+tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene, const std::vector<std::uint32_t>& clips) {
+  if (!options.joint_tolerance) return std::nullopt;
+  const auto asked_m = parse_length(*options.joint_tolerance);
+  if (!asked_m) return tl::unexpected("--joint-tolerance: " + asked_m.error());
+  return LeftOut{*asked_m, detail_within(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{})};
+}
+
+void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
   for (const PlanStage& stage : plan.stages)
     stages.push_back({{"stage", stage.stage},
@@ -99,11 +117,12 @@ void print_json(const Plan& plan, const std::optional<WorkCounters>& work) {
                       {"count", stage.count},
                       {"bytes", stage.bytes}});
   nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes}};
+  if (left_out) report["left_out_joints"] = left_out_json(*plan.scene, left_out->within, left_out->asked_m);
   if (work) report["work"] = work_json(*work);
   fmt::print("{}\n", report.dump(2));
 }
 
-void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
+void print_text(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
   std::size_t widest = 5;
   for (const PlanStage& stage : plan.stages) widest = std::max(widest, stage.stage.size());
   fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
@@ -111,6 +130,7 @@ void print_text(const Plan& plan, const std::optional<WorkCounters>& work) {
     fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out", stage.count,
                stage.bytes, stage.reason);
   fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes);
+  if (left_out) fmt::print("{}", left_out_text(*plan.scene, left_out->within, left_out->asked_m));
   if (!work) return;
   fmt::print("work done by one frame:\n");
   const nlohmann::ordered_json counts = work_json(*work);
@@ -128,11 +148,14 @@ ExitCode plan_file(const PlanOptions& options) {
   const auto chosen = choose_clips(file->scene, options.clip);
   if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
 
-  const auto needs = needs_from(options, file->scene);
+  auto needs = needs_from(options, file->scene);
   if (!needs) {
     say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(), file->scene.instances.size()));
     return ExitCode::wrong_usage;
   }
+  const auto left_out = leave_out_joints(options, file->scene, *chosen);
+  if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
+  if (*left_out) needs->joint_detail = (*left_out)->within.detail;
   const Plan plan = compile_plan(file->scene, *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {
@@ -141,7 +164,7 @@ ExitCode plan_file(const PlanOptions& options) {
       return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
     work = *counted;
   }
-  options.json ? print_json(plan, work) : print_text(plan, work);
+  options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
   return ExitCode::done;
 }
 
@@ -172,6 +195,10 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
   command->add_option("--normals", options->normals, "How linear skinning turns normals: linear or cofactor (default: linear)")
       ->type_name("RULE")
       ->check(CLI::IsMember(std::vector<std::string>{"linear", "cofactor"}));
+  command
+      ->add_option("--joint-tolerance", options->joint_tolerance,
+                   "Leave out joints that move no vertex farther than this, as in 1mm, over the clip or over all (default: none)")
+      ->type_name("LENGTH");
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });
 }

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/math/quaternion.h"
 #include "runtime/math/stretch.h"
 #include "runtime/plan/clip_error.h"
 #include "runtime/plan/pose_drift.h"
+#include "runtime/plan/rig.h"
 
 namespace sinew {
 namespace {
@@ -105,6 +107,18 @@ void add_skinned_parts(const Scene& scene, const MeshInstance& instance, double 
     add_part(parts, skin.joints[j], boxes[j], morphed_m * largest_stretch(affine_cast<double>(skin.inverse_bind[j])));
 }
 
+/// Parts of joints that are left out hang on those above.
+void hang(std::span<const JointPlace> places, std::vector<Part>& parts) {
+  std::vector<Part> hung;
+  for (const Part& part : parts) {
+    const JointPlace& place = places[part.joint];
+    Aabb there;
+    for (const Vec3<double>& corner : corners_of(part.box)) there.add(glm::vec3(transform_point(place.from_joint, corner)));
+    add_part(hung, place.joint, place.is_kept ? part.box : there, 0.0);
+  }
+  parts = std::move(hung);
+}
+
 /// What makes up an instance; nothing where that is not known.
 std::vector<Part> parts_of(const Scene& scene, const Animation* animation, std::uint32_t i) {
   const MeshInstance& instance = scene.instances[i];
@@ -150,7 +164,8 @@ std::vector<Aabb> clip_reach(const Scene& scene, const Needs& needs, std::uint32
   if (keys.size() > kMostReachPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMostReachPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) parts.push_back(parts_of(scene, animation, i));
+  const std::vector<JointPlace> places = place_joints(scene, needs.joint_detail);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(places, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);
   const auto look_at = [&](double begin_s, double end_s) {

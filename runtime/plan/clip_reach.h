@@ -14,7 +14,7 @@ namespace sinew {
 /// Every key interval is cut in pieces; a piece holds the box of each joint's vertices in its middle, grown by how far they can
 /// stray within it (pose_drift.h). Linear blending stays within the boxes of the joints; the other kinds of skinning bulge, they
 /// get half the box's diagonal more on each side.
-/// in   scene     finished, passed its checks;   needs   for their kinds of skinning
+/// in   scene     finished, passed its checks;   needs   for their kinds of skinning and their joint detail
 /// out  [instances] in the space below FrameInput::root: transform them by it (grow_bounds.h). Empty = not known, so take it for
 ///      in view: meshes that correctives morph, skinned meshes with parts that are not, clips of more than kMostReachPoses poses of
 ///      joints

@@ -14,7 +14,7 @@
 #include "runtime/jobs/pose.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_hash.h"
-#include "runtime/plan/frame_input.h"
+#include "runtime/plan/frame_tables.h"
 #include "runtime/plan/frame_work.h"
 #include "runtime/plan/plan_stages.h"
 #include "runtime/plan/sign_pairs.h"
@@ -169,11 +169,15 @@ void place_tables(Plan& plan, BlockLayout& block) {
   tables.input_layer_count = plan.needs.max_layers + (plan.needs.additive ? kKeptAddingLayers : 0);
   tables.stage_ns_at = block.take_array<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
   tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
+  if (!plan.interpolate) return;
+  tables.input_ahead_at = block.take_array<ClipLayer>(tables.input_layer_count);
+  tables.ends_at = block.take_array<UpdateEnd>(2);
+  for (std::size_t& at : tables.end_layers_at) at = block.take_array<ClipLayer>(tables.input_layer_count);
 }
 
 void place(Plan& plan) {
   const Scene& scene = *plan.scene;
-  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
+  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(plan.rig.joint_count());
   const std::size_t extra_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
   BlockLayout block;
   plan.rest_pose_at = block.take(pose_bytes);
@@ -182,7 +186,7 @@ void place(Plan& plan) {
   plan.weights_at = block.take_array<float>(scene.weight_count());
   plan.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
   if (plan.correctives)
-    for (const PoseCorrective& corrective : scene.correctives)
+    for (const PoseCorrective& corrective : plan.rig.correctives)
       plan.corrective_scratch_count = std::max(plan.corrective_scratch_count, scratch_size(corrective));
   plan.corrective_scratch_at = block.take_array<double>(plan.corrective_scratch_count);
   plan.added_pose_at = block.take(plan.add ? pose_bytes : 0);
@@ -192,9 +196,12 @@ void place(Plan& plan) {
   const std::size_t numbers = plan.properties ? scene.properties.rest.size() : 0;
   plan.properties_at = block.take_array<float>(numbers);
   plan.layer_properties_at = block.take_array<float>(extra_layers * numbers);
+  if (plan.interpolate)
+    for (PosePlaces& end : plan.ends)
+      end = {block.take(pose_bytes), block.take_array<float>(scene.weight_count()), block.take_array<float>(numbers)};
   plan.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
   plan.palette_wanted_at = block.take_array<bool>(scene.skins.size());
-  plan.model_at = block.take_array<Affine>(plan.local_to_model ? scene.skeleton.joint_count() : 0);
+  plan.model_at = block.take_array<Affine>(plan.local_to_model ? plan.rig.joint_count() : 0);
   std::size_t largest_palette = 0;
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
@@ -212,7 +219,7 @@ void place(Plan& plan) {
 std::uint64_t fingerprint_of(const Needs& needs) {
   std::vector<std::uint32_t> numbers;
   for (const bool flag : {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
-                          needs.hidden_meshes, needs.additive, needs.palettes, needs.stage_times})
+                          needs.hidden_meshes, needs.additive, needs.palettes, needs.stage_times, needs.between_updates})
     numbers.push_back(flag);
   numbers.push_back(needs.max_layers);
   numbers.push_back(static_cast<std::uint32_t>(needs.skinning));
@@ -221,15 +228,18 @@ std::uint64_t fingerprint_of(const Needs& needs) {
   BitHash hash;
   hash.add(std::span<const std::uint32_t>(numbers));
   for (const std::vector<float>& mask : needs.masks) hash.add(std::span<const float>(mask));
+  const JointDetail& detail = needs.joint_detail;
+  const std::vector<std::uint32_t> kept(detail.kept.begin(), detail.kept.end());
+  hash.add(std::span<const std::uint32_t>(kept)).add(std::span<const Transform>(detail.held));
   return hash.value();
 }
 
 /// Joints that some clip moves, by tracks or by a constant other than the rest pose, and all below them.
-std::vector<std::uint32_t> moved_joints(const Scene& scene) {
-  std::vector<bool> moved(scene.skeleton.joint_count());
-  const BasePose rest(scene.skeleton.rest);
-  for (const Clip& clip : scene.clips) {
-    const ClipLayout& layout = clip.layout();
+std::vector<std::uint32_t> moved_joints(const Rig& rig) {
+  std::vector<bool> moved(rig.joint_count());
+  const BasePose rest(rig.skeleton->rest);
+  for (const Clip* clip : rig.clips) {
+    const ClipLayout& layout = clip->layout();
     for (std::size_t i = 0; i < rest.planes.size(); ++i)
       if (!same_bits(layout.base_pose.planes[i], rest.planes[i])) moved[i % rest.stride] = true;
     for (const TimeGroup& group : layout.groups)
@@ -239,11 +249,19 @@ std::vector<std::uint32_t> moved_joints(const Scene& scene) {
   }
   std::vector<std::uint32_t> joints;
   for (std::uint32_t j = 0; j < moved.size(); ++j) {
-    const std::uint32_t parent = scene.skeleton.parents[j];
+    const std::uint32_t parent = rig.skeleton->parents[j];
     moved[j] = moved[j] || (parent != kNone && moved[parent]);
     if (moved[j]) joints.push_back(j);
   }
   return joints;
+}
+
+/// The weights of the rig's joints.
+std::vector<float> mask_of(const Rig& rig, const std::vector<float>& mask) {
+  std::vector<float> kept;
+  for (std::size_t j = 0; j < mask.size(); ++j)
+    if (rig.places[j].is_kept) kept.push_back(mask[j]);
+  return kept;
 }
 
 bool any_morphs(const Plan& plan) noexcept {
@@ -260,17 +278,19 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   Plan plan;
   plan.scene = &scene;
   plan.needs = needs;
+  plan.rig = make_rig(scene, needs.joint_detail);
+  for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of(plan.rig, mask));
   plan.palette.resize(scene.skins.size());
   plan.split.resize(scene.skins.size());
   for (const MeshInstance& instance : scene.instances)
     plan.rest_weights.insert(plan.rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
-  for (const Clip& clip : scene.clips) {
-    const Clip::Counts counts = clip.counts();
+  for (const Clip* clip : plan.rig.clips) {
+    const Clip::Counts counts = clip->counts();
     plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights, counts.properties});
   }
   plan.local_to_model =
       scene.skeleton.joint_count() > 0 && (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
-  plan.moved_joints = moved_joints(scene);
+  plan.moved_joints = moved_joints(plan.rig);
   const auto& entries = scene.properties.entries;
   const bool flags = std::any_of(entries.begin(), entries.end(), [](const PropertyTable::Entry& entry) {
     return entry.target.kind == PropertyKind::node_visible;
@@ -281,6 +301,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan.sample = !scene.clips.empty() && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
   plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
   plan.add = plan.sample && needs.additive;
+  plan.interpolate = plan.sample && needs.between_updates;
   plan.bounds = needs.bounds && !scene.instances.empty();
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));

@@ -8,6 +8,7 @@
 #include "runtime/assets/scene.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/plan/needs.h"
+#include "runtime/plan/rig.h"
 
 namespace sinew {
 
@@ -46,12 +47,18 @@ struct ClipTracks {
   std::uint32_t joints = 0, weights = 0, properties = 0;
 };
 
+/// A pose with its morph weights and properties; byte offsets.
+struct PosePlaces {
+  std::size_t pose_at = 0, weights_at = 0, properties_at = 0;
+};
+
 /// Where a frame buffer keeps results and what they came from (frame_tables.h); byte offsets.
 struct TablePlaces {
   std::size_t instances_at = 0, primitives_at = 0, blend_layers_at = 0;
   std::size_t palettes_at = 0, weights_since_at = 0, winding_since_at = 0;
   std::size_t last_weights_at = 0, input_weights_at = 0, input_out_of_view_at = 0;
-  std::size_t input_layers_at = 0, input_layer_count = 0;
+  std::size_t input_layers_at = 0, input_layer_count = 0, input_ahead_at = 0;
+  std::size_t ends_at = 0, end_layers_at[2] = {};
   std::size_t stage_ns_at = 0;
 };
 
@@ -60,14 +67,16 @@ struct TablePlaces {
 struct Plan {
   const Scene* scene = nullptr;
   Needs needs;
+  Rig rig;                                     ///< what poses are made of
   std::vector<PlanStage> stages;
   std::vector<PrimitivePlan> primitives;       ///< one per primitive of each mesh instance
   std::vector<std::uint32_t> first_primitive;  ///< [instances + 1] into `primitives`
   std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
   std::vector<ClipTracks> clip_tracks;         ///< [clips]
-  std::vector<std::uint32_t> moved_joints;     ///< by some clip, or below such joints: the others rest while no layers blend (P01)
+  std::vector<std::uint32_t> moved_joints;     ///< of the rig, by some clip, or below such joints: the others rest while no layers blend (P01)
+  std::vector<std::vector<float>> masks;       ///< [any][joints of the rig]
   std::vector<float> rest_weights;             ///< [W]
-  bool sample = false, blend = false, add = false, correctives = false, properties = false, local_to_model = false,
+  bool sample = false, blend = false, add = false, interpolate = false, correctives = false, properties = false, local_to_model = false,
        bounds = false;
   bool hide = false, hide_per_frame = false;   ///< some joint may be hidden; clips decide it
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
@@ -80,6 +89,7 @@ struct Plan {
   std::size_t added_pose_at = 0, reference_pose_at = 0;           ///< of the layer that is being added
   std::size_t added_weights_at = 0, reference_weights_at = 0;
   std::size_t properties_at = 0, layer_properties_at = 0;
+  PosePlaces ends[2];                          ///< the poses that frames lie between
   std::size_t hidden_at = 0;                                      ///< bool[joints]
   std::size_t palette_wanted_at = 0;                              ///< bool[skins]: an instance that is seen needs the skin
   std::size_t model_at = 0;
@@ -98,8 +108,8 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
 }
 
 /// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance, masks of one
-///                                                     finite weight >= 0 per joint
-/// cost O(size of the scene), allocates the plan
+///                                                     finite weight >= 0 per joint, joint_detail empty or for all joints
+/// cost O(size of the scene), allocates the plan; where joints are left out also what of skeleton, clips and skins is kept
 Plan compile_plan(const Scene& scene, const Needs& needs);
 
 }  // namespace sinew

@@ -24,7 +24,7 @@ std::span<float> numbers_of_layer(FrameMemory memory, std::size_t first_at, std:
 }
 
 LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t index) noexcept {
-  const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
+  const std::size_t joints = plan.rig.joint_count(), weights = plan.rest_weights.size();
   const std::size_t properties = plan.properties ? plan.scene->properties.rest.size() : 0;
   const std::size_t later_at = plan.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
   return {memory.pose(index == 0 ? plan.pose_at : later_at, joints),
@@ -34,7 +34,7 @@ LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t inde
 
 void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights,
             FrameWork& work) noexcept {
-  const SampleClipJob job{.clip = &plan.scene->clips[layer.clip],
+  const SampleClipJob job{.clip = plan.rig.clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = place.pose,
                           .weights = with_weights ? place.weights : std::span<float>{},
@@ -48,7 +48,7 @@ void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool wit
 }
 
 std::span<const float> mask_of(const Plan& plan, const ClipLayer& layer) noexcept {
-  return layer.mask == kNone ? std::span<const float>{} : std::span<const float>(plan.needs.masks[layer.mask]);
+  return layer.mask == kNone ? std::span<const float>{} : std::span<const float>(plan.masks[layer.mask]);
 }
 
 bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
@@ -58,7 +58,7 @@ bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
 /// The mean of the layers that blend, and of their weights when these are the frame's own.
 PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers, bool own_weights,
                FrameWork& work) noexcept {
-  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.scene->skeleton.joint_count());
+  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
   const LayerPlace first = place_of_layer(plan, memory, 0);
   std::size_t count = 0;
   for (const ClipLayer& layer : input.layers) {
@@ -89,7 +89,7 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
 
 /// Adds one layer to the pose, which is the frame's own, and to its weights. Properties are not added.
 void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, FrameWork& work) noexcept {
-  const std::size_t joints = plan.scene->skeleton.joint_count(), weights = plan.rest_weights.size();
+  const std::size_t joints = plan.rig.joint_count(), weights = plan.rest_weights.size();
   const LayerPlace own = place_of_layer(plan, memory, 0);
   const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
   LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}, {}};

@@ -9,14 +9,14 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
+#include "runtime/plan/same_layers.h"
 
 namespace sinew {
 namespace {
 
-/// By bits where there may be two zeros.
-bool same(const ClipLayer& a, const ClipLayer& b) noexcept {
-  return a.clip == b.clip && same_bits(a.time_s, b.time_s) && same_bits(a.weight, b.weight) && a.mask == b.mask &&
-         a.kind == b.kind;
+/// Nothing where it is not looked at.
+std::span<const ClipLayer> ahead_of(const FrameInput& input) noexcept {
+  return input.toward == 0.0f ? std::span<const ClipLayer>{} : input.ahead;
 }
 
 /// As FrameTables::input_out_of_view.
@@ -36,7 +36,7 @@ bool plays_alone(std::span<const ClipLayer> layers) noexcept {
 bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
   for (const ClipLayer& layer : layers) {
     if (layer.weight == 0.0f) continue;
-    const Clip::Counts counts = plan.scene->clips[layer.clip].counts();
+    const Clip::Counts counts = plan.rig.clips[layer.clip]->counts();
     if (counts.translations + counts.rotations + counts.scales + counts.folded > 0) return false;
   }
   return true;
@@ -68,25 +68,34 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   std::uninitialized_value_construct(tables.palettes.begin(), tables.palettes.end());
   std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
   std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
-  const Skeleton& skeleton = plan.scene->skeleton;
+  if (plan.interpolate) {
+    std::uninitialized_value_construct(tables.input_ahead.begin(), tables.input_ahead.end());
+    std::uninitialized_value_construct(tables.ends.begin(), tables.ends.end());
+    for (const std::size_t at : plan.tables.end_layers_at) {
+      const std::span<ClipLayer> layers = memory.array<ClipLayer>(at, plan.tables.input_layer_count);
+      std::uninitialized_value_construct(layers.begin(), layers.end());
+    }
+  }
+  const Skeleton& skeleton = *plan.rig.skeleton;
   const PoseSpan rest = memory.pose(plan.rest_pose_at, skeleton.joint_count());
   for (std::size_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? skeleton.rest[j] : Transform{});
-  if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, skeleton.joint_count()));
+  if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
 }
 
 bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {
   if (!keeps_input_ || input.asleep != asleep_) return false;
   if (input.asleep) return true;  // whatever it would do
   if (input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
+  if (!same_bits(input.toward, toward_) || ahead_of(input).size() != ahead_count_) return false;
   const FrameTables tables(plan, FrameMemory{block_.get()});
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
     if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
-  return std::equal(input.layers.begin(), input.layers.end(), tables.input_layers.begin(), same) &&
+  return same_layers(input.layers, tables.input_layers.first(layer_count_)) && same_layers(ahead_of(input), tables.input_ahead.first(ahead_count_)) &&
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
 }
 
 StandingJoints FrameBuffer::standing(const Plan& plan, const FrameInput& input) const noexcept {
-  if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return StandingJoints::none;
+  if (!keeps_input_ || asleep_ || input.toward != 0.0f || toward_ != 0.0f || !same_bits(input.root, root_)) return StandingJoints::none;
   const std::span<const ClipLayer> last = FrameTables(plan, FrameMemory{block_.get()}).input_layers.first(layer_count_);
   if (!plays_alone(input.layers) || !plays_alone(last)) return StandingJoints::none;
   const bool at_rest = leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
@@ -97,8 +106,11 @@ StandingJoints FrameBuffer::standing(const Plan& plan, const FrameInput& input) 
 void FrameBuffer::keep(const Plan& plan, const FrameInput& input) noexcept {
   const FrameTables tables(plan, FrameMemory{block_.get()});
   asleep_ = input.asleep;
-  keeps_input_ = input.layers.size() <= tables.input_layers.size();
+  const std::span<const ClipLayer> ahead = ahead_of(input);
+  keeps_input_ = input.layers.size() <= tables.input_layers.size() && ahead.size() <= tables.input_ahead.size();
   if (!keeps_input_) return;
+  ahead_count_ = ahead.size(), toward_ = input.toward;
+  std::copy(ahead.begin(), ahead.end(), tables.input_ahead.begin());
   layer_count_ = input.layers.size(), weight_count_ = input.weights.size(), root_ = input.root;
   std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());

@@ -29,6 +29,9 @@ struct FrameInput {
   std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest.
                                        ///< Correctives add to either
   Affine root;                         ///< placed above all root joints
+  std::span<const ClipLayer> ahead = {};  ///< layers of a later time; not looked at while `toward` is 0
+  float toward = 0.0f;                 ///< [0, 1] part of the way from the pose of `layers` to that of `ahead`, each of which is evaluated
+                                       ///< once as long as it stays: needs Needs::between_updates, else 0
   std::span<const std::uint8_t> out_of_view = {};  ///< [instances] 1: nobody sees the mesh, which is then neither morphed nor
                                        ///< skinned nor bounded; joints and weights are as ever. Empty = all are in view
   bool asleep = false;                 ///< nobody needs anything of the character: no stage runs and the result is empty. Clocks,

@@ -48,7 +48,7 @@ struct SkinPalette {
 struct FrameResult {
   std::uint64_t frame = 0;                ///< counts up by one per run of the instance
   std::uint64_t since_frame = 0;          ///< first frame of an unbroken row with this very input, and so with this result (P19)
-  std::span<const Affine> model;          ///< [J] world matrix of every joint
+  std::span<const Affine> model;          ///< [J] world matrix of every joint, or [K] of those kept (Plan::rig; world_of in rig.h)
   std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with
                                           ///< what correctives add where the plan runs them
   std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)

@@ -18,14 +18,16 @@ namespace {
 
 /// A FrameInput that owns what it shows. Buffers keep their capacity from frame to frame.
 struct OwnInput {
-  std::pmr::vector<ClipLayer> layers;
+  std::pmr::vector<ClipLayer> layers, ahead;
   std::pmr::vector<float> weights;
   std::pmr::vector<std::uint8_t> out_of_view;
   Affine root;
+  float toward = 0.0f;
   bool asleep = false;
 
-  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), weights(memory), out_of_view(memory) {
+  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), ahead(memory), weights(memory), out_of_view(memory) {
     layers.reserve(plan.needs.max_layers);
+    if (plan.interpolate) ahead.reserve(plan.needs.max_layers);
     weights.reserve(plan.rest_weights.size());
     out_of_view.reserve(plan.scene->instances.size());
   }
@@ -33,9 +35,10 @@ struct OwnInput {
     layers.assign(input.layers.begin(), input.layers.end());
     weights.assign(input.weights.begin(), input.weights.end());
     out_of_view.assign(input.out_of_view.begin(), input.out_of_view.end());
-    root = input.root, asleep = input.asleep;
+    ahead.assign(input.ahead.begin(), input.ahead.end());
+    root = input.root, toward = input.toward, asleep = input.asleep;
   }
-  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root, .out_of_view = out_of_view, .asleep = asleep}; }
+  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root, .ahead = ahead, .toward = toward, .out_of_view = out_of_view, .asleep = asleep}; }
 };
 
 struct Batch {

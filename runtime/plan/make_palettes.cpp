@@ -34,7 +34,7 @@ std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::sp
 }
 
 void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, FrameWork& work) noexcept {
-  const Skin& skin = plan.scene->skins[s];
+  const Skin& skin = *plan.rig.skins[s];
   const std::size_t count = skin.joints.size();
   const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
   SkinPalette& kept = step.tables.palettes[s];

@@ -17,7 +17,7 @@ std::string counted(std::uint64_t count, const std::string& one, const std::stri
 std::string primitives(std::uint64_t count) { return counted(count, "primitive", "primitives"); }
 
 std::uint64_t pose_bytes(const Plan& plan) {
-  return sizeof(float) * (PoseSpan::floats_for(plan.scene->skeleton.joint_count()) + plan.scene->weight_count());
+  return sizeof(float) * (PoseSpan::floats_for(plan.rig.joint_count()) + plan.scene->weight_count());
 }
 
 /// How many tracks of a clip go which way between keys (P04, P05): only ways that some track takes cost anything.
@@ -48,7 +48,7 @@ PlanStage describe_sample(const Plan& plan) {
   const auto tracks_of = [](const ClipTracks& clip) { return clip.joints + clip.weights; };
   const auto most = std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
                                      [&](const ClipTracks& a, const ClipTracks& b) { return tracks_of(a) < tracks_of(b); });
-  const Clip& clip = plan.scene->clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
+  const Clip& clip = *plan.rig.clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
   return {"sample", true, counted(clips, "clip", "clips") + "; the one with most tracks has " + describe_tracks(clip), tracks_of(*most),
           pose_bytes(plan)};
 }
@@ -58,18 +58,24 @@ PlanStage describe_blend(const Plan& plan) {
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
   if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
   const std::string limit = layers == 1 ? "one layer, which a mask may limit" : "up to " + std::to_string(layers) + " layers";
-  return {"blend", true, limit + "; a single one of full weight skips the stage", plan.scene->skeleton.joint_count(),
+  return {"blend", true, limit + "; a single one of full weight skips the stage", plan.rig.joint_count(),
           pose_bytes(plan) * std::max<std::uint64_t>(layers - 1, 1)};
 }
 
 PlanStage describe_add(const Plan& plan) {
   if (!plan.sample) return {"add", false, "nothing is sampled", 0, 0};
   if (!plan.add) return {"add", false, "no layers that add are asked for", 0, 0};
-  return {"add", true, "layers that add are asked for, one after another", plan.scene->skeleton.joint_count(), 2 * pose_bytes(plan)};
+  return {"add", true, "layers that add are asked for, one after another", plan.rig.joint_count(), 2 * pose_bytes(plan)};
+}
+
+PlanStage describe_interpolate(const Plan& plan) {
+  if (!plan.sample) return {"interpolate", false, "nothing is sampled", 0, 0};
+  if (!plan.interpolate) return {"interpolate", false, "no frames between updates are asked for", 0, 0};
+  return {"interpolate", true, "frames between updates are asked for; both poses are kept", plan.rig.joint_count(), 2 * pose_bytes(plan)};
 }
 
 PlanStage describe_correctives(const Plan& plan) {
-  const std::vector<PoseCorrective>& correctives = plan.scene->correctives;
+  const std::span<const PoseCorrective> correctives = plan.rig.correctives;
   if (correctives.empty()) return {"correctives", false, "the scene has no corrective shapes", 0, 0};
   if (!plan.correctives) return {"correctives", false, "neither morph weights nor morphed vertices are asked for", 0, 0};
   std::uint64_t samples = 0;
@@ -89,11 +95,12 @@ PlanStage describe_properties(const Plan& plan) {
 }
 
 PlanStage describe_local_to_model(const Plan& plan) {
-  const std::size_t joints = plan.scene->skeleton.joint_count();
+  const std::size_t joints = plan.rig.joint_count(), left_out = plan.rig.places.size() - joints;
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
   if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
   const std::size_t moved = plan.moved_joints.size();
   std::string reason = plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints";
+  if (left_out > 0) reason += "; " + std::to_string(left_out) + " of " + counted(joints + left_out, "joint is", "joints are") + " left out as asked, they follow the joints above";
   if (moved == 0) reason += "; no clip moves any, they are composed once";
   else if (moved < joints) reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) + " are moved by no clip: composed once unless layers blend";
   return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
@@ -219,6 +226,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
   return {describe_sample(plan),
           describe_blend(plan),
           describe_add(plan),
+          describe_interpolate(plan),
           describe_correctives(plan),
           describe_properties(plan),
           describe_local_to_model(plan),

@@ -15,15 +15,16 @@
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/grow_bounds.h"
+#include "runtime/plan/interpolate_poses.h"
 #include "runtime/plan/make_palettes.h"
 
 namespace sinew {
 namespace {
 
-ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
+ErrorCode check(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
   std::size_t active = 0;
   double total_weight = 0.0;
-  for (const ClipLayer& layer : input.layers) {
+  for (const ClipLayer& layer : layers) {
     if (layer.clip >= plan.scene->clips.size()) return ErrorCode::index_out_of_range;
     if (!std::isfinite(layer.time_s) || !std::isfinite(layer.weight)) return ErrorCode::not_finite;
     if (layer.mask != kNone && layer.mask >= plan.needs.masks.size()) return ErrorCode::index_out_of_range;
@@ -34,7 +35,13 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
     total_weight += static_cast<double>(layer.weight);
   }
   if (active > plan.needs.max_layers) return ErrorCode::size_mismatch;
-  if (plan.sample && !plan.blend && active > 0 && total_weight < 1.0) return ErrorCode::unsupported;
+  return plan.sample && !plan.blend && active > 0 && total_weight < 1.0 ? ErrorCode::unsupported : ErrorCode::ok;
+}
+
+ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
+  if (!(input.toward >= 0.0f && input.toward <= 1.0f) || (input.toward != 0.0f && !plan.needs.between_updates)) return ErrorCode::unsupported;
+  for (const std::span<const ClipLayer> layers : {input.layers, input.toward != 0.0f ? input.ahead : std::span<const ClipLayer>{}})
+    if (const ErrorCode error = check(plan, layers); error != ErrorCode::ok) return error;
   if (!input.weights.empty() && input.weights.size() != plan.rest_weights.size()) return ErrorCode::size_mismatch;
   if (!input.out_of_view.empty() && input.out_of_view.size() != plan.scene->instances.size()) return ErrorCode::size_mismatch;
   for (const float weight : input.weights)
@@ -45,7 +52,7 @@ ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
 /// Adds to the frame's morph weights what its local pose calls for.
 void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory, FrameWork& work) noexcept {
   if (!plan.correctives) return;
-  for (const PoseCorrective& corrective : plan.scene->correctives) {
+  for (const PoseCorrective& corrective : plan.rig.correctives) {
     const CorrectPoseJob job{
         .corrective = &corrective,
         .pose = local,
@@ -62,10 +69,10 @@ void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory
 std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const Affine& root, const FrameStep& step,
                                 FrameWork& work) noexcept {
   if (!plan.local_to_model) return {};
-  const std::size_t joints = plan.scene->skeleton.joint_count();
+  const std::size_t joints = plan.rig.joint_count();
   const std::span<Affine> model = step.memory.array<Affine>(plan.model_at, joints);
   if (step.standing == StandingJoints::all) return model;
-  LocalToModelJob job{.skeleton = &plan.scene->skeleton, .local = local, .root = root, .model = model};
+  LocalToModelJob job{.skeleton = plan.rig.skeleton, .local = local, .root = root, .model = model};
   if (step.standing == StandingJoints::unmoved) job.only = plan.moved_joints;
   assert(check(job) == ErrorCode::ok);
   run(job);
@@ -119,9 +126,9 @@ InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<
   if (model.empty()) return placed;
   const MeshInstance& mesh = plan.scene->instances[instance];
   if (!plan.instance_skinned[instance]) {
-    placed.world_from_mesh = model[mesh.joint];
+    placed.world_from_mesh = world_of(plan.rig, model, mesh.joint);
     placed.mirrored = determinant(affine_cast<double>(placed.world_from_mesh)) < 0.0;
-  } else if (const Skin& skin = plan.scene->skins[mesh.skin]; !skin.joints.empty()) {
+  } else if (const Skin& skin = *plan.rig.skins[mesh.skin]; !skin.joints.empty()) {
     const Affined world_from_joint = affine_cast<double>(model[skin.joints[0]]);
     placed.mirrored = determinant(world_from_joint * affine_cast<double>(skin.inverse_bind[0])) < 0.0;
   }
@@ -242,7 +249,7 @@ FrameResult sleep(const Plan& plan, const FrameStep& step) noexcept {
 FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step) noexcept {
   const FrameMemory memory = step.memory;
   FrameWork work(step.tables.stage_ns);
-  const PoseSpan local = evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
+  const PoseSpan local = plan.interpolate ? interpolate_poses(plan, input, step, work) : evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, step, work);

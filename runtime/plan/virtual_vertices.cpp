@@ -67,6 +67,7 @@ void add_weights(const Mesh& mesh, std::vector<float>& metres) {
 VirtualVertices virtual_vertices(const Skeleton& skeleton) {
   VirtualVertices out;
   out.boxes.assign(skeleton.joint_count(), Aabb{glm::vec3(-VirtualVertices::kShell), glm::vec3(VirtualVertices::kShell)});
+  out.moves_vertices.assign(skeleton.joint_count(), false);
   return out;
 }
 
@@ -80,8 +81,10 @@ VirtualVertices virtual_vertices(const Scene& scene) {
       else add_rigid(instance, primitive, boxes[instance.joint]);
     add_weights(mesh, out.metres_per_weight);
   }
-  for (std::size_t j = 0; j < boxes.size(); ++j)
-    if (!boxes[j].empty()) out.boxes[j] = boxes[j];
+  for (std::size_t j = 0; j < boxes.size(); ++j) {
+    out.moves_vertices[j] = !boxes[j].empty();
+    if (out.moves_vertices[j]) out.boxes[j] = boxes[j];
+  }
   return out;
 }
 

@@ -15,6 +15,7 @@ struct VirtualVertices {
   static constexpr float kShell = 0.03f;  ///< in the file's units
 
   std::vector<Aabb> boxes;                ///< [J] never empty
+  std::vector<bool> moves_vertices;       ///< [J] the box is of vertices
   std::vector<float> metres_per_weight;   ///< [W] longest displacement by each morph weight of the scene, mesh space;
                                           ///< kShell for targets that displace nothing
 };

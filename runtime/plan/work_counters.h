@@ -10,6 +10,7 @@ struct WorkCounters {
   std::uint64_t properties_sampled = 0;
   std::uint64_t poses_blended = 0;
   std::uint64_t poses_added = 0;
+  std::uint64_t poses_interpolated = 0;  ///< between two that are there
   std::uint64_t poses_compared = 0;   ///< with the samples of correctives
   std::uint64_t joints_composed = 0;
   std::uint64_t palette_entries = 0;

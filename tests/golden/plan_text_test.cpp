@@ -69,6 +69,8 @@ TEST(plan_text, of_the_samples_is_what_is_stored) {
   expect_plan(samples, "face_at_rest.txt", "face.glb", {"--clip", "none"});
   expect_plan(samples, "face_layered.txt", "face.glb", {"--needs", "weights,additive,masks,properties,hidden-meshes,stage-times"});
   expect_plan(samples, "lift.txt", "lift.gltf", {});
+  expect_plan(samples, "skull_in_less_detail.txt", "skull.glb", {"--clip", "0", "--joint-tolerance", "20", "--needs", "joints,positions,between-updates"});
+  expect_plan(samples, "arms_in_less_detail.txt", "arms.glb", {"--clip", "0", "--joint-tolerance", "3 m"});
 }
 
 TEST(plan_text, is_the_same_as_json) {
@@ -76,6 +78,7 @@ TEST(plan_text, is_the_same_as_json) {
   expect_plan(samples, "skull.json", "skull.glb", {"--json", "--clip", "0"});
   expect_plan(samples, "arms.json", "arms.glb", {"--json", "--skinning", "dual-quaternion", "--clip", "0"});
   expect_plan(samples, "face.json", "face.glb", {"--json", "--layers", "2"});
+  expect_plan(samples, "arms_in_less_detail.json", "arms.glb", {"--json", "--clip", "0", "--joint-tolerance", "3 m"});
 }
 
 }  // namespace

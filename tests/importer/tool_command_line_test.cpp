@@ -51,6 +51,7 @@ TEST(command_line, wrong_usage_is_2_with_a_message_and_no_result) {
       {"plan", model.path(), "--layers", "0"},
       {"plan", model.path(), "--skinning", "linear,linear,linear"},
       {"plan", model.path(), "--normals", "flat"},
+      {"plan", model.path(), "--joint-tolerance", "-1mm"},
   };
   for (const auto& arguments : wrong) {
     const CommandOutcome outcome = run_tool(arguments);

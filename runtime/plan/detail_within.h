@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "runtime/assets/scene.h"
+#include "runtime/plan/joint_detail.h"
+
+namespace sinew {
+
+/// A detail, and how far it was seen to move vertices.
+struct DetailWithin {
+  JointDetail detail;
+  std::uint32_t left_out = 0;         ///< joints
+  double measured_m = 0.0;            ///< largest displacement of the virtual vertices of joints left out
+  std::uint32_t worst_joint = kNone;  ///< whose vertices these are
+};
+
+/// The most joints that poses can do without while no virtual vertex (virtual_vertices.h) is farther than `tolerance_m` from where all
+/// joints together put it. Each joint that is left out holds the mean of what the clips do with it. From the roots down, a joint goes
+/// with all below it when their vertices stay within the tolerance at every key and five times between each two; joints that carry
+/// no vertices go as soon as nothing below them needs them. Cameras and lights keep their joints.
+///
+/// Holds for rigid meshes and linear blending, beyond rounding (vertices are means of what their joints do), for one clip that plays
+/// alone and in full. The other kinds of skinning bend differently about the joints that are left: look at them.
+/// in   scene        finished, passed its checks
+///      tolerance_m  >= 0, in the file's units; 0 leaves out what stands still and what carries nothing
+///      clips        that play, kNone = the rest pose; empty = all clips, or the rest pose where there are none
+/// out  nothing left out (an empty detail) where every joint matters
+/// cost O(key times * J) and more for deep skeletons of which much can go; more than kMostDetailPoses poses of joints are looked
+///      at in even steps. Allocates
+DetailWithin detail_within(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips = {});
+inline constexpr std::size_t kMostDetailPoses = 4'000'000;
+
+}  // namespace sinew
