@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/study/ray_caster.h"
 
+#if SINEW_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <cmath>
 #include <cstdint>
@@ -82,6 +86,22 @@ RTCRay ray_of(const glm::dvec3& from, const glm::dvec3& direction, double limit)
   return ray;
 }
 
+#if SINEW_EMBREE >= 4
+void cast_ray(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray, nullptr); }
+void cast_ray(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray, nullptr); }
+#else
+void cast_ray(RTCScene scene, RTCRayHit& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &ray);
+}
+void cast_ray(RTCScene scene, RTCRay& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+}
+#endif
+
 double reversed_bits(std::uint32_t i) {
   std::uint32_t reversed = 0;
   for (int bit = 0; bit < 32; ++bit) reversed |= (i >> bit & 1u) << (31 - bit);
@@ -129,11 +149,9 @@ RayCaster::RayCaster(const Scene& scene, const FrameResult& frame) : state_(std:
 RayCaster::~RayCaster() = default;
 
 std::optional<RayCaster::Seen> RayCaster::seen(const glm::dvec3& from, const glm::dvec3& direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit ray{ray_of(from, direction, 1e30), {}};
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state_->scene, &context, &ray);
+  cast_ray(state_->scene, ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const Triangle& hit = state_->triangles[ray.hit.primID];
   const double u = static_cast<double>(ray.hit.u), v = static_cast<double>(ray.hit.v), w = 1.0 - u - v;
@@ -149,14 +167,12 @@ double RayCaster::open_share(const Seen& at, double radius_m, int ray_count) con
   const glm::dvec3 from = at.point + off * at.geometric;
   const glm::dvec3 aside = std::abs(at.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 tangent = glm::normalize(glm::cross(at.normal, aside)), bitangent = glm::cross(at.normal, tangent);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   int open = 0;
   for (int i = 0; i < ray_count; ++i) {
     const double angle = 2.0 * std::numbers::pi * reversed_bits(static_cast<std::uint32_t>(i)), height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
     const glm::dvec3 flat = tangent * std::cos(angle) + bitangent * std::sin(angle);
     RTCRay ray = ray_of(from, flat * std::sqrt(1.0 - height2) + at.normal * std::sqrt(height2), radius_m);
-    rtcOccluded1(state_->scene, &context, &ray);
+    cast_ray(state_->scene, ray);
     open += ray.tfar >= 0.0f;
   }
   return static_cast<double>(open) / ray_count;
