@@ -286,7 +286,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
     plan.rest_weights.insert(plan.rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
   for (const Clip* clip : plan.rig.clips) {
     const Clip::Counts counts = clip->counts();
-    plan.clip_tracks.push_back({counts.translations + counts.rotations + counts.scales, counts.weights, counts.properties});
+    const std::uint32_t joint_tracks = counts.translations + counts.rotations + counts.scales;
+    plan.clip_tracks.push_back({joint_tracks, counts.weights, counts.properties, joint_tracks + counts.folded > 0});
   }
   plan.local_to_model =
       scene.skeleton.joint_count() > 0 && (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));

@@ -34,12 +34,9 @@ bool plays_alone(std::span<const ClipLayer> layers) noexcept {
 
 /// No clip that plays has tracks of joints.
 bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
-  for (const ClipLayer& layer : layers) {
-    if (layer.weight == 0.0f) continue;
-    const Clip::Counts counts = plan.rig.clips[layer.clip]->counts();
-    if (counts.translations + counts.rotations + counts.scales + counts.folded > 0) return false;
-  }
-  return true;
+  return std::none_of(layers.begin(), layers.end(), [&](const ClipLayer& layer) {
+    return layer.weight != 0.0f && plan.clip_tracks[layer.clip].moves_joints;
+  });
 }
 
 }  // namespace
@@ -82,29 +79,27 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
 }
 
-bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {
+bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& input) const noexcept {
   if (!keeps_input_ || input.asleep != asleep_) return false;
   if (input.asleep) return true;  // whatever it would do
   if (input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
   if (!same_bits(input.toward, toward_) || ahead_of(input).size() != ahead_count_) return false;
-  const FrameTables tables(plan, FrameMemory{block_.get()});
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
     if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
   return same_layers(input.layers, tables.input_layers.first(layer_count_)) && same_layers(ahead_of(input), tables.input_ahead.first(ahead_count_)) &&
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
 }
 
-StandingJoints FrameBuffer::standing(const Plan& plan, const FrameInput& input) const noexcept {
+StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept {
   if (!keeps_input_ || asleep_ || input.toward != 0.0f || toward_ != 0.0f || !same_bits(input.root, root_)) return StandingJoints::none;
-  const std::span<const ClipLayer> last = FrameTables(plan, FrameMemory{block_.get()}).input_layers.first(layer_count_);
+  const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
   if (!plays_alone(input.layers) || !plays_alone(last)) return StandingJoints::none;
   const bool at_rest = leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
   return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
 }
 
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.
-void FrameBuffer::keep(const Plan& plan, const FrameInput& input) noexcept {
-  const FrameTables tables(plan, FrameMemory{block_.get()});
+void FrameBuffer::keep(const FrameTables& tables, const FrameInput& input) noexcept {
   asleep_ = input.asleep;
   const std::span<const ClipLayer> ahead = ahead_of(input);
   keeps_input_ = input.layers.size() <= tables.input_layers.size() && ahead.size() <= tables.input_ahead.size();

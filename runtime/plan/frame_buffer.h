@@ -13,6 +13,7 @@
 
 namespace sinew {
 
+struct FrameTables;
 enum class StandingJoints : std::uint8_t;
 
 /// Memory that one frame runs into: one block of Plan::frame_bytes bytes, made once and reused every frame. Nothing else is
@@ -48,9 +49,10 @@ class FrameBuffer {
     void operator()(std::byte* block) const noexcept;
   };
   FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block);
-  bool holds_result_of(const Plan& plan, const FrameInput& input) const noexcept;
-  StandingJoints standing(const Plan& plan, const FrameInput& input) const noexcept;
-  void keep(const Plan& plan, const FrameInput& input) noexcept;
+  // `tables`: of this buffer's own memory.
+  bool holds_result_of(const FrameTables& tables, const FrameInput& input) const noexcept;
+  StandingJoints standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept;
+  void keep(const FrameTables& tables, const FrameInput& input) noexcept;
 
   const Scene* scene_ = nullptr;         // the rest pose in the memory is this scene's
   std::uint64_t fingerprint_ = 0;        // of the plan

@@ -181,20 +181,18 @@ void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std
                      FrameWork& work) noexcept {
   const std::uint32_t first = plan.first_primitive[i], end = plan.first_primitive[i + 1];
   const std::span<DeformedPrimitive> shapes = step.tables.primitives;
-  const auto is_current = [&](std::uint32_t p) {
-    const std::uint64_t since = since_of(plan, plan.primitives[p], step.tables);
-    return since != step.number && since == shapes[p].since_frame;
-  };
+  const auto is_current = [&](std::uint32_t p, std::uint64_t since) { return since != step.number && since == shapes[p].since_frame; };
   InstanceResult& last = step.tables.instances[i];
   bool box_is_current = plan.bounds && !last.bounds.empty() && same_bits(last.world_from_mesh, placed.world_from_mesh);
-  for (std::uint32_t p = first; p < end && box_is_current; ++p) box_is_current = is_current(p);
+  for (std::uint32_t p = first; p < end && box_is_current; ++p) box_is_current = is_current(p, since_of(plan, plan.primitives[p], step.tables));
   if (box_is_current) placed.bounds = last.bounds;
   last = placed;
   for (std::uint32_t p = first; p < end; ++p) {
-    if (is_current(p) && (box_is_current || !plan.bounds)) continue;
     const PrimitivePlan& planned = plan.primitives[p];
+    const std::uint64_t since = since_of(plan, planned, step.tables);
+    if (is_current(p, since) && (box_is_current || !plan.bounds)) continue;
     DeformedPrimitive& shape = shapes[p] = deform_primitive(plan, planned, weights, placed.mirrored, step.memory, work);
-    shape.since_frame = since_of(plan, planned, step.tables);
+    shape.since_frame = since;
     if (plan.bounds) bound(last, plan.scene->instances[i], primitive_of(plan, planned), shape, work);
     if (!plan.needs.positions) shape.positions = {};
   }
@@ -226,8 +224,16 @@ void restamp(bool same_before, const FrameStep& step) noexcept {
   for (std::size_t p = 0; p < now.primitives.size(); ++p) take(now.primitives[p].since_frame, before.primitives[p].since_frame);
 }
 
-/// The result of a character that sleeps: tables of nothing, so that whatever comes next is new.
-FrameResult sleep(const Plan& plan, const FrameStep& step) noexcept {
+/// Where the tables of a frame are.
+void show_tables(const Plan& plan, const FrameTables& tables, FrameResult& result) noexcept {
+  if (plan.needs.palettes) result.palettes = tables.palettes;
+  result.instances = tables.instances;
+  result.primitives = tables.primitives;
+  result.stage_ns = tables.stage_ns;
+}
+
+/// A character that sleeps: tables of nothing, so that whatever comes next is new.
+void sleep(const Plan& plan, const FrameStep& step, FrameResult& result) noexcept {
   const FrameTables& tables = step.tables;
   std::fill(tables.palettes.begin(), tables.palettes.end(), SkinPalette{});
   std::fill(tables.weights_since.begin(), tables.weights_since.end(), 0);
@@ -236,17 +242,13 @@ FrameResult sleep(const Plan& plan, const FrameStep& step) noexcept {
     tables.instances[i] = {.world_from_mesh = {}, .first_primitive = plan.first_primitive[i], .visible = false, .bounds = {}};
     leave_out(plan, i, tables.primitives);
   }
-  FrameResult result;
-  if (plan.needs.palettes) result.palettes = tables.palettes;
-  result.instances = tables.instances;
-  result.primitives = tables.primitives;
-  result.stage_ns = tables.stage_ns;
+  result.model = {}, result.weights = {}, result.properties = {}, result.hidden = {};
+  show_tables(plan, tables, result);
   result.work = FrameWork(tables.stage_ns).counters();
-  return result;
 }
 
-/// Everything from the input to the tables. Answers the result without its numbers of frames.
-FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step) noexcept {
+/// Everything from the input to the result, but for its numbers of frames.
+void evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step, FrameResult& result) noexcept {
   const FrameMemory memory = step.memory;
   FrameWork work(step.tables.stage_ns);
   const PoseSpan local = plan.interpolate ? interpolate_poses(plan, input, step, work) : evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
@@ -260,17 +262,12 @@ FrameResult evaluate(const Plan& plan, const FrameInput& input, const FrameStep&
   make_palettes(plan, model, wanted_palettes(plan, unseen, memory), step, work);
   for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, unseen, step, work);
   std::copy(weights.begin(), weights.end(), step.tables.last_weights.begin());
-  FrameResult result;
   if (plan.needs.joints) result.model = model;
   result.weights = weights;
   if (plan.needs.properties) result.properties = properties;
   result.hidden = hidden;
-  if (plan.needs.palettes) result.palettes = step.tables.palettes;
-  result.instances = step.tables.instances;
-  result.primitives = step.tables.primitives;
-  result.stage_ns = step.tables.stage_ns;
+  show_tables(plan, step.tables, result);
   result.work = work.counters();
-  return result;
 }
 
 }  // namespace
@@ -282,16 +279,19 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameBuffer* other = std::exchange(frame.before_, nullptr);
   const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
-  const FrameStep step{memory, FrameTables(plan, memory), memory_before, FrameTables(plan, memory_before), frame.result_.frame + 1,
-                       frame.standing(plan, input)};
-  const bool same_before = before.holds_result_of(plan, input);
+  const FrameTables tables(plan, memory);
+  const FrameStep step{memory, tables, memory_before, &before == &frame ? tables : FrameTables(plan, memory_before), frame.result_.frame + 1,
+                       frame.standing(plan, tables, input)};
+  const bool same = frame.holds_result_of(tables, input);
+  const bool same_before = &before == &frame ? same : before.holds_result_of(step.tables_before, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
-  if (frame.holds_result_of(plan, input)) {
+  if (same) {
     if (&before != &frame) restamp(same_before, step);
     frame.result_.work = FrameWork(step.tables.stage_ns).counters();   // no stage ran
   } else {
-    frame.result_ = input.asleep ? sleep(plan, step) : evaluate(plan, input, step);
-    frame.keep(plan, input);
+    if (input.asleep) sleep(plan, step, frame.result_);
+    else evaluate(plan, input, step, frame.result_);
+    frame.keep(tables, input);
   }
   frame.result_.frame = step.number, frame.result_.since_frame = since;
   return ErrorCode::ok;
