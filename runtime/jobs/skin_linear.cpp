@@ -6,30 +6,24 @@
 #include <hwy/foreach_target.h>
 
 #include "runtime/jobs/blend_columns-inl.h"
-#include "runtime/jobs/blend_matrix.h"
 #include "runtime/jobs/one_matrix-inl.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 
-#ifndef SINEW_SKIN_LINEAR_ONCE
-#define SINEW_SKIN_LINEAR_ONCE
-namespace sinew {
-namespace {
-
-/// The normal of one vertex where squares leave float's range, or the blend has none.
-template <int kCount>
-glm::vec3 careful_normal(std::span<const JointMatrix> palette, const VertexJoints<kCount>& vertex, const glm::vec3& n, bool cofactor) noexcept {
-  const Affine m = blend_matrix(palette, vertex);
-  return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
-}
-
-}  // namespace
-}  // namespace sinew
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
+
+/// The normal of vertex `v` of a tile where squares leave float's range, or the blend has none. Its matrix is the one that moves
+/// its position, to the last bit.
+template <int kCount>
+glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v, const glm::vec3& n, bool cofactor) {
+  const MatrixParts parts = blend_parts(palette, tile, v);
+  JointMatrix blended;
+  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
+  const Affine m = affine_from(blended);
+  return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
+}
 
 /// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long as
 /// the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's work.
@@ -120,11 +114,11 @@ struct SkinRow {
 #endif
 
   HWY_NOINLINE void write_careful_normal(const Row& row, std::size_t t, std::size_t v) const {
-    row.out(t).normals[v] = careful_normal(job.palette, row.joints(t).at(v), row.in(t).normals[v], kCofactor);
+    row.out(t).normals[v] = careful_normal(job.palette.data(), row.joints(t), v, row.in(t).normals[v], kCofactor);
   }
   HWY_NOINLINE void write_careful_tangent(const Row& row, std::size_t t, std::size_t v) const {
     const glm::vec4 tangent = row.in(t).tangents[v];
-    row.out(t).tangents[v] = glm::vec4(careful_normal(job.palette, row.joints(t).at(v), glm::vec3(tangent), false), tangent.w);
+    row.out(t).tangents[v] = glm::vec4(careful_normal(job.palette.data(), row.joints(t), v, glm::vec3(tangent), false), tangent.w);
   }
 };
 
