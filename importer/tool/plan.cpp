@@ -75,6 +75,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"joints_composed", work.joints_composed},
           {"palette_entries", work.palette_entries},
           {"palette_entries_split", work.palette_entries_split},
+          {"combinations_blended", work.combinations_blended},
           {"morph_deltas", work.morph_deltas},
           {"vertices_morphed", work.vertices_morphed},
           {"vertices_skinned_linear", work.vertices_skinned_linear},

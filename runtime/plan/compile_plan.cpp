@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "runtime/assets/clip_layout.h"
 #include "runtime/base/contract.h"
@@ -97,10 +99,29 @@ class NeverShown {
   std::unique_ptr<bool[]> hidden_;
 };
 
+/// Combines the influences of primitives, once for all instances of one skin.
+class CombinationsOfPlan {
+ public:
+  explicit CombinationsOfPlan(Plan& plan) : plan_(plan) {}
+
+  /// The primitive's place in Plan::combined of the skin, or kNone where its vertices blend for themselves.
+  std::uint32_t of(const Primitive& primitive, std::uint32_t skin) {
+    std::vector<CombinedInfluences>& all = plan_.combined[skin];
+    const auto [at, is_new] = known_.try_emplace({&primitive, skin}, static_cast<std::uint32_t>(all.size()));
+    if (is_new) all.push_back(combine_influences(primitive.influences, matrix_count(plan_, skin)));
+    return all[at->second].used() ? at->second : kNone;
+  }
+
+ private:
+  Plan& plan_;
+  std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
+};
+
 void plan_primitives(Plan& plan) {
   const Scene& scene = *plan.scene;
   const NeverShown never_shown(plan);
   const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
+  CombinationsOfPlan combinations(plan);
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
@@ -116,6 +137,8 @@ void plan_primitives(Plan& plan) {
         if (planned.skinning != Skinning::linear) {
           plan.split[instance.skin] = true;
           planned.pairs = sharing_pairs(primitives[p].influences, scene.skins[instance.skin].joints.size());
+        } else {
+          planned.combined = combinations.of(primitives[p], instance.skin);
         }
       }
       plan.primitives.push_back(planned);
@@ -205,7 +228,7 @@ void place(Plan& plan) {
   std::size_t largest_palette = 0;
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
-    plan.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? joints : 0));
+    plan.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? matrix_count(plan, s) : 0));
     plan.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
     if (plan.palette[s]) largest_palette = std::max(largest_palette, joints);
   }
@@ -282,6 +305,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of(plan.rig, mask));
   plan.palette.resize(scene.skins.size());
   plan.split.resize(scene.skins.size());
+  plan.combined.resize(scene.skins.size());
   for (const MeshInstance& instance : scene.instances)
     plan.rest_weights.insert(plan.rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
   for (const Clip* clip : plan.rig.clips) {

@@ -7,6 +7,7 @@
 
 #include "runtime/assets/scene.h"
 #include "runtime/jobs/joint_palette.h"
+#include "runtime/plan/combine_influences.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/rig.h"
 
@@ -36,6 +37,7 @@ struct PrimitivePlan {
   bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
   Skinning skinning = Skinning::linear;
   std::vector<JointPair> pairs;  ///< joints that share vertices, for dual quaternions (sign_pairs.h)
+  std::uint32_t combined = kNone;  ///< index into Plan::combined of its skin, where that is used
   bool lacks_centers = false;   ///< `skinning` is linear in place of center_of_rotation
   std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;  ///< byte offsets into the frame memory
 
@@ -81,6 +83,7 @@ struct Plan {
        bounds = false;
   bool hide = false, hide_per_frame = false;   ///< some joint may be hidden; clips decide it
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
+  std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly (C06)
   std::vector<std::vector<JointPair>> sign_edges;  ///< [skins] of those that are split (sign_pairs.h)
 
   // Byte offsets into the frame memory. The rest pose is written once, the rest by every frame.
@@ -94,7 +97,7 @@ struct Plan {
   std::size_t hidden_at = 0;                                      ///< bool[joints]
   std::size_t palette_wanted_at = 0;                              ///< bool[skins]: an instance that is seen needs the skin
   std::size_t model_at = 0;
-  std::vector<std::size_t> palette_at, split_at;                  ///< [skins]
+  std::vector<std::size_t> palette_at, split_at;                  ///< [skins]; combinations follow the joints of a palette
   std::size_t new_palette_at = 0;              ///< of the skin at hand, until it is known to differ from the frame before
   std::size_t stretch_at = 0;                                     ///< bool[skins]: the split found stretch
   std::size_t morphed_positions_at = 0, morphed_normals_at = 0, morphed_tangents_at = 0;  ///< between morph and skin
@@ -106,6 +109,14 @@ struct Plan {
 
 inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& planned) noexcept {
   return plan.scene->meshes[plan.scene->instances[planned.instance].mesh].primitives[planned.primitive];
+}
+
+/// Matrices of a skin that a frame keeps: of its joints, then of combinations of them.
+inline std::size_t matrix_count(const Plan& plan, std::size_t skin) noexcept {
+  std::size_t count = plan.scene->skins[skin].joints.size();
+  for (const CombinedInfluences& combined : plan.combined[skin])
+    if (combined.used()) count += combined.combination_count;
+  return count;
 }
 
 /// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance, masks of one

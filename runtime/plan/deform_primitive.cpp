@@ -94,7 +94,7 @@ struct Deformation {
   std::uint32_t skin_index() const noexcept { return plan.scene->instances[planned.instance].skin; }
   std::size_t joint_count() const noexcept { return plan.scene->skins[skin_index()].joints.size(); }
   std::span<const JointMatrix> palette() const noexcept {
-    return memory.array<JointMatrix>(plan.palette_at[skin_index()], joint_count());
+    return memory.array<JointMatrix>(plan.palette_at[skin_index()], matrix_count(plan, skin_index()));
   }
   std::span<const RigidStretch> split() const noexcept {
     return memory.array<RigidStretch>(plan.split_at[skin_index()], joint_count());
@@ -110,7 +110,8 @@ struct Deformation {
   }
 
   void skin_linear(const VertexOutput& out) noexcept {
-    const SkinLinearJob job{.influences = &primitive.influences,
+    const bool combined = planned.combined != kNone;
+    const SkinLinearJob job{.influences = combined ? &plan.combined[skin_index()][planned.combined].vertices : &primitive.influences,
                             .palette = palette(),
                             .vertices = now,
                             .out = out,

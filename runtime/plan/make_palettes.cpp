@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "runtime/base/same_bits.h"
+#include "runtime/jobs/blend_combinations.h"
 #include "runtime/jobs/joint_palette.h"
 
 namespace sinew {
@@ -19,6 +20,19 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
   run(job);
   work.palette_entries_split += palette.size();
   work.spent_on(Stage::split_palette);
+}
+
+/// The matrices that vertices share, behind those of the joints (C06).
+void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, FrameWork& work) noexcept {
+  for (const CombinedInfluences& combined : plan.combined[skin]) {
+    if (!combined.used()) continue;
+    const std::span<JointMatrix> all = memory.array<JointMatrix>(plan.palette_at[skin], combined.first_matrix + combined.combination_count);
+    const BlendCombinationsJob job{.combinations = &combined.combinations, .palette = palette, .blended = all.subspan(combined.first_matrix)};
+    assert(check(job) == ErrorCode::ok);
+    run(job);
+    work.combinations_blended += combined.combination_count;
+    work.spent_on(Stage::combinations);
+  }
 }
 
 /// Palette of a skin from the model matrices, in memory that all skins share.
@@ -49,6 +63,7 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
   if (is_current) return;
   std::copy(made.begin(), made.end(), palette.begin());
   if (plan.split[s]) split(plan, s, palette, step.memory, work);
+  combine(plan, s, palette, step.memory, work);
 }
 
 }  // namespace

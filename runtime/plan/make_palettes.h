@@ -17,8 +17,8 @@ struct FrameStep {
   StandingJoints standing = StandingJoints::none;
 };
 
-/// Stages palette and split_palette, with the stamps of the palettes. A palette of the same bits as in the frame before is
-/// neither written nor split again (P19).
+/// Stages palette, split_palette and combinations, with the stamps of the palettes. A palette of the same bits as in the frame before is
+/// neither written nor split nor combined again (P19).
 /// in   model[J];   wanted[skins]  needed by this frame; empty = all that are planned
 /// cost O(joints of the skins), no allocation
 void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, const FrameStep& step,

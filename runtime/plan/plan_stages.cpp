@@ -118,6 +118,24 @@ PlanStage describe_skins(const Plan& plan, std::string stage, const std::vector<
           entries, entries * entry_bytes};
 }
 
+/// Matrices that vertices share (C06), of the distinct primitives of each skin.
+PlanStage describe_combinations(const Plan& plan) {
+  std::uint64_t used = 0, combinations = 0, vertices = 0, unused = 0, unused_combinations = 0, unused_vertices = 0;
+  for (const std::vector<CombinedInfluences>& of_skin : plan.combined)
+    for (const CombinedInfluences& c : of_skin) {
+      if (c.used()) ++used, combinations += c.combination_count, vertices += c.blended_vertices;
+      else if (c.blended_vertices > 0) ++unused, unused_combinations += c.combination_count, unused_vertices += c.blended_vertices;
+    }
+  const auto those = [](std::uint64_t c, std::uint64_t v) { return counted(c, "combination", "combinations") + " of joints and weights for " + counted(v, "vertex", "vertices"); };
+  const std::string left_out = "too little is shared in " + primitives(unused) + ": " + those(unused_combinations, unused_vertices);
+  if (used > 0) {
+    std::string reason = primitives(used) + " with " + those(combinations, vertices) + ": each is blended once";
+    if (unused > 0) reason += "; " + left_out;
+    return {"combinations", true, std::move(reason), combinations, combinations * sizeof(JointMatrix)};
+  }
+  return {"combinations", false, unused > 0 ? left_out : "no vertex blends the matrices of several joints", 0, 0};
+}
+
 std::string why_no_skinning(const Plan& plan) {
   if (!plan.needs.vertices()) return "no vertices are asked for";
   const bool any =
@@ -233,6 +251,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
           describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix),
                          plan.needs.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
           describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
+          describe_combinations(plan),
           describe_morph(plan),
           describe_skin(plan, "skin_linear", Skinning::linear),
           describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),

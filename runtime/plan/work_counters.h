@@ -15,6 +15,7 @@ struct WorkCounters {
   std::uint64_t joints_composed = 0;
   std::uint64_t palette_entries = 0;
   std::uint64_t palette_entries_split = 0;
+  std::uint64_t combinations_blended = 0;
   std::uint64_t morph_deltas = 0;
   std::uint64_t vertices_morphed = 0;
   std::uint64_t vertices_skinned_linear = 0;

@@ -98,7 +98,10 @@ class Maker {
           last ? vertex_count - first : std::min(vertex_count - first, 1 + random_.below(17));
       influences.groups.push_back(
           {first, vertices, std::min(n, most), static_cast<std::uint32_t>(influences.joints.size())});
-      for (std::uint32_t v = 0; v < vertices; ++v) add_vertex(influences, std::min(n, most), joints);
+      for (std::uint32_t v = 0; v < vertices; ++v) {
+        if (options_.combinations == 0 || v < options_.combinations) add_vertex(influences, std::min(n, most), joints);
+        else repeat_vertex(influences, random_.below(options_.combinations));
+      }
       first += vertices;
     }
     return influences;
@@ -113,6 +116,15 @@ class Maker {
     for (std::uint32_t i = 0; i < count; ++i) {
       influences.joints.push_back(static_cast<std::uint16_t>((first + i) % joints));
       influences.weights.push_back(static_cast<float>(weights[i] / sum));
+    }
+  }
+
+  /// Adds a vertex with the influences of the `index`-th one of the last group.
+  static void repeat_vertex(VertexInfluences& influences, std::uint32_t index) {
+    const InfluenceGroup& group = influences.groups.back();
+    for (std::uint32_t i = 0; i < group.influence_count; ++i) {
+      const std::size_t at = group.first_influence + index * group.influence_count + i;
+      influences.joints.push_back(influences.joints[at]), influences.weights.push_back(influences.weights[at]);
     }
   }
 

@@ -16,6 +16,7 @@ struct RandomSceneOptions {
   std::uint32_t instances = 4;   ///< every other one is skinned, if there are skins
   std::uint32_t triangles = 40;  ///< of each primitive
   std::uint32_t most_influences = 6;
+  std::uint32_t combinations = 0;    ///< of joints and weights that vertices share; 0 = each vertex has its own
   bool normals = true, tangents = true, colors = true;
   bool flat_normals = false;  ///< every second primitive
   bool centers = false;          ///< of rotation, for skinned meshes
