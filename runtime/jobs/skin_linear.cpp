@@ -66,10 +66,13 @@ struct SkinRow {
     for (std::size_t first = 0; first < row.tile_count; first += kKept) {
       const std::size_t end = std::min(row.tile_count, first + kKept);
       for (std::size_t t = first; t < end; ++t) move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
+      auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t) {
-        if constexpr (kNormals) write_normals(normals[t - first], row, t);
-        if constexpr (kTangents) write_tangents(tangents[t - first], row, t);
+        if constexpr (kNormals) sound = hn::And(sound, write_normals(normals[t - first], row, t));
+        if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
       }
+      if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
+        for (std::size_t t = first; t < end; ++t) write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], row, t);
     }
   }
 
@@ -89,15 +92,15 @@ struct SkinRow {
     store_packed(positions, row.out(t).positions);
   }
 
-  HWY_INLINE void write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
+  HWY_INLINE hn::Mask<TileTag> write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
     Wide normals[4];
     kept.load(normals);
     const auto sound = normalise(normals);
     store_packed(normals, row.out(t).normals);
-    for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
+    return sound;
   }
 
-  HWY_INLINE void write_tangents(const KeptQuarters& kept, const Row& row, std::size_t t) const {
+  HWY_INLINE hn::Mask<TileTag> write_tangents(const KeptQuarters& kept, const Row& row, std::size_t t) const {
     const TileTag d;
     static constexpr LaneTable kHandedness([](std::size_t i) { return i % 4 == 3 ? -1 : 0; });
     const auto handedness = hn::MaskFromVec(hn::BitCast(d, hn::Load(hn::RebindToSigned<TileTag>(), kHandedness.lanes)));
@@ -108,7 +111,20 @@ struct SkinRow {
       const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
       hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &row.out(t).tangents[q * kBlocks].x);
     });
-    for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+    return sound;
+  }
+
+  /// What is not sound of a tile. Apart from the loops over tiles, whose tables would otherwise not stay in registers across a call.
+  HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row, std::size_t t) const {
+    if constexpr (kNormals)
+      for_each_lane_not_in(soundness(normals), [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
+    if constexpr (kTangents)
+      for_each_lane_not_in(soundness(tangents), [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+  }
+  static hn::Mask<TileTag> soundness(const KeptQuarters& kept) {
+    Wide quarters[4];
+    kept.load(quarters);
+    return normalise(quarters);
   }
 
 #endif
