@@ -45,16 +45,46 @@ class Pivot {
 #endif
 };
 
+/// Weights of one vertex, each in all lanes. Four are loaded at once.
+template <int kCount>
+class EightWeights {
+ public:
+  HWY_INLINE explicit EightWeights(const float* weights) : weights_(weights) {}
+  HWY_INLINE hn::Vec<EightTag> of(std::size_t i) const { return hn::Set(EightTag(), weights_[i]); }
+
+ private:
+  const float* weights_;
+};
+
+#if HWY_TARGET != HWY_SCALAR
+template <>
+class EightWeights<4> {
+ public:
+  HWY_INLINE explicit EightWeights(const float* weights) : four_(hn::LoadDup128(EightTag(), weights)) {}
+  HWY_INLINE hn::Vec<EightTag> of(std::size_t i) const {
+    switch (i) {
+      case 0: return hn::Broadcast<0>(four_);
+      case 1: return hn::Broadcast<1>(four_);
+      case 2: return hn::Broadcast<2>(four_);
+      default: return hn::Broadcast<3>(four_);
+    }
+  }
+
+ private:
+  hn::Vec<EightTag> four_;
+};
+#endif
+
 /// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be +
 template <int kCount>
 HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex, bool one_side) {
-  const EightTag d;
   const float* first = &split[vertex.joints[0]].rigid.real.x;
   Eight sum = load_eight(first);
   if constexpr (kCount == 1) return sum;
-  sum = times(sum, hn::Set(d, vertex.weights[0]));
+  const EightWeights<kCount> weights(vertex.weights);
+  sum = times(sum, weights.of(0));
   if (one_side) {
-    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&split[vertex.joints[i]].rigid.real.x, hn::Set(d, vertex.weights[i]), sum);
+    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&split[vertex.joints[i]].rigid.real.x, weights.of(i), sum);
     return sum;
   }
   const Pivot pivot(first);
@@ -78,13 +108,21 @@ HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInflue
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
   Eight sums[kTileSize];
-  if constexpr (kCount == 1) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
-  else if (one_side) for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
+  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
   else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), false); });
   const Lanes8 sum = lanes_of(sums);
-  if constexpr (kCount == 1) return {sum.low, sum.high, two, hn::Eq(two, two)};
-  const Wide squared = dot(sum.low, sum.low);
-  return {sum.low, sum.high, hn::Div(two, squared), hn::Gt(squared, hn::Set(d, 1e-12f))};
+  const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;  // one by one: compilers keep copies of fours in memory
+  const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
+  MotionLanes out;
+  out.real.x = x, out.real.y = y, out.real.z = z, out.real.w = w;
+  out.dual.x = dx, out.dual.y = dy, out.dual.z = dz, out.dual.w = dw;
+  if constexpr (kCount == 1) {
+    out.twice_over_square = two, out.sound = hn::Eq(two, two);
+  } else {
+    const Wide squared = hn::MulAdd(w, w, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
+    out.twice_over_square = hn::Div(two, squared), out.sound = hn::Gt(squared, hn::Set(d, 1e-12f));
+  }
+  return out;
 }
 
 /// Symmetric matrices of a tile.

@@ -51,28 +51,19 @@ HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
 
 #else
 
-/// Four by four within every block: lane i of the results comes from argument i.
-HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
-  const TileTag d;
-  const Wide ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
-  const Wide be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
-  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low), hn::InterleaveLower(d, ac_high, be_high),
-          hn::InterleaveUpper(d, ac_high, be_high)};
-}
-
 /// A tile's eights as lanes, the first four floats of each in `low`.
 HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
-  const auto pair = [&](std::size_t first) HWY_ATTR { return hn::Combine(d, e[first + 8].part[0], e[first].part[0]); };
-  const Lanes4 a = transpose(pair(0), pair(1), pair(2), pair(3)), b = transpose(pair(4), pair(5), pair(6), pair(7));
+  const auto pair = [&](std::size_t first) HWY_ATTR { return hn::Combine(d, e[first + 2].part[0], e[first].part[0]); };
+  const Lanes4 a = transpose(pair(0), pair(4), pair(8), pair(12)), b = transpose(pair(1), pair(5), pair(9), pair(13));
   const auto even = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(of_b), of_a); };
   const auto odd = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(of_b, hn::SwapAdjacentBlocks(of_a)); };
   return {{even(a.x, b.x), even(a.y, b.y), even(a.z, b.z), even(a.w, b.w)}, {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
 #elif HWY_MAX_BYTES >= 32
   const TileTag d;
-  const Lanes4 a = transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]);
-  const Lanes4 b = transpose(e[4].part[0], e[5].part[0], e[6].part[0], e[7].part[0]);
+  const Lanes4 a = transpose(e[0].part[0], e[2].part[0], e[4].part[0], e[6].part[0]);
+  const Lanes4 b = transpose(e[1].part[0], e[3].part[0], e[5].part[0], e[7].part[0]);
   const auto low = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatLowerLower(d, of_b, of_a); };
   const auto high = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatUpperUpper(d, of_b, of_a); };
   return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)}, {high(a.x, b.x), high(a.y, b.y), high(a.z, b.z), high(a.w, b.w)}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of a tile's vertices as structure of arrays: one vertex a lane, in order.
+// Vectors of a tile's vertices as structure of arrays: lane i is vertex `vertex_of_lane(i)`.
 #if defined(SINEW_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_INL_H_
 #undef SINEW_LANES_INL_H_
@@ -7,7 +7,7 @@
 #define SINEW_LANES_INL_H_
 #endif
 
-#include "runtime/jobs/tile-inl.h"
+#include "runtime/jobs/quarter_lanes-inl.h"
 #include "runtime/math/normal_transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,21 +40,53 @@ HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) { return {hn::Sub(a.x,
 HWY_INLINE Lanes3 times(const Lanes3& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
 HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)}; }
 
-HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
-  Lanes3 out;
-  hn::LoadInterleaved3(TileTag(), &tile->x, out.x, out.y, out.z);
-  return out;
-}
+#if HWY_TARGET == HWY_SCALAR
 
+constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane; }
+
+HWY_INLINE Lanes3 load3(const glm::vec3* tile) { return {hn::LoadU(TileTag(), &tile->x), hn::LoadU(TileTag(), &tile->y), hn::LoadU(TileTag(), &tile->z)}; }
 HWY_INLINE void store3(const Lanes3& v, glm::vec3* tile) { hn::StoreInterleaved3(v.x, v.y, v.z, TileTag(), &tile->x); }
-
 HWY_INLINE Lanes4 load4(const glm::vec4* tile) {
   Lanes4 out;
   hn::LoadInterleaved4(TileTag(), &tile->x, out.x, out.y, out.z, out.w);
   return out;
 }
-
 HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) { hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &tile->x); }
+
+#else
+
+/// Four by four within every block: lane i of the results comes from argument i, and back.
+HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
+  const TileTag d;
+  const Wide ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
+  const Wide be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
+  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low), hn::InterleaveLower(d, ac_high, be_high),
+          hn::InterleaveUpper(d, ac_high, be_high)};
+}
+
+HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
+  const Lanes4 all = transpose(load_quarter<0>(tile), load_quarter<1>(tile), load_quarter<2>(tile), load_quarter<3>(tile));
+  return {all.x, all.y, all.z};
+}
+
+HWY_INLINE void store3(const Lanes3& v, glm::vec3* tile) {
+  const Lanes4 all = transpose(v.x, v.y, v.z, v.z);
+  const Wide quarters[4] = {all.x, all.y, all.z, all.w};
+  store_packed(quarters, tile);
+}
+
+HWY_INLINE Lanes4 load4(const glm::vec4* tile) {
+  const auto quarter = [&](std::size_t q) HWY_ATTR { return hn::LoadU(TileTag(), &tile[q * kBlocks].x); };
+  return transpose(quarter(0), quarter(1), quarter(2), quarter(3));
+}
+
+HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
+  const Lanes4 all = transpose(v.x, v.y, v.z, v.w);
+  const auto store = [&](Wide quarter, std::size_t q) HWY_ATTR { hn::StoreU(quarter, TileTag(), &tile[q * kBlocks].x); };
+  store(all.x, 0), store(all.y, 1), store(all.z, 2), store(all.w, 3);
+}
+
+#endif  // HWY_TARGET
 
 /// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same choice
 /// as transform_normal_outward.

@@ -42,15 +42,22 @@ HWY_INLINE Spread3 spread(Wide quarter) {
   return {hn::Broadcast<0>(quarter), hn::Broadcast<1>(quarter), hn::Broadcast<2>(quarter)};
 }
 
-/// One quarter of a tile of packed vectors; the last one is read up to the tile's end. One step across blocks and three within
-/// them, of which processors do more at a time.
+/// One quarter of a tile of packed vectors; the last one is read up to the tile's end.
 template <std::size_t kQuarter>
-HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
+HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   constexpr std::size_t kBefore = kQuarter == 3 ? kBlocks : 0;
   const Wide packed = hn::LoadU(TileTag(), &tile->x + kQuarter * 3 * kBlocks - kBefore);
-  if constexpr (kTileSize == 4) return {hn::Broadcast<kBefore>(packed), hn::Broadcast<kBefore + 1>(packed), hn::Broadcast<kBefore + 2>(packed)};
   static constexpr LaneTable kTable([](std::size_t i) { return kBefore + i / 4 * 3 + i % 4 % 3; });
-  return spread(hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes)));
+  return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+/// The same, spread: one step across blocks and three within them, of which processors do more at a time.
+template <std::size_t kQuarter>
+HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
+  if constexpr (kTileSize > 4) return spread(load_quarter<kQuarter>(tile));
+  constexpr std::size_t kBefore = kQuarter == 3 ? 1 : 0;
+  const Wide packed = hn::LoadU(TileTag(), &tile->x + kQuarter * 3 - kBefore);
+  return {hn::Broadcast<kBefore>(packed), hn::Broadcast<kBefore + 1>(packed), hn::Broadcast<kBefore + 2>(packed)};
 }
 
 /// Lanes `kOutput * N` and following of the tile's packed vectors, as far as they come from one quarter.
@@ -74,8 +81,12 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
   hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
 }
 
+/// Where lanes are vertices, they are in the order in which four by four within the blocks of quarters turns them: nothing crosses
+/// blocks.
+constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
+
 /// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Answers the lanes whose square is in
-/// the range in which float keeps its digits; the others come out wrong. Lane i is vertex `vertex_of_lane(i)`.
+/// the range in which float keeps its digits; the others come out wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
   const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]), ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
@@ -89,7 +100,6 @@ HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   quarter[3] = hn::Mul(quarter[3], hn::Broadcast<3>(scale));
   return keeps_digits(squared);
 }
-constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
 /// The quarters of a tile, kept for later.
 struct KeptQuarters {

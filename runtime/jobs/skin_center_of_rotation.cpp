@@ -47,10 +47,8 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
 #else
   Wide quarters[4];
   for_each_quarter([&](auto q) HWY_ATTR { quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread<q>(centers)); });
-  HWY_ALIGN float packed[3 * kTileSize];
-  glm::vec3* moved = reinterpret_cast<glm::vec3*>(packed);
-  store_packed(quarters, moved);
-  return load3(moved);
+  const Lanes4 moved = transpose(quarters[0], quarters[1], quarters[2], quarters[3]);
+  return {moved.x, moved.y, moved.z};
 #endif
 }
 
@@ -81,7 +79,10 @@ struct SkinTile {
     Lanes3 arm = minus(load3(in.positions), load3(centers));
     if constexpr (kStretch) arm = apply(stretch, arm);
     store3(plus(rotate(motion, arm), moved), out.positions);
-    for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job, joints.at(v), centers[v], in, out, v); });
+    for_each_lane_not_in(sound, [&](std::size_t lane) {
+      const std::size_t v = vertex_of_lane(lane);
+      skin_vertex<kCount, kStretch>(job, joints.at(v), centers[v], in, out, v);
+    });
   }
 };
 

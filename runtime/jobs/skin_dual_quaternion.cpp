@@ -60,7 +60,10 @@ struct SkinTile {
     Lanes3 p = load3(in.positions);
     if constexpr (kStretch) p = apply(stretch, p);
     store3(plus(rotate(motion, p), translation(motion)), out.positions);
-    for_each_lane_not_in(sound, [&](std::size_t v) { skin_vertex<kCount, kStretch>(job.split, joints.at(v), in, out, v); });
+    for_each_lane_not_in(sound, [&](std::size_t lane) {
+      const std::size_t v = vertex_of_lane(lane);
+      skin_vertex<kCount, kStretch>(job.split, joints.at(v), in, out, v);
+    });
   }
 };
 
