@@ -79,6 +79,10 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
 }
 
+bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {
+  return holds_result_of(FrameTables(plan, FrameMemory{block_.get()}), input);
+}
+
 bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& input) const noexcept {
   if (!keeps_input_ || input.asleep != asleep_) return false;
   if (input.asleep) return true;  // whatever it would do

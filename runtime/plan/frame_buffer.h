@@ -34,6 +34,9 @@ class FrameBuffer {
 
   const FrameResult& result() const noexcept { return result_; }
 
+  /// The result is that of this input: running it again would do nothing (P19).
+  bool holds_result_of(const Plan& plan, const FrameInput& input) const noexcept;
+
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 

@@ -55,6 +55,7 @@ struct CharacterState {
   TripleSlots slots;
   const FrameBuffer* last_good = nullptr;
   ErrorCode error = ErrorCode::ok;  // of the frame that has just run
+  bool has_new = false;             // it was run, and gave a result
 };
 
 }  // namespace
@@ -124,11 +125,18 @@ void JobThread::State::run_batch() {
 void JobThread::State::run_character(std::size_t c) noexcept {
   const Ticket ticket = started.load(std::memory_order_acquire);
   CharacterState& character = *characters[c];
-  FrameBuffer& buffer = character.buffers[character.slots.writing()];
-  buffer.count_from(ticket - 1);
-  if (character.last_good != nullptr) buffer.follow(*character.last_good);
-  character.error = run_plan(*character.plan, running.inputs[c].view(), buffer);
-  if (character.error == ErrorCode::ok) character.last_good = &buffer;
+  const FrameInput input = running.inputs[c].view();
+  const bool is_there = character.last_good != nullptr && character.last_good->holds_result_of(*character.plan, input);
+  if (!is_there) {
+    FrameBuffer& buffer = character.buffers[character.slots.writing()];
+    buffer.count_from(ticket - 1);
+    if (character.last_good != nullptr) buffer.follow(*character.last_good);
+    character.error = run_plan(*character.plan, input, buffer);
+    if (character.error == ErrorCode::ok) character.last_good = &buffer;
+  } else {
+    character.error = ErrorCode::ok;
+  }
+  character.has_new = !is_there && character.error == ErrorCode::ok;
   characters_run.fetch_add(1, std::memory_order_acq_rel);
 }
 
@@ -136,10 +144,8 @@ void JobThread::State::run_character(std::size_t c) noexcept {
 void JobThread::State::publish() noexcept {
   ErrorCode first = ErrorCode::ok;
   for (const auto& character : characters) {
-    if (character->error == ErrorCode::ok)
-      character->slots.publish();
-    else if (first == ErrorCode::ok)
-      first = character->error;
+    if (character->has_new) character->slots.publish();
+    if (first == ErrorCode::ok) first = character->error;
   }
   error.store(first, std::memory_order_release);
 }

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// Names one submitted frame: 1 for the first, rising by one per submit; also FrameResult::frame of its results.
+/// Names one submitted frame: 1 for the first, rising by one per submit; also FrameResult::frame of what is run for it.
 using Ticket = std::uint64_t;
 
 /// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its own
@@ -53,7 +53,8 @@ class JobThread {
   void wait(Ticket ticket) const;
 
   /// Newest finished frame of a character; stays valid and unchanged until the next call of latest() for that character.
-  /// Null before the first frame is done.
+  /// A character whose input is as before is not run: it keeps its result, with the number of the frame that made it, so
+  /// that characters who rest or are held (update_rate.h) cost nothing. Null before the first frame is done.
   const FrameResult* latest(Character character) noexcept;
 
   /// First error of the last finished frame in the order of characters, ok if none. A character that failed keeps showing

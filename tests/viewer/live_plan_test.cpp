@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/scenes/hand_scenes.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -42,6 +44,23 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
   EXPECT_FALSE(row(live, "morph").runs);
+}
+
+TEST(live_plan, says_how_often_poses_are_evaluated) {
+  const Scene scene = test::arm_scene();
+  const Plan plan = compile_plan(scene, {});
+  UpdateLevels levels(plan, Updates::held);
+  LivePlan live;
+  levels.begin_frame(0.04);
+  live.updates(levels);
+  live.evaluated(small_plan(), frame(1, {}));
+  EXPECT_EQ(live.rows()[0].stage, "update rate");
+  EXPECT_TRUE(row(live, "update rate").runs);
+  EXPECT_EQ(row(live, "update rate").reason, "every 4th frame, held in between: 4 % of the picture's height");
+  levels.begin_frame(0.9);
+  live.updates(levels);
+  EXPECT_FALSE(row(live, "update rate").runs);
+  EXPECT_THAT(plan_text(live.rows()), HasSubstr("every frame: 90 % of the picture's height"));
 }
 
 TEST(live_plan, times_are_means_in_which_the_first_frames_do_not_stay) {

@@ -86,6 +86,17 @@ struct WrongUsage {
   const char* says;   // what the message must name, so that the user finds the place
 };
 
+TEST(options, read_how_what_is_small_is_updated) {
+  EXPECT_FALSE(accepted({}).updates);
+  EXPECT_EQ(accepted({"--updates", "every"}).updates, Updates::every);
+  EXPECT_EQ(accepted({"--updates", "interpolated"}).updates, Updates::interpolated);
+  EXPECT_EQ(accepted({"--headless", "d/", "--frames", "0:9", "--updates", "held"}).updates, Updates::held);
+  const auto refused = parse({"--updates", "sometimes"});
+  ASSERT_TRUE(std::holds_alternative<Leave>(refused));
+  EXPECT_EQ(std::get<Leave>(refused).code, 2);
+  EXPECT_THAT(std::get<Leave>(refused).text, HasSubstr("every, interpolated, held"));
+}
+
 TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
   const WrongUsage cases[] = {
       {{"--bogus"}, "--bogus"},

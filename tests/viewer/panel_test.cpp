@@ -101,6 +101,20 @@ TEST_F(PanelTest, the_time_slider_seeks_and_pauses) {
   EXPECT_LE(playback.time_s(), 2.0);
 }
 
+TEST_F(PanelTest, the_choice_of_updates_is_in_the_panel_where_something_moves) {
+  Playback playback(scene_);
+  facts_.updates = "every 4th frame, interpolated in between: 3 % of the picture's height";
+  frame(playback);
+  frame(playback);
+  const int vertices = ImGui::GetDrawData()->TotalVtxCount;
+  facts_.updates.clear();
+  frame(playback);
+  frame(playback);
+  EXPECT_LT(ImGui::GetDrawData()->TotalVtxCount, vertices) << "the reason was shown";
+  click("updates", playback);
+  EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId));
+}
+
 TEST_F(PanelTest, switches_change_the_settings) {
   Playback playback(scene_);
   click("dual quaternion", playback);

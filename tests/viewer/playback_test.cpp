@@ -25,6 +25,21 @@ TEST(playback, starts_playing_the_first_clip) {
   EXPECT_EQ(playback.layers()[0].weight, 1.0f);
 }
 
+TEST(playback, knows_the_frames_to_come) {
+  const Scene scene = scene_with_clips({2.0});
+  Playback playback(scene);
+  playback.advance(0.25);
+  EXPECT_EQ(playback.layers_ahead(4)[0].time_s, 1.25);
+  EXPECT_EQ(playback.layers_ahead(7)[0].time_s, 0.0) << "around the end";
+  EXPECT_EQ(playback.time_s(), 0.25) << "without going there";
+  for (int i = 0; i < 4; ++i) playback.advance(0.25);
+  EXPECT_EQ(playback.time_s(), 1.25);
+  playback.pause();
+  EXPECT_EQ(playback.layers_ahead(4)[0].time_s, 1.25);
+  playback.choose(kNone);
+  EXPECT_TRUE(playback.layers_ahead(4).empty());
+}
+
 TEST(playback, a_scene_without_clips_shows_the_rest_pose_and_every_control_is_harmless) {
   const Scene scene;
   Playback playback(scene);

@@ -23,6 +23,24 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_TRUE(settings_from(options, scene).skeleton);
 }
 
+TEST(settings, pictures_are_evaluated_in_every_frame_unless_asked_otherwise) {
+  Options window, pictures;
+  pictures.headless = "folder/";
+  EXPECT_EQ(settings_from(window, Scene{}).updates, Updates::interpolated);
+  EXPECT_EQ(settings_from(pictures, Scene{}).updates, Updates::every);
+  for (Options* options : {&window, &pictures}) {
+    options->updates = Updates::held;
+    EXPECT_EQ(settings_from(*options, Scene{}).updates, Updates::held);
+  }
+  Settings settings;
+  const Evaluation first = settings.evaluation();
+  next_updates(settings);
+  EXPECT_EQ(settings.updates, Updates::held);
+  EXPECT_NE(settings.evaluation(), first) << "another plan";
+  next_updates(settings), next_updates(settings);
+  EXPECT_EQ(settings.evaluation(), first);
+}
+
 TEST(settings, a_scene_without_meshes_shows_its_skeleton) { EXPECT_TRUE(settings_from({}, Scene{}).skeleton); }
 
 TEST(settings, the_live_plan_comes_with_the_panel) {

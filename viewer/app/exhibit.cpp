@@ -56,13 +56,14 @@ tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::f
 
 }  // namespace
 
-Needs needs_of(const Exhibit& exhibit, Skinning skinning, bool stage_times) {
+Needs needs_of(const Exhibit& exhibit, const Evaluation& evaluation) {
   Needs needs;
   needs.bounds = true;
   needs.max_layers = 1;
-  needs.skinning = skinning;
+  needs.skinning = evaluation.skinning;
   needs.instance_skinning = exhibit.instance_skinning;
-  needs.stage_times = stage_times;
+  needs.stage_times = evaluation.stage_times;
+  needs.between_updates = evaluation.updates == Updates::interpolated;
   return needs;
 }
 

@@ -10,6 +10,7 @@
 #include "runtime/assets/scene.h"
 #include "runtime/plan/needs.h"
 #include "viewer/app/options.h"
+#include "viewer/app/update_levels.h"
 
 namespace sinew::viewer {
 
@@ -23,8 +24,17 @@ struct Exhibit {
   double fov_y_rad = 0.785398163397448;
 };
 
-/// What the viewer asks the runtime for: vertices, boxes to leave out what is not in view, and times while somebody looks at them.
-Needs needs_of(const Exhibit& exhibit, Skinning skinning, bool stage_times);
+/// How the poses of an exhibit are evaluated.
+struct Evaluation {
+  Skinning skinning = Skinning::linear;
+  Updates updates = Updates::every;
+  bool stage_times = false;              ///< while somebody looks at them
+
+  friend bool operator==(const Evaluation&, const Evaluation&) = default;
+};
+
+/// What the viewer asks the runtime for: vertices, and boxes to leave out what is not in view.
+Needs needs_of(const Exhibit& exhibit, const Evaluation& evaluation);
 
 /// Why there is nothing to show, and how the program ends.
 struct LoadError {

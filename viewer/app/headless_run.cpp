@@ -4,14 +4,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <numbers>
+#include <optional>
 
 #include <unistd.h>
 
-#include "runtime/assets/scene_look.h"
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
-#include "viewer/app/file_camera.h"
+#include "viewer/app/camera_pose.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
@@ -28,17 +29,21 @@ namespace fs = std::filesystem;
 // The pose of the exhibit at any time, evaluated where it is asked for.
 class Poser {
  public:
-  Poser(const Exhibit& exhibit, const Options& options, std::uint32_t clip)
-      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, options.skinning, options.plan))), frame_(plan_) {}
+  Poser(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
+      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))), frame_(plan_), levels_(plan_, evaluation.updates) {}
 
   const Plan& plan() const noexcept { return plan_; }
+  const FrameResult& newest() const noexcept { return frame_.result(); }
+  UpdateLevels& levels() noexcept { return levels_; }
 
-  const FrameResult& at(double time_s, const Unseen& unseen, bool joints_watched) {
-    const ClipLayer layer{clip_, time_s, 1.0f};
-    FrameInput input;
-    leave_out(unseen, joints_watched, input);
-    if (clip_ != kNone) input.layers = {&layer, 1};
-    const ErrorCode code = run_plan(plan_, input, frame_);
+  /// in   ahead_s  the time of the picture that is that many frames from this one
+  const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s, const Unseen& unseen, bool joints_watched) {
+    const ClipLayer layer{clip_, time_s, 1.0f}, ahead{clip_, ahead_s(levels_.frames_to_update()), 1.0f};
+    const std::size_t count = clip_ != kNone;
+    FrameInput now;
+    leave_out(unseen, joints_watched, now);
+    now.layers = {&layer, count};
+    const ErrorCode code = run_plan(plan_, levels_.input(now, {&ahead, count}), frame_);
     CONTRACT(code == ErrorCode::ok);   // the clip is in range and the time is finite
     return frame_.result();
   }
@@ -47,6 +52,7 @@ class Poser {
   std::uint32_t clip_;
   Plan plan_;
   FrameBuffer frame_;
+  UpdateLevels levels_;
 };
 
 OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
@@ -69,56 +75,63 @@ View view_for(const Options& options, const Exhibit& exhibit, const ClipBounds& 
 class PictureMaker {
  public:
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
-      : exhibit_(exhibit),
-        frame_look_(exhibit.scene),
+      : clip_(clip),
         bounds_(clip_bounds(exhibit.scene, clip)),
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
         transparent_(options.transparent),
         watches_plan_(options.plan),
         aspect_(static_cast<double>(options.width) / options.height),
-        poser_(exhibit, options, clip),
-        unseen_(unseen_in(view_, clip)),
+        poser_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
+        sight_(exhibit.scene, poser_.plan().needs),
         skeleton_(exhibit.scene),
-        headless_(device, exhibit.scene, options.width, options.height) {}
+        headless_(device, exhibit.scene, options.width, options.height) {
+    if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
+  }
 
+  /// Of one time, exactly.
   Picture at(double time_s) {
-    const FrameResult& pose = poser_.at(time_s, unseen_, settings_.watches_joints());
-    if (settings_.camera != kNone) {
-      apply_properties(exhibit_.scene, pose.properties, frame_look_);
-      const Camera& camera = frame_look_.cameras[settings_.camera];
-      view_ = view_of_camera(camera, pose.model[camera.joint], aspect_, bounds_.reached);
-    }
+    poser_.levels().begin_exact_frame("one picture");
+    return draw(time_s, [time_s](std::uint32_t) { return time_s; });
+  }
+
+  /// Number `picture` of a row, whose times are `time_of(number)`.
+  Picture in_row(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
+    if (poser_.newest().frame == 0) poser_.levels().begin_exact_frame("the first picture");
+    else if (camera_ && camera_->moves()) poser_.levels().begin_exact_frame("the camera moves with the clip");
+    else poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_));
+    return draw(time_of(picture), [&](std::uint32_t frames) { return time_of(picture + frames); });
+  }
+
+  const LivePlan& live_plan() const noexcept { return live_plan_; }
+
+ private:
+  Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
+    if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
+    const Unseen unseen = sight_.of(clip_, view_, aspect_);
+    const FrameResult& pose = poser_.at(time_s, ahead_s, unseen, settings_.watches_joints());
     RenderOptions look = render_options(settings_, bounds_, eye_of(view_));
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
     Picture picture = headless_.render(pose, view_, look, lines, settings_.variant);
     if (watches_plan_) {
+      live_plan_.updates(poser_.levels());
       live_plan_.evaluated(poser_.plan(), pose);
       live_plan_.drawn(headless_.upload_counts(), headless_.report(), headless_.pass_times());
     }
     return picture;
   }
 
-  const LivePlan& live_plan() const noexcept { return live_plan_; }
-
- private:
-  /// A camera of the file may move with the pose: where it looks is known too late.
-  Unseen unseen_in(const View& view, std::uint32_t clip) const {
-    Sight sight(exhibit_.scene, poser_.plan().needs);
-    return settings_.camera == kNone ? sight.of(clip, view, aspect_) : sight.nothing();
-  }
-
-  const Exhibit& exhibit_;
-  SceneLook frame_look_;
+  std::uint32_t clip_;
   ClipBounds bounds_;
   View view_;
   Settings settings_;
   bool transparent_, watches_plan_;
   double aspect_;
   Poser poser_;
-  Unseen unseen_;
+  Sight sight_;
+  std::optional<CameraPose> camera_;   // of the file, where the picture is seen through it
   SkeletonLines skeleton_;
   Headless headless_;
   LivePlan live_plan_;
@@ -164,8 +177,9 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
   const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
   if (options.frames) {
     const auto [first, last] = *options.frames;
+    const auto time_of = [&](std::uint32_t n) { return picture_time_s(n, options.fps, duration); };
     for (std::uint32_t n = first;; ++n) {
-      writer.write(fs::path(options.headless) / picture_name(n), maker.at(picture_time_s(n, options.fps, duration)));
+      writer.write(fs::path(options.headless) / picture_name(n), maker.in_row(n, time_of));
       show_progress(n - first + 1, last - first + 1);
       if (n == last) break;
     }

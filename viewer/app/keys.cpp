@@ -19,6 +19,7 @@ constexpr std::array kBindings{
     KeyBinding{'N', Action::next_clip, "n", "next clip"},
     KeyBinding{'P', Action::previous_clip, "p", "previous clip"},
     KeyBinding{'D', Action::next_skinning, "d", "skinning: linear / dual quaternion / center of rotation"},
+    KeyBinding{'U', Action::next_updates, "u", "what is small: every frame / interpolated / held between updates"},
     KeyBinding{'A', Action::toggle_ao, "a", "ambient occlusion on / off"},
     KeyBinding{'O', Action::toggle_ao_only, "o", "show ambient occlusion only"},
     KeyBinding{'V', Action::next_show, "v", "show color, ao, normals, depth in turn"},

@@ -10,7 +10,7 @@ namespace sinew::viewer {
 /// What a key of the window does.
 enum class Action {
   toggle_play, step_back, step_forward, faster, slower, next_clip, previous_clip, next_scene,
-  toggle_ao, toggle_ao_only, next_show, toggle_skeleton, next_skinning, toggle_loop, frame_all, toggle_panel, toggle_plan, quit
+  toggle_ao, toggle_ao_only, next_show, toggle_skeleton, next_skinning, next_updates, toggle_loop, frame_all, toggle_panel, toggle_plan, quit
 };
 
 /// One row of the key table, which --help, the panel and the window all read.

@@ -43,6 +43,10 @@ void LivePlan::evaluated(const Plan& plan, const FrameResult& frame) {
   }
 }
 
+void LivePlan::updates(const UpdateLevels& levels) {
+  tell(PlanPart::evaluation, "update rate", levels.level() != UpdateLevel::every, levels.reason(), levels.frames_to_update());
+}
+
 namespace {
 
 std::string why_upload(const UploadCounts& upload) {

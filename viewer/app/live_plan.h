@@ -6,6 +6,7 @@
 
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_result.h"
+#include "viewer/app/update_levels.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
@@ -36,6 +37,9 @@ class LivePlan {
   /// A frame of this plan was evaluated. Frames that were seen before count once.
   /// in   frame   its stage_ns may be empty: then there are no times
   void evaluated(const Plan& plan, const FrameResult& frame);
+
+  /// How often poses are evaluated, and why.
+  void updates(const UpdateLevels& levels);
 
   /// A picture was drawn.
   void drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes);

@@ -160,6 +160,10 @@ void add_time_options(CLI::App& app, Options& options) {
     if (!value || *value <= 0.0 || *value > 1e6) throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
     options.fps = *value;
   });
+  text_option(app, "--updates", "HOW", "what is small in the picture: every, interpolated or held between updates (interpolated; with --headless every)",
+              [&](const std::string& text) {
+                options.updates = named<Updates>("--updates", text, {{"every", Updates::every}, {"interpolated", Updates::interpolated}, {"held", Updates::held}});
+              });
   auto* plan = app.add_flag("--plan", options.plan, "print what a picture takes: each stage and pass, why it runs or not, and its time");
   auto* transparent = app.add_flag("--transparent", options.transparent, "alpha 0 where nothing was drawn");
   auto* exit_after = text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "runtime/plan/needs.h"
+#include "viewer/app/update_levels.h"
 #include "viewer/passes/render_options.h"
 
 namespace sinew::viewer {
@@ -42,6 +43,7 @@ struct Options {
   std::optional<std::string> variant;        ///< index or name of a material variant
   std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for
   std::optional<double> exit_after_s;        ///< close the window by itself
+  std::optional<Updates> updates;            ///< of what is small in the picture; unset = interpolated in the window, every in pictures
   bool plan = false;                         ///< print the plan as it ran, after the pictures
   bool validate = false;                     ///< with Vulkan's validation layer; what it says ends with exit code 3
 };

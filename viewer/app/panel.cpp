@@ -101,6 +101,18 @@ void skinning_choice(const PanelFacts& facts, Settings& settings) {
     settings.skinning = Skinning::center_of_rotation;
 }
 
+void updates_choice(const PanelFacts& facts, Settings& settings) {
+  if (facts.scene->animations.empty()) return;
+  if (ImGui::BeginCombo("updates", std::string(name_of(settings.updates)).c_str())) {
+    for (const Updates updates : {Updates::every, Updates::interpolated, Updates::held})
+      if (ImGui::Selectable(std::string(name_of(updates)).c_str(), updates == settings.updates)) settings.updates = updates;
+    ImGui::EndCombo();
+  }
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextDisabled("%s", facts.updates.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void camera_choice(const Scene& scene, Settings& settings) {
   const bool any = std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.joint != kNone; });
   if (!any || !ImGui::BeginCombo("camera", camera_label(scene, settings.camera).c_str())) return;
@@ -129,6 +141,7 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   camera_choice(*facts.scene, settings);
   variant_choice(*facts.scene, settings);
   skinning_choice(facts, settings);
+  updates_choice(facts, settings);
   ImGui::Checkbox("ambient occlusion", &settings.ambient_occlusion);
   ImGui::SameLine();
   ImGui::Checkbox("skeleton", &settings.skeleton);

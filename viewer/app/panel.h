@@ -19,6 +19,7 @@ struct PanelFacts {
   std::string_view name, note, device;
   const Scene* scene = nullptr;
   const Plan* plan = nullptr;
+  std::string updates;                           ///< how often poses are evaluated, and why
   std::span<const PlanRow> rows;                 ///< of the live plan
   bool resting = false;                          ///< nothing moves: no pose is evaluated
   double frame_ms = 0.0;                         ///< from one picture to the next, smoothed

@@ -41,6 +41,7 @@ void Playback::toggle() noexcept {
 }
 
 void Playback::advance(double dt_s) noexcept {
+  last_step_s_ = playing_ ? dt_s : 0.0;
   if (playing_) clock_.advance(dt_s);
 }
 
@@ -76,6 +77,15 @@ void Playback::set_mode(PlayMode mode) {
 
 void Playback::next_mode() {
   set_mode(mode() == PlayMode::loop ? PlayMode::ping_pong : mode() == PlayMode::ping_pong ? PlayMode::once : PlayMode::loop);
+}
+
+std::span<const ClipLayer> Playback::layers_ahead(std::uint32_t frames) noexcept {
+  if (clip_ == kNone) return {};
+  PlaybackClock later = clock_;
+  if (playing_)
+    for (std::uint32_t i = 0; i < frames; ++i) later.advance(last_step_s_);
+  ahead_ = {clip_, later.time_s(), 1.0f};
+  return {&ahead_, 1};
 }
 
 std::span<const ClipLayer> Playback::layers() noexcept {

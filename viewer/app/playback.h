@@ -52,12 +52,16 @@ class Playback {
   /// What to evaluate: one layer, or none for the rest pose. Valid until this changes.
   std::span<const ClipLayer> layers() noexcept;
 
+  /// What to evaluate that many frames later, if time goes on in steps like the last. Valid until this changes.
+  std::span<const ClipLayer> layers_ahead(std::uint32_t frames) noexcept;
+
  private:
   const Scene* scene_;
   std::uint32_t clip_ = kNone;
   bool playing_ = true;
   PlaybackClock clock_;
-  ClipLayer layer_;
+  ClipLayer layer_, ahead_;
+  double last_step_s_ = 0.0;
 };
 
 }  // namespace sinew::viewer

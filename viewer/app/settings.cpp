@@ -10,6 +10,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.show = options.show;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.skinning = options.skinning;
+  settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
   settings.skeleton = options.skeleton || scene.instances.empty();
   if (options.file_camera) settings.camera = choose_camera(scene, *options.file_camera).value_or(kNone);
   if (options.variant) settings.variant = choose_variant(scene, *options.variant).value_or(kNone);
@@ -24,6 +25,14 @@ void toggle_ao_only(Settings& settings) noexcept {
 void toggle_plan(Settings& settings) noexcept {
   settings.plan = !settings.watches_plan();
   if (settings.plan) settings.panel = true;
+}
+
+void next_updates(Settings& settings) noexcept {
+  switch (settings.updates) {
+    case Updates::every: settings.updates = Updates::interpolated; break;
+    case Updates::interpolated: settings.updates = Updates::held; break;
+    case Updates::held: settings.updates = Updates::every; break;
+  }
 }
 
 void next_skinning(Settings& settings) noexcept {

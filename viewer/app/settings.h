@@ -2,6 +2,7 @@
 #pragma once
 #include "runtime/plan/needs.h"
 #include "viewer/app/clip_bounds.h"
+#include "viewer/app/exhibit.h"
 #include "viewer/app/options.h"
 #include "viewer/passes/render_options.h"
 
@@ -19,8 +20,11 @@ struct Settings {
   bool watches_plan() const noexcept { return panel && plan; }
 
   Skinning skinning = Skinning::linear;
+  Updates updates = Updates::interpolated;
   std::uint32_t camera = kNone;          ///< of the scene; kNone = the user's own
   std::uint32_t variant = kNone;         ///< of the scene's materials
+
+  Evaluation evaluation() const noexcept { return {skinning, updates, watches_plan()}; }
 
   /// The picture takes joints even where no mesh is in view.
   bool watches_joints() const noexcept { return skeleton || camera != kNone; }
@@ -37,6 +41,9 @@ void toggle_ao_only(Settings& settings) noexcept;
 
 /// Shows the live plan, with the panel beside which it stands, or hides it.
 void toggle_plan(Settings& settings) noexcept;
+
+/// Every frame; where meshes are small interpolated, or held; and again.
+void next_updates(Settings& settings) noexcept;
 
 /// Linear, dual quaternion, center of rotation, and again.
 void next_skinning(Settings& settings) noexcept;

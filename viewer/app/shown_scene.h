@@ -7,11 +7,13 @@
 
 #include "runtime/assets/scene_look.h"
 #include "runtime/plan/job_thread.h"
+#include "viewer/app/camera_pose.h"
 #include "viewer/app/clip_bounds.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/sight.h"
 #include "viewer/app/skeleton_lines.h"
+#include "viewer/app/update_levels.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
@@ -19,22 +21,25 @@ namespace sinew::viewer {
 /// One exhibit being played in the window: its evaluation on the job thread, its place on the GPU, its clock.
 class ShownScene {
  public:
-  ShownScene(Device& device, const Exhibit& exhibit, Skinning skinning, bool stage_times, std::uint32_t slot_count);
+  ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count);
 
   const Exhibit& exhibit() const noexcept { return exhibit_; }
   const Plan& plan() const noexcept { return *plan_; }
+  const Evaluation& evaluation() const noexcept { return evaluation_; }
+  const UpdateLevels& update_levels() const noexcept { return *levels_; }
   Playback& playback() noexcept { return playback_; }
 
   /// Ends the evaluation: until the next plan_for only that may be called.
   void stop() noexcept;
 
   /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
-  void plan_for(Skinning skinning, bool stage_times);
+  void plan_for(const Evaluation& evaluation);
 
   /// Asks for the pose at the playback's time without what the picture to come does not show, unless the worker still has one
   /// waiting or has that pose already. Waits only where something comes into view that no pose on the way has.
-  /// in   view  of the picture; nothing = it follows from the pose, all of which is asked for then
-  void submit(const std::optional<View>& view, double aspect, bool joints_watched);
+  /// in   view            of the picture, through a camera of the file that of the time
+  ///      view_is_moved   by the clip: then every frame is evaluated
+  void submit(const View& view, bool view_is_moved, double aspect, bool joints_watched);
 
   /// The newest pose that is ready, never null.
   const FrameResult& newest();
@@ -53,6 +58,12 @@ class ShownScene {
   /// What a camera of the scene sees in the newest pose, in a picture of this shape.
   View view_of(std::uint32_t camera, double aspect);
 
+  /// What it will see in the pose that is asked for next.
+  View coming_view_of(std::uint32_t camera, double aspect);
+
+  /// A clip moves that camera, or changes what it sees.
+  bool is_moved(std::uint32_t camera) { return camera_pose(camera).moves(); }
+
   std::span<const LineVertex> skeleton_lines();
 
   /// Of the clip that plays now; worked out once for each clip.
@@ -67,15 +78,22 @@ class ShownScene {
     friend bool operator==(const Asked&, const Asked&) = default;
   };
   Asked current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
+  bool has_asked() const noexcept { return asked_exactly_ && asked_ == current(); }
+  void begin_frame(const View& view, bool view_is_moved);
+  CameraPose& camera_pose(std::uint32_t camera);
   Result<Ticket> ask();
 
   const Exhibit& exhibit_;
   Playback playback_;
+  Evaluation evaluation_;
   std::unique_ptr<Plan> plan_;
+  std::unique_ptr<UpdateLevels> levels_;
+  std::optional<CameraPose> camera_pose_;   ///< of the camera that was looked through last
   std::unique_ptr<JobThread> jobs_;
   JobThread::Character character_ = 0;
   Ticket ticket_ = 0;
   Asked asked_;
+  bool asked_exactly_ = false;       ///< not for a pose that stands in for the current one
   Sight sight_;
   Unseen unseen_;                    ///< what the next pose leaves out
   Unseen asked_unseen_;              ///< what the one asked for last does

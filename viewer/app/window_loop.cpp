@@ -61,7 +61,7 @@ class WindowLoop {
   void frame_all() { camera_.frame(shown_->bounds().outline.points(), aspect()); }
   void leave_file_camera();
   double aspect() const;
-  std::optional<View> sure_view();
+  void ask();
   void react(const Input& input);
   void act(Action action);
   bool act_on_look(Action action);
@@ -96,7 +96,7 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   exhibit_ = index;
   shown_.reset();   // its memory first
   add_missing_centers(exhibits_[index], settings_.skinning);
-  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.skinning, settings_.watches_plan(), Frame::kSlots);
+  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots);
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
@@ -124,10 +124,11 @@ double WindowLoop::aspect() const {
   return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
 }
 
-// Of the next picture, unless a camera of the file makes it, which may move with the pose.
-std::optional<View> WindowLoop::sure_view() {
-  if (settings_.camera != kNone) return std::nullopt;
-  return camera_.view(shown_->bounds().reached);
+// Asks for the pose of the next picture, without what it does not show.
+void WindowLoop::ask() {
+  const bool of_file = settings_.camera != kNone;
+  const View view = of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
+  shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
 }
 
 void WindowLoop::react(const Input& input) {
@@ -168,6 +169,7 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::next_show: next_show(settings_); return true;
     case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
     case Action::next_skinning: next_skinning(settings_); return true;
+    case Action::next_updates: next_updates(settings_); return true;
     case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
     case Action::toggle_plan: toggle_plan(settings_); return true;
     case Action::frame_all: leave_file_camera(); frame_all(); return true;
@@ -195,6 +197,7 @@ PanelFacts WindowLoop::facts() {
   facts.device = device_.name();
   facts.scene = &exhibit.scene;
   facts.plan = &shown_->plan();
+  facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
   facts.resting = shown_->resting();
   facts.frame_ms = frame_ms_;
@@ -214,6 +217,7 @@ void WindowLoop::draw() {
   });
   if (!drawn) return;
   if (settings_.watches_plan()) {
+    live_plan_.updates(shown_->update_levels());
     live_plan_.evaluated(shown_->plan(), shown_->newest());
     live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
   }
@@ -227,11 +231,10 @@ void WindowLoop::draw() {
 void WindowLoop::grant_wishes() {
   if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
   wished_exhibit_.reset();
-  const Needs& needs = shown_->plan().needs;
-  if (settings_.skinning == needs.skinning && settings_.watches_plan() == needs.stage_times) return;
+  if (settings_.evaluation() == shown_->evaluation()) return;
   shown_->stop();   // nothing may read the scene meanwhile
   add_missing_centers(exhibits_[exhibit_], settings_.skinning);
-  shown_->plan_for(settings_.skinning, settings_.watches_plan());
+  shown_->plan_for(settings_.evaluation());
   live_plan_.forget();
 }
 
@@ -254,7 +257,7 @@ int WindowLoop::run() {
       frames_to_draw_ = 0;   // minimised: look again when something happens
       continue;
     }
-    shown_->submit(sure_view(), aspect(), settings_.watches_joints());
+    ask();
     if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
     if (frames_to_draw_ <= 0) continue;
     draw();
