@@ -146,6 +146,31 @@ void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
 }
 
+/// Poses and palettes, as consumers take them that skin elsewhere: with all joints, without the deeper half of them, and between
+/// two poses that are there.
+void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
+  Needs needs;
+  needs.positions = needs.normals = needs.tangents = false;
+  needs.palettes = true;
+  const auto add_level = [&](const std::string& level, const Needs& of_level) {
+    const auto frames = std::make_shared<PlannedFrames>(*scene, of_level);
+    add("frame/sinew/" + name + "/poses/" + level, 1, [scene, frames] { frames->next(1); });
+  };
+  add_level("all", needs);
+  Needs fewer = needs;
+  const std::size_t joints = scene->skeleton.joint_count();
+  for (std::size_t j = 0; j < joints; ++j) fewer.joint_detail.kept.push_back(2 * j < joints);   // parents come first
+  add_level("half", fewer);
+  needs.between_updates = true;
+  const auto between = std::make_shared<PlannedFrames>(*scene, needs);
+  add("frame/sinew/" + name + "/poses/between", 1, [scene, between, step = 0]() mutable {
+    const ClipLayer start{0, 0.1}, end{0, 0.2};
+    step = (step + 1) % 1000;
+    const FrameInput input{.layers = {&start, 1}, .weights = {}, .root = {}, .ahead = {&end, 1}, .toward = 0.0005f + 0.001f * static_cast<float>(step)};
+    if (run_plan(between->plan, input, between->frame) != ErrorCode::ok) std::abort();
+  });
+}
+
 /// The plain version has no flat normals: where a file has none, both sides leave normals out.
 bool has_flat_normals(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes)
@@ -168,11 +193,13 @@ void add_frame(std::size_t most_vertices) {
   needs.tangents = false;
   add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
   add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
+  add_levels(biped, "biped");
   if (most_vertices >= 100'000) add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), needs, 1, "biped/1layer/PN/4/100k");
   for (const NamedScene& model : corpus_scenes()) {
     if (morphs(*model.scene)) continue;
     Needs file_needs = needs;
     file_needs.normals = !has_flat_normals(*model.scene);
+    add_levels(model.scene, model.name);
     add_case(model.scene, file_needs, 1, model.name + "/1layer/" + (file_needs.normals ? "PN" : "P"));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames of a scene with COUNT effects that nothing calls for, for callgrind to count their instructions:
+// Frames of a scene with COUNT effects that nothing calls for, and COUNT joints that the plan leaves out, for callgrind to count
+// their instructions:
 //   sinew-frame-instructions COUNT
 #include <valgrind/callgrind.h>
 
@@ -28,6 +29,29 @@ void add_unused(Scene& scene, std::uint32_t count) {
   finish_scene(scene);
 }
 
+/// Joints below the last one, which the clip moves.
+void add_joints(Scene& scene, std::uint32_t count) {
+  Skeleton& skeleton = scene.skeleton;
+  const auto first = static_cast<std::uint32_t>(skeleton.joint_count());
+  for (std::uint32_t j = first; j < first + count; ++j) {
+    skeleton.parents.push_back(first - 1);
+    skeleton.rest.emplace_back();
+    skeleton.fixed_matrix_of.push_back(kNone);
+    skeleton.names.emplace_back("finger"), skeleton.node_of_joint.push_back(j), skeleton.joint_of_node.push_back(j);
+    BoneAnimation bone = scene.animations[0].bones[0];
+    bone.joint = j;
+    scene.animations[0].bones.push_back(std::move(bone));
+  }
+  if (count > 0) skeleton.level_begin.push_back(first + count);
+}
+
+Needs without_joints(std::uint32_t kept, std::uint32_t left_out) {
+  Needs needs;
+  needs.joint_detail.kept.assign(kept, true);
+  needs.joint_detail.kept.resize(kept + left_out, false);
+  return needs;
+}
+
 void play(const Plan& plan, FrameBuffer& frame, int first, int count) {
   for (int i = first; i < first + count; ++i) {
     const ClipLayer layer{0, 0.01 * i};
@@ -45,8 +69,11 @@ int main(int argc, char** argv) {
   const std::string_view text = argv[1];
   if (std::from_chars(text.data(), text.data() + text.size(), count).ec != std::errc()) return 2;
   sinew::Scene scene = arm_scene();
+  const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
+  add_joints(scene, count);
+  scene.clips.clear();
   add_unused(scene, count);
-  const sinew::Plan plan = sinew::compile_plan(scene, {});
+  const sinew::Plan plan = sinew::compile_plan(scene, without_joints(joints, count));
   sinew::FrameBuffer frame(plan);
   play(plan, frame, 0, 3);  // the kernels have chosen their instruction set
   CALLGRIND_START_INSTRUMENTATION;

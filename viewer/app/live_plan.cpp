@@ -44,7 +44,7 @@ void LivePlan::evaluated(const Plan& plan, const FrameResult& frame) {
 }
 
 void LivePlan::updates(const UpdateLevels& levels) {
-  tell(PlanPart::evaluation, "update rate", levels.level() != UpdateLevel::every, levels.reason(), levels.frames_to_update());
+  tell(PlanPart::evaluation, "update rate", levels.level() != UpdateLevel::every, levels.reason(), std::uint64_t{1} << static_cast<unsigned>(levels.level()));
 }
 
 namespace {
