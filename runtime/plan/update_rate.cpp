@@ -19,6 +19,12 @@ UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRat
   return is_below(rates.second_below, UpdateLevel::every_second) ? UpdateLevel::every_second : UpdateLevel::every;
 }
 
+UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates) noexcept {
+  unsigned finer = static_cast<unsigned>(level);
+  while (finer > 0 && frame_s * static_cast<double>(1u << finer) > rates.longest_s) --finer;
+  return static_cast<UpdateLevel>(finer);
+}
+
 HeldInput::HeldInput(const Plan& plan) {
   layers_.reserve(plan.tables.input_layer_count);
   weights_.reserve(plan.rest_weights.size());

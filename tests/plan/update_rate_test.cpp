@@ -50,6 +50,17 @@ TEST(update_rate, a_character_that_trembles_at_a_border_keeps_its_level) {
   }
 }
 
+TEST(update_rate, where_frames_are_slow_fewer_are_left_out) {
+  const auto limited = [](double frames_per_s) { return limited_level(UpdateLevel::every_fourth, 1.0 / frames_per_s); };
+  EXPECT_EQ(limited(60.0), UpdateLevel::every_fourth);
+  EXPECT_EQ(limited(41.0), UpdateLevel::every_fourth);
+  EXPECT_EQ(limited(30.0), UpdateLevel::every_second);
+  EXPECT_EQ(limited(19.0), UpdateLevel::every);
+  EXPECT_EQ(limited_level(UpdateLevel::every_second, 1.0 / 240.0), UpdateLevel::every_second) << "never coarser";
+  EXPECT_EQ(limited_level(UpdateLevel::every, 10.0), UpdateLevel::every);
+  EXPECT_EQ(limited_level(UpdateLevel::every_fourth, 10.0, {.longest_s = 100.0}), UpdateLevel::every_fourth);
+}
+
 TEST(update_rate, screen_size_is_the_height_in_the_picture) {
   const double right_angle = 0.5 * std::numbers::pi;
   EXPECT_NEAR(screen_size(1.0, 10.0, right_angle), 0.1, 1e-15);   // two metres of twenty

@@ -51,13 +51,13 @@ TEST(live_plan, says_how_often_poses_are_evaluated) {
   const Plan plan = compile_plan(scene, {});
   UpdateLevels levels(plan, Updates::held);
   LivePlan live;
-  levels.begin_frame(0.04);
+  levels.begin_frame(0.04, 0.01);
   live.updates(levels);
   live.evaluated(small_plan(), frame(1, {}));
   EXPECT_EQ(live.rows()[0].stage, "update rate");
   EXPECT_TRUE(row(live, "update rate").runs);
   EXPECT_EQ(row(live, "update rate").reason, "every 4th frame, held in between: 4 % of the picture's height");
-  levels.begin_frame(0.9);
+  levels.begin_frame(0.9, 0.01);
   live.updates(levels);
   EXPECT_FALSE(row(live, "update rate").runs);
   EXPECT_THAT(plan_text(live.rows()), HasSubstr("every frame: 90 % of the picture's height"));

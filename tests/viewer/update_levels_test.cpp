@@ -26,7 +26,7 @@ struct Watched {
 
   const FrameResult& show(std::uint64_t number, const View& view, bool exactly = false) {
     if (number == 0 || exactly) levels.begin_exact_frame("a test");
-    else levels.begin_frame(size_in_picture(frame.result(), view));
+    else levels.begin_frame(size_in_picture(frame.result(), view), 0.01);
     const ClipLayer layer{0, 0.01 * static_cast<double>(number)}, ahead{0, 0.01 * static_cast<double>(number + levels.frames_to_update())};
     FrameInput now;
     now.layers = {&layer, 1};
@@ -86,7 +86,7 @@ TEST(update_levels, say_what_they_are_and_why) {
   const Scene scene = test::arm_scene();
   const auto reason = [&](Updates updates, double size) {
     UpdateLevels levels(plan_for(scene, updates), updates);
-    levels.begin_frame(size);
+    levels.begin_frame(size, 0.01);
     return levels.reason();
   };
   EXPECT_EQ(reason(Updates::every, 0.03), "every frame, as asked");
@@ -96,6 +96,12 @@ TEST(update_levels, say_what_they_are_and_why) {
   EXPECT_EQ(reason(Updates::held, 3.0), "every frame: meshes fill the picture's height");
   EXPECT_EQ(reason(Updates::interpolated, 0.0), "every 4th frame, interpolated in between: no mesh is in view");
   UpdateLevels levels(plan_for(scene, Updates::held), Updates::held);
+  levels.begin_frame(0.03, 0.04);
+  EXPECT_EQ(levels.reason(), "every 2nd frame, held in between: 3 % of the picture's height");
+  levels.begin_frame(0.03, 0.2);
+  EXPECT_EQ(levels.reason(), "every frame: pictures are too far apart to leave any out");
+  levels.begin_frame(0.08, 0.01);
+  EXPECT_EQ(levels.level(), UpdateLevel::every_fourth) << "slow pictures did not make it a larger one";
   levels.begin_exact_frame("the time stands still");
   EXPECT_EQ(levels.reason(), "every frame: the time stands still");
 }

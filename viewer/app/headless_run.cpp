@@ -81,6 +81,7 @@ class PictureMaker {
         settings_(settings_from(options, exhibit.scene)),
         transparent_(options.transparent),
         watches_plan_(options.plan),
+        frame_s_(1.0 / options.fps),
         aspect_(static_cast<double>(options.width) / options.height),
         poser_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
         sight_(exhibit.scene, poser_.plan().needs),
@@ -99,7 +100,7 @@ class PictureMaker {
   Picture in_row(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
     if (poser_.newest().frame == 0) poser_.levels().begin_exact_frame("the first picture");
     else if (camera_ && camera_->moves()) poser_.levels().begin_exact_frame("the camera moves with the clip");
-    else poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_));
+    else poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_), frame_s_);
     return draw(time_of(picture), [&](std::uint32_t frames) { return time_of(picture + frames); });
   }
 
@@ -128,6 +129,7 @@ class PictureMaker {
   View view_;
   Settings settings_;
   bool transparent_, watches_plan_;
+  double frame_s_;   // from picture to picture of a row
   double aspect_;
   Poser poser_;
   Sight sight_;

@@ -52,6 +52,9 @@ class Playback {
   /// What to evaluate: one layer, or none for the rest pose. Valid until this changes.
   std::span<const ClipLayer> layers() noexcept;
 
+  /// What passed outside between the last two frames; 0 while it does not play.
+  double last_step_s() const noexcept { return last_step_s_; }
+
   /// What to evaluate that many frames later, if time goes on in steps like the last. Valid until this changes.
   std::span<const ClipLayer> layers_ahead(std::uint32_t frames) noexcept;
 

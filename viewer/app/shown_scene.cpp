@@ -61,7 +61,7 @@ Result<Ticket> ShownScene::ask() {
 void ShownScene::begin_frame(const View& view, bool view_is_moved) {
   if (!playback_.playing()) levels_->begin_exact_frame("the time stands still");
   else if (view_is_moved) levels_->begin_exact_frame("the camera moves with the clip");
-  else levels_->begin_frame(size_in_picture(*newest_, view));
+  else levels_->begin_frame(size_in_picture(*newest_, view), playback_.last_step_s());
 }
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_watched) {

@@ -49,10 +49,11 @@ UpdateLevels::UpdateLevels(const Plan& plan, Updates updates) : updates_(updates
   if (updates == Updates::interpolated) between_.emplace(plan);
 }
 
-void UpdateLevels::begin_frame(double size) noexcept {
+void UpdateLevels::begin_frame(double size, double frame_s) noexcept {
   ++frame_;
   size_ = size, why_exact_.clear();
-  level_ = updates_ == Updates::every ? UpdateLevel::every : update_level(size, level_);
+  by_size_ = updates_ == Updates::every ? UpdateLevel::every : update_level(size, by_size_);
+  level_ = limited_level(by_size_, frame_s);
 }
 
 void UpdateLevels::begin_exact_frame(std::string_view why) {
@@ -70,6 +71,7 @@ std::string UpdateLevels::reason() const {
   const std::string often = how_often(level_);
   if (!why_exact_.empty()) return often + ": " + why_exact_;
   if (updates_ == Updates::every) return often + ", as asked";
+  if (level_ != by_size_ && level_ == UpdateLevel::every) return often + ": pictures are too far apart to leave any out";
   const std::string how = level_ == UpdateLevel::every ? "" : updates_ == Updates::held ? ", held in between" : ", interpolated in between";
   if (size_ == 0.0) return often + how + ": no mesh is in view";
   if (size_ >= 1.0) return often + how + ": meshes fill the picture's height";

@@ -30,7 +30,8 @@ class UpdateLevels {
   UpdateLevels(const Plan& plan, Updates updates);
 
   /// The next frame begins, of a picture in which the last pose was that large.
-  void begin_frame(double size_in_picture) noexcept;
+  /// in   frame_s  from one picture to the next
+  void begin_frame(double size_in_picture, double frame_s) noexcept;
 
   /// The next frame begins, and shows what is asked for exactly: `why` as after "every frame: ".
   void begin_exact_frame(std::string_view why);
@@ -49,7 +50,7 @@ class UpdateLevels {
 
  private:
   Updates updates_;
-  UpdateLevel level_ = UpdateLevel::every;
+  UpdateLevel by_size_ = UpdateLevel::every, level_ = UpdateLevel::every;
   double size_ = 0.0;
   std::string why_exact_;      // empty = the size decides
   std::uint64_t frame_ = 0;
