@@ -2,6 +2,7 @@
 #include "importer/file/json_tree.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace sinew {

@@ -31,7 +31,7 @@ class CopyReader {
       if (numbers.empty() && !copies.empty()) return std::nullopt;  // not finite
       if (name == "ROTATION") fill_rotations(copies, numbers);
       else for (std::size_t i = 0; i < copies.size(); ++i)
-        (name == "SCALE" ? copies[i].scale : copies[i].translation) = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+        (name == "SCALE" ? copies[i].scale : copies[i].translation) = glm::vec3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
     }
     return copies;
   }

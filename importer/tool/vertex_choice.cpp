@@ -2,6 +2,7 @@
 #include "importer/tool/vertex_choice.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace sinew::tool {

@@ -2,6 +2,7 @@
 #include "runtime/c/scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "runtime/c/boundary.h"

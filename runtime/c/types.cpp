@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/types.h"
 
+#include <cstdint>
+
 #include "runtime/base/result.h"
 #include "runtime/c/boundary.h"
 #include "runtime/math/affine.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <iterator>
 #include <utility>
 
 #include "runtime/base/contract.h"

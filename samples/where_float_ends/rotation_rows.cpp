@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "runtime/math/approximate_slerp.h"

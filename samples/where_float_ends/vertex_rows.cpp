@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdio>
 
 #include "runtime/jobs/morph_vertices.h"
 #include "runtime/jobs/skin_center_of_rotation.h"

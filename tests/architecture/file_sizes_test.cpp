@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A file that outgrows its limit holds two ideas: split it.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdlib>
 
 #include "runtime/plan/run_plan.h"
 #include "tests/bench/clip_characters.h"

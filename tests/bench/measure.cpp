@@ -4,6 +4,7 @@
 #include <valgrind/callgrind.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace sinew::bench {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/jobs/blend_poses.h"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/c/handles.h"

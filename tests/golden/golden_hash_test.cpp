@@ -4,6 +4,7 @@
 // arithmetic, on a machine with fused multiply-add:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-golden     writes the new hashes into hashes.txt
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "importer/tool/cost/occlusion_group.h"
 #include "importer/tool/cost/report_json.h"

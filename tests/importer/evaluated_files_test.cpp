@@ -2,6 +2,7 @@
 // Small files from bytes to the vertices of a frame: rules of glTF that no single part of the importer answers for alone.
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

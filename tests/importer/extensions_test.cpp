@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <limits>
 
 #include "tests/importer/tiny_gltf.h"
 #include "tests/support/fixed_random.h"

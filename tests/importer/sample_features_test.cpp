@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 
 #include "runtime/plan/run_plan.h"
 #include "tests/importer/tiny_gltf.h"

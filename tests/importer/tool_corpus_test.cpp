@@ -2,6 +2,7 @@
 // Every model of the corpus against its reference poses, which other programs computed.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference data of the corpus through whole jobs, on every instruction set of the machine.
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "tests/jobs/numeric_jobs.h"

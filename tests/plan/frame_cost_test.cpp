@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is left out costs nothing: no work, no memory; and no frame allocates.
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "runtime/plan/frame_work.h"

@@ -2,6 +2,7 @@
 #include "viewer/app/plan_panel.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <imgui.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/device/validation.h"
 
+#include <cstdint>
 #include <cstring>
 
 namespace sinew::viewer {

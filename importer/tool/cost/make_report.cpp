@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/cost/make_report.h"
 
+#include <iterator>
+
 #include "importer/tool/cost/machine.h"
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/studies.h"

@@ -2,6 +2,7 @@
 #include "importer/tool/cost/occlusion_group.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/cost/report_json.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace sinew::cost {
