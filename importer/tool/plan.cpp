@@ -76,6 +76,8 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"palette_entries", work.palette_entries},
           {"palette_entries_split", work.palette_entries_split},
           {"combinations_blended", work.combinations_blended},
+          {"windings_tested", work.windings_tested},
+          {"normals_by_cofactors", work.normals_by_cofactors},
           {"morph_deltas", work.morph_deltas},
           {"vertices_morphed", work.vertices_morphed},
           {"vertices_skinned_linear", work.vertices_skinned_linear},

@@ -117,6 +117,32 @@ class CombinationsOfPlan {
   std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
 };
 
+/// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of joints.
+bool has_uneven_normals(const Plan& plan, const Primitive& primitive, const Skin& skin) {
+  const auto uneven_joint = [&](std::uint32_t joint) { return plan.joint_scales[joint].kind == ScaleKind::uneven; };
+  const auto uneven_bind = [](const Affine& bind) { return scale_kind(bind) == ScaleKind::uneven; };
+  const auto blends = [](const InfluenceGroup& group) { return group.influence_count > 1; };
+  const std::vector<InfluenceGroup>& groups = primitive.influences.groups;
+  return std::any_of(groups.begin(), groups.end(), blends) || std::any_of(skin.joints.begin(), skin.joints.end(), uneven_joint) ||
+         std::any_of(skin.inverse_bind.begin(), skin.inverse_bind.end(), uneven_bind);
+}
+
+/// The scale of the matrix whose determinant tells how faces wind: of the joint, or of the first skinning matrix.
+JointScale scale_of_instance(const Plan& plan, std::size_t i) {
+  const MeshInstance& instance = plan.scene->instances[i];
+  if (!plan.instance_skinned[i]) {
+    const JointPlace& place = plan.rig.places[instance.joint];
+    JointScale scale = plan.joint_scales[place.at];
+    scale.sign *= determinant_sign(place.from_joint);
+    return scale;
+  }
+  const Skin& skin = *plan.rig.skins[instance.skin];
+  if (skin.joints.empty()) return {.sign = 0};
+  JointScale scale = plan.joint_scales[skin.joints[0]];
+  scale.sign *= determinant_sign(affine_cast<double>(skin.inverse_bind[0]));
+  return scale;
+}
+
 void plan_primitives(Plan& plan) {
   const Scene& scene = *plan.scene;
   const NeverShown never_shown(plan);
@@ -139,12 +165,15 @@ void plan_primitives(Plan& plan) {
           planned.pairs = sharing_pairs(primitives[p].influences, scene.skins[instance.skin].joints.size());
         } else {
           planned.combined = combinations.of(primitives[p], instance.skin);
+          planned.cofactors = plan.needs.normal_rule == NormalRule::cofactor && planned.skin.normals &&
+                              has_uneven_normals(plan, primitives[p], *plan.rig.skins[instance.skin]);
         }
       }
       plan.primitives.push_back(planned);
     }
     if (skinned && plan.needs.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
     plan.instance_skinned.push_back(skinned);
+    plan.instance_scales.push_back(scale_of_instance(plan, i));
     plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));
   }
 }
@@ -328,6 +357,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan.add = plan.sample && needs.additive;
   plan.interpolate = plan.sample && needs.between_updates;
   plan.bounds = needs.bounds && !scene.instances.empty();
+  plan.joint_scales = joint_scales(plan.rig, plan.add);
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));
   for (std::size_t s = 0; s < scene.skins.size(); ++s)

@@ -8,6 +8,7 @@
 #include "runtime/assets/scene.h"
 #include "runtime/jobs/joint_palette.h"
 #include "runtime/plan/combine_influences.h"
+#include "runtime/plan/joint_scales.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/rig.h"
 
@@ -35,6 +36,7 @@ struct PrimitivePlan {
   AttributeSet morph, skin;
   bool morph_colors = false;
   bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
+  bool cofactors = false;       ///< normals follow cofactors, where the needs ask for them: scale or blends are uneven (P08)
   Skinning skinning = Skinning::linear;
   std::vector<JointPair> pairs;  ///< joints that share vertices, for dual quaternions (sign_pairs.h)
   std::uint32_t combined = kNone;  ///< index into Plan::combined of its skin, where that is used
@@ -76,7 +78,9 @@ struct Plan {
   std::vector<std::uint32_t> first_primitive;  ///< [instances + 1] into `primitives`
   std::vector<bool> instance_skinned;          ///< [instances] some primitive follows the instance's skin
   std::vector<ClipTracks> clip_tracks;         ///< [clips]
-  std::vector<std::uint32_t> moved_joints;     ///< of the rig, by some clip, or below such joints: the others rest while no layers blend (P01)
+  std::vector<std::uint32_t> moved_joints;     ///< of the rig, by some clip, or below such joints: the others have their rest pose in every frame (P01)
+  std::vector<JointScale> joint_scales;        ///< [joints of the rig]
+  std::vector<JointScale> instance_scales;     ///< [instances] of what decides which way faces wind, but for the root (P09)
   std::vector<std::vector<float>> masks;       ///< [any][joints of the rig]
   std::vector<float> rest_weights;             ///< [W]
   bool sample = false, blend = false, add = false, interpolate = false, correctives = false, properties = false, local_to_model = false,

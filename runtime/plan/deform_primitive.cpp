@@ -71,11 +71,11 @@ struct Deformation {
     work.spent_on(Stage::morph);
   }
 
-  void skin() noexcept {
+  void skin(bool uneven_root) noexcept {
     const VertexOutput out = output_at(memory, planned.skin, planned.positions_at, planned.normals_at,
                                        planned.tangents_at, primitive.vertex_count());
     switch (planned.skinning) {
-      case Skinning::linear: skin_linear(out); break;
+      case Skinning::linear: skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor)); break;
       case Skinning::dual_quaternion: skin_dual_quaternion(out); break;
       case Skinning::center_of_rotation: skin_center_of_rotation(out); break;
     }
@@ -109,13 +109,14 @@ struct Deformation {
     work.spent_on(stage);
   }
 
-  void skin_linear(const VertexOutput& out) noexcept {
+  void skin_linear(const VertexOutput& out, bool cofactors) noexcept {
     const bool combined = planned.combined != kNone;
     const SkinLinearJob job{.influences = combined ? &plan.combined[skin_index()][planned.combined].vertices : &primitive.influences,
                             .palette = palette(),
                             .vertices = now,
                             .out = out,
-                            .normal_rule = plan.needs.normal_rule};
+                            .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear};
+    if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
     run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
 
@@ -150,7 +151,7 @@ struct Deformation {
 }  // namespace
 
 DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
-                                   bool mirrored, FrameMemory memory, FrameWork& work) noexcept {
+                                   bool mirrored, bool uneven_root, FrameMemory memory, FrameWork& work) noexcept {
   const Primitive& primitive = primitive_of(plan, planned);
   const bool skins = planned.skin.any();
   const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
@@ -164,7 +165,7 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
   const ActiveDeltas active = active_deltas(primitive.morphs, weights, planned);
   work.morph_deltas += active.shape + active.colors;
   if (active.shape > 0) stages.morph(weights);
-  if (skins) stages.skin();
+  if (skins) stages.skin(uneven_root);
   if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && skins);
 
   DeformedPrimitive result{.instance = planned.instance,

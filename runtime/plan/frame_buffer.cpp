@@ -24,7 +24,7 @@ std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
 
-/// At most one clip plays, and alone makes up the pose: joints that it does not move have their rest pose to the last bit.
+/// At most one clip plays, and alone makes up the pose: where it moves no joints they have their rest pose to the last bit.
 bool plays_alone(std::span<const ClipLayer> layers) noexcept {
   std::size_t active = 0;
   for (const ClipLayer& layer : layers)
@@ -95,10 +95,10 @@ bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& i
 }
 
 StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept {
-  if (!keeps_input_ || asleep_ || input.toward != 0.0f || toward_ != 0.0f || !same_bits(input.root, root_)) return StandingJoints::none;
+  if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return StandingJoints::none;
   const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
-  if (!plays_alone(input.layers) || !plays_alone(last)) return StandingJoints::none;
-  const bool at_rest = leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
+  const bool between = input.toward != 0.0f || toward_ != 0.0f;
+  const bool at_rest = !between && plays_alone(input.layers) && plays_alone(last) && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
   return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
 }
 

@@ -94,6 +94,15 @@ PlanStage describe_properties(const Plan& plan) {
           table.rest.size(), table.rest.size() * sizeof(float)};
 }
 
+/// What kinds of scale reach joints (P07).
+std::string describe_scale(const Plan& plan) {
+  const auto of_kind = [&](ScaleKind kind) {
+    return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(), [&](const JointScale& s) { return s.kind == kind; });
+  };
+  if (const auto uneven = of_kind(ScaleKind::uneven); uneven > 0) return "uneven scale can reach " + counted(static_cast<std::uint64_t>(uneven), "joint", "joints");
+  return of_kind(ScaleKind::even) > 0 ? "scale is even" : "no scale";
+}
+
 PlanStage describe_local_to_model(const Plan& plan) {
   const std::size_t joints = plan.rig.joint_count(), left_out = plan.rig.places.size() - joints;
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
@@ -102,7 +111,8 @@ PlanStage describe_local_to_model(const Plan& plan) {
   std::string reason = plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints";
   if (left_out > 0) reason += "; " + std::to_string(left_out) + " of " + counted(joints + left_out, "joint is", "joints are") + " left out as asked, they follow the joints above";
   if (moved == 0) reason += "; no clip moves any, they are composed once";
-  else if (moved < joints) reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) + " are moved by no clip: composed once unless layers blend";
+  else if (moved < joints) reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) + " are moved by no clip: composed once";
+  reason += "; " + describe_scale(plan);
   return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
 }
 
@@ -134,6 +144,18 @@ PlanStage describe_combinations(const Plan& plan) {
     return {"combinations", true, std::move(reason), combinations, combinations * sizeof(JointMatrix)};
   }
   return {"combinations", false, unused > 0 ? left_out : "no vertex blends the matrices of several joints", 0, 0};
+}
+
+/// Which way faces wind (G48) is known before any frame unless scale can change its sign (P09).
+PlanStage describe_winding(const Plan& plan) {
+  const std::size_t instances = plan.instance_scales.size();
+  if (instances == 0) return {"winding", false, "the scene shows no meshes", 0, 0};
+  if (!plan.local_to_model) return {"winding", false, "neither joints nor vertices are asked for", 0, 0};
+  const auto tested = std::count_if(plan.instance_scales.begin(), plan.instance_scales.end(), [](const JointScale& s) { return s.may_change; });
+  if (tested == 0) return {"winding", false, "no scale can change its sign: known beforehand", 0, 0};
+  const auto count = static_cast<std::uint64_t>(tested);
+  return {"winding", true, "of " + std::to_string(count) + " of " + counted(instances, "mesh instance", "mesh instances") + ", whose scale can change its sign", count,
+          count * sizeof(bool)};
 }
 
 std::string why_no_skinning(const Plan& plan) {
@@ -185,6 +207,17 @@ std::string why_other_skinning(const Plan& plan, Skinning kind) {
   return primitives(fallen_back) + " without centers of rotation: skinned linearly";
 }
 
+/// Which normals follow cofactors, as is asked for (P08).
+std::string describe_cofactors(const Plan& plan) {
+  std::uint64_t by_cofactors = 0, by_matrices = 0;
+  for (const PrimitivePlan& p : plan.primitives)
+    if (p.skinning == Skinning::linear && p.skin.normals) ++(p.cofactors ? by_cofactors : by_matrices);
+  std::string text;
+  if (by_cofactors > 0) text += "; normals of " + primitives(by_cofactors) + " by cofactors";
+  if (by_matrices > 0) text += "; normals of " + primitives(by_matrices) + " without: neither scale nor blends are uneven";
+  return text;
+}
+
 PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
   PlanStage stage{std::move(name), false, "", 0, 0};
   std::uint64_t skinned = 0, skinned_otherwise = 0;
@@ -205,6 +238,7 @@ PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
     stage.reason = why_other_skinning(plan, kind);
   else
     stage.reason = why_no_skinning(plan);
+  if (stage.runs && kind == Skinning::linear && plan.needs.normal_rule == NormalRule::cofactor) stage.reason += describe_cofactors(plan);
   if (const std::uint64_t lacking = without_centers(plan); stage.runs && kind == Skinning::linear && lacking > 0)
     stage.reason += "; " + std::to_string(lacking) + " for want of centers of rotation";
   return stage;
@@ -252,6 +286,7 @@ std::vector<PlanStage> describe_stages(const Plan& plan) {
                          plan.needs.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
           describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
           describe_combinations(plan),
+          describe_winding(plan),
           describe_morph(plan),
           describe_skin(plan, "skin_linear", Skinning::linear),
           describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),

@@ -65,6 +65,17 @@ void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory
   work.spent_on(Stage::correctives);
 }
 
+/// Joints that no clip moves have their rest pose to the last bit, also where a mean of layers was rounded (P01).
+void rest_unmoved(const Plan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
+  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
+  if (local.planes == rest.planes) return;
+  std::size_t next = 0;
+  for (std::size_t j = 0; j < local.joint_count; ++j) {
+    if (next < plan.moved_joints.size() && plan.moved_joints[next] == j) ++next;
+    else local.set(j, rest.get(j));
+  }
+}
+
 /// World matrices of all joints, or nothing when the plan leaves them out. Those that are there already are not made again (P01).
 std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const Affine& root, const FrameStep& step,
                                 FrameWork& work) noexcept {
@@ -74,6 +85,7 @@ std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const A
   if (step.standing == StandingJoints::all) return model;
   LocalToModelJob job{.skeleton = plan.rig.skeleton, .local = local, .root = root, .model = model};
   if (step.standing == StandingJoints::unmoved) job.only = plan.moved_joints;
+  else rest_unmoved(plan, local, step.memory);
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.joints_composed += job.only.empty() ? joints : job.only.size();
@@ -118,20 +130,34 @@ std::span<const bool> wanted_palettes(const Plan& plan, const Unseen& unseen, Fr
   return wanted;
 }
 
-/// Where an instance stands, and whether it is mirrored (G48). In double: the product of three small scales must not
-/// vanish.
-InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<const Affine> model) noexcept {
+/// What the root that is placed above all joints does to them.
+struct RootScale {
+  int sign;      // of its determinant
+  bool uneven;   // looked at where some normals follow cofactors only then
+
+  RootScale(const Plan& plan, const Affine& root) noexcept
+      : sign(determinant_sign(affine_cast<double>(root))), uneven(plan.needs.normal_rule == NormalRule::cofactor && scale_kind(root) == ScaleKind::uneven) {}
+};
+
+/// Whether the matrix that places an instance mirrors it: by its own determinant where scale can change sign, else as planned (P09).
+bool is_mirrored(const Plan& plan, std::size_t instance, std::span<const Affine> model, const RootScale& root, FrameWork& work) noexcept {
+  const JointScale& scale = plan.instance_scales[instance];
+  if (!scale.may_change) return scale.sign * root.sign < 0;
+  work.windings_tested += 1;
+  const MeshInstance& mesh = plan.scene->instances[instance];
+  if (!plan.instance_skinned[instance]) return determinant_sign(affine_cast<double>(world_of(plan.rig, model, mesh.joint))) < 0;
+  const Skin& skin = *plan.rig.skins[mesh.skin];
+  return determinant_sign(affine_cast<double>(model[skin.joints[0]]) * affine_cast<double>(skin.inverse_bind[0])) < 0;
+}
+
+/// Where an instance stands, and whether it is mirrored (G48).
+InstanceResult place_instance(const Plan& plan, std::size_t instance, std::span<const Affine> model, const RootScale& root, FrameWork& work) noexcept {
   InstanceResult placed;
   placed.first_primitive = plan.first_primitive[instance];
   if (model.empty()) return placed;
-  const MeshInstance& mesh = plan.scene->instances[instance];
-  if (!plan.instance_skinned[instance]) {
-    placed.world_from_mesh = world_of(plan.rig, model, mesh.joint);
-    placed.mirrored = determinant(affine_cast<double>(placed.world_from_mesh)) < 0.0;
-  } else if (const Skin& skin = *plan.rig.skins[mesh.skin]; !skin.joints.empty()) {
-    const Affined world_from_joint = affine_cast<double>(model[skin.joints[0]]);
-    placed.mirrored = determinant(world_from_joint * affine_cast<double>(skin.inverse_bind[0])) < 0.0;
-  }
+  if (!plan.instance_skinned[instance]) placed.world_from_mesh = world_of(plan.rig, model, plan.scene->instances[instance].joint);
+  placed.mirrored = is_mirrored(plan, instance, model, root, work);
+  if (plan.instance_scales[instance].may_change) work.spent_on(Stage::winding);
   return placed;
 }
 
@@ -177,7 +203,7 @@ void bound(InstanceResult& placed, const MeshInstance& instance, const Primitive
 }
 
 /// The vertices and the box of one instance, as far as they are not in the memory already.
-void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std::span<const float> weights, const FrameStep& step,
+void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std::span<const float> weights, bool uneven_root, const FrameStep& step,
                      FrameWork& work) noexcept {
   const std::uint32_t first = plan.first_primitive[i], end = plan.first_primitive[i + 1];
   const std::span<DeformedPrimitive> shapes = step.tables.primitives;
@@ -191,21 +217,21 @@ void deform_instance(const Plan& plan, std::size_t i, InstanceResult placed, std
     const PrimitivePlan& planned = plan.primitives[p];
     const std::uint64_t since = since_of(plan, planned, step.tables);
     if (is_current(p, since) && (box_is_current || !plan.bounds)) continue;
-    DeformedPrimitive& shape = shapes[p] = deform_primitive(plan, planned, weights, placed.mirrored, step.memory, work);
+    DeformedPrimitive& shape = shapes[p] = deform_primitive(plan, planned, weights, placed.mirrored, uneven_root, step.memory, work);
     shape.since_frame = since;
     if (plan.bounds) bound(last, plan.scene->instances[i], primitive_of(plan, planned), shape, work);
     if (!plan.needs.positions) shape.positions = {};
   }
 }
 
-void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, const Unseen& unseen, const FrameStep& step,
+void show_instance(const Plan& plan, std::size_t i, std::span<const Affine> model, const RootScale& root, const Unseen& unseen, const FrameStep& step,
                    FrameWork& work) noexcept {
-  InstanceResult placed = place_instance(plan, i, model);
+  InstanceResult placed = place_instance(plan, i, model, root, work);
   placed.visible = !unseen.is_hidden(plan, i) && !unseen.is_out_of_view(i);
   const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
   const auto weights = step.memory.array<const float>(plan.weights_at, plan.rest_weights.size()).subspan(first, end - first);
   stamp_instance(plan, i, weights, placed, step);
-  if (unseen.is_deformed(plan, i)) return deform_instance(plan, i, placed, weights, step, work);
+  if (unseen.is_deformed(plan, i)) return deform_instance(plan, i, placed, weights, root.uneven, step, work);
   step.tables.instances[i] = placed;
   leave_out(plan, i, step.tables.primitives);
 }
@@ -260,7 +286,8 @@ void evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step, 
   const std::span<const bool> hidden = hide(plan, properties, memory, work);
   const Unseen unseen{hidden, input.out_of_view};
   make_palettes(plan, model, wanted_palettes(plan, unseen, memory), step, work);
-  for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, unseen, step, work);
+  const RootScale root(plan, input.root);
+  for (std::size_t i = 0; i < step.tables.instances.size(); ++i) show_instance(plan, i, model, root, unseen, step, work);
   std::copy(weights.begin(), weights.end(), step.tables.last_weights.begin());
   if (plan.needs.joints) result.model = model;
   result.weights = weights;

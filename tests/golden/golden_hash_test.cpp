@@ -136,7 +136,12 @@ TEST_F(golden_hash, N27_N28_poses_and_vertices_have_the_stored_bits_on_every_ins
 
 TEST_F(golden_hash, every_scene_and_method_has_bits_of_its_own) {
   std::vector<std::uint64_t> values;
-  for (const auto& [name, value] : stored_hashes()) values.push_back(value);
+  const auto stored = stored_hashes();
+  for (const auto& [name, value] : stored) {
+    const std::string rigid = "tree-1 cofactor";   // neither scale nor blends are uneven there: cofactors are left out (P08)
+    if (name.starts_with(rigid)) EXPECT_EQ(value, stored.at("tree-1 linear" + name.substr(rigid.size()))) << name;
+    else values.push_back(value);
+  }
   std::sort(values.begin(), values.end());
   EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end()) << "two hashes are equal: they see no difference";
 }

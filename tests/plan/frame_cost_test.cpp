@@ -29,6 +29,7 @@ std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
           {"palette", w.palette_entries},
           {"split_palette", w.palette_entries_split},
           {"combinations", w.combinations_blended},
+          {"winding", w.windings_tested},
           {"morph", w.morph_deltas + w.vertices_morphed},
           {"skin_linear", w.vertices_skinned_linear},
           {"skin_dual_quaternion", w.vertices_skinned_dual_quaternion},
@@ -66,6 +67,7 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
       EXPECT_EQ(frame.result().work.vertices_skinned_dual_quaternion, stage(plan, "skin_dual_quaternion").count);
       EXPECT_EQ(frame.result().work.palette_entries, stage(plan, "palette").count);
       EXPECT_EQ(frame.result().work.combinations_blended, stage(plan, "combinations").count);
+      EXPECT_EQ(frame.result().work.windings_tested, stage(plan, "winding").count);
       EXPECT_EQ(frame.result().work.poses_compared, stage(plan, "correctives").count);
       EXPECT_EQ(frame.result().work.joints_composed, stage(plan, "local_to_model").count);
       EXPECT_EQ(frame.result().work.flat_triangles, stage(plan, "flat_normals").count);
@@ -165,7 +167,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
 /// What counts as work of a stage, in the order of the stages.
 std::vector<bool> worked(const WorkCounters& w) {
   return {w.tracks_sampled > 0, w.poses_blended > 0, w.poses_added > 0, w.poses_interpolated > 0, w.poses_compared > 0, false, w.joints_composed > 0,
-          w.palette_entries > 0, w.palette_entries_split > 0, w.combinations_blended > 0, w.morph_deltas > 0, w.vertices_skinned_linear > 0,
+          w.palette_entries > 0, w.palette_entries_split > 0, w.combinations_blended > 0, w.windings_tested > 0, w.morph_deltas > 0, w.vertices_skinned_linear > 0,
           w.vertices_skinned_dual_quaternion > 0, w.vertices_skinned_center_of_rotation > 0, w.flat_triangles > 0, w.bounds_vertices > 0};
 }
 
@@ -205,7 +207,7 @@ TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
 TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
   const Plan plan = compile_plan(random_scene(3), Needs{});
   const char* names[kStageCount] = {"sample", "blend", "add", "interpolate", "correctives", "properties", "local_to_model", "palette", "split_palette",
-                                    "combinations", "morph", "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation", "flat_normals", "bounds"};
+                                    "combinations", "winding", "morph", "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation", "flat_normals", "bounds"};
   for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(plan.stages[s].stage, names[s]);
 }
 

@@ -153,6 +153,28 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_are_composed_once) {
   }
 }
 
+TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_and_between_updates) {
+  Scene scene = arm_scene();
+  scene.skeleton.rest[0] = {{0.1f, -0.7f, 0.3f}, glm::normalize(glm::quat(0.7f, 0.1f, -0.4f, 0.5f)), glm::vec3(1.1f, 0.9f, 1.3f)};
+  finish_scene(scene);
+  Needs needs;
+  needs.between_updates = true;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan), alone(plan);
+  const ClipLayer one{0, 0.5};
+  ASSERT_EQ(run_plan(plan, {.layers = {&one, 1}, .weights = {}, .root = {}}, alone), ErrorCode::ok);
+  for (int number = 0; number < 8; ++number) {
+    const ClipLayer now[] = {{0, 0.1 * number, 0.7f}, {0, 0.9, 0.4f}}, ahead[] = {{0, 0.1 * number + 0.1, 0.5f}, {0, 0.3, 0.3f}};
+    FrameInput input{.layers = now, .weights = {}, .root = {}};
+    if (number > 4) input.ahead = ahead, input.toward = 0.3f;
+    FrameBuffer fresh(plan);
+    for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
+    expect_same(frame.result(), fresh.result());
+    EXPECT_EQ(frame.result().work.joints_composed, number == 0 ? 3u : 1u) << number;
+    for (const std::size_t joint : {0u, 1u}) EXPECT_TRUE(same_bits(frame.result().model[joint], alone.result().model[joint])) << number;
+  }
+}
+
 TEST(unchanged_frames, a_scene_without_clips_does_nothing_from_its_second_frame_on) {
   RandomSceneOptions options;
   options.clips = 0;

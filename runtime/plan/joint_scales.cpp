@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/joint_scales.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/assets/clip_layout.h"
+
+namespace sinew {
+namespace {
+
+int sign_of(double x) noexcept { return (x > 0.0) - (x < 0.0); }
+
+/// The scales that one joint is seen to have.
+class SeenScales {
+ public:
+  void add(const std::array<float, 3>& scale) noexcept {
+    const bool even = scale[0] == scale[1] && scale[0] == scale[2];
+    seen_.kind = std::max(seen_.kind, !even ? ScaleKind::uneven : scale[0] == 1.0f ? ScaleKind::none : ScaleKind::even);
+    const std::array<int, 3> signs = {sign_of(scale[0]), sign_of(scale[1]), sign_of(scale[2])};
+    if (!any_) first_ = scale, signs_ = signs, any_ = true, seen_.sign = signs[0] * signs[1] * signs[2];
+    varies_ |= scale != first_;
+    seen_.may_change |= signs != signs_;
+  }
+  void add_anything() noexcept { seen_.kind = ScaleKind::uneven, seen_.may_change = true; }
+  JointScale result(bool additive) const noexcept {
+    JointScale seen = seen_;
+    seen.may_change |= additive && varies_;
+    return seen;
+  }
+
+ private:
+  JointScale seen_;
+  std::array<float, 3> first_ = {};
+  std::array<int, 3> signs_ = {};
+  bool any_ = false, varies_ = false;
+};
+
+void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenScales>& scales) {
+  const bool keeps_range = block.packed.empty() && (block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear);
+  for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
+    SeenScales& seen = scales[block.targets[lane]];
+    if (!keeps_range) seen.add_anything();
+    for (std::size_t key = 0; key < key_count && keeps_range; ++key)
+      seen.add({block.plane(key, block.value_plane)[lane], block.plane(key, block.value_plane + 1)[lane], block.plane(key, block.value_plane + 2)[lane]});
+  }
+}
+
+/// Of each joint alone.
+std::vector<SeenScales> own_scales(const Rig& rig) {
+  std::vector<SeenScales> scales(rig.joint_count());
+  for (std::size_t j = 0; j < scales.size(); ++j) {
+    const glm::vec3 rest = rig.skeleton->rest[j].scale;
+    scales[j].add({rest.x, rest.y, rest.z});
+  }
+  for (const Clip* clip : rig.clips) {
+    const ClipLayout& layout = clip->layout();
+    const BasePose& base = layout.base_pose;
+    const auto constant = [&](std::size_t component, std::size_t j) { return base.planes[(first_plane(Property::scale) + component) * base.stride + j]; };
+    for (std::size_t j = 0; j < scales.size(); ++j) scales[j].add({constant(0, j), constant(1, j), constant(2, j)});
+    for (const TimeGroup& group : layout.groups)
+      for (const TrackBlock& block : group.blocks)
+        if (block.property == Property::scale) add_keys(block, group.times.key_count(), scales);
+  }
+  return scales;
+}
+
+}  // namespace
+
+std::vector<JointScale> joint_scales(const Rig& rig, bool additive) {
+  const Skeleton& skeleton = *rig.skeleton;
+  const std::vector<SeenScales> own = own_scales(rig);
+  std::vector<JointScale> all;
+  for (std::size_t j = 0; j < own.size(); ++j) {
+    JointScale scale = own[j].result(additive);
+    if (const std::uint32_t fixed = skeleton.fixed_matrix_of[j]; fixed != kNone) {
+      const Affine& matrix = skeleton.fixed_matrices[fixed];
+      scale = {scale_kind(matrix), determinant_sign(affine_cast<double>(matrix)), false};
+    }
+    if (const std::uint32_t parent = skeleton.parents[j]; parent != kNone) {
+      scale.kind = std::max(scale.kind, all[parent].kind);
+      scale.sign *= all[parent].sign;
+      scale.may_change |= all[parent].may_change;
+    }
+    all.push_back(scale);
+  }
+  return all;
+}
+
+ScaleKind scale_kind(const Affine& m) noexcept {
+  constexpr double kTolerance = 1e-5;
+  const Affined d = affine_cast<double>(m);
+  const auto column = [&](int c) { return Vec3<double>(d.row[0][c], d.row[1][c], d.row[2][c]); };
+  const double size = glm::dot(column(0), column(0));
+  bool even = true;
+  for (int c = 0; c < 3; ++c) {
+    even = even && std::abs(glm::dot(column(c), column(c)) - size) <= kTolerance * size;
+    even = even && std::abs(glm::dot(column(c), column((c + 1) % 3))) <= kTolerance * size;
+  }
+  if (!even) return ScaleKind::uneven;
+  return std::abs(size - 1.0) <= kTolerance && determinant(d) > 0.0 ? ScaleKind::none : ScaleKind::even;
+}
+
+int determinant_sign(const Affined& m) noexcept { return sign_of(determinant(m)); }
+
+}  // namespace sinew

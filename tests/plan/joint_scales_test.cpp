@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/joint_scales.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/plan/plan_dump.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
+
+namespace sinew::test {
+namespace {
+
+/// The arm, whose joint 0 is above joint 2 ("lower"), with a scale track on one of them.
+Scene arm_scaled_by(std::uint32_t joint, Vec3Track scale) {
+  Scene scene = arm_scene();
+  BoneAnimation bone;
+  bone.joint = joint;
+  bone.scale = std::move(scale);
+  if (joint == 2) scene.animations[0].bones[0].scale = bone.scale;
+  else scene.animations[0].bones.push_back(bone);
+  finish_scene(scene);
+  return scene;
+}
+
+JointScale scale_of(const Scene& scene, std::uint32_t joint, bool additive = false) { return joint_scales(make_rig(scene, {}), additive)[joint]; }
+
+void expect_scale(const JointScale& scale, ScaleKind kind, int sign, bool may_change) {
+  EXPECT_EQ(scale.kind, kind);
+  EXPECT_EQ(scale.sign, sign);
+  EXPECT_EQ(scale.may_change, may_change);
+}
+
+TEST(joint_scales, P07_kinds_come_from_rest_constants_and_keys_and_reach_what_is_below) {
+  expect_scale(scale_of(arm_scene(), 2), ScaleKind::none, 1, false);
+  const Scene even = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}});
+  expect_scale(scale_of(even, 0), ScaleKind::even, 1, false);
+  expect_scale(scale_of(even, 2), ScaleKind::even, 1, false);
+  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);   // beside it
+  const Scene below = arm_scaled_by(2, {Interpolation::step, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, 1.5f)}});
+  expect_scale(scale_of(below, 2), ScaleKind::uneven, 1, false);
+  expect_scale(scale_of(below, 0), ScaleKind::none, 1, false);
+  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(2), glm::vec3(2)}}), 2), ScaleKind::even, 1, false);   // folded
+  Scene rest = arm_scene();
+  rest.skeleton.rest[0].scale = glm::vec3(1, 2, 3);
+  finish_scene(rest);
+  expect_scale(scale_of(rest, 2), ScaleKind::uneven, 1, false);
+  Scene fixed = arm_scene();
+  fixed.skeleton.fixed_matrix_of[0] = 0;
+  fixed.skeleton.fixed_matrices = {affine_from_transform(Transform{{1, 2, 3}, glm::quat(0.6f, 0.8f, 0, 0), glm::vec3(2)})};
+  finish_scene(fixed);
+  expect_scale(scale_of(fixed, 2), ScaleKind::even, 1, false);
+  fixed.skeleton.fixed_matrices[0].row[0].y += 0.5f;
+  expect_scale(scale_of(fixed, 2), ScaleKind::uneven, 1, false);
+}
+
+TEST(joint_scales, P09_signs_may_change_where_keys_have_several_or_tracks_may_leave_their_keys) {
+  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(-1)}}), 2), ScaleKind::even, 1, true);
+  EXPECT_TRUE(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(0)}}), 2).may_change);
+  EXPECT_TRUE(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1, 1, -2), glm::vec3(1, -1, 2)}}), 2).may_change);   // through zero
+  const Vec3Track cubic{Interpolation::cubic_spline, {0, 1}, {glm::vec3(0), glm::vec3(1), glm::vec3(-9), glm::vec3(9), glm::vec3(1), glm::vec3(0)}};
+  expect_scale(scale_of(arm_scaled_by(0, cubic), 2), ScaleKind::uneven, 1, true);
+  Scene mirrored = arm_scene();
+  mirrored.skeleton.rest[0].scale = glm::vec3(1, 1, -1), mirrored.skeleton.rest[2].scale = glm::vec3(-1);
+  finish_scene(mirrored);
+  expect_scale(scale_of(mirrored, 0), ScaleKind::uneven, -1, false);
+  expect_scale(scale_of(mirrored, 2), ScaleKind::uneven, 1, false);
+  const Scene growing = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}});
+  EXPECT_TRUE(scale_of(growing, 2, true).may_change) << "adding may turn it";
+  EXPECT_FALSE(scale_of(arm_scene(), 2, true).may_change);
+}
+
+TEST(joint_scales, of_a_matrix_allow_for_rounding) {
+  EXPECT_EQ(scale_kind(Affine{}), ScaleKind::none);
+  const glm::quat turn = glm::normalize(glm::quat(0.3f, 0.5f, -0.7f, 0.2f));
+  EXPECT_EQ(scale_kind(affine_from_transform(Transform{{9, 8, 7}, turn, glm::vec3(1)})), ScaleKind::none);
+  EXPECT_EQ(scale_kind(affine_from_transform(Transform{{9, 8, 7}, turn, glm::vec3(0.01f)})), ScaleKind::even);
+  EXPECT_EQ(scale_kind(affine_from_transform(Transform{{0, 0, 0}, turn, glm::vec3(-1)})), ScaleKind::even);
+  EXPECT_EQ(scale_kind(affine_from_transform(Transform{{0, 0, 0}, turn, glm::vec3(1, 1, 1.001f)})), ScaleKind::uneven);
+}
+
+/// Mirrors a root, or leaves it.
+Affine root_of(bool mirrored) { return affine_from_transform(Transform{{0.5f, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, mirrored ? -1.0f : 1.0f, 1)}); }
+
+/// Answers how many instances were mirrored.
+std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& needs, std::size_t& known) {
+  const Plan plan = compile_plan(scene, needs);
+  Plan tested = plan;
+  for (JointScale& scale : tested.instance_scales) scale.may_change = true;
+  FrameBuffer frame(plan), other(tested);
+  std::size_t mirrored = 0;
+  for (const double time_s : {0.0, 0.3, 1.0, 1.7})
+    for (const bool turned : {false, true}) {
+      const ClipLayer layers[] = {{0, time_s, 0.75f}, {1, 0.4, 0.5f}};
+      const FrameInput input{.layers = layers, .weights = {}, .root = root_of(turned)};
+      EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      EXPECT_EQ(run_plan(tested, input, other), ErrorCode::ok);
+      for (std::size_t i = 0; i < plan.instance_scales.size(); ++i) {
+        EXPECT_EQ(frame.result().instances[i].mirrored, other.result().instances[i].mirrored) << i << " at " << time_s;
+        mirrored += frame.result().instances[i].mirrored, known += !plan.instance_scales[i].may_change;
+      }
+      EXPECT_EQ(hash_vertices(frame.result()), hash_vertices(other.result()));
+      EXPECT_EQ(frame.result().work.windings_tested, stage(plan, "winding").count);
+      EXPECT_EQ(other.result().work.windings_tested, plan.instance_scales.size());
+    }
+  return mirrored;
+}
+
+TEST(windings, P09_known_beforehand_are_those_of_determinants) {
+  std::size_t mirrored = 0, known = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    RandomSceneOptions options;
+    options.mirrored_joints = true, options.flat_normals = seed % 2 == 0, options.instances = 6;
+    Scene scene = random_scene(seed, options);
+    if (seed % 3 != 0)   // else whatever tracks there are
+      for (Animation& animation : scene.animations)
+        for (BoneAnimation& bone : animation.bones) bone.scale = {};
+    finish_scene(scene);
+    mirrored += expect_windings_of_determinants(scene, {}, known);
+  }
+  EXPECT_GT(mirrored, 20u);
+  EXPECT_GT(known, 100u);
+}
+
+TEST(windings, P09_change_with_the_sign_of_a_scale_and_are_then_tested) {
+  const Scene scene = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, -1)}});
+  const Plan plan = compile_plan(scene, {});
+  EXPECT_TRUE(stage(plan, "winding").runs);
+  FrameBuffer frame(plan);
+  for (const double time_s : {0.0, 0.25, 0.75, 1.0}) {
+    const ClipLayer layer{0, time_s};
+    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    EXPECT_EQ(frame.result().instances[0].mirrored, time_s > 0.5);
+    EXPECT_EQ(frame.result().work.windings_tested, 1u);
+  }
+}
+
+/// An arm whose vertices follow one joint each.
+Scene rigid_arm(float last_scale) {
+  Scene scene = arm_scaled_by(2, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(1.5f, 1.5f, last_scale)}});
+  scene.meshes[0].primitives[0].influences = {{{0, 4, 1, 0}}, {0, 1, 0, 1}, {1, 1, 1, 1}};
+  scene.meshes[0].primitives[0].normals = {{0, 0.6f, 0.8f}, {0.6f, 0, 0.8f}, {0, -0.6f, 0.8f}, {-0.6f, 0, 0.8f}};
+  return scene;
+}
+
+std::uint64_t run_arm(const Plan& plan, const Affine& root, std::uint64_t& by_cofactors) {
+  FrameBuffer frame(plan);
+  const ClipLayer layer{0, 0.7};
+  EXPECT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = root}, frame), ErrorCode::ok);
+  by_cofactors = frame.result().work.normals_by_cofactors;
+  return hash_vertices(frame.result());
+}
+
+TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_uneven) {
+  Needs needs;
+  std::uint64_t count = 0;
+  const Scene even = rigid_arm(1.5f), uneven = rigid_arm(0.5f);
+  const std::uint64_t linear = run_arm(compile_plan(even, needs), {}, count), linear_uneven = run_arm(compile_plan(uneven, needs), {}, count);
+  EXPECT_EQ(count, 0u);
+  needs.normal_rule = NormalRule::cofactor;
+  EXPECT_EQ(run_arm(compile_plan(even, needs), {}, count), linear);
+  EXPECT_EQ(count, 0u);
+  EXPECT_NE(stage(compile_plan(even, needs), "skin_linear").reason.find("normals of 1 primitive without"), std::string::npos);
+  EXPECT_NE(run_arm(compile_plan(uneven, needs), {}, count), linear_uneven);
+  EXPECT_EQ(count, 4u);
+  EXPECT_NE(stage(compile_plan(uneven, needs), "skin_linear").reason.find("normals of 1 primitive by cofactors"), std::string::npos);
+  run_arm(compile_plan(arm_scene(), needs), {}, count);
+  EXPECT_EQ(count, 4u) << "a blend of two turns is uneven itself";
+}
+
+TEST(normals_by_cofactors, P08_come_with_an_uneven_root) {
+  const Scene scene = rigid_arm(1.5f);
+  Needs needs;
+  needs.normal_rule = NormalRule::cofactor;
+  const Affine root = affine_from_transform(Transform{{0, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, 2, 1)});
+  Plan plan = compile_plan(scene, needs);
+  std::uint64_t count = 0;
+  const std::uint64_t found = run_arm(plan, root, count);
+  EXPECT_EQ(count, 4u);
+  for (PrimitivePlan& primitive : plan.primitives) primitive.cofactors = true;
+  EXPECT_EQ(run_arm(plan, root, count), found);
+}
+
+}  // namespace
+}  // namespace sinew::test
