@@ -24,6 +24,9 @@ struct PoseAndNumbers {
 
   void take(const PoseAndNumbers& from) const noexcept {
     std::copy_n(from.pose.planes, PoseSpan::floats_for(pose.joint_count), pose.planes);
+    take_numbers(from);
+  }
+  void take_numbers(const PoseAndNumbers& from) const noexcept {
     std::copy(from.weights.begin(), from.weights.end(), weights.begin());
     std::copy(from.properties.begin(), from.properties.end(), properties.begin());
   }
@@ -61,13 +64,15 @@ void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t e
   work.spent_on(Stage::interpolate);
 }
 
-/// eq   mean of the two, in the memory of `first`
-void mix(std::span<const BlendLayer> shares, const PoseAndNumbers& first, const PoseAndNumbers& second, const PoseAndNumbers& rest) noexcept {
-  const BlendPosesJob job{.layers = shares, .rest = rest.pose, .pose = first.pose};
+/// eq   out = (1 - toward) first + toward second
+/// in   out   has the numbers of `first` already
+void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float toward, const PoseAndNumbers& out) noexcept {
+  const BlendLayer shares[2] = {{first.pose, 1.0f - toward, {}}, {second.pose, toward, {}}};
+  const BlendPosesJob job{.layers = shares, .rest = first.pose, .pose = out.pose};
   assert(check(job) == ErrorCode::ok);
   run(job);
-  blend_weights(shares, rest.weights, first.weights, second.weights);
-  blend_weights(shares, rest.properties, first.properties, second.properties);
+  blend_weights(shares, first.weights, out.weights, second.weights);
+  blend_weights(shares, first.properties, out.properties, second.properties);
 }
 
 }  // namespace
@@ -77,15 +82,14 @@ PoseSpan interpolate_poses(const Plan& plan, const FrameInput& input, const Fram
   const PoseAndNumbers ends[2] = {{plan, plan.ends[0], step.memory}, {plan, plan.ends[1], step.memory}};
   fill_end(plan, input.layers, 0, step, work);
   if (input.toward != 0.0f) fill_end(plan, input.ahead, 1, step, work);
-  own.take(ends[0]);
+  own.take_numbers(ends[0]);
   if (input.toward != 0.0f) {
-    const BlendLayer shares[2] = {{ends[0].pose, 1.0f - input.toward, {}}, {ends[1].pose, input.toward, {}}};
-    mix(shares, own, ends[1], ends[0]);
+    mix(ends[0], ends[1], input.toward, own);
     work.poses_interpolated += 1;
   }
   if (!input.weights.empty()) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
   work.spent_on(Stage::interpolate);
-  return own.pose;
+  return input.toward != 0.0f ? own.pose : ends[0].pose;
 }
 
 }  // namespace sinew

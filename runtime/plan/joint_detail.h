@@ -11,7 +11,8 @@ namespace sinew {
 /// (detail_within.h) finds the joints that matter least.
 ///
 /// Several plans of one scene, each with a detail of its own, are the levels of a character: it changes level by running the other
-/// plan, into another frame buffer or into a new one over the same block of memory.
+/// plan, into another frame buffer or into a new one over the same block of memory; on a job thread every level is a character of
+/// its own there, and all but one are asleep. Nothing jumps farther than joints were allowed to move vertices.
 struct JointDetail {
   std::vector<bool> kept;       ///< [J] empty = all. Roots, joints above those kept, and joints that drive correctives are kept too
   std::vector<Transform> held;  ///< [J] how joints that are left out stand to their parents; empty = as in the rest pose. Joints

@@ -9,8 +9,9 @@
 
 namespace sinew::test {
 
-inline Needs needs_with(JointDetail detail) {
+inline Needs needs_with(JointDetail detail, Skinning skinning) {
   Needs needs;
+  needs.skinning = skinning;
   needs.normals = needs.tangents = false;
   needs.joint_detail = std::move(detail);
   return needs;
@@ -32,8 +33,8 @@ struct Difference {
 };
 
 /// The largest distance between vertices of frames with and without the joints left out, at times all over a clip.
-inline Difference difference_of(const Scene& scene, const JointDetail& detail, std::uint32_t clip, int times) {
-  const Plan full = compile_plan(scene, needs_with({})), lean = compile_plan(scene, needs_with(detail));
+inline Difference difference_of(const Scene& scene, const JointDetail& detail, std::uint32_t clip, int times, Skinning skinning = Skinning::linear) {
+  const Plan full = compile_plan(scene, needs_with({}, skinning)), lean = compile_plan(scene, needs_with(detail, skinning));
   FrameBuffer all(full), some(lean);
   Difference found;
   for (int n = 0; n <= times; ++n) {

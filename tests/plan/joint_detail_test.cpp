@@ -8,6 +8,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/clip_reach.h"
+#include "runtime/plan/job_thread.h"
 #include "runtime/plan/run_plan.h"
 #include "runtime/plan/truth_pose.h"
 #include "tests/scenes/hand_scenes.h"
@@ -231,6 +232,28 @@ TEST(joint_detail, a_character_changes_detail_in_one_block_of_memory_without_all
     EXPECT_TRUE(same_bits<Affine>(frame.result().model, (is_lean ? lean_fresh : fresh).result().model));
   }
   EXPECT_EQ(counter.count(), 0u);
+}
+
+TEST(joint_detail, on_a_job_thread_levels_are_characters_of_which_one_is_awake) {
+  const Scene scene = random_scene(6);
+  Needs needs;
+  const Plan full = compile_plan(scene, needs);
+  needs.joint_detail = some_detail(scene, 6);
+  const Plan lean = compile_plan(scene, needs);
+  const Plan* levels[] = {&full, &lean};
+  JobThread jobs;
+  for (const Plan* level : levels) jobs.add_character(*level);
+  for (int number = 0; number < 12; ++number) {
+    const std::uint32_t awake = number / 3 % 2;
+    const ClipLayer layer{0, 0.05 * number};
+    FrameInput inputs[2];
+    inputs[awake].layers = {&layer, 1}, inputs[1 - awake].asleep = true;
+    jobs.wait(*jobs.submit(inputs));
+    FrameBuffer alone(*levels[awake]);
+    ASSERT_EQ(run_plan(*levels[awake], inputs[awake], alone), ErrorCode::ok);
+    EXPECT_TRUE(same_bits<Affine>(jobs.latest(awake)->model, alone.result().model));
+    EXPECT_EQ(jobs.latest(1 - awake)->work, WorkCounters{});
+  }
 }
 
 TEST(joint_detail, frame_buffers_of_another_detail_are_refused) {
