@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -22,6 +23,10 @@ constexpr std::size_t first_plane(Property p) noexcept {
   return p == Property::translation ? 0 : p == Property::rotation ? 3 : p == Property::scale ? 7 : 0;
 }
 
+/// Components of rotations below this are 0, unless a key is returned as it is stored: they turn by less than 1e-18, their squares
+/// are no normal numbers, and real clips have them. Some processors take a hundred times as long for such a product (N26).
+inline constexpr float kLeastComponent = 1e-18f;
+
 /// The pose that a sample starts from, in the planes of PoseSpan (jobs/pose.h), so that it is copied as one block. Lanes
 /// beyond the last joint hold the identity.
 struct BasePose {
@@ -33,12 +38,16 @@ struct BasePose {
     for (std::size_t j = 0; j < stride; ++j) {
       const Transform t = j < rest.size() ? rest[j] : Transform{};
       set(0, j, {t.translation.x, t.translation.y, t.translation.z});
-      set(3, j, {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w});
+      set_rotation(j, t.rotation);
       set(7, j, {t.scale.x, t.scale.y, t.scale.z});
     }
   }
   void set(std::size_t plane, std::size_t joint, std::initializer_list<float> components) noexcept {
     for (const float x : components) planes[plane++ * stride + joint] = x;
+  }
+  void set_rotation(std::size_t joint, const glm::quat& q) noexcept {
+    const auto flushed = [](float x) { return std::abs(x) < kLeastComponent ? 0.0f : x; };
+    set(3, joint, {flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w)});
   }
 };
 

@@ -270,7 +270,7 @@ class Compiler {
     if (lane.track == nullptr) return;
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
     if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q))) {
-      layout_.base_pose.set(first_plane(Property::rotation), lane.target, {q.x, q.y, q.z, q.w});
+      layout_.base_pose.set_rotation(lane.target, q);
       ++layout_.counts.folded;
       return;
     }

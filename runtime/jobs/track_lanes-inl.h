@@ -9,6 +9,7 @@
 #define SINEW_TRACK_LANES_INL_H
 #endif
 
+#include "runtime/assets/clip_layout.h"
 #include "runtime/jobs/track_places-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -65,11 +66,7 @@ HWY_INLINE Lanes dot4(Lanes x, Lanes y, Lanes z, Lanes w) {
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Add(hn::Mul(z, z), hn::Mul(w, w)));
 }
 
-/// Components whose square is no normal number are 0: they turn a rotation by less than 1e-18, and real clips have them. Some
-/// processors take a hundred times as long for such a product (N26).
-HWY_INLINE Lanes flushed(Lanes v) {
-  return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), 1e-18f)), v);
-}
+HWY_INLINE Lanes flushed(Lanes v) { return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v); }
 
 HWY_INLINE Lanes mix(const TrackBlock& block, std::size_t key, std::size_t component, std::size_t lane, Lanes w0, Lanes w1) {
   return hn::Add(hn::Mul(load(block, key, component, lane), w0), hn::Mul(load(block, key + 1, component, lane), w1));

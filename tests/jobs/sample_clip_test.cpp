@@ -208,6 +208,19 @@ TEST(sample_clip, P02_folded_tracks_give_their_constant_at_all_times) {
   for (const double t : {-1.0, 0.0, 0.7, 5.0}) EXPECT_EQ(player.at(t).rotation, q);
 }
 
+TEST(sample_clip, N26_folded_and_resting_rotations_have_no_component_whose_square_is_no_normal_number) {
+  const glm::quat tiny = quat_xyzw(0.6f, 9e-19f, -4e-36f, 0.8f), found = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
+  Player player = one({Interpolation::linear, {0, 1}, {tiny, tiny}});
+  EXPECT_EQ(player.clip.counts().folded, 1u);
+  EXPECT_EQ(player.at(0.5).rotation, found);
+  Skeleton skeleton = test::chain_skeleton(1);
+  skeleton.rest[0].rotation = tiny;
+  const Clip clip = test::clip_of({}, skeleton);
+  test::PoseBuffer pose(1);
+  run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = {}});
+  EXPECT_EQ(pose.span().get(0).rotation, found);
+}
+
 TEST(sample_clip, G19_G43_weights_of_all_instances_and_modes) {
   test::FixedRandom random(19);
   const std::vector<float> rest{9, 8, 7, 6, 5, 4, 3};

@@ -93,6 +93,14 @@ TEST(skin_linear, N22_a_collapsed_matrix_keeps_the_normal) {
   }
 }
 
+TEST(skin_linear, N22_a_tangent_without_length_keeps_its_value_beside_normals_that_have_one) {
+  test::FixedRandom random(14);
+  auto s = test::random_skinned_vertices(random, kCounts, 40, 16, true);
+  for (std::size_t v = 0; v < s.tangents.size(); v += 3) s.tangents[v] = {0, 0, 0, -1};
+  run(job_of(s));
+  for (std::size_t v = 0; v < s.tangents.size(); v += 3) EXPECT_EQ(s.out_tangents[v], s.tangents[v]) << v;
+}
+
 TEST(skin_linear, the_bind_pose_moves_nothing) {
   test::FixedRandom random(5);
   auto s = test::random_skinned_vertices(random, kCounts, 10, 16, false);
