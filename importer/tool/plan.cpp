@@ -104,11 +104,12 @@ struct LeftOut {
 };
 
 /// err  a sentence that says what is wrong with the length
-tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene, const std::vector<std::uint32_t>& clips) {
+tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene, const std::vector<std::uint32_t>& clips,
+                                                                  const Needs& needs) {
   if (!options.joint_tolerance) return std::nullopt;
   const auto asked_m = parse_length(*options.joint_tolerance);
   if (!asked_m) return tl::unexpected("--joint-tolerance: " + asked_m.error());
-  return LeftOut{*asked_m, detail_within(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{})};
+  return LeftOut{*asked_m, detail_within(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
 }
 
 void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
@@ -156,7 +157,7 @@ ExitCode plan_file(const PlanOptions& options) {
     say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(), file->scene.instances.size()));
     return ExitCode::wrong_usage;
   }
-  const auto left_out = leave_out_joints(options, file->scene, *chosen);
+  const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
   if (*left_out) needs->joint_detail = (*left_out)->within.detail;
   const Plan plan = compile_plan(file->scene, *needs);

@@ -9,6 +9,7 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/plan/clip_error.h"
+#include "runtime/plan/run_plan.h"
 #include "runtime/plan/truth_pose.h"
 #include "runtime/plan/virtual_vertices.h"
 
@@ -193,12 +194,64 @@ class Pruner {
   std::vector<Branch> open_, accepted_;
 };
 
+/// Of the tolerance, tried one after the other where linear blending says too little of what vertices do.
+constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
+constexpr double kRounding = 3e-6;   // of floats, against the distance from the origin
+
+bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.instances[i].skin != kNone && needs.skinning_of(i) != Skinning::linear) return true;
+  return false;
+}
+
+struct FramesApart {
+  double worst_m = 0.0;      // from a vertex to where it is with all joints
+  double farthest_m = 0.0;   // of a vertex from the origin
+};
+
+/// Skinned vertices of frames with and without the joints that a detail leaves out; these are in world space.
+FramesApart compare_frames(const Scene& scene, Needs needs, const JointDetail& detail, std::span<const Moment> moments) {
+  needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
+  needs.positions = true, needs.joint_detail = {};
+  const Plan full = compile_plan(scene, needs);
+  needs.joint_detail = detail;
+  const Plan lean = compile_plan(scene, needs);
+  FrameBuffer all(full), some(lean);
+  std::size_t vertices = 0;
+  for (const PrimitivePlan& planned : full.primitives) vertices += planned.skin.any() ? primitive_of(full, planned).vertex_count() : 0;
+  FramesApart apart;
+  for (std::size_t i = 0; i < moments.size(); i += moments.size() * vertices / kMostDetailVertices + 1) {
+    const ClipLayer layer{moments[i].clip, moments[i].time_s};
+    FrameInput input;
+    if (moments[i].clip != kNone) input.layers = {&layer, 1};
+    CONTRACT(run_plan(full, input, all) == ErrorCode::ok && run_plan(lean, input, some) == ErrorCode::ok);
+    for (std::size_t p = 0; p < full.primitives.size(); ++p) {
+      if (!full.primitives[p].skin.any()) continue;
+      const std::span<const glm::vec3> a = all.result().primitives[p].positions, b = some.result().primitives[p].positions;
+      for (std::size_t v = 0; v < a.size(); ++v) {
+        apart.worst_m = std::max(apart.worst_m, safe_length(Vec3<double>(a[v]) - Vec3<double>(b[v])));
+        apart.farthest_m = std::max(apart.farthest_m, safe_length(Vec3<double>(a[v])));
+      }
+    }
+  }
+  return apart;
+}
+
 }  // namespace
 
-DetailWithin detail_within(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips) {
+DetailWithin detail_within(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips, const Needs& needs) {
   CONTRACT(tolerance_m >= 0.0);
   if (scene.skeleton.joint_count() == 0) return {};
-  return Pruner(scene, tolerance_m, clips).prune();
+  if (!bends_otherwise(scene, needs)) return Pruner(scene, tolerance_m, clips).prune();
+  const std::vector<Moment> moments = moments_of(scene, clips);
+  for (const double share : kShares) {
+    DetailWithin within = Pruner(scene, share * tolerance_m, clips).prune();
+    if (within.left_out == 0) return within;
+    const FramesApart apart = compare_frames(scene, needs, within.detail, moments);
+    within.measured_m = std::max(within.measured_m, apart.worst_m);
+    if (apart.worst_m <= tolerance_m + kRounding * apart.farthest_m) return within;
+  }
+  return {};
 }
 
 }  // namespace sinew

@@ -157,6 +157,26 @@ TEST(detail_within, joints_that_carry_nothing_go_and_those_of_cameras_lights_and
     for (const PoseDriver& driver : corrective.samples.drivers) EXPECT_TRUE(of_corrected.detail.kept[driver.joint]);
 }
 
+TEST(detail_within, other_kinds_of_skinning_are_within_the_tolerance_too) {
+  std::size_t left_out = 0;
+  for (const std::uint32_t seed : {4u, 5u}) {
+    RandomSceneOptions options = without_morphs();
+    options.centers = true, options.mirrored_joints = seed == 5, options.triangles = 12;
+    const Scene scene = random_scene(seed, options);
+    const DetailWithin linear = detail_within(scene, 8.0);
+    for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation}) {
+      Needs needs;
+      needs.skinning = skinning;
+      const DetailWithin within = detail_within(scene, 8.0, {}, needs);
+      EXPECT_LE(within.left_out, linear.left_out);
+      EXPECT_LE(within.measured_m, 8.0);
+      left_out += within.left_out;
+      for (const std::uint32_t clip : {0u, 1u}) EXPECT_LE(difference_of(scene, within.detail, clip, 60, skinning).worst_m, 1.1 * 8.0) << seed;
+    }
+  }
+  EXPECT_GT(left_out, 12u);
+}
+
 TEST(detail_within, a_skeleton_without_meshes_is_measured_at_its_shell) {
   Scene scene = clenched_scene({quat_identity<float>(), normalised(quat_xyzw(0.0f, 0.0f, 0.1f, 1.0f))});
   scene.instances.clear(), scene.clips.clear();
