@@ -91,7 +91,7 @@ ErrorCode check(const SampleClipJob& job) noexcept {
 
 void run(const SampleClipJob& job) noexcept {
   const ClipLayout& clip = job.clip->layout();
-  std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
+  if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
   if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
   if (!job.properties.empty()) std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
   for (const TimeGroup& group : clip.groups) {

@@ -14,6 +14,7 @@ namespace sinew {
 /// in   time_s      seconds in the clip
 /// out  pose        of the clip's joint count;   weights[W]  the clip's weight count, may be empty = not wanted
 ///      properties[P]  the clip's property count, may be empty = not wanted
+///      holds_clip  the pose is a sample of this very clip: what that does not animate is there already (P01)
 /// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation
 struct SampleClipJob {
   const Clip* clip = nullptr;
@@ -21,6 +22,7 @@ struct SampleClipJob {
   PoseSpan pose;
   std::span<float> weights;
   std::span<float> properties = {};
+  bool holds_clip = false;
 };
 
 ErrorCode check(const SampleClipJob& job) noexcept;

@@ -32,13 +32,14 @@ LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t inde
           numbers_of_layer(memory, plan.properties_at, plan.layer_properties_at, properties, index)};
 }
 
-void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights,
+void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights, bool holds_clip,
             FrameWork& work) noexcept {
   const SampleClipJob job{.clip = plan.rig.clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = place.pose,
                           .weights = with_weights ? place.weights : std::span<float>{},
-                          .properties = place.properties};
+                          .properties = place.properties,
+                          .holds_clip = holds_clip};
   assert(check(job) == ErrorCode::ok);
   run(job);
   const ClipTracks& tracks = plan.clip_tracks[layer.clip];
@@ -57,14 +58,14 @@ bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
 
 /// The mean of the layers that blend, and of their weights when these are the frame's own.
 PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers, bool own_weights,
-               FrameWork& work) noexcept {
+               bool holds_clip, FrameWork& work) noexcept {
   const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
   const LayerPlace first = place_of_layer(plan, memory, 0);
   std::size_t count = 0;
   for (const ClipLayer& layer : input.layers) {
     if (!takes_part(plan, layer, false)) continue;
     const LayerPlace place = place_of_layer(plan, memory, count);
-    sample(plan, layer, place, own_weights, work);
+    sample(plan, layer, place, own_weights, holds_clip, work);
     layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
   }
   if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
@@ -94,11 +95,11 @@ void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_
   const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
   LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}, {}};
   std::span<const float> reference_weights = plan.rest_weights;
-  sample(plan, layer, added, own_weights, work);
+  sample(plan, layer, added, own_weights, false, work);
   if (layer.kind == LayerKind::add_to_start) {
     reference = {memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights), {}};
     reference_weights = reference.weights;
-    sample(plan, {.clip = layer.clip}, reference, own_weights, work);
+    sample(plan, {.clip = layer.clip}, reference, own_weights, false, work);
   }
   const AddPoseJob job{.layer = added.pose, .reference = reference.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer), .pose = own.pose};
   assert(check(job) == ErrorCode::ok);
@@ -112,11 +113,11 @@ void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_
 }  // namespace
 
 PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-                       FrameWork& work) noexcept {
+                       bool holds_clip, FrameWork& work) noexcept {
   const LayerPlace own = place_of_layer(plan, memory, 0);
   const bool own_weights = input.weights.empty() && !own.weights.empty();
   if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
-  PoseSpan pose = blend(plan, input, memory, layers, own_weights, work);
+  PoseSpan pose = blend(plan, input, memory, layers, own_weights, holds_clip, work);
   for (const ClipLayer& layer : input.layers) {
     if (!takes_part(plan, layer, true)) continue;
     if (pose.planes != own.pose.planes) std::copy_n(pose.planes, PoseSpan::floats_for(pose.joint_count), own.pose.planes);

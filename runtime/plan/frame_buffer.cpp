@@ -32,6 +32,12 @@ bool plays_alone(std::span<const ClipLayer> layers) noexcept {
   return true;
 }
 
+/// The clip that plays; kNone: none does.
+std::uint32_t clip_of(std::span<const ClipLayer> layers) noexcept {
+  const auto playing = std::find_if(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.weight != 0.0f; });
+  return playing != layers.end() ? playing->clip : kNone;
+}
+
 /// No clip that plays has tracks of joints.
 bool leave_joints_at_rest(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
   return std::none_of(layers.begin(), layers.end(), [&](const ClipLayer& layer) {
@@ -100,6 +106,12 @@ StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables
   const bool between = input.toward != 0.0f || toward_ != 0.0f;
   const bool at_rest = !between && plays_alone(input.layers) && plays_alone(last) && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
   return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
+}
+
+bool FrameBuffer::holds_clip(const FrameTables& tables, const FrameInput& input) const noexcept {
+  if (!keeps_input_ || asleep_) return false;
+  const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
+  return plays_alone(input.layers) && plays_alone(last) && clip_of(input.layers) != kNone && clip_of(input.layers) == clip_of(last);
 }
 
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.

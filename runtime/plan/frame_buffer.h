@@ -55,6 +55,7 @@ class FrameBuffer {
   // `tables`: of this buffer's own memory.
   bool holds_result_of(const FrameTables& tables, const FrameInput& input) const noexcept;
   StandingJoints standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept;
+  bool holds_clip(const FrameTables& tables, const FrameInput& input) const noexcept;
   void keep(const FrameTables& tables, const FrameInput& input) noexcept;
 
   const Scene* scene_ = nullptr;         // the rest pose in the memory is this scene's

@@ -54,7 +54,7 @@ bool take_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t e
 void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step, FrameWork& work) noexcept {
   if (!take_end(plan, layers, end, step)) {
     PoseAndNumbers made(plan, {plan.pose_at, plan.weights_at, plan.properties_at}, step.memory);
-    made.pose = evaluate_pose(plan, {.layers = layers, .weights = {}, .root = {}}, step.memory, step.tables.blend_layers, work);
+    made.pose = evaluate_pose(plan, {.layers = layers, .weights = {}, .root = {}}, step.memory, step.tables.blend_layers, false, work);
     PoseAndNumbers(plan, plan.ends[end], step.memory).take(made);
   }
   UpdateEnd& kept = step.tables.ends[end];

@@ -15,6 +15,7 @@ struct FrameStep {
   FrameTables tables_before;
   std::uint64_t number = 0;
   StandingJoints standing = StandingJoints::none;
+  bool holds_clip = false;   // the pose in the memory is of the clip that makes up this one alone
 };
 
 /// Stages palette, split_palette and combinations, with the stamps of the palettes. A palette of the same bits as in the frame before is

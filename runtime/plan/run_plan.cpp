@@ -277,7 +277,7 @@ void sleep(const Plan& plan, const FrameStep& step, FrameResult& result) noexcep
 void evaluate(const Plan& plan, const FrameInput& input, const FrameStep& step, FrameResult& result) noexcept {
   const FrameMemory memory = step.memory;
   FrameWork work(step.tables.stage_ns);
-  const PoseSpan local = plan.interpolate ? interpolate_poses(plan, input, step, work) : evaluate_pose(plan, input, memory, step.tables.blend_layers, work);
+  const PoseSpan local = plan.interpolate ? interpolate_poses(plan, input, step, work) : evaluate_pose(plan, input, memory, step.tables.blend_layers, step.holds_clip, work);
   correct_weights(plan, local, memory, work);
   const std::span<const float> weights = memory.array<const float>(plan.weights_at, plan.rest_weights.size());
   const std::span<const Affine> model = compose(plan, local, input.root, step, work);
@@ -308,7 +308,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
   const FrameTables tables(plan, memory);
   const FrameStep step{memory, tables, memory_before, &before == &frame ? tables : FrameTables(plan, memory_before), frame.result_.frame + 1,
-                       frame.standing(plan, tables, input)};
+                       frame.standing(plan, tables, input), frame.holds_clip(tables, input)};
   const bool same = frame.holds_result_of(tables, input);
   const bool same_before = &before == &frame ? same : before.holds_result_of(step.tables_before, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;

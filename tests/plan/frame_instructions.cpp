@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames of a scene with COUNT effects that nothing calls for, and COUNT joints that the plan leaves out, for callgrind to count
-// their instructions:
+// Frames of a scene with COUNT effects that nothing calls for, COUNT nodes that no clip moves, and COUNT joints that the
+// plan leaves out, for callgrind to count their instructions:
 //   sinew-frame-instructions COUNT
 #include <valgrind/callgrind.h>
 
@@ -45,6 +45,19 @@ void add_joints(Scene& scene, std::uint32_t count) {
   if (count > 0) skeleton.level_begin.push_back(first + count);
 }
 
+/// Nodes beside the arm, that no clip moves.
+void add_static_nodes(Scene& scene, std::uint32_t count) {
+  Skeleton& skeleton = scene.skeleton;
+  const auto first = static_cast<std::uint32_t>(skeleton.joint_count());
+  for (std::uint32_t j = first; j < first + count; ++j) {
+    skeleton.parents.push_back(0);
+    skeleton.rest.push_back({{0.5f, static_cast<float>(j), 0.25f}, glm::quat(1, 0, 0, 0), glm::vec3(1)});
+    skeleton.fixed_matrix_of.push_back(kNone);
+    skeleton.names.emplace_back("static"), skeleton.node_of_joint.push_back(j), skeleton.joint_of_node.push_back(j);
+  }
+  skeleton.level_begin.back() += count;
+}
+
 Needs without_joints(std::uint32_t kept, std::uint32_t left_out) {
   Needs needs;
   needs.joint_detail.kept.assign(kept, true);
@@ -69,6 +82,7 @@ int main(int argc, char** argv) {
   const std::string_view text = argv[1];
   if (std::from_chars(text.data(), text.data() + text.size(), count).ec != std::errc()) return 2;
   sinew::Scene scene = arm_scene();
+  add_static_nodes(scene, count);
   const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
   add_joints(scene, count);
   scene.clips.clear();

@@ -175,6 +175,27 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   }
 }
 
+/// Whatever a pose in the memory is of, the next frame has the bits that it has anew.
+TEST(unchanged_frames, P01_poses_of_one_clip_after_another_are_those_of_fresh_ones) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Scene scene = random_scene(seed);
+    Needs needs;
+    needs.additive = true;
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const std::vector<std::vector<ClipLayer>> all = {
+        {{0, 0.1}}, {{0, 0.3}}, {{1, 0.3}}, {{1, 0.4}, {0, 0.9, 0.0f}}, {{1, 0.5}, {0, 0.9, 1.0f}}, {{1, 0.6}},
+        {}, {{1, 0.7}}, {{1, 0.8, 0.5f}}, {{1, 0.9}}, {{1, 1.0}, {0, 0.3, 0.5f, kNone, LayerKind::add_to_rest}}, {{1, 1.1}}, {{0, 1.2, 2.0f}}, {{0, 1.3}}};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const bool asleep : {false, i % 5 == 4}) {
+        FrameBuffer fresh(plan);
+        for (FrameBuffer* buffer : {&frame, &fresh})
+          ASSERT_EQ(run_plan(plan, {.layers = all[i], .weights = {}, .root = {}, .asleep = asleep}, *buffer), ErrorCode::ok);
+        expect_same(frame.result(), fresh.result());
+      }
+  }
+}
+
 TEST(unchanged_frames, a_scene_without_clips_does_nothing_from_its_second_frame_on) {
   RandomSceneOptions options;
   options.clips = 0;
