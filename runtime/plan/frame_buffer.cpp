@@ -9,6 +9,7 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
+#include "runtime/plan/plays_alone.h"
 #include "runtime/plan/same_layers.h"
 
 namespace sinew {
@@ -22,14 +23,6 @@ std::span<const ClipLayer> ahead_of(const FrameInput& input) noexcept {
 /// As FrameTables::input_out_of_view.
 std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept {
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
-}
-
-/// At most one clip plays, and alone makes up the pose: where it moves no joints they have their rest pose to the last bit.
-bool plays_alone(std::span<const ClipLayer> layers) noexcept {
-  std::size_t active = 0;
-  for (const ClipLayer& layer : layers)
-    if (layer.weight != 0.0f && (++active > 1 || layer.weight < 1.0f || layer.mask != kNone || layer.kind != LayerKind::blend)) return false;
-  return true;
 }
 
 /// The clip that plays; kNone: none does.

@@ -15,6 +15,7 @@ struct FrameStep {
   FrameTables tables_before;
   std::uint64_t number = 0;
   StandingJoints standing = StandingJoints::none;
+  bool is_mean = false;      // of several layers, or between two updates
   bool holds_clip = false;   // the pose in the memory is of the clip that makes up this one alone
 };
 

@@ -17,6 +17,7 @@
 #include "runtime/plan/grow_bounds.h"
 #include "runtime/plan/interpolate_poses.h"
 #include "runtime/plan/make_palettes.h"
+#include "runtime/plan/plays_alone.h"
 
 namespace sinew {
 namespace {
@@ -65,15 +66,17 @@ void correct_weights(const Plan& plan, const PoseSpan& local, FrameMemory memory
   work.spent_on(Stage::correctives);
 }
 
-/// Joints that no clip moves have their rest pose to the last bit, also where a mean of layers was rounded (P01).
-void rest_unmoved(const Plan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
-  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
-  if (local.planes == rest.planes) return;
+/// The pose with the rest pose, to the last bit, in joints that no clip moves: a mean of layers rounds them (P01). In the frame's own
+/// pose, as others may be of an update that is kept.
+PoseSpan with_unmoved_at_rest(const Plan& plan, const PoseSpan& local, FrameMemory memory) noexcept {
+  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count()), own = memory.pose(plan.pose_at, plan.rig.joint_count());
+  if (local.planes != own.planes) std::copy_n(local.planes, PoseSpan::floats_for(local.joint_count), own.planes);
   std::size_t next = 0;
-  for (std::size_t j = 0; j < local.joint_count; ++j) {
+  for (std::size_t j = 0; j < own.joint_count; ++j) {
     if (next < plan.moved_joints.size() && plan.moved_joints[next] == j) ++next;
-    else local.set(j, rest.get(j));
+    else own.set(j, rest.get(j));
   }
+  return own;
 }
 
 /// World matrices of all joints, or nothing when the plan leaves them out. Those that are there already are not made again (P01).
@@ -85,7 +88,7 @@ std::span<const Affine> compose(const Plan& plan, const PoseSpan& local, const A
   if (step.standing == StandingJoints::all) return model;
   LocalToModelJob job{.skeleton = plan.rig.skeleton, .local = local, .root = root, .model = model};
   if (step.standing == StandingJoints::unmoved) job.only = plan.moved_joints;
-  else rest_unmoved(plan, local, step.memory);
+  else if (step.is_mean) job.local = with_unmoved_at_rest(plan, local, step.memory);
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.joints_composed += job.only.empty() ? joints : job.only.size();
@@ -308,7 +311,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
   const FrameTables tables(plan, memory);
   const FrameStep step{memory, tables, memory_before, &before == &frame ? tables : FrameTables(plan, memory_before), frame.result_.frame + 1,
-                       frame.standing(plan, tables, input), frame.holds_clip(tables, input)};
+                       frame.standing(plan, tables, input), plan.sample && (input.toward != 0.0f || !plays_alone(input.layers)), frame.holds_clip(tables, input)};
   const bool same = frame.holds_result_of(tables, input);
   const bool same_before = &before == &frame ? same : before.holds_result_of(step.tables_before, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;
