@@ -26,6 +26,10 @@ constexpr std::size_t first_plane(Property p) noexcept {
 /// Components of rotations below this are 0, unless a key is returned as it is stored: they turn by less than 1e-18, their squares
 /// are no normal numbers, and real clips have them. Some processors take a hundred times as long for such a product (N26).
 inline constexpr float kLeastComponent = 1e-18f;
+inline glm::quat without_tiny(const glm::quat& q) noexcept {
+  const auto flushed = [](float x) { return std::abs(x) < kLeastComponent ? 0.0f : x; };
+  return quat_xyzw(flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w));
+}
 
 /// The pose that a sample starts from, in the planes of PoseSpan (jobs/pose.h), so that it is copied as one block. Lanes
 /// beyond the last joint hold the identity.
@@ -45,9 +49,9 @@ struct BasePose {
   void set(std::size_t plane, std::size_t joint, std::initializer_list<float> components) noexcept {
     for (const float x : components) planes[plane++ * stride + joint] = x;
   }
-  void set_rotation(std::size_t joint, const glm::quat& q) noexcept {
-    const auto flushed = [](float x) { return std::abs(x) < kLeastComponent ? 0.0f : x; };
-    set(3, joint, {flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w)});
+  void set_rotation(std::size_t joint, const glm::quat& rotation) noexcept {
+    const glm::quat q = without_tiny(rotation);
+    set(3, joint, {q.x, q.y, q.z, q.w});
   }
 };
 

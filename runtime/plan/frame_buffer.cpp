@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 
+#include "runtime/assets/clip_layout.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/find_hidden.h"
@@ -74,7 +75,11 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   }
   const Skeleton& skeleton = *plan.rig.skeleton;
   const PoseSpan rest = memory.pose(plan.rest_pose_at, skeleton.joint_count());
-  for (std::size_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? skeleton.rest[j] : Transform{});
+  for (std::size_t j = 0; j < rest.stride; ++j) {
+    Transform local = j < rest.joint_count ? skeleton.rest[j] : Transform{};
+    local.rotation = without_tiny(local.rotation);  // as clips have it: a joint that rests has the same bits with any clip and without
+    rest.set(j, local);
+  }
   if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
 }
 
