@@ -45,6 +45,20 @@ TEST(camera_pose, moves_where_a_clip_moves_its_joint_or_one_above) {
   EXPECT_TRUE(CameraPose(scene, 2).moves());
 }
 
+TEST(camera_pose, has_the_angle_that_the_clip_gives_it) {
+  Scene scene = test::arm_scene();
+  scene.cameras.push_back({.name = "zooms", .joint = 1});
+  WeightTrack zoom;
+  zoom.interpolation = Interpolation::linear, zoom.target_count = 1, zoom.times_s = {0.0f, 1.0f}, zoom.values = {0.5f, 1.0f};
+  scene.animations[0].properties.push_back({{PropertyKind::camera_fov_y, 0}, zoom});
+  scene.clips.clear();
+  finish_scene(scene);
+  CameraPose pose(scene, 0);
+  EXPECT_TRUE(pose.moves());
+  EXPECT_NEAR(pose.at(0, 0.5, 1.0, {}).fov_y_rad, 0.75, 1e-6);
+  EXPECT_NEAR(pose.at(0, 1.0, 1.0, {}).fov_y_rad, 1.0, 1e-6);
+}
+
 TEST(camera_pose, P14_what_a_camera_of_the_file_does_not_see_is_known_before_the_pose) {
   Scene scene = test::arm_scene();
   scene.cameras.push_back({.name = "aside", .joint = 1, .fov_y_rad = 0.3f});   // five metres to the right, along -z
