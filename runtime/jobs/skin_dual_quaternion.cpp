@@ -9,6 +9,7 @@
 
 #include "runtime/jobs/blend_motion.h"
 #include "runtime/jobs/blend_motion_lanes-inl.h"
+#include "runtime/jobs/blend_stretch_lanes-inl.h"
 #include "runtime/jobs/turn_directions-inl.h"
 #include "runtime/jobs/turn_directions.h"
 #include "runtime/jobs/vertex_checks.h"

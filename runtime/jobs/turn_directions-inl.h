@@ -8,6 +8,7 @@
 #endif
 
 #include "runtime/jobs/blend_motion_lanes-inl.h"
+#include "runtime/jobs/blend_stretch_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
