@@ -7,6 +7,7 @@
 #include "importer/tool/length_text.h"
 #include "importer/tool/sampling_time.h"
 #include "importer/tool/text_table.h"
+#include "runtime/assets/unpack_clip.h"
 
 namespace sinew::tool {
 namespace {
@@ -25,7 +26,7 @@ std::string joint_text(std::uint32_t joint, std::span<const std::string> names) 
 }  // namespace
 
 std::string certificate_table(std::span<const Clip> clips, std::span<const std::string> joint_names) {
-  TextTable table({"#", "clip", "asked", "measured", "kept", "worst at", "worst time", "keys", "of", "bytes", "of all keys", "bytes/joint/s", "ns/joint"});
+  TextTable table({"#", "clip", "asked", "measured", "kept", "worst at", "worst time", "keys", "of", "bytes", "of all keys", "bytes/joint/s", "ns/joint", "unpacked"});
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (!clips[i].certificate()) continue;
     const ClipCertificate& c = *clips[i].certificate();
@@ -33,7 +34,7 @@ std::string certificate_table(std::span<const Clip> clips, std::span<const std::
                joint_text(c.worst_joint, joint_names), fmt::format("{:.4g} s", c.worst_time_s), std::to_string(c.kept_keys),
                std::to_string(c.source_keys), std::to_string(c.bytes), std::to_string(c.source_bytes),
                clips[i].duration_s() > 0.0 ? fmt::format("{:.1f}", c.bytes_per_joint_second(clips[i].duration_s())) : "",
-               fmt::format("{:.2g}", sampling_ns_per_joint(clips[i]))});
+               fmt::format("{:.2g}", sampling_ns_per_joint(clips[i])), fmt::format("{:.2g}", sampling_ns_per_joint(unpacked(clips[i])))});
   }
   return table.text();
 }

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// What is known of a clip that was compiled within a budget: measured on the compiled clip, against the authoring form in
-/// double precision, at and between all keys. Lengths are in the units of the file, which are metres by glTF's convention.
+/// What is known of a clip that was compiled within a budget: measured on the compiled clip, as it is and unpacked (unpack_clip.h),
+/// against the authoring form in double precision, at and between all keys. Lengths are in the units of the file, which are metres by glTF's convention.
 ///
 /// A joint's error is the largest distance between where the clip and the truth put a corner of its box of virtual vertices
 /// (plan/virtual_vertices.h), in model space. Linear skinning averages the joints of a vertex, so that no vertex of a skin is

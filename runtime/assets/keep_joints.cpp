@@ -30,29 +30,6 @@ std::vector<float> keep_rows(const TrackBlock& block, std::span<const std::uint3
   return kept;
 }
 
-std::uint32_t bits_at(const PackedRows& rows, std::size_t bit, std::uint32_t count) noexcept {
-  std::uint32_t number = 0;
-  for (std::uint32_t i = 0; i < count; ++i, ++bit) number |= (std::uint32_t{rows.bits[bit / 8]} >> bit % 8 & 1u) << i;
-  return number;
-}
-
-/// One lane of a block as pack_keys made it.
-PackedTrack lane_of(const TrackBlock& block, std::uint32_t lane, std::size_t key_count) {
-  const PackedRows& rows = block.packed;
-  PackedTrack track;
-  track.components = block.property == Property::rotation ? 4 : 3;
-  if (!rows.derived.empty()) track.derived = rows.derived[lane];
-  for (std::size_t c = 0; c < track.components; ++c) {
-    const std::size_t at = c * block.lane_count + lane;
-    track.width[c] = rows.width[at], track.low[c] = rows.low[at], track.step[c] = rows.step[at];
-  }
-  for (std::size_t key = 0; key < key_count; ++key) {
-    std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];
-    for (std::size_t c = 0; c < track.components; bit += track.width[c++]) track.numbers.push_back(bits_at(rows, bit, track.width[c]));
-  }
-  return track;
-}
-
 /// The block without the lanes of joints that have no new number; without lanes where none has.
 TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> numbers, std::size_t key_count) {
   std::vector<std::uint32_t> lanes, targets;
@@ -69,7 +46,7 @@ TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> nu
     return kept;
   }
   std::vector<PackedTrack> tracks;
-  for (const std::uint32_t lane : lanes) tracks.push_back(lane_of(block, lane, key_count));
+  for (const std::uint32_t lane : lanes) tracks.push_back(packed_lane(block.packed, block.lane_count, lane, key_count));
   kept.packed = packed_rows(tracks, key_count);
   return kept;
 }

@@ -110,6 +110,12 @@ std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
   return values;
 }
 
+std::uint32_t bits_at(const PackedRows& rows, std::size_t bit, std::uint32_t count) noexcept {
+  std::uint32_t number = 0;
+  for (std::uint32_t i = 0; i < count; ++i, ++bit) number |= (std::uint32_t{rows.bits[bit / 8]} >> bit % 8 & 1u) << i;
+  return number;
+}
+
 }  // namespace
 
 std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept {
@@ -197,6 +203,21 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_coun
           rows.bits[at / 8] = static_cast<std::uint8_t>(rows.bits[at / 8] | ((track.numbers[key * components + c] >> i & 1u) << at % 8));
   }
   return rows;
+}
+
+PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count) {
+  PackedTrack track;
+  track.components = static_cast<std::uint32_t>((rows.width.size() - kLanePadding) / lanes);
+  if (!rows.derived.empty()) track.derived = rows.derived[lane];
+  for (std::size_t c = 0; c < track.components; ++c) {
+    const std::size_t at = c * lanes + lane;
+    track.width[c] = rows.width[at], track.low[c] = rows.low[at], track.step[c] = rows.step[at];
+  }
+  for (std::size_t key = 0; key < key_count; ++key) {
+    std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];
+    for (std::size_t c = 0; c < track.components; bit += track.width[c++]) track.numbers.push_back(bits_at(rows, bit, track.width[c]));
+  }
+  return track;
 }
 
 }  // namespace sinew

@@ -66,4 +66,7 @@ void place_bits(PackedRows& rows, std::size_t lanes, std::size_t components);
 /// in   tracks  of one property, at most kMostPackedLanes, all with `key_count` keys
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count);
 
+/// One lane of such rows as pack_keys made it.
+PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count);
+
 }  // namespace sinew

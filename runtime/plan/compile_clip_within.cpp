@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/assets/clip_file.h"
+#include "runtime/assets/unpack_clip.h"
 #include "runtime/base/contract.h"
 #include "runtime/plan/clip_error.h"
 #include "runtime/plan/joint_reach.h"
@@ -174,6 +175,20 @@ struct Attempt {
   ClipError error;
 };
 
+/// The larger of each.
+ClipError worse_of(ClipError a, const ClipError& b) {
+  for (std::size_t j = 0; j < a.of_joint_m.size(); ++j) a.of_joint_m[j] = std::max(a.of_joint_m[j], b.of_joint_m[j]);
+  a.weights_m = std::max(a.weights_m, b.weights_m);
+  if (b.worst_m > a.worst_m) a.worst_m = b.worst_m, a.worst_time_s = b.worst_time_s, a.worst_joint = b.worst_joint;
+  return a;
+}
+
+/// Of the clip and of what `unpacked` makes of it.
+ClipError measure_both(const Task& task, const Clip& clip) {
+  const auto error = [&](const Clip& c) { return measure_clip(task.scene, task.truth, task.vertices, c, task.times); };
+  return worse_of(error(clip), error(unpacked(clip)));
+}
+
 Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   Attempt out{{task.truth, {}}, {}};
   Animation& keys = out.within.keys;
@@ -182,7 +197,7 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   for (LooseTrack& track : tracks) track.tolerance *= 1.0 - of_rounding;
   reduce(std::move(tracks));
   Clip clip = compile(task.scene, keys, rounding);
-  out.error = measure_clip(task.scene, task.truth, task.vertices, clip, task.times);
+  out.error = measure_both(task, clip);
   const ClipCertificate certificate = certificate_of(task.scene, task.truth, keys, clip, out.error, task.times.size(), task.budget_m);
   out.within.clip = with_certificate(std::move(clip), certificate);
   return out;

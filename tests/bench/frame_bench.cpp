@@ -155,7 +155,7 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   needs.palettes = true;
   const auto add_level = [&](const std::string& level, const Needs& of_level) {
     const auto frames = std::make_shared<PlannedFrames>(*scene, of_level);
-    add("frame/sinew/" + name + "/poses/" + level, 1, [scene, frames] { frames->next(1); });
+    add("pose/sinew/" + name + "/" + level, 1, [scene, frames] { frames->next(1); });
   };
   add_level("all", needs);
   Needs fewer = needs;
@@ -164,7 +164,7 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("half", fewer);
   needs.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);
-  add("frame/sinew/" + name + "/poses/between", 1, [scene, between, step = 0]() mutable {
+  add("pose/sinew/" + name + "/between", 1, [scene, between, step = 0]() mutable {
     const ClipLayer start{0, 0.1}, end{0, 0.2};
     step = (step + 1) % 1000;
     const FrameInput input{.layers = {&start, 1}, .weights = {}, .root = {}, .ahead = {&end, 1}, .toward = 0.0005f + 0.001f * static_cast<float>(step)};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "runtime/assets/unpack_clip.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/jobs/blend_poses.h"
 #include "runtime/jobs/local_to_model.h"
@@ -182,8 +183,12 @@ void add_sample() {
       add("sample/sinew/" + tail, c->joint_count(), [room, times]() mutable { room->sample(times.next()); }, ours);
       add("sample/glm/" + tail, c->joint_count(), [room, times]() mutable { room->sample_glm(times.next()); }, plain);
       if (!c->packed) continue;
-      const auto unpacked = [&](double t) { return room->sample(*c->packed, t), [r = room.get()](std::size_t j) { return r->joint(j); }; };
-      add("sample/packed/" + tail, c->joint_count(), [room, times]() mutable { room->sample(*room->of->packed, times.next()); }, {sampling_error_rad(*c, unpacked), 0});
+      const auto full = std::make_shared<Clip>(unpacked(*c->packed));
+      const auto error = [&](const Clip& clip) {
+        return Facts{sampling_error_rad(*c, [&](double t) { return room->sample(clip, t), [r = room.get()](std::size_t j) { return r->joint(j); }; }), 0};
+      };
+      add("sample/packed/" + tail, c->joint_count(), [room, times]() mutable { room->sample(*room->of->packed, times.next()); }, error(*c->packed));
+      add("sample/unpacked/" + tail, c->joint_count(), [room, full, times]() mutable { room->sample(*full, times.next()); }, error(*full));
     }
   }
 }

@@ -19,7 +19,7 @@ PAIRS = ("sample", "blend", "local_to_model", "correct_pose", "morph", "skin_lin
          "skin_center_of_rotation", "frame", "crowd")
 HEADLINES = re.compile(r"""
     (blend|local_to_model|sample) / (CesiumMan|Fox-0|biped67|tree1024|crowd1024) (/.*)? | frame/.* | crowd/.* | correct_pose/.*
-    | import/(arms|corpus|face|flight) | memory/(32k|4M|64M) | morph/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
+    | import/(arms|corpus|face|flight) | memory/(32k|4M|64M) | morph/.* | pose/(CesiumMan|biped)/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
     | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/(300|1k|10k/cold|100k|1M|1M/2threads)|CesiumMan|Fox)""", re.VERBOSE)  # what the README shows, without the ways that lost
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 
@@ -85,7 +85,7 @@ def print_table(found, instructions, everything):
         if "copy" in entries:
             row(job, "copy " + case, entries["copy"], None, None, {})
         for implementation, entry in entries.items():
-            if implementation in ("sinew", "packed") or (everything and implementation not in BASELINES):
+            if implementation in ("sinew", "packed", "unpacked") or (everything and implementation not in BASELINES):
                 row(job, case if implementation == "sinew" else f"{case}, {implementation}", entry, plain, stream, instructions)
 
 

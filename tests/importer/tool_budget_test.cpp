@@ -9,6 +9,7 @@
 
 #include "importer/import_gltf.h"
 #include "importer/tool/length_text.h"
+#include "runtime/assets/unpack_clip.h"
 #include "runtime/plan/compile_clip_within.h"
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
@@ -125,10 +126,12 @@ TEST(convert_budget_corpus, every_clip_of_every_model_stays_within_its_budget) {
       const Animation& truth = scene.animations[i];
       const ClipWithin within = compile_clip_within(scene, truth, vertices, kBudget);
       EXPECT_TRUE(within.clip.certificate()->is_met()) << path << " clip " << i;
+      const Clip full = unpacked(within.clip);
       for (int k = 0; k < (scene.skeleton.joint_count() > 100 ? 3 : 20); ++k) {
         const double time_s = random.in(0, truth.duration_s);
-        for (const auto error : reference::joint_errors(scene.skeleton, truth, vertices.boxes, within.clip, time_s))
-          ASSERT_LE(static_cast<double>(error), kBudget) << path << " clip " << i << " at " << time_s;
+        for (const Clip* clip : {&within.clip, &full})
+          for (const auto error : reference::joint_errors(scene.skeleton, truth, vertices.boxes, *clip, time_s))
+            ASSERT_LE(static_cast<double>(error), kBudget) << path << " clip " << i << " at " << time_s;
       }
       ++clips;
     }
