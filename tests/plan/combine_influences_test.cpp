@@ -151,7 +151,7 @@ TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_
 
 TEST(combinations_in_frames, the_plan_says_how_many_and_why) {
   const Scene scene = random_scene(2, repeating(2));
-  const PlanStage& runs = stage(compile_plan(scene, {}), "combinations");
+  const PlanStage runs = stage(compile_plan(scene, {}), "combinations");
   EXPECT_TRUE(runs.runs);
   EXPECT_EQ(runs.bytes, runs.count * sizeof(JointMatrix));
   EXPECT_NE(runs.reason.find(std::to_string(runs.count) + " combinations of joints and weights for "), std::string::npos) << runs.reason;
