@@ -55,8 +55,12 @@ PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindo
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = [](VkResult result) { must(result, "drawing the panel"); };
   ImGui_ImplVulkan_Init(&info, render_pass_);
+#if IMGUI_VERSION_NUM >= 19000  // uploads by itself
+  ImGui_ImplVulkan_CreateFontsTexture();
+#else
   device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
   ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
   follow(swapchain);
 }
 
