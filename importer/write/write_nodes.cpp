@@ -58,6 +58,13 @@ void write_visibility(const Scene& scene, tinygltf::Model& model) {
   for (const std::uint32_t joint : scene.hidden_joints) write(joint, false);
 }
 
+/// Newer releases of tinygltf have a member for it, and drop the extension of nodes where that is not set.
+template <class Node>
+void attach_light(Node& node, int light) {
+  node.extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(light)}});
+  if constexpr (requires { node.light; }) node.light = light;
+}
+
 std::vector<int> write_instances(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) {
   std::vector<int> node_of_instance;
   for (const auto& instance : scene.instances) {
@@ -104,8 +111,7 @@ std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuff
     if (scene.cameras[i].joint != kNone) model.nodes[skeleton.node_of_joint[scene.cameras[i].joint]].camera = static_cast<int>(i);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (scene.lights[i].joint != kNone)
-      model.nodes[skeleton.node_of_joint[scene.lights[i].joint]].extensions["KHR_lights_punctual"] =
-          tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(static_cast<int>(i))}});
+      attach_light(model.nodes[skeleton.node_of_joint[scene.lights[i].joint]], static_cast<int>(i));
   for (const auto& roots : scene.scenes) {
     tinygltf::Scene out;
     out.name = roots.name;

@@ -34,6 +34,7 @@ PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindo
   make_render_pass(swapchain.format());
   const VkDescriptorPoolSize one{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // the font's
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;  // newer releases of Dear ImGui give theirs back
   pool.maxSets = 1;
   pool.poolSizeCount = 1;
   pool.pPoolSizes = &one;
