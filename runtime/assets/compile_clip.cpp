@@ -10,6 +10,7 @@
 #include "runtime/assets/clip_layout.h"
 #include "runtime/assets/track_rows.h"
 #include "runtime/base/contract.h"
+#include "runtime/base/same_bits.h"
 
 namespace sinew {
 namespace {
@@ -218,7 +219,7 @@ class Compiler {
   void add_rotation(const Lane<QuatTrack>& lane) {
     if (lane.track == nullptr) return;
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
-    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q))) {
+    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q)) && same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
       layout_.base_pose.set_rotation(lane.target, q);
       ++layout_.counts.folded;
       return;
