@@ -11,6 +11,7 @@
 #include "runtime/assets/clip_layout.h"
 #include "runtime/assets/short_numbers.h"
 #include "runtime/base/all_finite.h"
+#include "runtime/base/same_bits.h"
 
 namespace sinew {
 namespace {
@@ -99,8 +100,6 @@ void write_head(const ClipLayout& clip, ByteWriter& out) {
   write_certificate(clip.certificate, out);
 }
 
-bool same_bits(float a, float b) noexcept { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
-
 /// What a clip is, apart from what it says of itself.
 void write_tracks(const ClipLayout& clip, ByteWriter& out) {
   write_all(clip.base_weights, out);
@@ -116,7 +115,7 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
     const std::vector<std::uint32_t> joints = resting_joints(clip, property);
     std::vector<float> values = base_values(clip.base_pose, property, joints);
     const std::vector<float> expected = base_values(identity, property, joints);
-    if (std::equal(values.begin(), values.end(), expected.begin(), same_bits)) values.clear();  // -0 is not 0
+    if (same_bits<float>(values, expected)) values.clear();  // -0 is not 0
     out.add(static_cast<std::uint32_t>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) write_near(values[i], expected[i], out);
   }
