@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <string>
+#include <vector>
 
 #include "tests/architecture/source_tree.h"
 
@@ -17,9 +19,10 @@ const std::regex& unstable_calls() {
   return calls;
 }
 
+/// In pieces, here and below: whoever looks for such names in the tree finds none.
 const std::regex& raw_intrinsics() {
   static const std::regex names(
-      R"(\b(_mm(256|512)?_\w+|__m(128|256|512)\w*|v(ld|st)[1-4]q?_\w+)\b|immintrin\.h|arm_neon\.h)");
+      R"(\b(_m{2}(256|512)?_\w+|_{2}m(128|256|512)\w*|v(ld|st)[1-4]q?_\w+)\b|[a-z]+mintrin\.h|arm_(neon|sve)\.h)");
   return names;
 }
 
@@ -43,8 +46,7 @@ TEST(forbidden_calls, N03_runtime_uses_neither_acos_nor_unstable_glm_functions) 
 TEST(forbidden_calls, N28_no_raw_intrinsics_anywhere) {
   std::vector<std::string> found;
   for (const SourceFile& file : source_tree())
-    if (!file.in("tests/architecture"))
-      for (const std::string& place : places(file, raw_intrinsics())) found.push_back(place);
+    for (const std::string& place : places(file, raw_intrinsics())) found.push_back(place);
   EXPECT_THAT(found, testing::IsEmpty());
 }
 
@@ -53,7 +55,8 @@ TEST(forbidden_calls, comments_and_strings_do_not_count_but_code_does) {
   EXPECT_THAT(places({"runtime/x.cpp", "/* glm::slerp(a, b, t) */ puts(\"acos(1)\");\n"}, unstable_calls()),
               testing::IsEmpty());
   EXPECT_THAT(places({"runtime/x.cpp", "auto q = glm::slerp(a, b, t);\n"}, unstable_calls()), testing::SizeIs(1));
-  EXPECT_THAT(places({"runtime/x.cpp", "__m128 v = _mm_add_ps(a, b);\n"}, raw_intrinsics()), testing::SizeIs(1));
+  for (const std::string line : {"_" "_m128 v;", "v = _" "mm_add_ps(a, b);", "v = _" "mm512_add_ps(a, b);", "v = v" "ld1q_f32(p);", "#include <im" "mintrin.h>", "#include <arm" "_neon.h>"})
+    EXPECT_THAT(places({"runtime/x.cpp", line}, raw_intrinsics()), testing::SizeIs(1)) << line;
 }
 
 }  // namespace
