@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/jobs/sample_clip.h"
 
 namespace sinew::tool {
@@ -14,25 +15,20 @@ namespace {
 constexpr int kRuns = 15, kSamples = 200;
 constexpr double kGolden = 0.61803398874989485;
 
-struct alignas(64) Block {
-  float floats[16];
-};
-
 }  // namespace
 
 double sampling_ns_per_joint(const Clip& clip) {
-  const std::size_t joints = clip.joint_count(), floats = PoseSpan::floats_for(joints);
+  const std::size_t joints = clip.joint_count();
   if (joints == 0) return 0.0;
-  std::vector<Block> blocks(floats / 16 + 1);
+  PoseMemory memory(joints);
   std::vector<float> weights(clip.weight_count());
-  const PoseSpan pose = pose_over({blocks.front().floats, floats}, joints);
   std::vector<double> ns;
   double time_s = 0.0;
   for (int r = 0; r < kRuns; ++r) {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < kSamples; ++i) {
       time_s = clip.duration_s() > 0.0 ? std::fmod(time_s + kGolden * clip.duration_s(), clip.duration_s()) : 0.0;
-      run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose, .weights = weights});
+      run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory.span(), .weights = weights});
     }
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
     ns.push_back(took.count() / (kSamples * static_cast<double>(joints)));

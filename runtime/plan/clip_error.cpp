@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "runtime/assets/track_sample.h"
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/math/stretch.h"
 #include "runtime/plan/truth_pose.h"
@@ -43,25 +44,15 @@ std::vector<float> jump_times(const Animation& truth) {
 
 class Meter {
  public:
-  Meter(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip)
-      : scene_(scene), truth_(truth), vertices_(vertices), clip_(clip), blocks_(PoseSpan::floats_for(scene.skeleton.joint_count()) / 16 + 1),
-        local_(scene.skeleton.joint_count()), model_(local_.size()), weights_(truth.weights.empty() ? 0 : clip.weight_count()) {
+  Meter(const Scene& scene, const Animation& truth, const VirtualVertices& vertices)
+      : scene_(scene), truth_(truth), vertices_(vertices), memory_(scene.skeleton.joint_count()),
+        local_(scene.skeleton.joint_count()), model_(local_.size()), weights_(truth.weights.empty() ? 0 : scene.weight_count()) {
     error_.of_joint_m.assign(local_.size(), 0.0);
   }
 
-  void look_at(double time_s) {
-    const PoseSpan pose = pose_over({blocks_.front().floats, PoseSpan::floats_for(local_.size())}, local_.size());
-    run(SampleClipJob{.clip = &clip_, .time_s = time_s, .pose = pose, .weights = weights_});
-    for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(pose.get(j));
-    model_from_local(scene_.skeleton, local_, model_);
+  void look_at(double time_s, std::span<const Clip* const> forms) {
     evaluate_truth(truth_, scene_.skeleton, time_s, pose_);
-    const auto [joint, joints_m] = compare_joints();
-    const double weights_m = weights_.empty() ? 0.0 : compare_weights(time_s);
-    error_.weights_m = std::max(error_.weights_m, weights_m);
-    if (!(joints_m + weights_m <= error_.worst_m)) {
-      error_.worst_m = joints_m + weights_m;
-      error_.worst_time_s = time_s, error_.worst_joint = joint;
-    }
+    for (const Clip* clip : forms) compare(*clip, time_s);
   }
 
   ClipError take() noexcept { return std::move(error_); }
@@ -71,9 +62,19 @@ class Meter {
     std::uint32_t joint = kNone;
     double error_m = 0.0;
   };
-  struct alignas(64) Block {
-    float floats[16];
-  };
+
+  void compare(const Clip& clip, double time_s) {
+    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
+    for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(memory_.span().get(j));
+    model_from_local(scene_.skeleton, local_, model_);
+    const auto [joint, joints_m] = compare_joints();
+    const double weights_m = weights_.empty() ? 0.0 : compare_weights(time_s);
+    error_.weights_m = std::max(error_.weights_m, weights_m);
+    if (!(joints_m + weights_m <= error_.worst_m)) {
+      error_.worst_m = joints_m + weights_m;
+      error_.worst_time_s = time_s, error_.worst_joint = joint;
+    }
+  }
 
   Worst compare_joints() {
     Worst worst;
@@ -124,8 +125,7 @@ class Meter {
   const Scene& scene_;
   const Animation& truth_;
   const VirtualVertices& vertices_;
-  const Clip& clip_;
-  std::vector<Block> blocks_;
+  PoseMemory memory_;
   std::vector<Transformd> local_;
   std::vector<Affined> model_;
   std::vector<float> weights_;
@@ -160,10 +160,10 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
   return some;
 }
 
-ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip,
+ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, std::span<const Clip* const> forms,
                        std::span<const double> times_s) {
-  Meter meter(scene, truth, vertices, clip);
-  for (const double time_s : times_s) meter.look_at(time_s);
+  Meter meter(scene, truth, vertices);
+  for (const double time_s : times_s) meter.look_at(time_s, forms);
   return meter.take();
 }
 

@@ -25,12 +25,12 @@ std::vector<float> key_times(const Animation& truth);
 std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
 inline constexpr std::size_t kMostJointTimes = 10'000'000;
 
-/// Samples the clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate; the hierarchy is
-/// evaluated in double on both sides, so that nothing but the clip counts.
+/// Samples a clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate; the hierarchy is
+/// evaluated in double on both sides, so that nothing but the clip counts. Of several forms of it each error is the largest.
 /// eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c;  weights = max sum |w' - w| metres_per_weight stretch
-/// in   clip    compiled for this scene
-/// cost O(times x J), allocates
-ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip,
+/// in   forms   of the clip, compiled for this scene
+/// cost O(times x J x forms), allocates
+ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, std::span<const Clip* const> forms,
                        std::span<const double> times_s);
 
 }  // namespace sinew

@@ -145,7 +145,7 @@ void reduce(std::vector<LooseTrack> tracks) {
     }
 }
 
-ClipCertificate certificate_of(const Scene& scene, const Animation& truth, const Animation& keys, const Clip& clip, const ClipError& error,
+ClipCertificate certificate_of(const Animation& truth, const Animation& keys, const Clip& clip, std::uint64_t source_bytes, const ClipError& error,
                                std::size_t times, double asked_m) {
   return {.asked_m = asked_m,
           .measured_m = error.worst_m,
@@ -156,7 +156,7 @@ ClipCertificate certificate_of(const Scene& scene, const Animation& truth, const
           .animated_joints = animated_joints(truth),
           .source_keys = key_count(truth),
           .kept_keys = key_count(keys),
-          .source_bytes = saved_bytes(compile(scene, truth)),
+          .source_bytes = source_bytes,
           .bytes = saved_bytes(clip)};
 }
 
@@ -168,26 +168,13 @@ struct Task {
   double budget_m;
   std::vector<double> times;
   std::vector<JointReach> reach;
+  std::uint64_t source_bytes;   // with every key
 };
 
 struct Attempt {
   ClipWithin within;
   ClipError error;
 };
-
-/// The larger of each.
-ClipError worse_of(ClipError a, const ClipError& b) {
-  for (std::size_t j = 0; j < a.of_joint_m.size(); ++j) a.of_joint_m[j] = std::max(a.of_joint_m[j], b.of_joint_m[j]);
-  a.weights_m = std::max(a.weights_m, b.weights_m);
-  if (b.worst_m > a.worst_m) a.worst_m = b.worst_m, a.worst_time_s = b.worst_time_s, a.worst_joint = b.worst_joint;
-  return a;
-}
-
-/// Of the clip and of what `unpacked` makes of it.
-ClipError measure_both(const Task& task, const Clip& clip) {
-  const auto error = [&](const Clip& c) { return measure_clip(task.scene, task.truth, task.vertices, c, task.times); };
-  return worse_of(error(clip), error(unpacked(clip)));
-}
 
 Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   Attempt out{{task.truth, {}}, {}};
@@ -197,8 +184,10 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   for (LooseTrack& track : tracks) track.tolerance *= 1.0 - of_rounding;
   reduce(std::move(tracks));
   Clip clip = compile(task.scene, keys, rounding);
-  out.error = measure_both(task, clip);
-  const ClipCertificate certificate = certificate_of(task.scene, task.truth, keys, clip, out.error, task.times.size(), task.budget_m);
+  const Clip full = unpacked(clip);
+  const Clip* const forms[] = {&clip, &full};
+  out.error = measure_clip(task.scene, task.truth, task.vertices, forms, task.times);
+  const ClipCertificate certificate = certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
   out.within.clip = with_certificate(std::move(clip), certificate);
   return out;
 }
@@ -224,8 +213,9 @@ std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
 Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth, const VirtualVertices& vertices, double asked_m) {
   Clip clip = compile(scene, keys);
   const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
-  const ClipError error = measure_clip(scene, truth, vertices, clip, times);
-  const ClipCertificate certificate = certificate_of(scene, truth, keys, clip, error, times.size(), asked_m);
+  const Clip* const forms[] = {&clip};
+  const ClipError error = measure_clip(scene, truth, vertices, forms, times);
+  const ClipCertificate certificate = certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
   return with_certificate(std::move(clip), certificate);
 }
 
@@ -233,7 +223,8 @@ ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const
   CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
   std::optional<ClipWithin> smallest;
   if (budget_m > 0.0) {
-    const Task task{scene, truth, vertices, budget_m, times_to_check(truth, scene.skeleton.joint_count()), joint_reach(truth, scene.skeleton, vertices)};
+    const Task task{scene, truth, vertices, budget_m, times_to_check(truth, scene.skeleton.joint_count()), joint_reach(truth, scene.skeleton, vertices),
+                    saved_bytes(compile(scene, truth))};
     for (const double of_rounding : kOfRounding) {
       std::optional<ClipWithin> found = fit(task, of_rounding);
       if (found && is_smaller(*found, smallest)) smallest = std::move(found);

@@ -11,12 +11,12 @@
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/pareto_front.h"
 #include "importer/tool/cost/plain_skinning.h"
-#include "importer/tool/cost/pose_memory.h"
 #include "importer/tool/cost/rotation_lanes.h"
 #include "importer/tool/cost/rotation_tracks.h"
 #include "importer/tool/cost/skin_probe.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/assets/track_sample.h"
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/math/approximate_slerp.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/skinning.h"
@@ -59,7 +59,7 @@ TEST(cost_rotation_lanes, agree_with_their_definitions_in_double_on_every_instru
   const std::pair<cost::ArcRule, Definition> rules[] = {{cost::ArcRule::nlerp, nlerp_short_arc<double>},
                                                         {cost::ArcRule::corrected_nlerp, corrected_nlerp<double>},
                                                         {cost::ArcRule::polynomial_slerp, polynomial_slerp<double>}};
-  cost::PoseMemory memory(kJoints);
+  PoseMemory memory(kJoints);
   for (const cost::InstructionSet& set : cost::instruction_sets()) {
     cost::allow_only(set);
     for (const auto& [rule, definition] : rules)

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "importer/tool/cost/pose_memory.h"
 #include "importer/tool/cost/rotation_lanes.h"
 #include "importer/tool/cost/rotation_tracks.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/math/quaternion.h"
 

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "importer/tool/cost/keys_in_bits.h"
-#include "importer/tool/cost/pose_memory.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"
 #include "runtime/assets/clip_file.h"
 #include "runtime/assets/track_sample.h"
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/plan/compile_clip_within.h"
 

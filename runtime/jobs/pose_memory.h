@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "runtime/jobs/pose.h"
 
-namespace sinew::cost {
+namespace sinew {
 
-/// Memory of one pose and the view over it.
+/// Memory of one pose, for code that is no frame, and the view over it.
 class PoseMemory {
  public:
   explicit PoseMemory(std::size_t joint_count) : joint_count_(joint_count), lines_(PoseSpan::floats_for(joint_count) / 16 + 1) {}
@@ -21,4 +22,4 @@ class PoseMemory {
   std::vector<Line> lines_;
 };
 
-}  // namespace sinew::cost
+}  // namespace sinew
