@@ -7,6 +7,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/jobs/pose_memory.h"
 #include "runtime/jobs/sample_clip.h"
 #include "runtime/plan/clip_error.h"
 #include "runtime/plan/run_plan.h"
@@ -41,25 +42,21 @@ std::vector<Moment> moments_of(const Scene& scene, std::span<const std::uint32_t
 /// The scene's poses as frames have them, in double from the local transforms on.
 class Poses {
  public:
-  explicit Poses(const Scene& scene) : scene_(scene), blocks_(PoseSpan::floats_for(scene.skeleton.joint_count()) / 16 + 1), local(scene.skeleton.joint_count()), model(local.size()) {}
+  explicit Poses(const Scene& scene) : local(scene.skeleton.joint_count()), model(local.size()), scene_(scene), memory_(local.size()) {}
 
   void look_at(const Moment& moment) {
-    const PoseSpan pose = pose_over({blocks_.front().floats, PoseSpan::floats_for(local.size())}, local.size());
+    const PoseSpan pose = memory_.span();
     if (moment.clip != kNone) run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
     for (std::size_t j = 0; j < local.size(); ++j) local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
     model_from_local(scene_.skeleton, local, model);
   }
 
- private:
-  struct alignas(64) Block {
-    float floats[16];
-  };
-  const Scene& scene_;
-  std::vector<Block> blocks_;
-
- public:
   std::vector<Transformd> local;   // [J]
   std::vector<Affined> model;      // [J]
+
+ private:
+  const Scene& scene_;
+  PoseMemory memory_;
 };
 
 /// The mean of each joint's local transforms; of one that never changes, that one.
@@ -98,9 +95,9 @@ struct Branch {
 
 class Pruner {
  public:
-  Pruner(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips)
-      : scene_(scene), tolerance_m_(tolerance_m), moments_(moments_of(scene, clips)), vertices_(virtual_vertices(scene)), poses_(scene),
-        children_(scene.skeleton.joint_count()), needed_(children_.size(), false), held_model_(children_.size()) {
+  Pruner(const Scene& scene, std::span<const Moment> moments)
+      : scene_(scene), moments_(moments), vertices_(virtual_vertices(scene)), poses_(scene), children_(scene.skeleton.joint_count()),
+        needed_(children_.size(), false), held_(mean_locals(scene, moments, poses_)), held_affines_(affines_of(held_)), held_model_(children_.size()) {
     const auto need = [&](std::uint32_t joint) { if (joint != kNone) needed_[joint] = true; };
     for (const Camera& camera : scene.cameras) need(camera.joint);
     for (const Light& light : scene.lights) need(light.joint);
@@ -110,11 +107,11 @@ class Pruner {
       if (const std::uint32_t parent = scene.skeleton.parents[j]; parent != kNone) children_[parent].push_back(j);
   }
 
-  DetailWithin prune() {
+  DetailWithin prune(double tolerance_m) {
+    tolerance_m_ = tolerance_m;
+    accepted_.clear();
     DetailWithin out;
-    out.detail.held = mean_locals(scene_, moments_, poses_);
-    out.detail.kept.assign(children_.size(), true);
-    held_ = affines_of(out.detail.held);
+    out.detail = {std::vector<bool>(children_.size(), true), held_};
     for (std::uint32_t j = 0; j < children_.size(); ++j)
       if (scene_.skeleton.parents[j] == kNone) open_below(j);
     for (std::size_t i = 0; !open_.empty(); i = (i + stride()) % moments_.size()) look_at(moments_[i]);
@@ -173,7 +170,7 @@ class Pruner {
   void measure(Branch& branch) {
     for (const std::uint32_t j : branch.joints) {
       const std::uint32_t parent = scene_.skeleton.parents[j];
-      held_model_[j] = (j == branch.joints.front() ? poses_.model[parent] : held_model_[parent]) * held_[j];
+      held_model_[j] = (j == branch.joints.front() ? poses_.model[parent] : held_model_[parent]) * held_affines_[j];
       if (!scene_.instances.empty() && !vertices_.moves_vertices[j]) continue;
       for (const Vec3<double>& corner : corners_of(vertices_.boxes[j])) {
         const double off_m = safe_length(transform_point(held_model_[j], corner) - transform_point(poses_.model[j], corner));
@@ -184,13 +181,14 @@ class Pruner {
   }
 
   const Scene& scene_;
-  double tolerance_m_;
-  std::vector<Moment> moments_;
+  std::span<const Moment> moments_;
+  double tolerance_m_ = 0.0;
   VirtualVertices vertices_;
   Poses poses_;
   std::vector<std::vector<std::uint32_t>> children_;   // [J]
   std::vector<bool> needed_;                           // [J] by a camera, a light or a corrective
-  std::vector<Affined> held_, held_model_;             // [J]
+  std::vector<Transform> held_;                        // [J]
+  std::vector<Affined> held_affines_, held_model_;     // [J]
   std::vector<Branch> open_, accepted_;
 };
 
@@ -242,10 +240,11 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const JointDetail& d
 DetailWithin detail_within(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips, const Needs& needs) {
   CONTRACT(tolerance_m >= 0.0);
   if (scene.skeleton.joint_count() == 0) return {};
-  if (!bends_otherwise(scene, needs)) return Pruner(scene, tolerance_m, clips).prune();
   const std::vector<Moment> moments = moments_of(scene, clips);
+  Pruner pruner(scene, moments);
+  if (!bends_otherwise(scene, needs)) return pruner.prune(tolerance_m);
   for (const double share : kShares) {
-    DetailWithin within = Pruner(scene, share * tolerance_m, clips).prune();
+    DetailWithin within = pruner.prune(share * tolerance_m);
     if (within.left_out == 0) return within;
     const FramesApart apart = compare_frames(scene, needs, within.detail, moments);
     within.measured_m = std::max(within.measured_m, apart.worst_m);
