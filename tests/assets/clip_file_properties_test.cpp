@@ -28,7 +28,8 @@ RC_GTEST_PROP(clip_file_properties, what_was_saved_samples_the_same_bits, (std::
 
 RC_GTEST_PROP(clip_file_properties, damaged_bytes_are_refused_or_sample_safely, (std::uint64_t seed)) {
   test::FixedRandom random(seed);
-  std::vector<std::byte> block = saved(test::varied_clip(seed % 16));
+  const std::vector<std::byte> sound = saved(test::varied_clip(seed % 16));
+  std::vector<std::byte> block = sound;
   for (std::uint32_t left = 1 + random.below(6); left > 0; --left) {
     const std::size_t at = kClipFileHead + random.below(static_cast<std::uint32_t>(block.size() - kClipFileHead));
     const auto rest = block.begin() + static_cast<std::ptrdiff_t>(at);
@@ -39,7 +40,10 @@ RC_GTEST_PROP(clip_file_properties, damaged_bytes_are_refused_or_sample_safely, 
       case 3: block.insert(rest, 1 + random.below(9), static_cast<std::byte>(random.below(256))); break;
     }
   }
-  RC_ASSERT(load_clips(block).error().rule == "clip-size" || load_clips(block).error().rule == "clip-checksum");
+  RC_PRE(block != sound);  // a byte may be replaced by itself
+  const auto unsigned_block = load_clips(block);
+  RC_ASSERT(!unsigned_block);
+  RC_ASSERT(unsigned_block.error().rule == "clip-size" || unsigned_block.error().rule == "clip-checksum");
   test::sign(block);
   const auto loaded = load_clips(block);
   if (!loaded) {
