@@ -52,7 +52,8 @@ struct sinew_jobs {
   explicit sinew_jobs(const sinew_jobs_options& options)
       : memory(options.allocator),
         thread({.executor = executor_from(options.executor),
-                .inline_below = options.inline_below,
+                .inline_below_bytes = options.inline_below_bytes,
+                .part_bytes = options.part_bytes,
                 .frame_memory = options.allocator.allocate != nullptr ? &memory : nullptr}) {}
 
   EngineMemory memory;
@@ -65,7 +66,8 @@ sinew_jobs_options sinew_default_jobs_options(void) {
   return {.struct_size = sizeof(sinew_jobs_options),
           .executor = {nullptr, nullptr},
           .allocator = {nullptr, nullptr, nullptr},
-          .inline_below = JobThreadOptions().inline_below};
+          .inline_below_bytes = JobThreadOptions().inline_below_bytes,
+          .part_bytes = JobThreadOptions().part_bytes};
 }
 
 sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out) {

@@ -20,7 +20,8 @@ typedef struct sinew_jobs_options {
   size_t struct_size;
   sinew_executor executor;         ///< run null = oneTBB
   sinew_allocator allocator;       ///< of frame memory; allocate null = operator new
-  size_t inline_below;             ///< fewer characters than this run on the worker itself
+  size_t inline_below_bytes;       ///< a frame of all characters of less memory than this runs on the worker itself
+  size_t part_bytes;               ///< consecutive characters that the executor is handed as one: at least so much memory
 } sinew_jobs_options;
 sinew_jobs_options sinew_default_jobs_options(void);
 

@@ -64,19 +64,23 @@ struct JobThread::State {
   explicit State(JobThreadOptions given) : options(std::move(given)) {
     if (!options.executor) options.executor = run_with_tbb;
     if (options.frame_memory == nullptr) options.frame_memory = std::pmr::new_delete_resource();
-    run_one = [this](std::size_t c) { run_character(c); };
+    run_one = [this](std::size_t p) { run_part(p); };
     worker = std::thread([this]() noexcept { work(); });
   }
 
   void work() noexcept;
   void run_batch();
-  void run_character(std::size_t c) noexcept;
+  void run_part(std::size_t p) noexcept;
+  void run_character(std::size_t c, Ticket ticket) noexcept;
+  void add_to_parts(std::size_t c) noexcept;
   void publish() noexcept;
   bool idle() const noexcept { return !has_queued && !in_flight; }
 
   JobThreadOptions options;
   std::function<void(std::size_t)> run_one;
   std::vector<std::unique_ptr<CharacterState>> characters;
+  std::vector<std::size_t> part_end;              // characters of part p: from the end of the one before to part_end[p]
+  std::size_t bytes = 0, last_part_bytes = 0;     // of the frames of all characters, and of those in the last part
 
   mutable std::mutex mutex;
   mutable std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
@@ -87,9 +91,9 @@ struct JobThread::State {
   Batch running;  // the worker's while in_flight
   // What one thread writes before the executor and other threads after it must be visible whatever the executor does to
   // order them, and an executor that leaves out or repeats a character must be noticed.
-  std::atomic<Ticket> started{0};
-  std::atomic<std::size_t> characters_run{0};
-  std::atomic<Ticket> finished{0};
+  alignas(64) std::atomic<Ticket> started{0};           // read by all
+  alignas(64) std::atomic<std::size_t> parts_run{0};    // written by all
+  alignas(64) std::atomic<Ticket> finished{0};
   std::atomic<ErrorCode> error{ErrorCode::ok};
   std::thread worker;
 };
@@ -111,19 +115,23 @@ void JobThread::State::work() noexcept {
 }
 
 void JobThread::State::run_batch() {
-  const std::size_t count = characters.size();
-  characters_run.store(0, std::memory_order_relaxed);
+  parts_run.store(0, std::memory_order_relaxed);
   started.store(running.ticket, std::memory_order_release);
-  if (count < options.inline_below)
-    for (std::size_t c = 0; c < count; ++c) run_character(c);
+  if (part_end.size() < 2 || bytes < options.inline_below_bytes)
+    for (std::size_t p = 0; p < part_end.size(); ++p) run_part(p);
   else
-    options.executor(count, run_one);
-  CONTRACT(characters_run.load(std::memory_order_acquire) == count);
+    options.executor(part_end.size(), run_one);
+  CONTRACT(parts_run.load(std::memory_order_acquire) == part_end.size());
   publish();
 }
 
-void JobThread::State::run_character(std::size_t c) noexcept {
+void JobThread::State::run_part(std::size_t p) noexcept {
   const Ticket ticket = started.load(std::memory_order_acquire);
+  for (std::size_t c = p == 0 ? 0 : part_end[p - 1]; c < part_end[p]; ++c) run_character(c, ticket);
+  parts_run.fetch_add(1, std::memory_order_acq_rel);
+}
+
+void JobThread::State::run_character(std::size_t c, Ticket ticket) noexcept {
   CharacterState& character = *characters[c];
   const FrameInput input = running.inputs[c].view();
   const bool is_there = character.last_good != nullptr && character.last_good->holds_result_of(*character.plan, input);
@@ -137,7 +145,13 @@ void JobThread::State::run_character(std::size_t c) noexcept {
     character.error = ErrorCode::ok;
   }
   character.has_new = !is_there && character.error == ErrorCode::ok;
-  characters_run.fetch_add(1, std::memory_order_acq_rel);
+}
+
+/// Takes in the newest character; there is room for one more part.
+void JobThread::State::add_to_parts(std::size_t c) noexcept {
+  if (part_end.empty() || last_part_bytes >= options.part_bytes) part_end.push_back(c), last_part_bytes = 0;
+  part_end.back() = c + 1;
+  bytes += characters[c]->plan->frame_bytes, last_part_bytes += characters[c]->plan->frame_bytes;
 }
 
 /// All characters of a frame appear together, in order; one that failed keeps its last good frame.
@@ -168,10 +182,11 @@ JobThread::Character JobThread::add_character(const Plan& plan) {
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [this] { return state_->idle(); });
   const std::size_t count = state_->characters.size() + 1;
-  state_->characters.reserve(count), state_->queued.inputs.reserve(count), state_->running.inputs.reserve(count);
+  state_->characters.reserve(count), state_->part_end.reserve(count), state_->queued.inputs.reserve(count), state_->running.inputs.reserve(count);
   state_->characters.push_back(std::move(character));  // from here on nothing throws
   state_->queued.inputs.push_back(std::move(input));
   state_->running.inputs.push_back(std::move(other_input));
+  state_->add_to_parts(count - 1);
   return static_cast<Character>(count - 1);
 }
 

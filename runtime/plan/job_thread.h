@@ -17,12 +17,16 @@ using Ticket = std::uint64_t;
 
 /// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its own
 /// job system here; it must call each i exactly once and not throw. Which thread runs which i does not matter: results
-/// are the same bits.
+/// are the same bits. One i is a run of characters worth handing over, some microseconds of work, so that a crowd of simple
+/// characters needs no batches of the executor's own.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
   Executor executor;                 ///< empty = oneTBB
-  std::size_t inline_below = 2;      ///< fewer characters than this run on the worker itself (P16)
+  /// A frame of all characters smaller than this runs on the worker itself (P16): the sum of Plan::frame_bytes, which goes
+  /// with the time (0.05 to 0.1 ns a byte). Waking threads that slept takes as long as this much work.
+  std::size_t inline_below_bytes = std::size_t{1} << 19;
+  std::size_t part_bytes = std::size_t{1} << 16;   ///< consecutive characters that the executor is handed as one: at least so much
   std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new. Must
                                      ///< outlive the job thread; asked by the calling thread only
 };

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   add_skin(most_vertices);
   add_model_skin();
   add_frame(most_vertices);
+  if (!instructions) add_job_thread();  // callgrind runs one thread at a time
   if (instructions) {
     if (count_instructions()) return 0;
     std::fputs("sinew-bench --instructions runs under valgrind --tool=callgrind only\n", stderr);

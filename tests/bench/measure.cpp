@@ -5,12 +5,21 @@
 
 #include <cmath>
 #include <cstdint>
+#include <thread>
 
 namespace sinew::bench {
 
 std::vector<Case>& cases() {
   static std::vector<Case> all;
   return all;
+}
+
+std::vector<std::size_t> thread_counts() {
+  std::vector<std::size_t> counts = {1, 2};
+  const std::size_t most = std::thread::hardware_concurrency();
+  while (2 * counts.back() <= most) counts.push_back(2 * counts.back());
+  if (counts.back() < most) counts.push_back(most);
+  return counts;
 }
 
 void register_cases() {

@@ -39,6 +39,9 @@ void add(const std::string& name, std::size_t item_count, Work work, Facts facts
 /// Hands all cases to Google Benchmark. The column `per_item` is the time of one item, in seconds with an SI prefix.
 void register_cases();
 
+/// 1, 2, 4, ... and what the machine has; 1 and 2 on every machine.
+std::vector<std::size_t> thread_counts();
+
 /// Runs each case of at most 100,000 items once under callgrind and dumps the instructions of each.
 /// err  false: not under valgrind
 bool count_instructions();
@@ -56,5 +59,6 @@ void add_morph();
 void add_skin(std::size_t most_vertices);
 void add_model_skin();
 void add_frame(std::size_t most_vertices);
+void add_job_thread();
 
 }  // namespace sinew::bench

@@ -240,7 +240,7 @@ void add_crowd() {
   for (const Shared& c : {characters().front(), *std::min_element(characters().begin(), characters().end(), fewer_joints)})
     for (const std::size_t count : {std::size_t{64}, kCrowd}) {
       const auto walkers = std::make_shared<Walkers>(c, count);
-      for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
+      for (const std::size_t threads : thread_counts()) {
         const std::string tail = c->name + "/" + std::to_string(count) + "/" + std::to_string(threads) + "threads";
         const std::size_t all_joints = count * c->joint_count();
         Facts facts;

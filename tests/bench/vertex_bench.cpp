@@ -241,7 +241,7 @@ void add_skin(std::size_t most_vertices) {
       if (count == 1'000'000 || &kind == &kinds[1]) add_skin_case(surface, kind, std::string(kind.name) + "/4/" + label);
   }
   if (most_vertices >= 100'000) add_cold_case("PN/4/10k/cold", 10'000);
-  for (const std::size_t threads : {std::size_t{1}, std::size_t{2}})
+  for (const std::size_t threads : thread_counts())
     if (most_vertices >= 1'000'000) add_threads_case("PN/4/1M/" + std::to_string(threads) + "threads", 1'000'000, threads);
 }
 

@@ -258,6 +258,7 @@ TEST(c_interface, jobs_run_on_the_engines_executor_and_memory_with_the_same_bits
   engine_executor_log log{};
   sinew_jobs_options options = sinew_default_jobs_options();
   options.allocator = engine_allocator(&memory), options.executor = engine_executor(&log);
+  options.inline_below_bytes = 0, options.part_bytes = 1;   // each character alone
   sinew_jobs* jobs = nullptr;
   ASSERT_EQ(sinew_jobs_create(&options, &jobs), SINEW_OK);
   for (std::uint32_t expected = 0; expected < 3; ++expected) {

@@ -156,9 +156,9 @@ TEST_F(golden_hash, N27_any_thread_count_gives_the_bits_of_one) {
         expected.push_back(hash_vertices(frames.run(i)));
         inputs.push_back(frames.input(i));
       }
-      for (const std::size_t threads : {1, 2, 3, 5, 8}) {
+      for (const std::size_t threads : {1, 2, 3, 5, 8, 16}) {
         ThreadPool pool(threads);
-        JobThread jobs({.executor = pool.executor()});
+        JobThread jobs({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 1});
         for (std::size_t c = 0; c < inputs.size(); ++c) jobs.add_character(frames.plan());
         jobs.wait(*jobs.submit(inputs));
         for (std::uint32_t c = 0; c < inputs.size(); ++c)

@@ -59,6 +59,9 @@ class Crowd {
   std::vector<FrameInput> inputs_;
 };
 
+/// Each character is a part of its own, and none runs on the worker.
+JobThreadOptions spread(Executor executor = {}) { return {.executor = std::move(executor), .inline_below_bytes = 0, .part_bytes = 1}; }
+
 TEST(job_thread, shows_nothing_before_the_first_frame_and_then_the_newest) {
   Crowd crowd(1);
   JobThread jobs;
@@ -89,37 +92,65 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
     for (std::uint32_t c = 0; c < kCharacters; ++c)
       EXPECT_EQ(hash_of(*jobs.latest(c)), expected[c]) << name << ", character " << c;
   };
-  check({}, "oneTBB");
-  check({.executor = {}, .inline_below = kCharacters + 1}, "inline");
-  for (const std::size_t threads : {1, 2, 3, 4, 8}) {
+  check(spread(), "oneTBB");
+  check({}, "inline");
+  for (const std::size_t threads : {1, 2, 3, 4, 8, 16}) {
     ThreadPool pool(threads);
-    check({.executor = pool.executor()}, std::to_string(threads) + " threads");
+    check(spread(pool.executor()), std::to_string(threads) + " threads");
+    check({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 2 * crowd.plan_of(0).frame_bytes}, std::to_string(threads) + " threads, in parts");
   }
-  check({.executor =
-             [](std::size_t count, const auto& body) {
-               while (count-- > 0) body(count);
-             }},
+  check(spread([](std::size_t count, const auto& body) {
+          while (count-- > 0) body(count);
+        }),
         "backwards");
 }
 
-TEST(job_thread, P16_few_characters_run_without_the_executor) {
+TEST(job_thread, P16_a_crowd_of_little_memory_runs_without_the_executor) {
   std::atomic<int> calls{0};
   const Executor counting = [&](std::size_t count, const auto& body) {
     ++calls;
     for (std::size_t i = 0; i < count; ++i) body(i);
   };
-  Crowd few(3), enough(4);
-  for (Crowd* crowd : {&few, &enough}) {
-    JobThread jobs({.executor = counting, .inline_below = 4});
-    crowd->add_to(jobs);
-    jobs.wait(*jobs.submit(crowd->inputs(0)));
-    EXPECT_EQ(calls, crowd == &few ? 0 : 1);
+  Crowd crowd(4);
+  std::size_t bytes = 0;
+  for (std::size_t c = 0; c < 4; ++c) bytes += crowd.plan_of(c).frame_bytes;
+  for (const std::size_t below : {bytes + 1, bytes}) {
+    JobThread jobs({.executor = counting, .inline_below_bytes = below, .part_bytes = 1});
+    crowd.add_to(jobs);
+    jobs.wait(*jobs.submit(crowd.inputs(0)));
+    EXPECT_EQ(calls, below > bytes ? 0 : 1);
   }
+}
+
+TEST(job_thread, P16_the_executor_is_handed_small_characters_together_and_large_ones_alone) {
+  std::size_t parts = 0;
+  const Executor counting = [&](std::size_t count, const auto& body) {
+    parts = count;
+    for (std::size_t i = 0; i < count; ++i) body(i);
+  };
+  constexpr std::size_t kCharacters = 9;
+  Crowd crowd(kCharacters);
+  std::size_t largest = 0, smallest = ~std::size_t{0};
+  for (std::size_t c = 0; c < 3; ++c) {
+    largest = std::max(largest, crowd.plan_of(c).frame_bytes), smallest = std::min(smallest, crowd.plan_of(c).frame_bytes);
+  }
+  const auto parts_of = [&](std::size_t part_bytes) {
+    JobThread jobs({.executor = counting, .inline_below_bytes = 0, .part_bytes = part_bytes});
+    crowd.add_to(jobs);
+    parts = 0;
+    jobs.wait(*jobs.submit(crowd.inputs(0)));
+    for (std::uint32_t c = 0; c < kCharacters; ++c) EXPECT_EQ(jobs.latest(c)->frame, 1u);
+    return parts;
+  };
+  EXPECT_EQ(parts_of(smallest), kCharacters);
+  EXPECT_GE(parts_of(largest + 1), 2u);
+  EXPECT_LE(parts_of(largest + 1), (kCharacters + 1) / 2) << "two at least in each part but the last";
+  EXPECT_EQ(parts_of(std::size_t{1} << 40), 0u) << "one part needs no executor";
 }
 
 TEST(job_thread, a_result_stays_unchanged_until_the_reader_asks_again) {
   Crowd crowd(2);
-  JobThread jobs;
+  JobThread jobs(spread());
   crowd.add_to(jobs);
   jobs.wait(*jobs.submit(crowd.inputs(0)));
   const FrameResult* shown = jobs.latest(1);
@@ -134,7 +165,7 @@ TEST(job_thread, a_result_stays_unchanged_until_the_reader_asks_again) {
 
 TEST(job_thread, a_fast_reader_sees_whole_frames_that_never_go_back) {
   Crowd crowd(3);
-  JobThread jobs;
+  JobThread jobs(spread());
   crowd.add_to(jobs);
   constexpr Ticket kFrames = 25;
   std::vector<std::uint64_t> expected[3];
@@ -158,10 +189,10 @@ TEST(job_thread, a_fast_reader_sees_whole_frames_that_never_go_back) {
 TEST(job_thread, takes_one_frame_in_advance_and_is_busy_then) {
   Crowd crowd(2);
   std::mutex gate;
-  JobThread jobs({.executor = [&](std::size_t count, const auto& body) {
+  JobThread jobs(spread([&](std::size_t count, const auto& body) {
     const std::lock_guard lock(gate);
     for (std::size_t i = 0; i < count; ++i) body(i);
-  }});
+  }));
   crowd.add_to(jobs);
   Ticket last = 0;
   {
@@ -186,7 +217,7 @@ TEST(job_thread, takes_one_frame_in_advance_and_is_busy_then) {
 
 TEST(job_thread, P19_a_paused_crowd_is_not_run_again) {
   Crowd crowd(6);
-  JobThread jobs;
+  JobThread jobs(spread());
   crowd.add_to(jobs);
   const auto inputs = crowd.inputs(5);
   jobs.wait(*jobs.submit(inputs));
@@ -209,7 +240,7 @@ TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run
   constexpr std::uint32_t kCount = 8;
   const Scene scene = arm_scene();
   const Plan plan = compile_plan(scene, {});
-  JobThread jobs;
+  JobThread jobs(spread());
   std::vector<HeldInput> held;
   for (std::uint32_t c = 0; c < kCount; ++c) jobs.add_character(plan), held.emplace_back(plan);
   for (std::uint64_t number = 0; number < 24; ++number) {
@@ -227,7 +258,7 @@ TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run
 
 TEST(job_thread, rejects_another_number_of_inputs) {
   Crowd crowd(2);
-  JobThread jobs;
+  JobThread jobs(spread());
   crowd.add_to(jobs);
   EXPECT_EQ(jobs.character_count(), 2u);
   EXPECT_EQ(jobs.submit(crowd.inputs(0).first(1)).error(), ErrorCode::size_mismatch);
@@ -235,7 +266,7 @@ TEST(job_thread, rejects_another_number_of_inputs) {
 
 TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
   Crowd crowd(3);
-  JobThread jobs;
+  JobThread jobs(spread());
   crowd.add_to(jobs);
   jobs.wait(*jobs.submit(crowd.inputs(0)));
   EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
@@ -257,7 +288,7 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
 
 TEST(job_thread, characters_can_join_while_frames_are_in_flight) {
   Crowd crowd(6);
-  JobThread jobs;
+  JobThread jobs(spread());
   for (std::uint32_t c = 0; c < 6; ++c) {
     EXPECT_EQ(jobs.add_character(crowd.plan_of(c)), c);
     ASSERT_TRUE(jobs.submit(crowd.inputs(c).first(c + 1)).has_value());
@@ -269,7 +300,7 @@ TEST(job_thread, characters_can_join_while_frames_are_in_flight) {
 TEST(job_thread, can_be_destroyed_with_frames_in_flight_and_queued) {
   for (int round = 0; round < 40; ++round) {
     Crowd crowd(4);
-    JobThread jobs;
+    JobThread jobs(spread());
     crowd.add_to(jobs);
     for (int frame = 0; frame < round % 4; ++frame) (void)jobs.submit(crowd.inputs(0));
   }
@@ -278,7 +309,7 @@ TEST(job_thread, can_be_destroyed_with_frames_in_flight_and_queued) {
 TEST(job_thread, a_frame_after_warm_up_allocates_nothing_on_any_thread) {
   Crowd crowd(8);
   ThreadPool pool(3);
-  JobThread jobs({.executor = pool.executor()});
+  JobThread jobs(spread(pool.executor()));
   crowd.add_to(jobs);
   jobs.wait(*jobs.submit(crowd.inputs(0)));
   const std::size_t before = allocation_count_of_all_threads();
@@ -294,7 +325,7 @@ TEST(job_thread, holds_under_load) {
   for (const bool tbb : {true, false}) {
     Crowd crowd(12);
     ThreadPool pool(4);
-    JobThread jobs({.executor = tbb ? Executor{} : pool.executor()});
+    JobThread jobs(spread(tbb ? Executor{} : pool.executor()));
     crowd.add_to(jobs);
     std::uint64_t seen = 0;
     Ticket last = 0;
