@@ -182,6 +182,52 @@ TEST_F(shade_pass, a_directional_light_of_the_file_replaces_the_key_light) {
   expect_shaded(built, options, std::vector<double>(kWidth * kHeight, 1.0), sun_of(options.lighting));
 }
 
+/// A floor in the light of a sun straight above.
+BuiltScene sunny_scene(float intensity) {
+  BuiltScene built = shiny_scene();
+  Light sun;
+  sun.intensity = intensity;
+  built.add_light(sun, {{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}}});
+  return built;
+}
+
+constexpr float kDazzling = 1e7f;   // floors are then far brighter than half floats can hold
+
+TEST_F(shade_pass, light_beyond_what_images_hold_is_white) {
+  RenderOptions options;
+  options.ao.on = false;
+  const FloatPicture picture = render_float(sunny_scene(kDazzling), kWidth, kHeight, the_view(), options);
+  const Seen seen = look(shiny_scene(), the_view());
+  int compared = 0;
+  for (std::size_t i = 0; i < seen.hits.size(); ++i) {
+    if (!seen.inner[i] || !seen.hits[i] || seen.hits[i]->material != 0) continue;
+    ++compared;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.pixels[i][c], 1.0f, 1e-3f) << i;
+  }
+  EXPECT_GT(compared, kWidth * kHeight / 8);
+}
+
+TEST_F(shade_pass, what_lies_before_light_beyond_what_images_hold_hides_it) {
+  RenderOptions options;
+  options.ao.on = false;
+  const auto behind_a_pane = [&](float intensity) {
+    BuiltScene built = sunny_scene(intensity);
+    Material pane = matte({0.2f, 0.1f, 0.05f});
+    pane.unlit = true, pane.alpha_mode = AlphaMode::blend, pane.double_sided = true;
+    built.add(square(3.0f), built.add_material(pane), translation({0.0f, 1.5f, 0.0f}));
+    return render_float(built, kWidth, kHeight, the_view(), options).pixels;
+  };
+  const auto plain = behind_a_pane(1.0f), dazzling = behind_a_pane(kDazzling);
+  const glm::vec4 covered = plain[kHeight / 2 * kWidth + kWidth / 2];
+  int compared = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    if (plain[i] != covered) continue;
+    ++compared;
+    EXPECT_LT(glm::length(dazzling[i] - covered), 0.02f) << i;   // an interpolated 1 may be a step of float below 1
+  }
+  EXPECT_GT(compared, kWidth * kHeight / 4);
+}
+
 TEST_F(shade_pass, P17_occlusion_of_strength_0_is_bit_for_bit_the_picture_without_it) {
   RenderOptions with, without;
   with.ao.power = 0.0f;

@@ -78,6 +78,7 @@ void Device::create_device() {
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
   features.features.samplerAnisotropy = offered.samplerAnisotropy;
   features.features.largePoints = offered.largePoints;
+  features.features.fullDrawIndexUint32 = offered.fullDrawIndexUint32;  // else meshes end at 2^24 vertices
   max_anisotropy_ = offered.samplerAnisotropy ? limits_.maxSamplerAnisotropy : 1.0f;
   max_point_size_ = offered.largePoints ? limits_.pointSizeRange[1] : 1.0f;
 

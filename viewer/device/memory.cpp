@@ -9,11 +9,15 @@ namespace {
 
 constexpr VkDeviceSize kBlockBytes = VkDeviceSize{32} << 20;
 
+/// Types of further properties are for features that are not switched on (protected, uncached on AMD, transient attachments).
+constexpr VkMemoryPropertyFlags kPlain = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                         VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+
 VkDeviceSize round_up(VkDeviceSize value, VkDeviceSize alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }
 
-/// Property flags in falling order of preference; the first that the device has is taken.
+/// Property flags in falling order of preference.
 std::vector<VkMemoryPropertyFlags> wishes(MemoryUse use) {
   constexpr VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
   constexpr VkMemoryPropertyFlags mapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -26,6 +30,17 @@ std::vector<VkMemoryPropertyFlags> wishes(MemoryUse use) {
 
 }  // namespace
 
+std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed, MemoryUse use) {
+  std::vector<std::uint32_t> types;
+  for (const VkMemoryPropertyFlags wish : wishes(use))
+    for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
+      const VkMemoryPropertyFlags flags = properties.memoryTypes[type].propertyFlags;
+      const bool fits = (allowed >> type & 1u) && (flags & wish) == wish && (flags & ~kPlain) == 0;
+      if (fits && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+    }
+  return types;
+}
+
 Memory::Memory(VkPhysicalDevice physical, VkDevice device) : device_(device) {
   vkGetPhysicalDeviceMemoryProperties(physical, &properties_);
 }
@@ -35,50 +50,53 @@ Memory::~Memory() {
     if (block.memory) vkFreeMemory(device_, block.memory, nullptr);
 }
 
-std::uint32_t Memory::type_for(std::uint32_t allowed, MemoryUse use) const {
-  for (const VkMemoryPropertyFlags wish : wishes(use))
-    for (std::uint32_t type = 0; type < properties_.memoryTypeCount; ++type)
-      if ((allowed >> type & 1u) && (properties_.memoryTypes[type].propertyFlags & wish) == wish) return type;
-  throw DeviceError("Vulkan: no memory type fits");
-}
-
-Memory::Block Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image) const {
-  Block block;
+VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image, Block& block) const {
+  block = {};
   block.size = size, block.type = type, block.image = image;
   VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = size;
   info.memoryTypeIndex = type;
-  must(vkAllocateMemory(device_, &info, nullptr, &block.memory), "vkAllocateMemory");
-  if (use == MemoryUse::device) return block;
+  VkResult result = vkAllocateMemory(device_, &info, nullptr, &block.memory);
+  if (result != VK_SUCCESS || use == MemoryUse::device) return result;
   void* mapped = nullptr;
-  const VkResult result = vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &mapped);
-  if (result < 0) vkFreeMemory(device_, block.memory, nullptr);
-  must(result, "vkMapMemory");
+  result = vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+  if (result != VK_SUCCESS) vkFreeMemory(device_, block.memory, nullptr);
   block.mapped = static_cast<std::byte*>(mapped);
-  return block;
+  return result;
+}
+
+/// The place of a block of that kind that has room, or blocks_.size().
+std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint32_t type, bool mapped, bool image) {
+  const auto has_room = [&](const Block& block) {
+    const bool is_kind = block.memory && block.type == type && block.image == image && (block.mapped != nullptr) == mapped;
+    return is_kind && round_up(block.used, needs.alignment) + needs.size <= block.size;
+  };
+  return static_cast<std::size_t>(std::find_if(blocks_.begin(), blocks_.end(), has_room) - blocks_.begin());
+}
+
+/// The place of a block for the piece: one that has room, else a new one of the best type that is not full.
+std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, bool image) {
+  // A large piece gets a block of its own, so that it goes back to the driver alone.
+  const VkDeviceSize size = needs.size > kBlockBytes / 4 ? needs.size : kBlockBytes;
+  VkResult result = VK_SUCCESS;
+  for (const std::uint32_t type : memory_types_for(properties_, needs.memoryTypeBits, use)) {
+    const std::size_t there = block_with_room(needs, type, use != MemoryUse::device, image);
+    if (there < blocks_.size()) return there;
+    Block made;
+    result = make_block(size, type, use, image, made);
+    if (result != VK_SUCCESS) continue;
+    auto at = std::find_if(blocks_.begin(), blocks_.end(), [](const Block& b) { return !b.memory; });
+    if (at == blocks_.end()) at = blocks_.emplace(at);
+    *at = made;
+    return static_cast<std::size_t>(at - blocks_.begin());
+  }
+  must(result, "vkAllocateMemory");
+  throw DeviceError("Vulkan: no memory type fits");   // there was none to ask
 }
 
 MemoryPiece Memory::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image) {
   const std::scoped_lock lock(mutex_);
-  const std::uint32_t type = type_for(needs.memoryTypeBits, use);
-  const bool mapped = use != MemoryUse::device;
-  std::size_t at = blocks_.size();
-  for (std::size_t i = 0; i < blocks_.size() && at == blocks_.size(); ++i) {
-    const Block& block = blocks_[i];
-    const bool fits = block.memory && block.type == type && block.image == image && (block.mapped != nullptr) == mapped;
-    if (fits && round_up(block.used, needs.alignment) + needs.size <= block.size) at = i;
-  }
-  if (at == blocks_.size()) {
-    at = static_cast<std::size_t>(
-        std::find_if(blocks_.begin(), blocks_.end(), [](const Block& b) { return !b.memory; }) - blocks_.begin());
-    // A large piece gets a block of its own, so that it goes back to the driver alone.
-    const VkDeviceSize size = needs.size > kBlockBytes / 4 ? needs.size : kBlockBytes;
-    Block block = make_block(size, type, use, image);
-    if (at == blocks_.size())
-      blocks_.push_back(block);
-    else
-      blocks_[at] = block;
-  }
+  const std::size_t at = block_for(needs, use, image);
   Block& block = blocks_[at];
   MemoryPiece piece;
   piece.memory = block.memory;

@@ -25,6 +25,11 @@ struct MemoryPiece {
   std::uint32_t block = 0;
 };
 
+/// The device's memory types for a use, best first. Where the best is full, the next is taken: the part of a graphics
+/// card's memory that the CPU can write may be as small as 256 MB, while the system's own serves as well, only slower.
+/// in   allowed  bit per type, as VkMemoryRequirements has them
+std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed, MemoryUse use);
+
 /// Device memory in blocks: drivers allow few allocations, scenes have many textures. A block is filled front to back
 /// and returned when all its pieces are gone; buffers and images never share a block (bufferImageGranularity).
 class Memory {
@@ -48,8 +53,9 @@ class Memory {
     std::uint32_t type = 0, pieces = 0;
     bool image = false;
   };
-  std::uint32_t type_for(std::uint32_t allowed, MemoryUse use) const;
-  Block make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image) const;
+  std::size_t block_for(const VkMemoryRequirements& needs, MemoryUse use, bool image);
+  std::size_t block_with_room(const VkMemoryRequirements& needs, std::uint32_t type, bool mapped, bool image);
+  VkResult make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image, Block& block) const;
 
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_{};

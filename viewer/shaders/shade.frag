@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Opaque and transparent surfaces. Ambient occlusion scales the ambient term only.
+// Textures and dFdx are read where all pixels of a draw come by, and nothing is discarded before: what they take from the
+// neighbours in a quad is undefined otherwise.
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -15,6 +17,8 @@
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
 layout(constant_id = 2) const bool kOccluded = false;    // the ambient-access image exists
+
+const float kMostLight = 65504.0;   // of a half float; beyond it drivers store infinity, and 0 times that is no light
 
 layout(location = 0) in vec3 view_position;
 layout(location = 1) in vec3 view_normal;
@@ -52,9 +56,9 @@ bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
 
 vec3 mapped_normal(vec3 n) {
   if (!has_texture(2)) return n;
+  vec3 relief = texture(normal_texture, texcoord_of(2, texcoords)).xyz * 2.0 - 1.0;
   vec3 t, b;
   if (!((draw.flags & kHasTangents) != 0u ? stored_frame(n, t, b) : derived_frame(n, t, b))) return n;
-  vec3 relief = texture(normal_texture, texcoord_of(2, texcoords)).xyz * 2.0 - 1.0;
   return normalize(t * relief.x * material.surface.z + b * relief.y * material.surface.z + n * relief.z);
 }
 
@@ -83,15 +87,18 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
 
 void main() {
   vec4 base = base_color_at(texcoords, vertex_color);
-  if (kMasked && base.a < material.emissive.w) discard;
   vec3 n = surface_normal(view_normal, view_position);
-  bool unlit = material.kind.x == 1.0 || n == vec3(0.0);
-  vec3 light = unlit ? base.rgb : lit(base.rgb, n);
+  vec3 light = base.rgb;
   if (material.kind.x == 0.0) {
+    if ((draw.flags & (kFlatNormals | kHasNormals)) != 0u) {
+      vec3 shaded = lit(base.rgb, n);
+      if (n != vec3(0.0)) light = shaded;
+    }
     vec3 glow = material.emissive.rgb;
     if (has_texture(4)) glow *= texture(emissive_texture, texcoord_of(4, texcoords)).rgb;
     light += glow;
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
-  color = vec4(light * coverage, coverage);
+  color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
+  if (kMasked && base.a < material.emissive.w) discard;
 }
