@@ -182,6 +182,23 @@ TEST_F(shade_pass, a_directional_light_of_the_file_replaces_the_key_light) {
   expect_shaded(built, options, std::vector<double>(kWidth * kHeight, 1.0), sun_of(options.lighting));
 }
 
+TEST_F(shade_pass, where_normals_are_zero_surfaces_show_their_color_as_if_unlit) {
+  RenderOptions options;
+  options.ao.on = false;
+  const auto picture_of = [&](bool unlit) {
+    Primitive floor = square(2.0f);
+    Material material = matte({0.5f, 0.3f, 0.1f});
+    material.unlit = unlit, material.emissive = glm::vec3(0.0f);
+    if (!unlit) std::fill(floor.normals.begin(), floor.normals.end(), glm::vec3(0.0f));
+    BuiltScene built;
+    built.add(floor, built.add_material(material));
+    return render_float(built, kWidth, kHeight, the_view(), options).pixels;
+  };
+  const auto unlit = picture_of(true);
+  EXPECT_EQ(picture_of(false), unlit);
+  EXPECT_GT(std::count_if(unlit.begin(), unlit.end(), [&](const glm::vec4& p) { return p != unlit[0]; }), kWidth * kHeight / 8);
+}
+
 /// A floor in the light of a sun straight above.
 BuiltScene sunny_scene(float intensity) {
   BuiltScene built = shiny_scene();
