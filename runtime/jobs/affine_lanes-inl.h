@@ -41,10 +41,14 @@ HWY_INLINE Rows product(const Affine& a, const RowsAt& b) {
 using RowsTag = hn::CappedTag<float, 16>;
 using Rows = hn::Vec<RowsTag>;
 
-HWY_INLINE Rows load_rows(const Affine& m) {
+/// The blocks that are rows. Not a number's bits: the compiler would make those anew for each use.
+HWY_INLINE hn::Mask<RowsTag> within_rows() {
   const RowsTag d;
-  return hn::MaskedLoad(hn::FirstN(d, 12), d, &m.row[0].x);
+  alignas(64) static constexpr float kRows[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0};
+  return hn::Ne(hn::Load(d, kRows), hn::Zero(d));
 }
+
+HWY_INLINE Rows load_rows(const Affine& m) { return hn::MaskedLoad(within_rows(), RowsTag(), &m.row[0].x); }
 
 HWY_INLINE Rows product(Rows a, const RowsAt& b) {
   const RowsTag d;

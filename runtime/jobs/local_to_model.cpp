@@ -20,15 +20,20 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
-/// Local matrices of one vector of joints, in the order in which transposing within blocks leaves them.
-struct Tile {
-  HWY_ALIGN float rows[3][16 * 4];
+/// Joints are taken in chunks, of which a bit per joint says whether to compose it.
+constexpr std::size_t kChunk = 64;
+using Chosen = std::uint64_t;
 
-  static std::size_t place(std::size_t joint) {
-    const std::size_t lanes = hn::Lanes(Floats());
-    return lanes < 4 ? 4 * joint : joint % 4 * lanes + joint / 4 * 4;
+/// Local matrices of a chunk, in the order in which transposing within blocks of vectors leaves them.
+struct LocalMatrices {
+  HWY_ALIGN float rows[3][kChunk * 4];
+
+  /// place(i + k) = place(i) + place(k) for i a multiple of 4 and k < 4; with 16 lanes, of 8 and k < 8 as well.
+  static constexpr std::size_t place(std::size_t joint) {
+    constexpr std::size_t kLanes = hn::MaxLanes(Floats());
+    return kLanes < 4 ? 4 * joint : joint / kLanes * kLanes * 4 + joint % 4 * kLanes + joint % kLanes / 4 * 4;
   }
-  RowsAt rows_at(std::size_t place) const { return {rows[0] + place, rows[1] + place, rows[2] + place}; }
+  RowsAt at(std::size_t place) const { return {rows[0] + place, rows[1] + place, rows[2] + place}; }
 };
 
 /// One row of every joint, from its components.
@@ -48,7 +53,7 @@ HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
 }
 
 /// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28)
-HWY_INLINE void local_matrices(const PoseSpan& pose, std::size_t j, Tile& tile) {
+HWY_INLINE void store_matrices(const PoseSpan& pose, std::size_t j, float* x_row) {
   const Floats d;
   using P = PoseSpan;
   const Lanes x = hn::LoadU(d, pose.plane(P::rx) + j), y = hn::LoadU(d, pose.plane(P::ry) + j);
@@ -60,139 +65,142 @@ HWY_INLINE void local_matrices(const PoseSpan& pose, std::size_t j, Tile& tile) 
   const Lanes xy = hn::Mul(x, y), xz = hn::Mul(x, z), yz = hn::Mul(y, z);
   const Lanes wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
   store_row(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
-                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), tile.rows[0]);
+                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), x_row);
   store_row(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
-                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), tile.rows[1]);
+                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), x_row + 4 * kChunk);
   store_row(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
-                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), tile.rows[2]);
+                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), x_row + 8 * kChunk);
 }
 
 /// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read back at once.
-void use_fixed_matrices(const Skeleton& skeleton, std::size_t first, std::size_t count, Tile& tile) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t fixed = skeleton.fixed_matrix_of[first + i];
-    if (fixed == kNone) continue;
-    for (int r = 0; r < 3; ++r) std::memcpy(tile.rows[r] + Tile::place(i), &skeleton.fixed_matrices[fixed].row[r], sizeof(glm::vec4));
+HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
+  const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
+  for (std::size_t i = 0, count = HWY_MIN(kChunk, skeleton.joint_count() - begin); i < count; ++i) {
+    if (HWY_LIKELY(fixed[i] == kNone)) continue;
+    for (int r = 0; r < 3; ++r) std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r], sizeof(glm::vec4));
   }
 }
 
-/// Local matrices of the tile that begins with joint `first`.
-HWY_INLINE void fill(const LocalToModelJob& job, std::size_t first, Tile& tile) {
-  local_matrices(job.local, first, tile);
-  const Skeleton& skeleton = *job.skeleton;
-  if (!skeleton.fixed_matrices.empty()) use_fixed_matrices(skeleton, first, HWY_MIN(hn::Lanes(Floats()), skeleton.joint_count() - first), tile);
+/// Local matrices of a chunk. A function of its own: within another, some of its vectors would be spilled.
+HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen chosen, LocalMatrices& locals) {
+  const std::size_t lanes = hn::Lanes(Floats());
+  const Chosen of_vector = (Chosen{2} << (lanes - 1)) - 1;
+  for (std::size_t i = 0; i < kChunk && chosen >> i != 0; i += lanes)
+    if (chosen >> i & of_vector) store_matrices(job.local, begin + i, locals.rows[0] + 4 * i);
+  if (!job.skeleton->fixed_matrices.empty()) use_fixed_matrices(*job.skeleton, begin, locals);
 }
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 64
 
-struct Recent {
-  explicit Recent(const LocalToModelJob&) {}
-};
-
-/// Composes joints, parents first.
+/// Composes joints chunk after chunk, parents first.
+template <bool kSome>
 class Composer {
  public:
-  Composer(const LocalToModelJob& job, Recent&) : job_(job), parents_(job.skeleton->parents.data()) {}
+  explicit Composer(const LocalToModelJob& job) : root_(job.root), model_(job.model.data()), parents_(job.skeleton->parents.data()) {}
 
-  HWY_INLINE void compose(const RowsAt& local, std::uint32_t joint) const {
+  HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) const {
+    for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4) {
+      HWY_UNROLL(4)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (chosen >> k & 1) compose(locals.at(LocalMatrices::place(i) + LocalMatrices::place(k)), begin + i + k);
+    }
+  }
+
+ private:
+  HWY_INLINE void compose(const RowsAt& local, std::size_t joint) const {
     const std::uint32_t parent = parents_[joint];
-    const Rows rows = product(parent == kNone ? job_.root : job_.model[parent], local);
+    const Rows rows = product(parent == kNone ? root_ : model_[parent], local);
 #if HWY_TARGET == HWY_SCALAR
-    job_.model[joint] = rows;
+    model_[joint] = rows;
 #else
-    for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &job_.model[joint].row[r].x);
+    for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &model_[joint].row[r].x);
 #endif
   }
 
- private:
-  const LocalToModelJob& job_;
-  const std::uint32_t* parents_;
-};
-
-#else
-
-/// The last model matrices, each on a cache line of its own: a parent that was stored a moment ago is read back from one store.
-struct Recent {
-  static constexpr std::uint32_t kCount = 64;
-  HWY_ALIGN float rows[kCount][16];
-  std::uint32_t joints[kCount];  // whose they are
-
-  /// The root stands for the parent kNone until its place is taken.
-  HWY_INLINE explicit Recent(const LocalToModelJob& job) {
-    std::fill(std::begin(joints), std::end(joints), kNone);
-    hn::Store(load_rows(job.root), Floats(), rows[kNone % kCount]);
-  }
-  HWY_INLINE bool has(std::uint32_t joint) const { return joints[joint % kCount] == joint; }
-  HWY_INLINE Rows of(std::uint32_t joint) const { return hn::Load(Floats(), rows[joint % kCount]); }
-  HWY_INLINE void keep(std::uint32_t joint, Rows model) {
-    hn::Store(model, Floats(), rows[joint % kCount]);
-    joints[joint % kCount] = joint;
-  }
-};
-
-/// Composes joints, parents first. What it has in single variables stays in registers, `recent` being elsewhere.
-class Composer {
- public:
-  HWY_INLINE Composer(const LocalToModelJob& job, Recent& recent)
-      : recent_(recent), model_(job.model.data()), parents_(job.skeleton->parents.data()), root_(load_rows(job.root)), rows_(root_) {}
-
-  HWY_INLINE void compose(const RowsAt& local, std::uint32_t joint) {
-    const std::uint32_t parent = parents_[joint];
-    if (parent != last_) rows_ = HWY_LIKELY(recent_.has(parent)) ? recent_.of(parent) : far_rows(parent);
-    rows_ = product(rows_, local);
-    last_ = joint;
-    recent_.keep(joint, rows_);
-    hn::BlendedStore(rows_, hn::FirstN(Floats(), 12), Floats(), &model_[joint].row[0].x);
-  }
-
- private:
-  HWY_INLINE Rows far_rows(std::uint32_t parent) const { return parent == kNone ? root_ : load_rows(model_[parent]); }
-
-  Recent& recent_;
+  const Affine& root_;
   Affine* model_;
   const std::uint32_t* parents_;
-  Rows root_, rows_;  // of joint last_
-  std::uint32_t last_ = kNone;
+};
+
+#else
+
+/// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump, which is
+/// foreseen: through memory, a joint would wait for its parent's matrix nearly twice as long (13 cycles for the product, 11 for that).
+template <bool kSome>
+class Composer {
+ public:
+  HWY_INLINE explicit Composer(const LocalToModelJob& job)
+      : parents_(job.skeleton->parents.data()), model_(job.model.data()), root_(load_rows(job.root)),
+        last_{root_, root_, root_, root_, root_, root_, root_, root_} {}  // the parent kNone is one step before joint 0
+
+  HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) {
+    Chosen composed = (before_ & ~Chosen{0xff}) | (chosen & 0xff);
+    before_ = chosen;
+    for (std::size_t i = 0; i < kChunk && chosen >> i != 0; i += 8, composed = chosen)
+      compose_eight(locals.at(LocalMatrices::place(i)), begin + i, static_cast<std::uint32_t>(chosen >> i), composed);
+  }
+
+ private:
+  /// in   composed  bit j % kChunk of joint j, of these joints and of the eight before
+  HWY_INLINE void compose_eight(const RowsAt& local, std::size_t joint, std::uint32_t chosen, Chosen composed) {
+    const std::uint32_t* parents = parents_ + joint;
+    Affine* model = model_ + joint;
+    HWY_UNROLL(8)
+    for (std::size_t k = 0; k < 8; ++k) {
+      if ((chosen >> k & 1) == 0) continue;
+      const float* x_row = local.x + LocalMatrices::place(k);
+      const std::uint32_t parent = parents[k], steps = static_cast<std::uint32_t>(joint + k) - parent;
+      const bool has_passed = !kSome || (composed >> parent % kChunk & 1) != 0;
+      last_[k] = product(has_passed ? rows_before(k, steps, parent) : stored_rows(parent), {x_row, x_row + 4 * kChunk, x_row + 8 * kChunk});
+      hn::BlendedStore(last_[k], within_rows(), Floats(), &model[k].row[0].x);
+    }
+  }
+
+  HWY_INLINE Rows rows_before(std::size_t k, std::uint32_t steps, std::uint32_t parent) const {
+    switch (steps) {
+      case 1: return last_[(k + 7) % 8];
+      case 2: return last_[(k + 6) % 8];
+      case 3: return last_[(k + 5) % 8];
+      case 4: return last_[(k + 4) % 8];
+      case 5: return last_[(k + 3) % 8];
+      case 6: return last_[(k + 2) % 8];
+      case 7: return last_[(k + 1) % 8];
+      case 8: return last_[k];
+      default: return stored_rows(parent);
+    }
+  }
+  HWY_INLINE Rows stored_rows(std::uint32_t parent) const { return parent == kNone ? root_ : load_rows(model_[parent]); }
+
+  const std::uint32_t* parents_;
+  Affine* model_;
+  Rows root_, last_[8];  // last_[j % 8] of joint j
+  Chosen before_ = 0;    // what was chosen of the chunk before
 };
 
 #endif
 
-void some_model_matrices(const LocalToModelJob& job) {
-  const std::size_t lanes = hn::Lanes(Floats());
-  const std::span<const std::uint32_t> only = job.only;
-  Tile tile;
-  Recent recent(job);
-  Composer composer(job, recent);
-  for (std::size_t k = 0; k < only.size();) {
-    const std::size_t first = only[k] / lanes * lanes;
-    fill(job, first, tile);
-    for (; k < only.size() && only[k] < first + lanes; ++k) composer.compose(tile.rows_at(Tile::place(only[k] - first)), only[k]);
+/// The bits of a chunk's joints; only[next] comes next.
+Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t begin, std::size_t count, std::size_t& next) {
+  Chosen chosen = 0;
+  for (; next < only.size() && only[next] < begin + count; ++next) chosen |= Chosen{1} << (only[next] - begin);
+  return chosen;
+}
+
+/// Local matrices are made a chunk ahead of the joints' chains, which wait for each other's products.
+template <bool kSome>
+HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
+  LocalMatrices locals;
+  Composer<kSome> composer(job);
+  std::size_t next = 0;
+  for (std::size_t begin = 0, joints = job.skeleton->joint_count(); begin < joints; begin += kChunk) {
+    const std::size_t count = HWY_MIN(kChunk, joints - begin);
+    const Chosen chosen = kSome ? chosen_joints(job.only, begin, count, next) : ~Chosen{0} >> (kChunk - count);
+    fill(job, begin, chosen, locals);
+    composer.compose(locals, begin, chosen);
   }
 }
 
-/// Joints of one tile; four in a row are at one step from each other.
-HWY_INLINE void compose_tile(Composer& composer, const Tile& tile, std::size_t first, std::size_t count) {
-  std::size_t i = 0;
-  for (; i + 4 <= count; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) composer.compose(tile.rows_at(Tile::place(i) + k * hn::Lanes(Floats())), static_cast<std::uint32_t>(first + i + k));
-  for (; i < count; ++i) composer.compose(tile.rows_at(Tile::place(i)), static_cast<std::uint32_t>(first + i));
-}
-
-/// Local matrices are made some tiles ahead of the joints' chains, which wait for each other's products.
-void model_matrices(const LocalToModelJob& job) {
-  if (!job.only.empty()) return some_model_matrices(job);
-  constexpr std::size_t kAhead = 64;
-  const std::size_t joints = job.skeleton->joint_count(), lanes = hn::Lanes(Floats());
-  Tile tiles[kAhead / hn::MaxLanes(Floats())];
-  Recent recent(job);
-  Composer composer(job, recent);
-  for (std::size_t begin = 0; begin < joints; begin += kAhead) {
-    const std::size_t end = HWY_MIN(joints, begin + kAhead);
-    for (std::size_t first = begin; first < end; first += lanes) fill(job, first, tiles[(first - begin) / lanes]);
-    const Tile* tile = tiles;
-    for (std::size_t first = begin; first < end; first += lanes) compose_tile(composer, *tile++, first, HWY_MIN(lanes, end - first));
-  }
-}
+void model_matrices(const LocalToModelJob& job) { return job.only.empty() ? compose_joints<false>(job) : compose_joints<true>(job); }
 
 }  // namespace
 }  // namespace sinew::HWY_NAMESPACE

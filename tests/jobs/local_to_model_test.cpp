@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
@@ -141,6 +142,35 @@ TEST(local_to_model, N25_random_trees_agree_with_double_within_a_few_roundings_p
   }
 }
 
+TEST(local_to_model, N28_joints_have_the_bits_of_plain_products_however_far_their_parents_are) {
+  test::FixedRandom random(78);
+  for (const std::int64_t only : test::simd_targets()) {
+    const test::OnlyTarget target(only);
+    for (std::uint32_t farthest = 1; farthest <= 80; farthest = farthest < 10 ? farthest + 1 : 2 * farthest) {
+      const std::uint32_t count = 130 + random.below(30);
+      std::vector<std::uint32_t> parents(count, kNone);
+      for (std::uint32_t j = 1; j < count; ++j) parents[j] = random.below(20) == 0 ? kNone : j - std::min(j, farthest);
+      Rig rig(parents);
+      std::vector<Affine> local(count);
+      for (std::uint32_t j = 0; j < count; ++j) {
+        rig.pose.set(j, random.transform(0.8, 1.25));
+        local[j] = affine_from_transform(rig.pose.get(j));
+        if (random.below(10) != 0) continue;
+        local[j].row[0] += glm::vec4(0.25f, 0.5f, 0, 1);
+        rig.skeleton.fixed_matrix_of[j] = static_cast<std::uint32_t>(rig.skeleton.fixed_matrices.size());
+        rig.skeleton.fixed_matrices.push_back(local[j]);
+      }
+      LocalToModelJob job = rig.job();
+      job.root = affine_from_transform(random.transform());
+      run(job);
+      for (std::uint32_t j = 0; j < count; ++j) {
+        const Affine plain = (parents[j] == kNone ? job.root : rig.model[parents[j]]) * local[j];
+        EXPECT_TRUE(same_bits<Affine>({&plain, 1}, {&rig.model[j], 1})) << "joint " << j << ", parents " << farthest << " before";
+      }
+    }
+  }
+}
+
 TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not_touched) {
   test::FixedRandom random(77);
   const std::vector<std::int64_t> targets = test::simd_targets();
@@ -148,7 +178,8 @@ TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not
     const test::OnlyTarget target(targets[round % targets.size()]);
     const std::uint32_t count = 1 + random.below(200);
     std::vector<std::uint32_t> parents(count, kNone);
-    for (std::uint32_t j = 1; j < count; ++j) parents[j] = random.below(8) == 0 ? kNone : random.below(j);
+    const std::uint32_t farthest = round % 2 == 0 ? count : 1 + random.below(12);
+    for (std::uint32_t j = 1; j < count; ++j) parents[j] = random.below(8) == 0 ? kNone : j - 1 - random.below(std::min(j, farthest));
     Rig rig(parents);
     for (std::uint32_t j = 0; j < count; ++j)
       rig.pose.set(j, random.transform());
