@@ -227,30 +227,13 @@ void place_tables(Plan& plan, BlockLayout& block) {
   for (std::size_t& at : tables.end_layers_at) at = block.take_array<ClipLayer>(tables.input_layer_count);
 }
 
-void place(Plan& plan) {
+/// What frames of one clip touch before vertices.
+void place_front(Plan& plan, std::size_t pose_bytes, std::size_t number_count, BlockLayout& block) {
   const Scene& scene = *plan.scene;
-  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(plan.rig.joint_count());
-  const std::size_t extra_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
-  BlockLayout block;
-  plan.rest_pose_at = block.take(pose_bytes);
-  plan.pose_at = plan.sample ? block.take(pose_bytes) : plan.rest_pose_at;
-  plan.layer_poses_at = block.take(extra_layers * pose_bytes);
+  place_tables(plan, block);
+  plan.pose_at = block.take(plan.sample ? pose_bytes : 0);
   plan.weights_at = block.take_array<float>(scene.weight_count());
-  plan.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
-  if (plan.correctives)
-    for (const PoseCorrective& corrective : plan.rig.correctives)
-      plan.corrective_scratch_count = std::max(plan.corrective_scratch_count, scratch_size(corrective));
-  plan.corrective_scratch_at = block.take_array<double>(plan.corrective_scratch_count);
-  plan.added_pose_at = block.take(plan.add ? pose_bytes : 0);
-  plan.reference_pose_at = block.take(plan.add ? pose_bytes : 0);
-  plan.added_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
-  plan.reference_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
-  const std::size_t numbers = plan.properties ? scene.properties.rest.size() : 0;
-  plan.properties_at = block.take_array<float>(numbers);
-  plan.layer_properties_at = block.take_array<float>(extra_layers * numbers);
-  if (plan.interpolate)
-    for (PosePlaces& end : plan.ends)
-      end = {block.take(pose_bytes), block.take_array<float>(scene.weight_count()), block.take_array<float>(numbers)};
+  plan.properties_at = block.take_array<float>(number_count);
   plan.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
   plan.palette_wanted_at = block.take_array<bool>(scene.skins.size());
   plan.model_at = block.take_array<Affine>(plan.local_to_model ? plan.rig.joint_count() : 0);
@@ -263,8 +246,33 @@ void place(Plan& plan) {
   }
   plan.new_palette_at = block.take_array<JointMatrix>(largest_palette);
   plan.stretch_at = block.take_array<bool>(scene.skins.size());
+  plan.front_bytes = block.size();
+}
+
+void place(Plan& plan) {
+  const Scene& scene = *plan.scene;
+  const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(plan.rig.joint_count());
+  const std::size_t extra_layers = plan.blend ? plan.needs.max_layers - 1 : 0;
+  const std::size_t numbers = plan.properties ? scene.properties.rest.size() : 0;
+  BlockLayout block;
+  place_front(plan, pose_bytes, numbers, block);
+  plan.rest_pose_at = block.take(pose_bytes);
+  if (!plan.sample) plan.pose_at = plan.rest_pose_at;
+  plan.layer_poses_at = block.take(extra_layers * pose_bytes);
+  plan.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
+  plan.layer_properties_at = block.take_array<float>(extra_layers * numbers);
+  if (plan.correctives)
+    for (const PoseCorrective& corrective : plan.rig.correctives)
+      plan.corrective_scratch_count = std::max(plan.corrective_scratch_count, scratch_size(corrective));
+  plan.corrective_scratch_at = block.take_array<double>(plan.corrective_scratch_count);
+  plan.added_pose_at = block.take(plan.add ? pose_bytes : 0);
+  plan.reference_pose_at = block.take(plan.add ? pose_bytes : 0);
+  plan.added_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
+  plan.reference_weights_at = block.take_array<float>(plan.add ? scene.weight_count() : 0);
+  if (plan.interpolate)
+    for (PosePlaces& end : plan.ends)
+      end = {block.take(pose_bytes), block.take_array<float>(scene.weight_count()), block.take_array<float>(numbers)};
   place_primitives(plan, block);
-  place_tables(plan, block);
   plan.frame_bytes = block.size();
 }
 

@@ -107,6 +107,7 @@ struct Plan {
   std::size_t morphed_positions_at = 0, morphed_normals_at = 0, morphed_tangents_at = 0;  ///< between morph and skin
   std::size_t scratch_at = 0;
   TablePlaces tables;
+  std::size_t front_bytes = 0;                 ///< from the start of the block on: what frames of one clip touch before vertices
   std::size_t frame_bytes = 0;                 ///< size of the block, a multiple of 64
   std::uint64_t fingerprint = 0;               ///< of the needs: tells frame buffers of plans of equal size apart
 };

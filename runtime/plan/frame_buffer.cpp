@@ -11,6 +11,7 @@
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/plays_alone.h"
+#include "runtime/plan/prefetch.h"
 #include "runtime/plan/same_layers.h"
 
 namespace sinew {
@@ -81,6 +82,11 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
     rest.set(j, local);
   }
   if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
+}
+
+void FrameBuffer::prefetch(const Plan& plan) const noexcept {
+  constexpr std::size_t kMostBytes = 24 * 1024;   // of the nearest cache the character that runs needs some
+  sinew::prefetch(block_.get(), std::min(plan.front_bytes, kMostBytes));
 }
 
 bool FrameBuffer::holds_result_of(const Plan& plan, const FrameInput& input) const noexcept {

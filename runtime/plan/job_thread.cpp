@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/base/contract.h"
+#include "runtime/plan/prefetch.h"
 #include "runtime/plan/tbb_executor.h"
 #include "runtime/plan/triple_slots.h"
 
@@ -71,6 +72,7 @@ struct JobThread::State {
   void work() noexcept;
   void run_batch();
   void run_part(std::size_t p) noexcept;
+  void prefetch_after(std::size_t c) const noexcept;
   void run_character(std::size_t c, Ticket ticket) noexcept;
   void add_to_parts(std::size_t c) noexcept;
   void publish() noexcept;
@@ -127,8 +129,19 @@ void JobThread::State::run_batch() {
 
 void JobThread::State::run_part(std::size_t p) noexcept {
   const Ticket ticket = started.load(std::memory_order_acquire);
-  for (std::size_t c = p == 0 ? 0 : part_end[p - 1]; c < part_end[p]; ++c) run_character(c, ticket);
+  for (std::size_t c = p == 0 ? 0 : part_end[p - 1]; c < part_end[p]; ++c) {
+    prefetch_after(c);
+    run_character(c, ticket);
+  }
   parts_run.fetch_add(1, std::memory_order_acq_rel);
+}
+
+/// The frames of a crowd have left the caches when their turn comes. First who is next but one, to know then where it writes.
+void JobThread::State::prefetch_after(std::size_t c) const noexcept {
+  if (c + 2 < characters.size()) prefetch(characters[c + 2].get(), sizeof(CharacterState));
+  if (c + 1 >= characters.size()) return;
+  const CharacterState& next = *characters[c + 1];
+  next.buffers[next.slots.writing()].prefetch(*next.plan);
 }
 
 void JobThread::State::run_character(std::size_t c, Ticket ticket) noexcept {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "runtime/jobs/pose.h"
 #include "runtime/plan/frame_hash.h"
@@ -179,8 +182,32 @@ TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
   EXPECT_GE(large.frame_bytes, small.frame_bytes + 3 * layer_bytes);
-  EXPECT_EQ(large.layer_poses_at + 3 * layer_bytes, large.weights_at);
-  EXPECT_EQ(small.layer_poses_at, small.weights_at);
+  EXPECT_EQ(large.layer_poses_at + 3 * layer_bytes, large.layer_weights_at);
+  EXPECT_EQ(small.layer_poses_at, small.layer_weights_at);
+}
+
+TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_before_vertices) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Scene scene = random_scene(seed);
+    Needs needs;
+    needs.positions = needs.normals = needs.tangents = false;
+    needs.palettes = needs.weights = needs.properties = true;
+    const Plan plan = compile_plan(scene, needs);
+    ASSERT_LT(plan.front_bytes, plan.frame_bytes);
+    struct alignas(64) Line {
+      std::byte bytes[64];
+    };
+    std::vector<Line> block(plan.frame_bytes / sizeof(Line));
+    FrameBuffer frame(plan, std::as_writable_bytes(std::span(block)));
+    const auto behind = std::as_bytes(std::span(block)).subspan(plan.front_bytes);
+    const std::vector<std::byte> before(behind.begin(), behind.end());
+    for (int f = 0; f < 3; ++f) {
+      const ClipLayer layer{0, 0.3 * f, 1.0f};
+      ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+      EXPECT_TRUE(std::equal(behind.begin(), behind.end(), before.begin())) << "seed " << seed << ", frame " << f;
+    }
+    EXPECT_GT(frame.result().work.joints_composed, 0u);
+  }
 }
 
 TEST(compile_plan, P04_P05_tracks_are_told_by_the_way_they_take_between_keys) {
