@@ -77,19 +77,20 @@ class EightWeights<4> {
 
 /// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be +
 template <int kCount>
-HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const VertexJoints<kCount>& vertex, bool one_side) {
-  const float* first = &split[vertex.joints[0]].rigid.real.x;
+HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k, bool one_side) {
+  const VertexJoints<kCount> vertex = tile.at(k);
+  const float* first = &tile.entry(split, k, 0)->rigid.real.x;
   Eight sum = load_eight(first);
   if constexpr (kCount == 1) return sum;
   const EightWeights<kCount> weights(vertex.weights);
   sum = times(sum, weights.of(0));
   if (one_side) {
-    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&split[vertex.joints[i]].rigid.real.x, weights.of(i), sum);
+    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
     return sum;
   }
   const Pivot pivot(first);
   for (std::size_t i = 1; i < vertex.count(); ++i) {
-    const float* next = &split[vertex.joints[i]].rigid.real.x;
+    const float* next = &tile.entry(split, k, i)->rigid.real.x;
     sum = times_plus(next, pivot.signed_weight(next, vertex.weights[i]), sum);
   }
   return sum;
@@ -108,8 +109,8 @@ HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInflue
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
   Eight sums[kTileSize];
-  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), true); });
-  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile.at(k), false); });
+  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile, k, true); });
+  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile, k, false); });
   const Lanes8 sum = lanes_of(sums);
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;  // one by one: compilers keep copies of fours in memory
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;

@@ -7,7 +7,6 @@
 #define SINEW_BLEND_PARTS_INL_H_
 #endif
 
-#include "runtime/jobs/joint_numbers.h"
 #include "runtime/jobs/vertex_tiles-inl.h"
 #include "runtime/math/joint_matrix.h"
 
@@ -44,16 +43,14 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
 template <int kCount>
 HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t k) {
   const TileTag d;
-  const VertexJoints<kCount> vertex = tile.at(k);
   MatrixParts sum;
-  const JointNumbers<kCount> joints(vertex.joints);
-  const float* joint = &joints.entry(palette, 0)->column[0].x;
+  const float* joint = &tile.entry(palette, k, 0)->column[0].x;
   for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
   if constexpr (kCount == 1) return sum;
   const Wide first = weight_of(tile, k, 0);
   for (Wide& part : sum.part) part = hn::Mul(part, first);
-  for (std::size_t i = 1; i < vertex.count(); ++i) {
-    joint = &joints.entry(palette, i)->column[0].x;
+  for (std::size_t i = 1; i < tile.first.count(); ++i) {
+    joint = &tile.entry(palette, k, i)->column[0].x;
     const Wide weight = weight_of(tile, k, i);
     for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
   }

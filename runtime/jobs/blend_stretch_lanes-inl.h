@@ -27,8 +27,8 @@ HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInf
   Eight sums[kTileSize];
   for_each_of_tile([&](std::size_t k) HWY_ATTR {
     const VertexJoints<kCount> vertex = tile.at(k);
-    sums[k] = times(load_eight(split[vertex.joints[0]].stretch), hn::Set(d, vertex.weights[0]));
-    for (std::size_t i = 1; i < vertex.count(); ++i) sums[k] = times_plus(split[vertex.joints[i]].stretch, hn::Set(d, vertex.weights[i]), sums[k]);
+    sums[k] = times(load_eight(tile.entry(split, k, 0)->stretch), hn::Set(d, vertex.weights[0]));
+    for (std::size_t i = 1; i < vertex.count(); ++i) sums[k] = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
   });
   const Lanes8 s = lanes_of(sums);
   return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};

@@ -30,7 +30,7 @@ glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount
 template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
 struct SkinRow {
   using Row = TileRow<kCount>;
-  const SkinLinearJob& job;
+  const JointMatrix* palette;
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -42,7 +42,7 @@ struct SkinRow {
   void skin_tile(const Row& row, std::size_t t) const {
     const TileInput in = row.in(t);
     const TileOutput out = row.out(t);
-    const OneMatrix m = blend_one_matrix(job.palette.data(), row.joints(t));
+    const OneMatrix m = blend_one_matrix(palette, row.joints(t));
     store3(transform_points(m, load3(in.positions)), out.positions);
     if constexpr (kNormals) {
       Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
@@ -72,7 +72,8 @@ struct SkinRow {
         if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
       }
       if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
-        for (std::size_t t = first; t < end; ++t) write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], row, t);
+        for (std::size_t t = first; t < end; ++t)
+          SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row), t);
     }
   }
 
@@ -84,7 +85,7 @@ struct SkinRow {
     const TileInfluences<kCount> joints = row.joints(t);
     Wide positions[4];
     for_each_quarter([&](auto q) HWY_ATTR {
-      const Columns m = blend_columns(job.palette.data(), joints, q);
+      const Columns m = blend_columns(palette, joints, q);
       positions[q] = transform_points(m, load_spread<q>(in.positions));
       if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
       if constexpr (kTangents) tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
@@ -114,7 +115,8 @@ struct SkinRow {
     return sound;
   }
 
-  /// What is not sound of a tile. Apart from the loops over tiles, whose tables would otherwise not stay in registers across a call.
+  /// What is not sound of a tile. Apart from the loops over tiles, and called with copies of what they have in registers, which
+  /// would otherwise not stay there across a call.
   HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row, std::size_t t) const {
     if constexpr (kNormals)
       for_each_lane_not_in(soundness(normals), [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
@@ -130,18 +132,18 @@ struct SkinRow {
 #endif
 
   HWY_NOINLINE void write_careful_normal(const Row& row, std::size_t t, std::size_t v) const {
-    row.out(t).normals[v] = careful_normal(job.palette.data(), row.joints(t), v, row.in(t).normals[v], kCofactor);
+    row.out(t).normals[v] = careful_normal(palette, row.joints(t), v, row.in(t).normals[v], kCofactor);
   }
   HWY_NOINLINE void write_careful_tangent(const Row& row, std::size_t t, std::size_t v) const {
     const glm::vec4 tangent = row.in(t).tangents[v];
-    row.out(t).tangents[v] = glm::vec4(careful_normal(job.palette.data(), row.joints(t), v, glm::vec3(tangent), false), tangent.w);
+    row.out(t).tangents[v] = glm::vec4(careful_normal(palette, row.joints(t), v, glm::vec3(tangent), false), tangent.w);
   }
 };
 
 void skin_linear(const SkinLinearJob& job) {
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job});
+      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job.palette.data()});
     });
   };
   with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {

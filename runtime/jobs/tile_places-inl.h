@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "runtime/jobs/influence_dispatch.h"
@@ -27,6 +28,22 @@ struct TileInfluences {
     const std::size_t skip = k * (kCount > 0 ? static_cast<std::size_t>(kCount) : runtime_stride);
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
+
+  /// What a palette has for joint `i` of vertex `k`. Four numbers are read at once, since loads and instructions are what blending
+  /// spends its time on, and rotated to be offsets in bytes: to shift them would take a copy of all four each time.
+  template <class Entry>
+  HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
+    if constexpr (!kFourAtOnce) return palette + at(k).joints[i];
+    static_assert(std::has_single_bit(sizeof(Entry)));
+    const std::size_t number = k * kCount + i, number_of_four = kCount % 4 == 0 ? i % 4 : number % 4;
+    std::uint64_t four;
+    hwy::CopyBytes<sizeof(four)>(first.joints + (number - number_of_four), &four);
+    const std::uint64_t offset = std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(sizeof(Entry)));
+    return reinterpret_cast<const Entry*>(reinterpret_cast<const char*>(palette) + (offset & (0xffff * sizeof(Entry))));
+  }
+
+ private:
+  static constexpr bool kFourAtOnce = kCount > 0 && kTileSize % 4 == 0 && std::endian::native == std::endian::little;
 };
 
 /// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs nothing.

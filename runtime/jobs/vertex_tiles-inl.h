@@ -36,16 +36,16 @@ struct TileRow {
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 };
 
-/// Not inlined: loops over tiles keep their own few numbers in registers.
+/// Not inlined, and with copies of its own that what it writes cannot change: loops over tiles keep their few numbers in registers.
 template <int kCount, class Row>
-HWY_NOINLINE void skin_row(const TileRow<kCount>& row, const Row& skin) {
+HWY_NOINLINE void skin_row(TileRow<kCount> row, Row skin) {
   skin(row);
 }
 
 /// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is done as a tile
 /// that ends with the group: some vertices twice, with the same result. A group of fewer vertices goes through copies.
 template <int kCount, class Row>
-void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Row& skin) {
+void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, Row skin) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
@@ -74,13 +74,21 @@ void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& grou
   }
 }
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, one tile after the other.
+/// A row done one tile after the other, by `tile(TilePlace, TileInfluences, TileInput, TileOutput)`.
 template <int kCount, class Tile>
-void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Tile& tile) {
-  for_each_row<kCount>(influences, group, in, out, [&](const TileRow<kCount>& row) HWY_ATTR {
+struct TileByTile {
+  Tile tile;
+
+  HWY_INLINE void operator()(const TileRow<kCount>& row) const {
     TilePlace place = row.place;
     for (std::size_t t = 0; t < row.tile_count; ++t, place.first_vertex += kTileSize) tile(place, row.joints(t), row.in(t), row.out(t));
-  });
+  }
+};
+
+/// Calls `tile` for all tiles of a group.
+template <int kCount, class Tile>
+void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Tile& tile) {
+  for_each_row<kCount>(influences, group, in, out, TileByTile<kCount, Tile>{tile});
 }
 
 }  // namespace sinew::HWY_NAMESPACE
