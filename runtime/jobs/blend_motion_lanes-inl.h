@@ -96,6 +96,13 @@ HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluen
   return sum;
 }
 
+/// Calls `body(vertex of the tile, Eight)` with the blended motion of each.
+template <int kCount, class Body>
+HWY_INLINE void for_each_motion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side, const Body& body) {
+  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, true)); });
+  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, false)); });
+}
+
 /// Motions of a tile, one vertex a lane, as their sums come: what turns with them divides by the squared length, which takes
 /// no square root.
 struct MotionLanes {
@@ -105,12 +112,9 @@ struct MotionLanes {
 };
 
 template <int kCount>
-HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+HWY_INLINE MotionLanes motion_lanes(const Eight (&sums)[kTileSize]) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
-  Eight sums[kTileSize];
-  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile, k, true); });
-  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { sums[k] = blend_motion_parts(split, tile, k, false); });
   const Lanes8 sum = lanes_of(sums);
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;  // one by one: compilers keep copies of fours in memory
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
@@ -125,6 +129,31 @@ HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInflue
   }
   return out;
 }
+
+template <int kCount>
+HWY_INLINE MotionLanes blend_motions(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+  Eight sums[kTileSize];
+  for_each_motion(split, tile, one_side, [&](std::size_t k, const Eight& sum) HWY_ATTR { sums[k] = sum; });
+  return motion_lanes<kCount>(sums);
+}
+
+/// Blended motions of a tile, kept for later.
+class KeptMotions {
+ public:
+  template <int kCount>
+  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+    for_each_motion(split, tile, one_side, [&](std::size_t k, const Eight& sum) HWY_ATTR { store_eight(sum, sums_[k]); });
+  }
+  template <int kCount>
+  HWY_INLINE MotionLanes lanes() const {
+    Eight sums[kTileSize];
+    for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_eight(sums_[k]);
+    return motion_lanes<kCount>(sums);
+  }
+
+ private:
+  HWY_ALIGN float sums_[kTileSize][8];
+};
 
 /// eq   v' = v + w u + r x u, u = 2 / |q|^2 (r x v)   for q = (r, w)
 HWY_INLINE Lanes3 rotate(const MotionLanes& m, const Lanes3& v) {

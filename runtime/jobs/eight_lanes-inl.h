@@ -25,6 +25,9 @@ HWY_INLINE Eight load_eight(const float* from) {
   for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Load(EightTag(), from + p * Eight::kLanes);
   return out;
 }
+HWY_INLINE void store_eight(const Eight& a, float* to) {
+  for (std::size_t p = 0; p < Eight::kCount; ++p) hn::Store(a.part[p], EightTag(), to + p * Eight::kLanes);
+}
 HWY_INLINE Eight times(const Eight& a, hn::Vec<EightTag> w) {
   Eight out;
   for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);

@@ -47,14 +47,36 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Skins tiles. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
+/// Skins rows of tiles. Motions are blended some tiles ahead: blends wait for memory and what follows for arithmetic, and a
+/// processor does not look so far ahead that it would fill the time of one with the other of the next tile.
 template <int kCount, bool kStretch>
-struct SkinTile {
+struct SkinRow {
+  using Row = TileRow<kCount>;
   const SkinDualQuaternionJob& job;
   bool one_side;
 
-  HWY_INLINE void operator()(const TilePlace&, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) const {
-    const MotionLanes motion = blend_motions(job.split.data(), joints, one_side);
+  HWY_INLINE void operator()(const Row& row) const {
+    const RigidStretch* split = job.split.data();
+    if constexpr (kCount == 1) {  // nothing to blend
+      for (std::size_t t = 0; t < row.tile_count; ++t) skin_tile(blend_motions(split, row.joints(t), one_side), row, t);
+      return;
+    }
+    KeptMotions motions[kAhead];
+    for (std::size_t first = 0; first < row.tile_count; first += kAhead) {
+      const std::size_t end = std::min(row.tile_count, first + kAhead);
+      for (std::size_t t = first; t < end; ++t) motions[t - first].keep(split, row.joints(t), one_side);
+      for (std::size_t t = first; t < end; ++t) skin_tile(motions[t - first].template lanes<kCount>(), row, t);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kAhead = 8;  ///< tiles
+
+  /// Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
+  HWY_INLINE void skin_tile(const MotionLanes& motion, const Row& row, std::size_t t) const {
+    const TileInfluences<kCount> joints = row.joints(t);
+    const TileInput in = row.in(t);
+    const TileOutput out = row.out(t);
     StretchLanes stretch{};
     if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
     const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
@@ -71,7 +93,7 @@ struct SkinTile {
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
   const bool one_side = are_on_one_side(job);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(job.influences, group, job.vertices, job.out, SkinTile<count, stretched>{job, one_side});
+    for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_side});
   });
 }
 
