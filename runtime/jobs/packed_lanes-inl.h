@@ -28,7 +28,7 @@ template <std::size_t kComponents>
 HWY_INLINE void lerp_components(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r);
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const auto numbers = unpack<kComponents>(block, keys, place.lane());
     for (std::size_t c = 0; c < kComponents; ++c) {
       const Lanes v0 = value(block, numbers.begin[c], c, place.lane()), v1 = value(block, numbers.end[c], c, place.lane());
@@ -37,7 +37,7 @@ HWY_INLINE void lerp_components(const TrackBlock& block, const PackedKeys& keys,
   });
 }
 
-void lerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
+HWY_NOINLINE void lerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   if (component_count(block.property) == 3) lerp_components<3>(block, keys, out);
   else lerp_components<1>(block, keys, out);
 }
@@ -83,10 +83,10 @@ HWY_INLINE Lanes sine_ratio(Lanes squared) {
 
 /// eq   slerp on the short arc (G01): normalise(q0 sin(r a) + q1 sin(s a)), a = 2 asin(|q1 - q0| / 2) of the keys as packed. Both
 ///      weights are divided by a, so that only its square is needed, and no arc is too small (N01).
-void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
+HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r), one = hn::Set(d, 1.0f);
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const auto numbers = unpack<4>(block, keys, place.lane());
     const QuatLanes q0 = rotation(block, numbers.begin, place.lane()), q1 = rotation(block, numbers.end, place.lane());
     const Lanes dot = hn::Add(hn::Add(hn::Mul(q0.x, q1.x), hn::Mul(q0.y, q1.y)), hn::Add(hn::Mul(q0.z, q1.z), hn::Mul(q0.w, q1.w)));

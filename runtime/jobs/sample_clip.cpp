@@ -9,35 +9,83 @@
 
 #include "runtime/jobs/packed_lanes-inl.h"
 
-#if HWY_ONCE
 namespace sinew {
+
+/// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
+///      arc tangent, and squad is asked for by hand only.
+void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept;
+
+}  // namespace sinew
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
 namespace {
 
-HWY_EXPORT(copy_key);
-HWY_EXPORT(lerp_block);
-HWY_EXPORT(hermite_block);
-HWY_EXPORT(slerp_block);
-HWY_EXPORT(hermite_rotation_block);
-HWY_EXPORT(lerp_packed);
-HWY_EXPORT(slerp_packed);
-
-static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(Property::rotation) == PoseSpan::rx &&
-              first_plane(Property::scale) == PoseSpan::sx && PoseSpan::plane_count == 10);
-
-TrackOutput output_of(const TrackBlock& block, const SampleClipJob& job) noexcept {
+TrackOutput output_of(const TrackBlock& block, const SampleClipJob& job) {
   if (block.property == Property::weight) return {job.weights.data(), 0};
   if (block.property == Property::number) return {job.properties.data(), 0};
   return {job.pose.planes + first_plane(block.property) * job.pose.stride, job.pose.stride};
 }
 
-bool wanted(const TrackBlock& block, const SampleClipJob& job) noexcept {
+bool wanted(const TrackBlock& block, const SampleClipJob& job) {
   if (block.property == Property::weight) return !job.weights.empty();
   if (block.property == Property::number) return !job.properties.empty();
   return true;
 }
 
-/// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
-///      arc tangent, and squad is asked for by hand only.
+void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at, const TrackOutput& out) {
+  const bool on_key = position.on_key || block.interpolation == Interpolation::step;
+  const std::uint8_t* begin = block.packed.bits.data() + at.key * block.packed.row_bytes;
+  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s, on_key ? 1.0f : at.r};
+  if (block.property == Property::rotation) slerp_packed(block, keys, out);
+  else lerp_packed(block, keys, out);
+}
+
+void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
+  const bool rotation = block.property == Property::rotation;
+  switch (block.interpolation) {
+    case Interpolation::step: copy_key(block, at.key, out); break;
+    case Interpolation::linear:
+      if (rotation) slerp_block(block, at, out);
+      else lerp_block(block, at, out);
+      break;
+    case Interpolation::cubic_spline:
+      if (rotation) hermite_rotation_block(block, at, out);
+      else hermite_block(block, at, out);
+      break;
+    case Interpolation::squad: squad_block(block, at, out); break;
+  }
+}
+
+void sample_groups(const SampleClipJob& job) {
+  for (const TimeGroup& group : job.clip->layout().groups) {
+    const KeyPosition position = group.times.locate(job.time_s);
+    const BetweenKeys at(position);
+    for (const TrackBlock& block : group.blocks) {
+      if (!wanted(block, job)) continue;
+      const TrackOutput out = output_of(block, job);
+      if (!block.packed.empty()) sample_packed(block, position, at, out);
+      else if (position.on_key) copy_key(block, position.key, out);
+      else sample_block(block, at, out);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+namespace {
+
+HWY_EXPORT(sample_groups);
+
+static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(Property::rotation) == PoseSpan::rx &&
+              first_plane(Property::scale) == PoseSpan::sx && PoseSpan::plane_count == 10);
+
+}  // namespace
+
 void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept {
   for (std::size_t i = 0; i < block.lane_count; ++i) {
     const auto corner = [&](std::size_t key, std::size_t plane) {
@@ -52,32 +100,6 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
     out.plane(2)[joint] = unit.z, out.plane(3)[joint] = unit.w;
   }
 }
-
-void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at, const TrackOutput& out) noexcept {
-  const bool on_key = position.on_key || block.interpolation == Interpolation::step;
-  const std::uint8_t* begin = block.packed.bits.data() + at.key * block.packed.row_bytes;
-  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s, on_key ? 1.0f : at.r};
-  if (block.property == Property::rotation) HWY_DYNAMIC_DISPATCH(slerp_packed)(block, keys, out);
-  else HWY_DYNAMIC_DISPATCH(lerp_packed)(block, keys, out);
-}
-
-void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept {
-  const bool rotation = block.property == Property::rotation;
-  switch (block.interpolation) {
-    case Interpolation::step: HWY_DYNAMIC_DISPATCH(copy_key)(block, at.key, out); break;
-    case Interpolation::linear:
-      if (rotation) HWY_DYNAMIC_DISPATCH(slerp_block)(block, at, out);
-      else HWY_DYNAMIC_DISPATCH(lerp_block)(block, at, out);
-      break;
-    case Interpolation::cubic_spline:
-      if (rotation) HWY_DYNAMIC_DISPATCH(hermite_rotation_block)(block, at, out);
-      else HWY_DYNAMIC_DISPATCH(hermite_block)(block, at, out);
-      break;
-    case Interpolation::squad: squad_block(block, at, out); break;
-  }
-}
-
-}  // namespace
 
 ErrorCode check(const SampleClipJob& job) noexcept {
   if (job.clip == nullptr) return ErrorCode::size_mismatch;
@@ -94,17 +116,7 @@ void run(const SampleClipJob& job) noexcept {
   if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
   if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
   if (!job.properties.empty()) std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
-  for (const TimeGroup& group : clip.groups) {
-    const KeyPosition position = group.times.locate(job.time_s);
-    const BetweenKeys at(position);
-    for (const TrackBlock& block : group.blocks) {
-      if (!wanted(block, job)) continue;
-      const TrackOutput out = output_of(block, job);
-      if (!block.packed.empty()) sample_packed(block, position, at, out);
-      else if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, position.key, out);
-      else sample_block(block, at, out);
-    }
-  }
+  HWY_DYNAMIC_DISPATCH(sample_groups)(job);
 }
 
 }  // namespace sinew

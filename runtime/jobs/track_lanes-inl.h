@@ -16,37 +16,48 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
 /// The stored values of a key, bit for bit (G06).
-void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) {
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    for (std::size_t c = 0; c < component_count(block.property); ++c) place.store(c, load(block, key, block.value_plane + c, place.lane()));
+HWY_NOINLINE void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) {
+  const KeyRow row(block, key);
+  const std::size_t value_plane = block.value_plane, components = component_count(block.property);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+    for (std::size_t c = 0; c < components; ++c) place.store(c, row.load(value_plane + c, place.lane()));
   });
 }
 
 /// eq   (1 - s) v0 + s v1
-void lerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
+HWY_NOINLINE void lerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r);
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    for (std::size_t c = 0; c < component_count(block.property); ++c)
-      place.store(c, hn::Add(hn::Mul(load(block, at.key, c, place.lane()), r), hn::Mul(load(block, at.key + 1, c, place.lane()), s)));
+  const KeyRow begin(block, at.key), end(block, at.key + 1);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+    const std::size_t lane = place.lane();
+    for (std::size_t c = 0; c < place.kComponents; ++c) place.store(c, hn::Add(hn::Mul(begin.load(c, lane), r), hn::Mul(end.load(c, lane), s)));
   });
 }
 
-/// eq   (value0 v0 + out0 b0) + (value1 v1 + in1 a1), the weights being those of the Hermite form
-HWY_INLINE Lanes hermite(const TrackBlock& block, std::size_t key, const HermiteWeights& weights, std::size_t component, std::size_t lane) {
-  const Floats d;
-  const std::size_t n = block.value_plane;
-  const Lanes v0 = hn::Mul(load(block, key, n + component, lane), hn::Set(d, weights.value0));
-  const Lanes b0 = hn::Mul(load(block, key, 2 * n + component, lane), hn::Set(d, weights.out0));
-  const Lanes v1 = hn::Mul(load(block, key + 1, n + component, lane), hn::Set(d, weights.value1));
-  const Lanes a1 = hn::Mul(load(block, key + 1, component, lane), hn::Set(d, weights.in1));
-  return hn::Add(hn::Add(v0, b0), hn::Add(v1, a1));
-}
+/// Values and tangents of cubic tracks at both keys of an interval.
+struct HermiteRows {
+  KeyRow begin, end;
+  HermiteWeights weights;
+  std::size_t value_plane;
 
-void hermite_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
-  const HermiteWeights weights(at);
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    for (std::size_t c = 0; c < component_count(block.property); ++c) place.store(c, hermite(block, at.key, weights, c, place.lane()));
+  HWY_INLINE HermiteRows(const TrackBlock& block, const BetweenKeys& at)
+      : begin(block, at.key), end(block, at.key + 1), weights(at), value_plane(block.value_plane) {}
+
+  /// eq   (value0 v0 + out0 b0) + (value1 v1 + in1 a1), the weights being those of the Hermite form
+  HWY_INLINE Lanes component(std::size_t c, std::size_t lane) const {
+    const Floats d;
+    const std::size_t n = value_plane;
+    const Lanes v0 = hn::Mul(begin.load(n + c, lane), hn::Set(d, weights.value0)), b0 = hn::Mul(begin.load(2 * n + c, lane), hn::Set(d, weights.out0));
+    const Lanes v1 = hn::Mul(end.load(n + c, lane), hn::Set(d, weights.value1)), a1 = hn::Mul(end.load(c, lane), hn::Set(d, weights.in1));
+    return hn::Add(hn::Add(v0, b0), hn::Add(v1, a1));
+  }
+};
+
+HWY_NOINLINE void hermite_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
+  const HermiteRows rows(block, at);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+    for (std::size_t c = 0; c < place.kComponents; ++c) place.store(c, rows.component(c, place.lane()));
   });
 }
 
@@ -68,20 +79,17 @@ HWY_INLINE Lanes dot4(Lanes x, Lanes y, Lanes z, Lanes w) {
 
 HWY_INLINE Lanes flushed(Lanes v) { return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v); }
 
-HWY_INLINE Lanes mix(const TrackBlock& block, std::size_t key, std::size_t component, std::size_t lane, Lanes w0, Lanes w1) {
-  return hn::Add(hn::Mul(load(block, key, component, lane), w0), hn::Mul(load(block, key + 1, component, lane), w1));
-}
-
 /// eq   slerp: normalise(q0 sin(r a) + q1 sin(s a)); a is the stored arc, whose sign turns q1 to the short side (G01)
-void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
+HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r), one = hn::Set(d, 1.0f);
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+  const KeyRow begin(block, at.key), end(block, at.key + 1);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    const Lanes arc = load(block, at.key, 4, lane);
+    const Lanes arc = place.tracks(begin.load(4, lane));  // beyond them, tiny numbers would make products that are no normal numbers (N26)
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
-    const Lanes x = flushed(mix(block, at.key, 0, lane, w0, w1)), y = flushed(mix(block, at.key, 1, lane, w0, w1));
-    const Lanes z = flushed(mix(block, at.key, 2, lane, w0, w1)), w = flushed(mix(block, at.key, 3, lane, w0, w1));
+    const auto mix = [&](std::size_t c) HWY_ATTR { return flushed(hn::Add(hn::Mul(begin.load(c, lane), w0), hn::Mul(end.load(c, lane), w1))); };
+    const Lanes x = mix(0), y = mix(1), z = mix(2), w = mix(3);
     const Lanes scale = hn::Div(one, hn::Sqrt(dot4(x, y, z, w)));
     place.store(0, hn::Mul(x, scale));
     place.store(1, hn::Mul(y, scale));
@@ -92,22 +100,21 @@ void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
 
 /// eq   Hermite form of four components, then normalised without sign flip (G04, G05); a sum without direction falls back to
 ///      the nearer key. The sum is first divided by its largest component, so that any finite length works.
-void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
+HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
-  const HermiteWeights weights(at);
-  const std::size_t nearer = at.s < 0.5f ? at.key : at.key + 1;
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
+  const HermiteRows rows(block, at);
+  const KeyRow nearer(block, at.s < 0.5f ? at.key : at.key + 1);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    Lanes x = hermite(block, at.key, weights, 0, lane), y = hermite(block, at.key, weights, 1, lane);
-    Lanes z = hermite(block, at.key, weights, 2, lane), w = hermite(block, at.key, weights, 3, lane);
+    Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane), w = rows.component(3, lane);
     const Lanes largest = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), hn::Abs(w)));
     x = hn::Div(x, largest), y = hn::Div(y, largest), z = hn::Div(z, largest), w = hn::Div(w, largest);
     const Lanes sum = dot4(x, y, z, w), length = hn::Sqrt(sum);
     const auto has_direction = hn::And(hn::Ge(sum, hn::Set(d, 1.0f)), hn::Le(sum, hn::Set(d, 4.0f)));
-    place.store(0, hn::IfThenElse(has_direction, hn::Div(x, length), load(block, nearer, 4, lane)));
-    place.store(1, hn::IfThenElse(has_direction, hn::Div(y, length), load(block, nearer, 5, lane)));
-    place.store(2, hn::IfThenElse(has_direction, hn::Div(z, length), load(block, nearer, 6, lane)));
-    place.store(3, hn::IfThenElse(has_direction, hn::Div(w, length), load(block, nearer, 7, lane)));
+    place.store(0, hn::IfThenElse(has_direction, hn::Div(x, length), nearer.load(4, lane)));
+    place.store(1, hn::IfThenElse(has_direction, hn::Div(y, length), nearer.load(5, lane)));
+    place.store(2, hn::IfThenElse(has_direction, hn::Div(z, length), nearer.load(6, lane)));
+    place.store(3, hn::IfThenElse(has_direction, hn::Div(w, length), nearer.load(7, lane)));
   });
 }
 

@@ -18,62 +18,89 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kLanePadding>;
 using Lanes = hn::Vec<Floats>;
 
-HWY_INLINE Lanes load(const TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane) {
-  return hn::LoadU(Floats(), block.plane(key, plane) + lane);
-}
-
-/// Lanes from `lane` on, and where they go: weights and numbers to their neighbours, joints to the vector of joints from `joint` on.
-class Place {
+/// The planes of one key. What it has of the block is its own, as below: after a store, the compiler reads again what that may have changed.
+class KeyRow {
  public:
-  HWY_INLINE Place(const TrackBlock& block, const TrackOutput& out, std::size_t lane) : out_(out), lane_(lane), weights_(block.lane_count - lane) {
-    target_ = block.targets[lane];
-  }
-  HWY_INLINE Place(const TrackBlock& block, const TrackOutput& out, std::size_t lane, std::size_t joint)
-      : out_(out), lane_(lane), target_(block.places.first_joint + joint), lane_of_(&block.places.lane_of[joint]) {}
+  HWY_INLINE KeyRow(const TrackBlock& block, std::size_t key) : first_plane_(block.plane(key, 0)), lane_count_(block.lane_count) {}
 
-  std::size_t lane() const { return lane_; }
+  HWY_INLINE Lanes load(std::size_t plane, std::size_t lane) const { return hn::LoadU(Floats(), first_plane_ + plane * lane_count_ + lane); }
 
-  HWY_INLINE void store(std::size_t component, Lanes values) const {
+ private:
+  const float* first_plane_;
+  std::size_t lane_count_;
+};
+
+/// Lanes of weights or numbers from `lane` on, whose targets are neighbours.
+class NumberPlace {
+ public:
+  static constexpr std::size_t kComponents = 1;
+
+  HWY_INLINE NumberPlace(const TrackBlock& block, const TrackOutput& out, std::size_t lane)
+      : to_(out.first_plane + block.targets[lane]), lane_(lane), count_(block.lane_count - lane) {}
+
+  HWY_INLINE std::size_t lane() const { return lane_; }
+  /// 0 in lanes beyond the last track.
+  HWY_INLINE Lanes tracks(Lanes v) const { return hn::IfThenElseZero(hn::FirstN(Floats(), count_), v); }
+  HWY_INLINE void store(std::size_t, Lanes values) const {
     const Floats d;
-    float* to = out_.plane(component) + target_;
-    if (lane_of_ == nullptr) {
-      if (weights_ >= hn::Lanes(d)) return hn::StoreU(values, d, to);
-      HWY_ALIGN float buffer[kLanePadding];
-      hn::Store(values, d, buffer);
-      for (std::size_t i = 0; i < weights_; ++i) to[i] = buffer[i];
-      return;
-    }
-    const hn::RebindToSigned<Floats> di;
-    const auto lanes = hn::LoadU(di, lane_of_);
-    const auto here = hn::Max(hn::Sub(lanes, hn::Set(di, static_cast<std::int32_t>(lane_))), hn::Zero(di));
-    const auto placed = hn::TableLookupLanes(values, hn::IndicesFromVec(d, here));
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(d, hn::Gt(lanes, hn::Set(di, -1))), placed, hn::LoadU(d, to)), d, to);
+    if (count_ >= hn::Lanes(d)) return hn::StoreU(values, d, to_);
+    HWY_ALIGN float buffer[kLanePadding];
+    hn::Store(values, d, buffer);
+    for (std::size_t i = 0; i < count_; ++i) to_[i] = buffer[i];
   }
 
  private:
-  const TrackOutput& out_;
-  std::size_t lane_, target_ = 0, weights_ = 0;
-  const std::int32_t* lane_of_ = nullptr;
+  float* to_;
+  std::size_t lane_, count_;
+};
+
+/// Lanes of joints from `lane` on, and where they go: to the vector of joints from `joint` on, where lane_of has their lane.
+class JointPlace {
+ public:
+  static constexpr std::size_t kComponents = 3;  // of translations and scales
+
+  HWY_INLINE JointPlace(const TrackOutput& out, std::size_t lane, std::size_t count, std::size_t joint, const std::int32_t* lane_of)
+      : to_(out.first_plane + joint), plane_stride_(out.plane_stride), lane_(lane), count_(count - lane), lanes_(hn::LoadU(Whole(), lane_of)) {}
+
+  HWY_INLINE std::size_t lane() const { return lane_; }
+  /// 0 in lanes beyond the last track.
+  HWY_INLINE Lanes tracks(Lanes v) const { return hn::IfThenElseZero(hn::FirstN(Floats(), count_), v); }
+  HWY_INLINE void store(std::size_t component, Lanes values) const {
+    const Floats d;
+    float* to = to_ + component * plane_stride_;
+    const auto here = hn::Max(hn::Sub(lanes_, hn::Set(Whole(), static_cast<std::int32_t>(lane_))), hn::Zero(Whole()));
+    const auto placed = hn::TableLookupLanes(values, hn::IndicesFromVec(d, here));
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(d, hn::Gt(lanes_, hn::Set(Whole(), -1))), placed, hn::LoadU(d, to)), d, to);
+  }
+
+ private:
+  using Whole = hn::RebindToSigned<Floats>;
+
+  float* to_;
+  std::size_t plane_stride_, lane_, count_;
+  hn::Vec<Whole> lanes_;
 };
 
 /// Calls `body(place)` until all lanes have been placed.
 template <class Body>
 HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
-  const std::size_t lanes = hn::Lanes(Floats());
+  const std::size_t lanes = hn::Lanes(Floats()), count = block.lane_count;
   if (!moves_joints(block.property)) {
-    for (std::size_t lane = 0; lane < block.lane_count; lane += lanes) body(Place(block, out, lane));
+    for (std::size_t lane = 0; lane < count; lane += lanes) body(NumberPlace(block, out, lane));
     return;
   }
-  const JointPlaces& places = block.places;
-  for (std::size_t joint = 0; joint < places.lane_of.size(); joint += lanes) {
-    std::size_t lane = places.lanes_before[joint / JointPlaces::kPart];
+  const std::size_t first_joint = block.places.first_joint, joints = block.places.lane_of.size();
+  const std::int32_t* lane_of = block.places.lane_of.data();
+  const std::uint32_t* lanes_before = block.places.lanes_before.data();
+  for (std::size_t joint = 0; joint < joints; joint += lanes) {
+    std::size_t lane = lanes_before[joint / JointPlaces::kPart];
     if (lanes < JointPlaces::kPart) {
-      if (places.lane_of[joint] < 0) continue;
-      lane = static_cast<std::size_t>(places.lane_of[joint]);
-    } else if (lane == places.lanes_before[(joint + lanes) / JointPlaces::kPart]) {
+      if (lane_of[joint] < 0) continue;
+      lane = static_cast<std::size_t>(lane_of[joint]);
+    } else if (lane == lanes_before[(joint + lanes) / JointPlaces::kPart]) {
       continue;
     }
-    body(Place(block, out, lane, joint));
+    body(JointPlace(out, lane, count, first_joint + joint, lane_of + joint));
   }
 }
 
