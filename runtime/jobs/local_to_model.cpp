@@ -192,7 +192,8 @@ HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
   LocalMatrices locals;
   Composer<kSome> composer(job);
   std::size_t next = 0;
-  for (std::size_t begin = 0, joints = job.skeleton->joint_count(); begin < joints; begin += kChunk) {
+  const std::size_t joints = kSome ? job.only.back() + std::size_t{1} : job.skeleton->joint_count();
+  for (std::size_t begin = 0; begin < joints; begin += kChunk) {
     const std::size_t count = HWY_MIN(kChunk, joints - begin);
     const Chosen chosen = kSome ? chosen_joints(job.only, begin, count, next) : ~Chosen{0} >> (kChunk - count);
     fill(job, begin, chosen, locals);
