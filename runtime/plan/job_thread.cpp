@@ -47,6 +47,8 @@ struct Batch {
   Ticket ticket = 0;
 };
 
+constexpr std::size_t kLooksAhead = 4;   // characters, whose state arrives while as many inputs are looked at
+
 struct CharacterState {
   CharacterState(const Plan& shown, std::pmr::memory_resource& memory)
       : plan(&shown), buffers{FrameBuffer(shown, memory), FrameBuffer(shown, memory), FrameBuffer(shown, memory)} {}
@@ -56,7 +58,9 @@ struct CharacterState {
   TripleSlots slots;
   const FrameBuffer* last_good = nullptr;
   ErrorCode error = ErrorCode::ok;  // of the frame that has just run
-  bool has_new = false;             // it was run, and gave a result
+  bool is_to_run = false;           // its input is not that of the last good frame
+
+  FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
 };
 
 }  // namespace
@@ -72,7 +76,7 @@ struct JobThread::State {
   void work() noexcept;
   void run_batch();
   void run_part(std::size_t p) noexcept;
-  void prefetch_after(std::size_t c) const noexcept;
+  void look_at_input(std::size_t c) noexcept;
   void run_character(std::size_t c, Ticket ticket) noexcept;
   void add_to_parts(std::size_t c) noexcept;
   void publish() noexcept;
@@ -127,37 +131,40 @@ void JobThread::State::run_batch() {
   publish();
 }
 
+/// Memory of a crowd has left the caches when its turn comes. Looking at all inputs of a part first lets their characters
+/// arrive together, and tells whose frame to ask for while the one before it runs.
 void JobThread::State::run_part(std::size_t p) noexcept {
   const Ticket ticket = started.load(std::memory_order_acquire);
-  for (std::size_t c = p == 0 ? 0 : part_end[p - 1]; c < part_end[p]; ++c) {
-    prefetch_after(c);
+  const std::size_t first = p == 0 ? 0 : part_end[p - 1], end = part_end[p];
+  for (std::size_t c = first; c < end; ++c) {
+    if (c + kLooksAhead < characters.size()) prefetch(characters[c + kLooksAhead].get(), sizeof(CharacterState));
+    look_at_input(c);
+  }
+  const auto next_to_run = [&](std::size_t c) {
+    while (c < end && !characters[c]->is_to_run) ++c;
+    return c;
+  };
+  for (std::size_t c = next_to_run(first), next = end; c < end; c = next) {
+    next = next_to_run(c + 1);
+    if (next < end) characters[next]->to_write().prefetch(*characters[next]->plan);
     run_character(c, ticket);
   }
   parts_run.fetch_add(1, std::memory_order_acq_rel);
 }
 
-/// The frames of a crowd have left the caches when their turn comes. First who is next but one, to know then where it writes.
-void JobThread::State::prefetch_after(std::size_t c) const noexcept {
-  if (c + 2 < characters.size()) prefetch(characters[c + 2].get(), sizeof(CharacterState));
-  if (c + 1 >= characters.size()) return;
-  const CharacterState& next = *characters[c + 1];
-  next.buffers[next.slots.writing()].prefetch(*next.plan);
+void JobThread::State::look_at_input(std::size_t c) noexcept {
+  CharacterState& character = *characters[c];
+  character.is_to_run = character.last_good == nullptr || !character.last_good->holds_result_of(*character.plan, running.inputs[c].view());
+  character.error = ErrorCode::ok;
 }
 
 void JobThread::State::run_character(std::size_t c, Ticket ticket) noexcept {
   CharacterState& character = *characters[c];
-  const FrameInput input = running.inputs[c].view();
-  const bool is_there = character.last_good != nullptr && character.last_good->holds_result_of(*character.plan, input);
-  if (!is_there) {
-    FrameBuffer& buffer = character.buffers[character.slots.writing()];
-    buffer.count_from(ticket - 1);
-    if (character.last_good != nullptr) buffer.follow(*character.last_good);
-    character.error = run_plan(*character.plan, input, buffer);
-    if (character.error == ErrorCode::ok) character.last_good = &buffer;
-  } else {
-    character.error = ErrorCode::ok;
-  }
-  character.has_new = !is_there && character.error == ErrorCode::ok;
+  FrameBuffer& buffer = character.to_write();
+  buffer.count_from(ticket - 1);
+  if (character.last_good != nullptr) buffer.follow(*character.last_good);
+  character.error = run_plan(*character.plan, running.inputs[c].view(), buffer);
+  if (character.error == ErrorCode::ok) character.last_good = &buffer;
 }
 
 /// Takes in the newest character; there is room for one more part.
@@ -171,7 +178,7 @@ void JobThread::State::add_to_parts(std::size_t c) noexcept {
 void JobThread::State::publish() noexcept {
   ErrorCode first = ErrorCode::ok;
   for (const auto& character : characters) {
-    if (character->has_new) character->slots.publish();
+    if (character->is_to_run && character->error == ErrorCode::ok) character->slots.publish();
     if (first == ErrorCode::ok) first = character->error;
   }
   error.store(first, std::memory_order_release);
