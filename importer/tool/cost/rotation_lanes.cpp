@@ -14,9 +14,8 @@ namespace sinew::cost::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using sinew::HWY_NAMESPACE::Floats;
 using sinew::HWY_NAMESPACE::for_each_place;
+using sinew::HWY_NAMESPACE::KeyRow;
 using sinew::HWY_NAMESPACE::Lanes;
-using sinew::HWY_NAMESPACE::load;
-using sinew::HWY_NAMESPACE::Place;
 
 constexpr std::size_t kArcPlane = 4;  // its sign turns the next key to the short side
 
@@ -42,20 +41,19 @@ struct Keys {
   Rotations from, to;
 };
 
-HWY_INLINE Rotations key_of(const TrackBlock& block, std::size_t key, std::size_t lane) {
-  return {load(block, key, 0, lane), load(block, key, 1, lane), load(block, key, 2, lane), load(block, key, 3, lane)};
-}
+HWY_INLINE Rotations key_of(const KeyRow& row, std::size_t lane) { return {row.load(0, lane), row.load(1, lane), row.load(2, lane), row.load(3, lane)}; }
 
-HWY_INLINE Keys keys_of(const TrackBlock& block, std::size_t key, std::size_t lane) {
-  const Lanes side = hn::CopySign(hn::Set(Floats(), 1.0f), load(block, key, kArcPlane, lane));
-  return {key_of(block, key, lane), times(key_of(block, key + 1, lane), side)};
+HWY_INLINE Keys keys_of(const KeyRow& begin, const KeyRow& end, std::size_t lane) {
+  const Lanes side = hn::CopySign(hn::Set(Floats(), 1.0f), begin.load(kArcPlane, lane));
+  return {key_of(begin, lane), times(key_of(end, lane), side)};
 }
 
 /// Calls `between(keys)` for all lanes and stores what it gives.
 template <class Between>
 HWY_INLINE void for_each_arc(const TrackBlock& block, std::size_t key, const TrackOutput& out, const Between& between) {
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    const Rotations q = between(keys_of(block, key, place.lane()));
+  const KeyRow begin(block, key), end(block, key + 1);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+    const Rotations q = between(keys_of(begin, end, place.lane()));
     place.store(0, q.x), place.store(1, q.y), place.store(2, q.z), place.store(3, q.w);
   });
 }
@@ -109,8 +107,9 @@ void polynomial_block(const TrackBlock& block, const BetweenKeys& at, const Trac
 }
 
 void copy_key(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
-  for_each_place(block, out, [&](const Place& place) HWY_ATTR {
-    for (std::size_t c = 0; c < 4; ++c) place.store(c, load(block, at.key, c, place.lane()));
+  const KeyRow row(block, at.key);
+  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+    for (std::size_t c = 0; c < 4; ++c) place.store(c, row.load(c, place.lane()));
   });
 }
 
