@@ -23,10 +23,13 @@ struct Columns {
 HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
-  const Wide low_01 = hn::ConcatLowerLower(d, m[2].part[0], m[0].part[0]), low_23 = hn::ConcatLowerLower(d, m[3].part[0], m[1].part[0]);
-  const Wide high_01 = hn::ConcatUpperUpper(d, m[2].part[0], m[0].part[0]), high_23 = hn::ConcatUpperUpper(d, m[3].part[0], m[1].part[0]);
-  return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(low_23), low_01), hn::OddEvenBlocks(low_23, hn::SwapAdjacentBlocks(low_01)),
-          hn::OddEvenBlocks(hn::SwapAdjacentBlocks(high_23), high_01), hn::OddEvenBlocks(high_23, hn::SwapAdjacentBlocks(high_01))};
+  // Blocks are swapped before halves are: a compiler would otherwise take halves twice for the two that are blended of each.
+  const auto even = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); };
+  const auto odd = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); };
+  const Wide even_01 = even(m[0].part[0], m[1].part[0]), even_23 = even(m[2].part[0], m[3].part[0]);
+  const Wide odd_01 = odd(m[0].part[0], m[1].part[0]), odd_23 = odd(m[2].part[0], m[3].part[0]);
+  return {hn::ConcatLowerLower(d, even_23, even_01), hn::ConcatLowerLower(d, odd_23, odd_01), hn::ConcatUpperUpper(d, even_23, even_01),
+          hn::ConcatUpperUpper(d, odd_23, odd_01)};
 #elif HWY_MAX_BYTES >= 32
   const TileTag d;
   return {hn::ConcatLowerLower(d, m[1].part[0], m[0].part[0]), hn::ConcatUpperUpper(d, m[1].part[0], m[0].part[0]),
