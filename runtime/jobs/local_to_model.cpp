@@ -179,10 +179,11 @@ class Composer {
 
 #endif
 
-/// The bits of a chunk's joints; only[next] comes next.
-Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t begin, std::size_t count, std::size_t& next) {
+/// The bits of the joints from only[next] on that come before `end`, which are of one chunk; `next` passes them.
+Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::size_t& next) {
+  const auto last = only.back() < end ? only.end() : std::lower_bound(only.begin() + static_cast<std::ptrdiff_t>(next), only.end(), end);
   Chosen chosen = 0;
-  for (; next < only.size() && only[next] < begin + count; ++next) chosen |= Chosen{1} << (only[next] - begin);
+  for (const auto passed = static_cast<std::size_t>(last - only.begin()); next < passed; ++next) chosen |= Chosen{1} << only[next] % kChunk;
   return chosen;
 }
 
@@ -195,7 +196,7 @@ HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
   const std::size_t joints = kSome ? job.only.back() + std::size_t{1} : job.skeleton->joint_count();
   for (std::size_t begin = 0; begin < joints; begin += kChunk) {
     const std::size_t count = HWY_MIN(kChunk, joints - begin);
-    const Chosen chosen = kSome ? chosen_joints(job.only, begin, count, next) : ~Chosen{0} >> (kChunk - count);
+    const Chosen chosen = kSome ? chosen_joints(job.only, begin + count, next) : ~Chosen{0} >> (kChunk - count);
     fill(job, begin, chosen, locals);
     composer.compose(locals, begin, chosen);
   }
