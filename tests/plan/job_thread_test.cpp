@@ -2,6 +2,7 @@
 #include "runtime/plan/job_thread.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <chrono>
 #include <cmath>
@@ -93,6 +94,10 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
       EXPECT_EQ(hash_of(*jobs.latest(c)), expected[c]) << name << ", character " << c;
   };
   check(spread(), "oneTBB");
+  {
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);   // than this machine may have
+    check(spread(), "oneTBB, 16 threads");
+  }
   check({}, "inline");
   for (const std::size_t threads : {1, 2, 3, 4, 8, 16}) {
     ThreadPool pool(threads);
