@@ -86,7 +86,7 @@ HWY_INLINE Lanes sine_ratio(Lanes squared) {
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r), one = hn::Set(d, 1.0f);
-  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const auto numbers = unpack<4>(block, keys, place.lane());
     const QuatLanes q0 = rotation(block, numbers.begin, place.lane()), q1 = rotation(block, numbers.end, place.lane());
     const Lanes dot = hn::Add(hn::Add(hn::Mul(q0.x, q1.x), hn::Mul(q0.y, q1.y)), hn::Add(hn::Mul(q0.z, q1.z), hn::Mul(q0.w, q1.w)));

@@ -84,7 +84,7 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r), one = hn::Set(d, 1.0f);
   const KeyRow begin(block, at.key), end(block, at.key + 1);
-  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const std::size_t lane = place.lane();
     const Lanes arc = place.tracks(begin.load(4, lane));  // beyond them, tiny numbers would make products that are no normal numbers (N26)
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
@@ -104,7 +104,7 @@ HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenK
   const Floats d;
   const HermiteRows rows(block, at);
   const KeyRow nearer(block, at.s < 0.5f ? at.key : at.key + 1);
-  for_each_place(block, out, [&](const auto& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const std::size_t lane = place.lane();
     Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane), w = rows.component(3, lane);
     const Lanes largest = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), hn::Abs(w)));

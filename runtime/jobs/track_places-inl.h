@@ -39,8 +39,6 @@ class NumberPlace {
       : to_(out.first_plane + block.targets[lane]), lane_(lane), count_(block.lane_count - lane) {}
 
   HWY_INLINE std::size_t lane() const { return lane_; }
-  /// 0 in lanes beyond the last track.
-  HWY_INLINE Lanes tracks(Lanes v) const { return hn::IfThenElseZero(hn::FirstN(Floats(), count_), v); }
   HWY_INLINE void store(std::size_t, Lanes values) const {
     const Floats d;
     if (count_ >= hn::Lanes(d)) return hn::StoreU(values, d, to_);
@@ -81,14 +79,10 @@ class JointPlace {
   hn::Vec<Whole> lanes_;
 };
 
-/// Calls `body(place)` until all lanes have been placed.
+/// Calls `body(place)` until all lanes of joints have been placed.
 template <class Body>
-HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
+HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   const std::size_t lanes = hn::Lanes(Floats()), count = block.lane_count;
-  if (!moves_joints(block.property)) {
-    for (std::size_t lane = 0; lane < count; lane += lanes) body(NumberPlace(block, out, lane));
-    return;
-  }
   const std::size_t first_joint = block.places.first_joint, joints = block.places.lane_of.size();
   const std::int32_t* lane_of = block.places.lane_of.data();
   const std::uint32_t* lanes_before = block.places.lanes_before.data();
@@ -102,6 +96,13 @@ HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, 
     }
     body(JointPlace(out, lane, count, first_joint + joint, lane_of + joint));
   }
+}
+
+/// The same for blocks of any property.
+template <class Body>
+HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
+  if (moves_joints(block.property)) return for_each_joint_place(block, out, body);
+  for (std::size_t lane = 0, count = block.lane_count; lane < count; lane += hn::Lanes(Floats())) body(NumberPlace(block, out, lane));
 }
 
 }  // namespace sinew::HWY_NAMESPACE
