@@ -286,9 +286,35 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
   EXPECT_EQ(jobs.latest(1)->frame, 1u);
   EXPECT_EQ(hash_of(*jobs.latest(1)), hash);
 
+  jobs.wait(*jobs.submit(crowd.inputs(0)));   // of which characters 1 and 2 have the frame already
+  EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
+  EXPECT_EQ(jobs.latest(1)->frame, 1u);
+
   jobs.wait(*jobs.submit(crowd.inputs(2)));
   EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
-  EXPECT_EQ(jobs.latest(1)->frame, 3u);
+  EXPECT_EQ(jobs.latest(1)->frame, 4u);
+}
+
+TEST(job_thread, P19_shapes_that_rest_while_their_character_walks_hold_since_the_first_frame) {
+  const Scene face = face_scene();
+  const Plan plan = compile_plan(face, {});
+  JobThread jobs;
+  jobs.add_character(plan);
+  std::size_t deformed = 0;
+  for (Ticket frame = 1; frame <= 7; ++frame) {
+    FrameInput input;
+    input.root.row[0].w = static_cast<float>(frame);
+    jobs.wait(*jobs.submit({&input, 1}));
+    const FrameResult& shown = *jobs.latest(0);
+    EXPECT_EQ(shown.frame, frame);
+    EXPECT_EQ(shown.instances[0].world_from_mesh.row[0].w, static_cast<float>(frame));
+    for (std::size_t p = 0; p < shown.primitives.size(); ++p) {
+      if (!plan.primitives[p].deformed()) continue;
+      ++deformed;
+      EXPECT_EQ(shown.primitives[p].since_frame, 1u) << "primitive " << p << ", frame " << frame;
+    }
+  }
+  EXPECT_GT(deformed, 0u);
 }
 
 TEST(job_thread, characters_can_join_while_frames_are_in_flight) {
