@@ -71,14 +71,16 @@ HWY_INLINE Wide packed_from(Wide quarter) {
   return hn::TableLookupLanes(quarter, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
 
-/// Writes a tile of vectors, packed.
-HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out) {
+/// Writes a tile of vectors, packed; past the caches only where it is aligned to vectors.
+HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
   const auto join = [&](std::size_t from_first, Wide first, Wide second) HWY_ATTR { return hn::IfThenElse(hn::FirstN(d, from_first), first, second); };
-  hn::StoreU(join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])), d, to);
-  hn::StoreU(join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])), d, to + kTileSize);
-  hn::StoreU(join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3])), d, to + 2 * kTileSize);
+  const Wide packed[3] = {join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])),
+                          join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])),
+                          join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3]))};
+  if (past_caches) hn::Stream(packed[0], d, to), hn::Stream(packed[1], d, to + kTileSize), hn::Stream(packed[2], d, to + 2 * kTileSize);
+  else hn::StoreU(packed[0], d, to), hn::StoreU(packed[1], d, to + kTileSize), hn::StoreU(packed[2], d, to + 2 * kTileSize);
 }
 
 /// Where lanes are vertices, they are in the order in which four by four within the blocks of quarters turns them: nothing crosses

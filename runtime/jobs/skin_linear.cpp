@@ -90,14 +90,14 @@ struct SkinRow {
       if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
       if constexpr (kTangents) tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
     });
-    store_packed(positions, row.out(t).positions);
+    store_packed(positions, row.out(t).positions, row.past_caches);
   }
 
   HWY_INLINE hn::Mask<TileTag> write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
     Wide normals[4];
     kept.load(normals);
     const auto sound = normalise(normals);
-    store_packed(normals, row.out(t).normals);
+    store_packed(normals, row.out(t).normals, row.past_caches);
     return sound;
   }
 
@@ -110,7 +110,10 @@ struct SkinRow {
     const auto sound = normalise(tangents);
     for_each_quarter([&](auto q) HWY_ATTR {
       const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
-      hn::StoreU(hn::IfThenElse(handedness, source, tangents[q]), d, &row.out(t).tangents[q * kBlocks].x);
+      const Wide tangent = hn::IfThenElse(handedness, source, tangents[q]);
+      float* to = &row.out(t).tangents[q * kBlocks].x;
+      if (row.past_caches) hn::Stream(tangent, d, to);
+      else hn::StoreU(tangent, d, to);
     });
     return sound;
   }
@@ -141,12 +144,14 @@ struct SkinRow {
 };
 
 void skin_linear(const SkinLinearJob& job) {
+  const AttributesPresent wanted = present(job.vertices, job.out);
+  const StreamedOutput streamed(job.out, wanted);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job.palette.data()});
+      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job.palette.data()}, streamed);
     });
   };
-  with_attributes(present(job.vertices, job.out), [&](auto normals, auto tangents) {
+  with_attributes(wanted, [&](auto normals, auto tangents) {
     if (normals && job.normal_rule == NormalRule::cofactor) skin(normals, tangents, normals);
     else skin(normals, tangents, std::false_type{});
   });

@@ -18,7 +18,8 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// eq   M = sum(w_i * palette[joint_i]),  p' = M p   (Real-Time Rendering, 4th ed., eq. 4.59);  t' = normalise(mat3(M) t)
 /// in   influences  groups cover [0, V); weights sum to 1;   palette[N]
 /// out  vertices    must not overlap the input; world space when the palette is; a normal that collapses to zero keeps its input value (N22)
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation;
+///      from 8 MiB on output is written past the caches, if its attributes are aligned to 64 bytes at the same vertices
 struct SkinLinearJob {
   InfluenceStreams influences;
   std::span<const JointMatrix> palette;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "runtime/jobs/streamed_output-inl.h"
 #include "runtime/jobs/tile_places-inl.h"
 #include "runtime/jobs/vertex_checks.h"
 #include "runtime/jobs/vertex_streams.h"
@@ -27,6 +28,7 @@ template <int kCount>
 struct TileRow {
   TilePlace place;
   std::size_t tile_count;
+  bool past_caches;
   TileInfluences<kCount> all_joints;
   TileInput all_in;
   TileOutput all_out;
@@ -45,9 +47,11 @@ HWY_NOINLINE void skin_row(const TileRow<kCount>& row, const Row& skin) {
 }
 
 /// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is done as a tile
-/// that ends with the group: some vertices twice, with the same result. A group of fewer vertices goes through copies.
+/// that ends with the group: some vertices twice, with the same result, and so is what comes before the first aligned vertex where
+/// output is streamed. A group of fewer vertices goes through copies.
 template <int kCount, class Row>
-void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Row& skin) {
+void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Row& skin,
+                  const StreamedOutput& streamed = {}) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
@@ -62,8 +66,10 @@ void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& grou
     const bool whole = group.vertex_count >= kTileSize;
     if (whole) v = std::min(v, group.vertex_count - kTileSize);
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
-    const std::size_t tiles = whole && is_wide ? left / kTileSize : 1;
+    std::size_t tiles = whole && is_wide ? left / kTileSize : 1;
     done = whole ? tiles * kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
+    if (tiles > 1 && streamed.until(at) > 0) tiles = 1, done = streamed.until(at);
+    const bool past_caches = whole && is_wide && streamed.begins_at(at);
     const std::size_t first = group.first_influence + v * stride;
     TileInfluences<kCount> joints{{}, stride};
     if (is_wide) joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
@@ -71,7 +77,7 @@ void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& grou
     TileInput from = all_in.from(at);
     const TileOutput to = all_out.from(at);
     if (!whole) joints = copies.load(joints.first, done), from = copies.load(from, done);
-    skin_row(TileRow<kCount>{{at, std::min(done, kTileSize), whole}, tiles, joints, from, whole ? to : copies.in_place_of(to)}, skin);
+    skin_row(TileRow<kCount>{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from, whole ? to : copies.in_place_of(to)}, skin);
     if (!whole) copies.store(to, done);
   }
 }
