@@ -38,20 +38,12 @@ struct TileRow {
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 };
 
-/// Not inlined, and with copies that what it writes cannot change: loops over tiles keep their few numbers in registers.
-template <int kCount, class Row>
-HWY_NOINLINE void skin_row(const TileRow<kCount>& row, const Row& skin) {
-  const TileRow<kCount> own_row = row;
-  const Row own_skin = skin;
-  own_skin(own_row);
-}
-
 /// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is done as a tile
 /// that ends with the group: some vertices twice, with the same result, and so is what comes before the first aligned vertex where
 /// output is streamed. A group of fewer vertices goes through copies.
 template <int kCount, class Row>
-void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Row& skin,
-                  const StreamedOutput& streamed = {}) {
+HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, Row skin,
+                               const StreamedOutput& streamed = {}) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
@@ -77,7 +69,9 @@ void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& grou
     TileInput from = all_in.from(at);
     const TileOutput to = all_out.from(at);
     if (!whole) joints = copies.load(joints.first, done), from = copies.load(from, done);
-    skin_row(TileRow<kCount>{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from, whole ? to : copies.in_place_of(to)}, skin);
+    // A copy that no store can change, so that loops over tiles keep it in registers.
+    const TileRow<kCount> row{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from, whole ? to : copies.in_place_of(to)};
+    skin(row);
     if (!whole) copies.store(to, done);
   }
 }
