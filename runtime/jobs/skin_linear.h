@@ -20,7 +20,7 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// out  vertices    must not overlap the input; world space when the palette is; a normal that collapses to zero keeps its input value (N22)
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no allocation;
 ///      from 8 MiB on output is written past the caches, if its attributes are aligned to 64 bytes at the same vertices;
-///      up to 1.4 times as long where inputs and outputs have nearly the same address modulo 4096: loads then wait for stores
+///      slower where inputs and outputs have nearly the same address modulo 4096: loads then wait for stores
 struct SkinLinearJob {
   InfluenceStreams influences;
   std::span<const JointMatrix> palette;
