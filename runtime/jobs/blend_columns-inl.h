@@ -39,10 +39,13 @@ HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
 #endif
 }
 
-/// Columns of one quarter of the tile.
+/// Columns of one quarter of the tile. Unrolled also where that is long, or its matrices would be kept in memory.
 template <int kCount>
 HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
   MatrixParts matrices[kBlocks];
+#if HWY_COMPILER_GCC_ACTUAL
+#pragma GCC unroll 4
+#endif
   for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile, quarter * kBlocks + b);
   return columns_of(matrices);
 }

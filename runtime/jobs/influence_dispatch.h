@@ -31,6 +31,7 @@ void with_influence_count(std::uint32_t count, const Body& body) noexcept {
     case 2: body(std::integral_constant<int, 2>{}); break;
     case 3: body(std::integral_constant<int, 3>{}); break;
     case 4: body(std::integral_constant<int, 4>{}); break;
+    case 8: body(std::integral_constant<int, 8>{}); break;
     default: body(std::integral_constant<int, 0>{}); break;
   }
 }
