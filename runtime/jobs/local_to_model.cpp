@@ -125,7 +125,7 @@ class Composer {
 #else
 
 /// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump, which is
-/// foreseen: through memory, a joint would wait for its parent's matrix nearly twice as long (13 cycles for the product, 11 for that).
+/// foreseen: a joint would wait for its parent's matrix to come back from memory nearly as long as for the product.
 template <bool kSome>
 class Composer {
  public:

@@ -10,11 +10,13 @@
 #include "runtime/jobs/packed_lanes-inl.h"
 
 namespace sinew {
+namespace {
 
 /// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
 ///      arc tangent, and squad is asked for by hand only.
 void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept;
 
+}  // namespace
 }  // namespace sinew
 
 HWY_BEFORE_NAMESPACE();
@@ -84,8 +86,6 @@ HWY_EXPORT(sample_groups);
 static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(Property::rotation) == PoseSpan::rx &&
               first_plane(Property::scale) == PoseSpan::sx && PoseSpan::plane_count == 10);
 
-}  // namespace
-
 void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept {
   for (std::size_t i = 0; i < block.lane_count; ++i) {
     const auto corner = [&](std::size_t key, std::size_t plane) {
@@ -100,6 +100,8 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
     out.plane(2)[joint] = unit.z, out.plane(3)[joint] = unit.w;
   }
 }
+
+}  // namespace
 
 ErrorCode check(const SampleClipJob& job) noexcept {
   if (job.clip == nullptr) return ErrorCode::size_mismatch;

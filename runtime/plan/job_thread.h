@@ -24,7 +24,7 @@ using Executor = std::function<void(std::size_t count, const std::function<void(
 struct JobThreadOptions {
   Executor executor;                 ///< empty = oneTBB
   /// A frame of all characters smaller than this runs on the worker itself (P16): the sum of Plan::frame_bytes, which goes
-  /// with the time (0.05 to 0.1 ns a byte). Waking threads that slept takes as long as this much work.
+  /// with the time. Waking threads that slept takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;
   std::size_t part_bytes = std::size_t{1} << 17;   ///< consecutive characters that the executor is handed as one: at least so much
   std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new. Must
