@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,15 @@ constexpr const char* kEnding =
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
     "`sinew COMMAND --help` explains one command.";
 
+/// What is wrong, and whose help says what is right: that of the command, once there is one.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<const CLI::App*> chosen = program.get_subcommands([](const CLI::App* command) { return command->parsed(); });
+  if (!chosen.empty()) return fmt::format("{} (see `sinew {} --help`)", error.what(), chosen.front()->get_name());
+  const std::vector<std::string> unknown = program.remaining();
+  if (unknown.empty()) return fmt::format("{} (see `sinew --help`)", error.what());
+  return fmt::format("there is no {} {} (see `sinew --help`)", unknown.front().starts_with('-') ? "option" : "command", unknown.front());
+}
+
 ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
@@ -40,7 +50,7 @@ ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, con
     program.exit(help_or_version);
     return ExitCode::done;
   } catch (const CLI::ParseError& error) {
-    say_error(fmt::format("{} (see `sinew --help`)", error.what()));
+    say_error(usage_message(program, error));
     return ExitCode::wrong_usage;
   } catch (const std::bad_alloc&) {
     say_error("not enough memory");

@@ -28,6 +28,15 @@ TEST(command_line, help_and_version_are_results) {
   EXPECT_EQ(run_tool({"sample", "--help"}).status, 0);
 }
 
+TEST(command_line, wrong_usage_names_what_is_wrong_and_the_help_that_has_it_right) {
+  using testing::HasSubstr;
+  EXPECT_THAT(run_tool({"infoo", "x.glb"}).err, HasSubstr("there is no command infoo (see `sinew --help`)"));
+  EXPECT_THAT(run_tool({"--infoo"}).err, HasSubstr("there is no option --infoo (see `sinew --help`)"));
+  EXPECT_THAT(run_tool({"convert", "x.glb"}).err, HasSubstr("OUT.glb is required (see `sinew convert --help`)"));
+  EXPECT_THAT(run_tool({"info", "x.glb", "--foo"}).err, AllOf(HasSubstr("--foo"), HasSubstr("(see `sinew info --help`)")));
+  EXPECT_THAT(run_tool({}).err, HasSubstr("A subcommand is required (see `sinew --help`)"));
+}
+
 TEST(command_line, wrong_usage_is_2_with_a_message_and_no_result) {
   const ToolModelFile model;
   const std::vector<std::vector<std::string>> wrong = {
