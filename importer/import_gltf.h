@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "importer/import_error.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 set(sinew_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
 
-install(TARGETS sinew_runtime EXPORT sinew_runtime_targets)
+install(TARGETS sinew_runtime sinew_threads sinew_compress sinew_lod sinew_c EXPORT sinew_runtime_targets)
 install(EXPORT sinew_runtime_targets NAMESPACE sinew:: FILE sinew-runtime.cmake DESTINATION ${sinew_package_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/runtime
   FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)

@@ -7,7 +7,7 @@
 #include "importer/build/joint_order.h"
 #include "importer/import_gltf.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/bone_animation.h"
+#include "runtime/animation/bone_animation.h"
 
 namespace sinew {
 

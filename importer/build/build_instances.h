@@ -5,7 +5,7 @@
 
 #include "importer/build/joint_order.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 

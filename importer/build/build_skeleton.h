@@ -4,7 +4,7 @@
 
 #include "importer/build/joint_order.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/skeleton.h"
 
 namespace sinew {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "importer/issue_log.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "importer/build/merge_influences.h"
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

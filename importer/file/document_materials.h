@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/assets/skeleton.h"  // kNone
+#include "runtime/animation/skeleton.h"  // kNone
 
 /// The part of gltf::Document (document.h) that says how surfaces look.
 namespace sinew::gltf {

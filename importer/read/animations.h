@@ -8,8 +8,8 @@
 
 #include "importer/file/document.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/property_track.h"
-#include "runtime/assets/track.h"
+#include "runtime/animation/property_track.h"
+#include "runtime/animation/track.h"
 
 namespace sinew {
 

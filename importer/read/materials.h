@@ -4,7 +4,7 @@
 
 #include "importer/file/document.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/material.h"
+#include "runtime/model/material.h"
 
 namespace sinew {
 

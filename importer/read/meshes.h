@@ -7,7 +7,7 @@
 
 #include "importer/file/document.h"
 #include "importer/issue_log.h"
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "runtime/assets/texture_slot.h"
+#include "runtime/model/texture_slot.h"
 
 namespace sinew {
 namespace {

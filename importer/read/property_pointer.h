@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "importer/file/document.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 

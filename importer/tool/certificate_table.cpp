@@ -7,7 +7,7 @@
 #include "importer/tool/length_text.h"
 #include "importer/tool/sampling_time.h"
 #include "importer/tool/text_table.h"
-#include "runtime/assets/unpack_clip.h"
+#include "runtime/clip/unpack_clip.h"
 
 namespace sinew::tool {
 namespace {

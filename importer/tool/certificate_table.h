@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/assets/clip.h"
+#include "runtime/clip/clip.h"
 
 namespace sinew::tool {
 

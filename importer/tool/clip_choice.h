@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 

@@ -14,8 +14,8 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
 #include "importer/write/replace_file.h"
-#include "runtime/assets/clip_file.h"
-#include "runtime/plan/compile_clip_within.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::tool {
 namespace {
@@ -63,7 +63,7 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       "compile",
       "Compile the clips of a file for playing, as small as a budget allows: no vertex of the model is ever farther off than\n"
       "that from where the file has it. Prints what was measured of each clip, which is also stored in it; `sinew info OUT`\n"
-      "shows it again. OUT belongs to the skeleton of FILE and is read by load_clips (runtime/assets/clip_file.h).");
+      "shows it again. OUT belongs to the skeleton of FILE and is read by load_clips (runtime/clip/clip_file.h).");
   command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
   command->add_option("-o,--output", options->out, "The file to write")->required();
   command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")->capture_default_str();

@@ -12,7 +12,7 @@
 
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/messages.h"
-#include "runtime/assets/clip_file.h"
+#include "runtime/clip/clip_file.h"
 
 namespace sinew::tool {
 namespace {

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vec
 
 }  // namespace
 
-std::string left_out_text(const Scene& scene, const DetailWithin& within, double asked_m) {
+std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
   const Skeleton& skeleton = scene.skeleton;
   std::string text = fmt::format("joints left out within {}: {} of {}", length_text(asked_m), within.left_out, skeleton.joint_count());
   if (within.left_out == 0) return text + "\n";
@@ -43,7 +43,7 @@ std::string left_out_text(const Scene& scene, const DetailWithin& within, double
   return text;
 }
 
-nlohmann::ordered_json left_out_json(const Scene& scene, const DetailWithin& within, double asked_m) {
+nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
   const std::vector<JointPlace> places = place_joints(scene, within.detail);
   for (std::uint32_t j = 0; j < places.size(); ++j)

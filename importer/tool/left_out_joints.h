@@ -4,15 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/assets/scene.h"
-#include "runtime/plan/detail_within.h"
+#include "runtime/model/scene.h"
+#include "runtime/lod/compile_skeleton_lod.h"
 
 namespace sinew::tool {
 
 /// A table of the branches that a plan leaves out: the uppermost joint, how many go with it, and the joint that they follow.
-std::string left_out_text(const Scene& scene, const DetailWithin& within, double asked_m);
+std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
 
 /// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out; lengths in metres.
-nlohmann::ordered_json left_out_json(const Scene& scene, const DetailWithin& within, double asked_m);
+nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
 
 }  // namespace sinew::tool

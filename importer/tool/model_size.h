@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 

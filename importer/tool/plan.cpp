@@ -100,7 +100,7 @@ Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
 /// The joints that --joint-tolerance leaves out, over the clip that is chosen or all.
 struct LeftOut {
   double asked_m = 0.0;
-  DetailWithin within;
+  CompiledSkeletonLod within;
 };
 
 /// err  a sentence that says what is wrong with the length
@@ -109,7 +109,7 @@ tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOpt
   if (!options.joint_tolerance) return std::nullopt;
   const auto asked_m = parse_length(*options.joint_tolerance);
   if (!asked_m) return tl::unexpected("--joint-tolerance: " + asked_m.error());
-  return LeftOut{*asked_m, detail_within(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
+  return LeftOut{*asked_m, compile_skeleton_lod(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
 }
 
 void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
@@ -159,7 +159,7 @@ ExitCode plan_file(const PlanOptions& options) {
   }
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
-  if (*left_out) needs->joint_detail = (*left_out)->within.detail;
+  if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
   const Plan plan = compile_plan(file->scene, *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/skeleton.h"
 #include "runtime/math/affine.h"
 
 namespace sinew::tool {

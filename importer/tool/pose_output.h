@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/pose.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 

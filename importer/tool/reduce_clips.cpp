@@ -2,7 +2,7 @@
 #include "importer/tool/reduce_clips.h"
 
 #include "runtime/base/contract.h"
-#include "runtime/plan/compile_clip_within.h"
+#include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::tool {
 

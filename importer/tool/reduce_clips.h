@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/assets/scene.h"
-#include "runtime/plan/virtual_vertices.h"
+#include "runtime/model/scene.h"
+#include "runtime/compress/virtual_vertices.h"
 
 namespace sinew::tool {
 

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/assets/bone_animation.h"
+#include "runtime/animation/bone_animation.h"
 
 namespace sinew::tool {
 

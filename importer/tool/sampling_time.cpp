@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/jobs/pose_memory.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/pose/pose_memory.h"
+#include "runtime/pose/sample_clip.h"
 
 namespace sinew::tool {
 namespace {

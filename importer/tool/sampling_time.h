@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/assets/clip.h"
+#include "runtime/clip/clip.h"
 
 namespace sinew::tool {
 

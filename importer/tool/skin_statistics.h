@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <map>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew::tool {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/skeleton.h"
 
 namespace sinew {
 

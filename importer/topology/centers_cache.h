@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

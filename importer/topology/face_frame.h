@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

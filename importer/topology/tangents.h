@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

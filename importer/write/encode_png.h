@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "runtime/assets/material.h"
+#include "runtime/model/material.h"
 
 namespace sinew::write {
 

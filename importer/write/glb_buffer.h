@@ -4,7 +4,7 @@
 #include <span>
 
 #include "importer/write/tinygltf.h"
-#include "runtime/assets/morph_set.h"
+#include "runtime/model/morph_set.h"
 #include "runtime/math/affine.h"
 
 namespace sinew::write {

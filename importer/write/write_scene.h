@@ -5,7 +5,7 @@
 
 #include "importer/import_error.h"
 #include "importer/write/glb_buffer.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::write {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/c/plan.h"
 #include "runtime/plan/compile_plan.h"
 

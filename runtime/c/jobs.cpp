@@ -8,7 +8,7 @@
 #include "runtime/c/boundary.h"
 #include "runtime/c/frame_input.h"
 #include "runtime/c/handles.h"
-#include "runtime/plan/job_thread.h"
+#include "runtime/threads/job_thread.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "runtime/c/boundary.h"
-#include "runtime/plan/event_cursor.h"
-#include "runtime/plan/playback_clock.h"
+#include "runtime/playback/event_cursor.h"
+#include "runtime/playback/playback_clock.h"
 
 namespace {
 

@@ -7,19 +7,19 @@
 #include <memory>
 #include <utility>
 
-#include "runtime/assets/clip_layout.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
-#include "runtime/jobs/blend_poses.h"
-#include "runtime/jobs/correct_pose.h"
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/correct_pose.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/pose.h"
 #include "runtime/plan/find_hidden.h"
-#include "runtime/plan/frame_hash.h"
+#include "runtime/base/bit_hash.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/frame_work.h"
 #include "runtime/plan/plan_stages.h"
-#include "runtime/plan/sign_pairs.h"
+#include "runtime/pose/hemisphere_pairs.h"
 
 namespace sinew {
 namespace {
@@ -288,7 +288,7 @@ std::uint64_t fingerprint_of(const Needs& needs) {
   BitHash hash;
   hash.add(std::span<const std::uint32_t>(numbers));
   for (const std::vector<float>& mask : needs.masks) hash.add(std::span<const float>(mask));
-  const JointDetail& detail = needs.joint_detail;
+  const SkeletonLod& detail = needs.skeleton_lod;
   const std::vector<std::uint32_t> kept(detail.kept.begin(), detail.kept.end());
   hash.add(std::span<const std::uint32_t>(kept)).add(std::span<const Transform>(detail.held));
   return hash.value();
@@ -338,7 +338,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   Plan plan;
   plan.scene = &scene;
   plan.needs = needs;
-  plan.rig = make_rig(scene, needs.joint_detail);
+  plan.rig = make_rig(scene, needs.skeleton_lod);
   for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of(plan.rig, mask));
   plan.palette.resize(scene.skins.size());
   plan.split.resize(scene.skins.size());
@@ -369,7 +369,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    plan.sign_edges.push_back(plan.split[s] ? sign_edges(scene.skeleton, scene.skins[s]) : std::vector<JointPair>{});
+    plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s]) : std::vector<JointPair>{});
   place(plan);
   plan.fingerprint = fingerprint_of(needs);
   plan.stages = describe_stages(plan);

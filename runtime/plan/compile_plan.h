@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/assets/scene.h"
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/plan/combine_influences.h"
+#include "runtime/model/scene.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/deform/combine_influences.h"
 #include "runtime/plan/joint_scales.h"
 #include "runtime/plan/needs.h"
 #include "runtime/plan/rig.h"
@@ -38,7 +38,7 @@ struct PrimitivePlan {
   bool flat_normals = false;    ///< recomputed from the deformed triangles (G46)
   bool cofactors = false;       ///< normals follow cofactors, where the needs ask for them: scale or blends are uneven (P08)
   Skinning skinning = Skinning::linear;
-  std::vector<JointPair> pairs;  ///< joints that share vertices, for dual quaternions (sign_pairs.h)
+  std::vector<JointPair> pairs;  ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
   std::uint32_t combined = kNone;  ///< index into Plan::combined of its skin, where that is used
   bool lacks_centers = false;   ///< `skinning` is linear in place of center_of_rotation
   std::size_t positions_at = 0, normals_at = 0, tangents_at = 0, colors_at = 0;  ///< byte offsets into the frame memory
@@ -88,7 +88,7 @@ struct Plan {
   bool hide = false, hide_per_frame = false;   ///< some joint may be hidden; clips decide it
   std::vector<bool> palette, split;            ///< [skins] the skin's matrices are made; they are split as well
   std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly (C06)
-  std::vector<std::vector<JointPair>> sign_edges;  ///< [skins] of those that are split (sign_pairs.h)
+  std::vector<std::vector<JointPair>> hemisphere_edges;  ///< [skins] of those that are split (hemisphere_pairs.h)
 
   // Byte offsets into the frame memory. The rest pose is written once, the rest by every frame.
   std::size_t rest_pose_at = 0, pose_at = 0, layer_poses_at = 0;  ///< layers after the first have a pose of their own
@@ -125,7 +125,7 @@ inline std::size_t matrix_count(const Plan& plan, std::size_t skin) noexcept {
 }
 
 /// in   scene   must have passed check(Scene);   needs   max_layers >= 1, instance_skinning empty or one per instance, masks of one
-///                                                     finite weight >= 0 per joint, joint_detail empty or for all joints
+///                                                     finite weight >= 0 per joint, skeleton_lod empty or for all joints
 /// cost O(size of the scene), allocates the plan; where joints are left out also what of skeleton, clips and skins is kept
 Plan compile_plan(const Scene& scene, const Needs& needs);
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cassert>
 
-#include "runtime/jobs/morph_vertices.h"
-#include "runtime/jobs/skin_center_of_rotation.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
-#include "runtime/jobs/skin_linear.h"
-#include "runtime/plan/flat_normals.h"
-#include "runtime/plan/morph_colors.h"
+#include "runtime/deform/morph_vertices.h"
+#include "runtime/deform/skin_center_of_rotation.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
+#include "runtime/deform/flat_normals.h"
+#include "runtime/deform/morph_colors.h"
 
 namespace sinew {
 namespace {

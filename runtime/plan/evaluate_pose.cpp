@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "runtime/jobs/add_pose.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/pose/add_pose.h"
+#include "runtime/pose/sample_clip.h"
 #include "runtime/math/negligible.h"
-#include "runtime/plan/blend_weights.h"
+#include "runtime/pose/blend_weights.h"
 
 namespace sinew {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/jobs/blend_poses.h"
+#include "runtime/pose/blend_poses.h"
 #include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 #include "runtime/plan/frame_result.h"

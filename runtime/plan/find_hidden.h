@@ -2,7 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 

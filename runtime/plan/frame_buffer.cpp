@@ -5,13 +5,13 @@
 #include <cstring>
 #include <memory>
 
-#include "runtime/assets/clip_layout.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/plays_alone.h"
-#include "runtime/plan/prefetch.h"
+#include "runtime/base/prefetch.h"
 #include "runtime/plan/same_layers.h"
 
 namespace sinew {
@@ -19,7 +19,7 @@ namespace {
 
 /// Nothing where it is not looked at.
 std::span<const ClipLayer> ahead_of(const FrameInput& input) noexcept {
-  return input.toward == 0.0f ? std::span<const ClipLayer>{} : input.ahead;
+  return input.interpolation_factor == 0.0f ? std::span<const ClipLayer>{} : input.next_layers;
 }
 
 /// As FrameTables::input_out_of_view.
@@ -97,7 +97,7 @@ bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& i
   if (!keeps_input_ || input.asleep != asleep_) return false;
   if (input.asleep) return true;  // whatever it would do
   if (input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
-  if (!same_bits(input.toward, toward_) || ahead_of(input).size() != ahead_count_) return false;
+  if (!same_bits(input.interpolation_factor, interpolation_factor_) || ahead_of(input).size() != ahead_count_) return false;
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
     if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
   return same_layers(input.layers, tables.input_layers.first(layer_count_)) && same_layers(ahead_of(input), tables.input_ahead.first(ahead_count_)) &&
@@ -107,7 +107,7 @@ bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& i
 StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept {
   if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return StandingJoints::none;
   const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
-  const bool between = input.toward != 0.0f || toward_ != 0.0f;
+  const bool between = input.interpolation_factor != 0.0f || interpolation_factor_ != 0.0f;
   const bool at_rest = !between && plays_alone(input.layers) && plays_alone(last) && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
   return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
 }
@@ -124,7 +124,7 @@ void FrameBuffer::keep(const FrameTables& tables, const FrameInput& input) noexc
   const std::span<const ClipLayer> ahead = ahead_of(input);
   keeps_input_ = input.layers.size() <= tables.input_layers.size() && ahead.size() <= tables.input_ahead.size();
   if (!keeps_input_) return;
-  ahead_count_ = ahead.size(), toward_ = input.toward;
+  ahead_count_ = ahead.size(), interpolation_factor_ = input.interpolation_factor;
   std::copy(ahead.begin(), ahead.end(), tables.input_ahead.begin());
   layer_count_ = input.layers.size(), weight_count_ = input.weights.size(), root_ = input.root;
   std::copy(input.layers.begin(), input.layers.end(), tables.input_layers.begin());

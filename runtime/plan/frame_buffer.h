@@ -68,7 +68,7 @@ class FrameBuffer {
   const FrameBuffer* before_ = nullptr;
   bool keeps_input_ = false;             // the block has the input of its last run as well, and whatever that gave
   std::size_t layer_count_ = 0, weight_count_ = 0, ahead_count_ = 0;
-  float toward_ = 0.0f;
+  float interpolation_factor_ = 0.0f;
   bool asleep_ = false;                  // in the last run: the joints in the block are of another one
   Affine root_;
   FrameResult result_;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/skeleton.h"
 #include "runtime/math/affine.h"
 
 namespace sinew {
@@ -29,8 +29,8 @@ struct FrameInput {
   std::span<const float> weights;      ///< [W] replaces all morph weights; empty = from the clips, else rest.
                                        ///< Correctives add to either
   Affine root;                         ///< placed above all root joints
-  std::span<const ClipLayer> ahead = {};  ///< layers of a later time; not looked at while `toward` is 0
-  float toward = 0.0f;                 ///< [0, 1] part of the way from the pose of `layers` to that of `ahead`, each of which is evaluated
+  std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; not looked at while `interpolation_factor` is 0
+  float interpolation_factor = 0.0f;                 ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`, each of which is evaluated
                                        ///< once as long as it stays: needs Needs::between_updates, else 0
   std::span<const std::uint8_t> out_of_view = {};  ///< [instances] 1: nobody sees the mesh, which is then neither morphed nor
                                        ///< skinned nor bounded; joints and weights are as ever. Empty = all are in view

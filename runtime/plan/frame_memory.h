@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "runtime/jobs/pose.h"
+#include "runtime/pose/pose.h"
 #include "runtime/plan/compile_plan.h"
 
 namespace sinew {

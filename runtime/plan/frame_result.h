@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/plan/work_counters.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "runtime/jobs/blend_poses.h"
-#include "runtime/plan/blend_weights.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/blend_weights.h"
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/plan/same_layers.h"
 
@@ -64,10 +64,10 @@ void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t e
   work.spent_on(Stage::interpolate);
 }
 
-/// eq   out = (1 - toward) first + toward second
+/// eq   out = (1 - interpolation_factor) first + interpolation_factor second
 /// in   out   has the numbers of `first` already
-void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float toward, const PoseAndNumbers& out) noexcept {
-  const BlendLayer shares[2] = {{first.pose, 1.0f - toward, {}}, {second.pose, toward, {}}};
+void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float interpolation_factor, const PoseAndNumbers& out) noexcept {
+  const BlendLayer shares[2] = {{first.pose, 1.0f - interpolation_factor, {}}, {second.pose, interpolation_factor, {}}};
   const BlendPosesJob job{.layers = shares, .rest = first.pose, .pose = out.pose};
   assert(check(job) == ErrorCode::ok);
   run(job);
@@ -81,15 +81,15 @@ PoseSpan interpolate_poses(const Plan& plan, const FrameInput& input, const Fram
   const PoseAndNumbers own(plan, {plan.pose_at, plan.weights_at, plan.properties_at}, step.memory);
   const PoseAndNumbers ends[2] = {{plan, plan.ends[0], step.memory}, {plan, plan.ends[1], step.memory}};
   fill_end(plan, input.layers, 0, step, work);
-  if (input.toward != 0.0f) fill_end(plan, input.ahead, 1, step, work);
+  if (input.interpolation_factor != 0.0f) fill_end(plan, input.next_layers, 1, step, work);
   own.take_numbers(ends[0]);
-  if (input.toward != 0.0f) {
-    mix(ends[0], ends[1], input.toward, own);
+  if (input.interpolation_factor != 0.0f) {
+    mix(ends[0], ends[1], input.interpolation_factor, own);
     work.poses_interpolated += 1;
   }
   if (!input.weights.empty()) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
   work.spent_on(Stage::interpolate);
-  return input.toward != 0.0f ? own.pose : ends[0].pose;
+  return input.interpolation_factor != 0.0f ? own.pose : ends[0].pose;
 }
 
 }  // namespace sinew

@@ -5,7 +5,7 @@
 namespace sinew {
 
 /// Stages sample to interpolate of a plan that knows frames between updates: local pose, morph weights and properties of one frame.
-/// The poses of FrameInput::layers and of FrameInput::ahead stay in the frame's memory with the layers that gave them: where these
+/// The poses of FrameInput::layers and of FrameInput::next_layers stay in the frame's memory with the layers that gave them: where these
 /// are the same again, there or in the frame before, nothing is sampled.
 /// eq   rotations (1 - s) q0 + s q1 on the shorter arc, made unit; translations, scales, weights and properties linear. At s = 0
 ///      the bits of evaluate_pose

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/assets/clip_layout.h"
+#include "runtime/clip/clip_layout.h"
 
 namespace sinew {
 namespace {

@@ -5,8 +5,8 @@
 #include <cassert>
 
 #include "runtime/base/same_bits.h"
-#include "runtime/jobs/blend_combinations.h"
-#include "runtime/jobs/joint_palette.h"
+#include "runtime/deform/blend_combinations.h"
+#include "runtime/pose/joint_palette.h"
 
 namespace sinew {
 namespace {
@@ -15,7 +15,7 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
   const SplitPaletteJob job{.palette = palette,
                             .split = memory.array<RigidStretch>(plan.split_at[skin], palette.size()),
                             .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
-                            .follow = plan.sign_edges[skin]};
+                            .follow = plan.hemisphere_edges[skin]};
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.palette_entries_split += palette.size();

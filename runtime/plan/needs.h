@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/jobs/skin_linear.h"
-#include "runtime/plan/joint_detail.h"
+#include "runtime/deform/skin_linear.h"
+#include "runtime/plan/skeleton_lod.h"
 
 namespace sinew {
 
@@ -14,7 +14,7 @@ enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation
 
 /// What the consumer of frames asks for. A stage that neither the needs nor the scene call for is left out of the plan.
 struct Needs {
-  bool joints = true;         ///< model matrices of the joints that `joint_detail` keeps
+  bool joints = true;         ///< model matrices of the joints that `skeleton_lod` keeps
   bool positions = true;      ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;
@@ -27,9 +27,9 @@ struct Needs {
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
                               ///< Layers that add do not count
   bool additive = false;      ///< some layers add to the pose
-  bool between_updates = false;  ///< some frames lie between two poses (FrameInput::toward)
+  bool between_updates = false;  ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
-  JointDetail joint_detail;   ///< joints that poses can do without
+  SkeletonLod skeleton_lod;   ///< joints that poses can do without
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;  ///< of linear blending; the other kinds turn normals exactly

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "runtime/assets/clip_layout.h"
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/clip/clip_layout.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/plan/rig.h"
 
-#include "runtime/assets/keep_joints.h"
+#include "runtime/clip/keep_joints.h"
 #include "runtime/base/contract.h"
-#include "runtime/plan/truth_pose.h"
+#include "runtime/animation/truth_pose.h"
 
 namespace sinew {
 namespace {
 
-std::vector<bool> kept_joints(const Scene& scene, const JointDetail& detail) {
+std::vector<bool> kept_joints(const Scene& scene, const SkeletonLod& detail) {
   std::vector<bool> kept = detail.kept;
   for (const PoseCorrective& corrective : scene.correctives)
     for (const PoseDriver& driver : corrective.samples.drivers) kept[driver.joint] = true;
@@ -19,7 +19,7 @@ std::vector<bool> kept_joints(const Scene& scene, const JointDetail& detail) {
   return kept;
 }
 
-Affined held_matrix(const Skeleton& skeleton, const JointDetail& detail, std::uint32_t joint) {
+Affined held_matrix(const Skeleton& skeleton, const SkeletonLod& detail, std::uint32_t joint) {
   const std::uint32_t fixed = skeleton.fixed_matrix_of[joint];
   if (fixed != kNone) return affine_cast<double>(skeleton.fixed_matrices[fixed]);
   return affine_from_transform(in_double(detail.held.empty() ? skeleton.rest[joint] : detail.held[joint]));
@@ -60,7 +60,7 @@ void point_at(const Skeleton& skeleton, const std::vector<Clip>& clips, const st
 
 }  // namespace
 
-std::vector<JointPlace> place_joints(const Scene& scene, const JointDetail& detail) {
+std::vector<JointPlace> place_joints(const Scene& scene, const SkeletonLod& detail) {
   const Skeleton& skeleton = scene.skeleton;
   CONTRACT(detail.kept.empty() || detail.kept.size() == skeleton.joint_count());
   CONTRACT(detail.held.empty() || detail.held.size() == skeleton.joint_count());
@@ -79,7 +79,7 @@ std::vector<JointPlace> place_joints(const Scene& scene, const JointDetail& deta
   return places;
 }
 
-Rig make_rig(const Scene& scene, const JointDetail& detail) {
+Rig make_rig(const Scene& scene, const SkeletonLod& detail) {
   Rig rig;
   rig.places = place_joints(scene, detail);
   bool all = true;

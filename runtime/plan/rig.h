@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/scene.h"
-#include "runtime/plan/joint_detail.h"
+#include "runtime/model/scene.h"
+#include "runtime/plan/skeleton_lod.h"
 
 namespace sinew {
 
@@ -33,10 +33,10 @@ struct Rig {
 };
 
 /// cost O(J)
-std::vector<JointPlace> place_joints(const Scene& scene, const JointDetail& detail);
+std::vector<JointPlace> place_joints(const Scene& scene, const SkeletonLod& detail);
 
 /// The scene must outlive the rig.     cost O(J), or O(size of skeleton, clips and skins) where joints are left out; allocates
-Rig make_rig(const Scene& scene, const JointDetail& detail);
+Rig make_rig(const Scene& scene, const SkeletonLod& detail);
 
 /// World matrix of any joint of the scene.
 /// in   model[K]  of a frame (FrameResult::model)

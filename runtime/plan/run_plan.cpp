@@ -6,15 +6,15 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/assets/mesh_copies.h"
+#include "runtime/model/mesh_copies.h"
 #include "runtime/base/same_bits.h"
-#include "runtime/jobs/correct_pose.h"
-#include "runtime/jobs/local_to_model.h"
+#include "runtime/pose/correct_pose.h"
+#include "runtime/pose/local_to_model.h"
 #include "runtime/plan/deform_primitive.h"
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
-#include "runtime/plan/grow_bounds.h"
+#include "runtime/deform/grow_bounds.h"
 #include "runtime/plan/interpolate_poses.h"
 #include "runtime/plan/make_palettes.h"
 #include "runtime/plan/plays_alone.h"
@@ -40,8 +40,8 @@ ErrorCode check(const Plan& plan, std::span<const ClipLayer> layers) noexcept {
 }
 
 ErrorCode check(const Plan& plan, const FrameInput& input) noexcept {
-  if (!(input.toward >= 0.0f && input.toward <= 1.0f) || (input.toward != 0.0f && !plan.needs.between_updates)) return ErrorCode::unsupported;
-  for (const std::span<const ClipLayer> layers : {input.layers, input.toward != 0.0f ? input.ahead : std::span<const ClipLayer>{}})
+  if (!(input.interpolation_factor >= 0.0f && input.interpolation_factor <= 1.0f) || (input.interpolation_factor != 0.0f && !plan.needs.between_updates)) return ErrorCode::unsupported;
+  for (const std::span<const ClipLayer> layers : {input.layers, input.interpolation_factor != 0.0f ? input.next_layers : std::span<const ClipLayer>{}})
     if (const ErrorCode error = check(plan, layers); error != ErrorCode::ok) return error;
   if (!input.weights.empty() && input.weights.size() != plan.rest_weights.size()) return ErrorCode::size_mismatch;
   if (!input.out_of_view.empty() && input.out_of_view.size() != plan.scene->instances.size()) return ErrorCode::size_mismatch;
@@ -311,7 +311,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
   const FrameTables tables(plan, memory);
   const FrameStep step{memory, tables, memory_before, &before == &frame ? tables : FrameTables(plan, memory_before), frame.result_.frame + 1,
-                       frame.standing(plan, tables, input), plan.sample && (input.toward != 0.0f || !plays_alone(input.layers)), frame.holds_clip(tables, input)};
+                       frame.standing(plan, tables, input), plan.sample && (input.interpolation_factor != 0.0f || !plays_alone(input.layers)), frame.holds_clip(tables, input)};
   const bool same = frame.holds_result_of(tables, input);
   const bool same_before = &before == &frame ? same : before.holds_result_of(step.tables_before, input);
   const std::uint64_t since = same_before ? before.result_.since_frame : step.number;

@@ -9,10 +9,10 @@
 #include <cstring>
 #include <optional>
 
-#include "runtime/assets/clip.h"
-#include "runtime/jobs/blend_poses.h"
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/clip/clip.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/pose/sample_clip.h"
 
 namespace {
 

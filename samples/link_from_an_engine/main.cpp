@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "importer/import_gltf.h"
-#include "runtime/plan/job_thread.h"
+#include "runtime/threads/job_thread.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "runtime/jobs/morph_vertices.h"
+#include "runtime/deform/morph_vertices.h"
 
 namespace {
 

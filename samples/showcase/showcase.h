@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
 
 namespace sinew::showcase {

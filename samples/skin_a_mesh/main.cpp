@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
 
 namespace {
 

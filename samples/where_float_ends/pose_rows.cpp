@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/plan/playback_clock.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/playback/playback_clock.h"
 #include "samples/where_float_ends/rows.h"
 
 namespace sinew::sample {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "runtime/jobs/morph_vertices.h"
-#include "runtime/jobs/skin_center_of_rotation.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/deform/morph_vertices.h"
+#include "runtime/deform/skin_center_of_rotation.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
 #include "runtime/math/normal_transform.h"
 #include "samples/where_float_ends/rows.h"
 

@@ -1,45 +1,60 @@
 // SPDX-License-Identifier: MIT
-// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime
-// base <- math <- assets <- jobs <- plan <- c. A file that includes against the arrow fails here.
+// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime as the table in
+// runtime/README.md says. A file that includes against the arrow fails here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <regex>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "tests/architecture/source_tree.h"
 
 namespace sinew::test {
 namespace {
 
-constexpr std::array<const char*, 6> kRuntimeOrder = {"base", "math", "assets", "jobs", "plan", "c"};
+/// What each folder of the runtime sees, read from the table in runtime/README.md: "runtime/pose" -> {"runtime/base", ...}.
+const std::map<std::string, std::set<std::string>>& runtime_rows() {
+  static const std::map<std::string, std::set<std::string>> rows = [] {
+    std::map<std::string, std::set<std::string>> found;
+    static const std::regex row(R"re(^\| `(\w+)/` \|.*\|([\w ]*)\|$)re");
+    std::ifstream in(std::filesystem::path(SINEW_SOURCE_DIR) / "runtime/README.md");
+    for (std::string line; std::getline(in, line);) {
+      std::smatch match;
+      if (!std::regex_match(line, match, row)) continue;
+      std::set<std::string>& seen = found["runtime/" + match[1].str()];
+      std::istringstream names(match[2]);
+      for (std::string name; names >> name;) seen.insert("runtime/" + name);
+    }
+    return found;
+  }();
+  return rows;
+}
 
-/// The part of the tree that a path belongs to: "runtime/jobs", "importer", "importer/tool", "viewer/app", ...
+/// The part of the tree that a path belongs to: "runtime/pose", "importer", "importer/tool", "viewer/app", ...
 std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
-  for (const char* folder : kRuntimeOrder)
-    if (starts(std::string("runtime/") + folder)) return std::string("runtime/") + folder;
+  for (const auto& [folder, sees] : runtime_rows())
+    if (starts(folder)) return folder;
   for (const char* part : {"importer/tool", "importer/c", "viewer/app", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
 
 bool sees(const std::string& from, const std::string& to) {
+  static const std::set<std::string> kAssets = {"runtime/base", "runtime/math", "runtime/animation", "runtime/clip", "runtime/model"};
   if (to == "tests") return from == "tests";
   if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study") return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
-  if (from == "importer")
-    return to == "importer" || to == "runtime/base" || to == "runtime/math" || to == "runtime/assets";
+  if (from == "importer") return to == "importer" || kAssets.contains(to);
   if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
-  const auto rank = [](const std::string& part) {
-    return std::find_if(kRuntimeOrder.begin(), kRuntimeOrder.end(),
-                        [&](const char* folder) { return part == std::string("runtime/") + folder; }) -
-           kRuntimeOrder.begin();
-  };
-  return to.starts_with("runtime/") && rank(to) <= rank(from);
+  if (from == "runtime") return to == "runtime/c";  // sinew.h
+  const auto row = runtime_rows().find(from);
+  return row != runtime_rows().end() && (to == from || row->second.contains(to));
 }
 
 /// Libraries that only some parts of the tree may know, by the beginning of the header's name.
@@ -54,9 +69,10 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"imgui", {"viewer/app", "tests"}},
     {"CLI/", {"importer/tool", "viewer/app", "viewer/study", "tests"}},
     {"nlohmann/", {"importer", "importer/tool", "viewer/study", "tests"}},
-    {"hwy/", {"runtime/math", "runtime/jobs", "runtime/plan", "importer/tool", "tests"}},
-    {"tbb/", {"runtime/plan", "importer", "tests"}},
-    {"oneapi/", {"runtime/plan", "importer", "tests"}},
+    {"hwy/", {"runtime/math", "runtime/pose", "runtime/deform", "importer/tool", "tests"}},
+    {"tbb/", {"runtime/threads", "importer", "tests"}},
+    {"oneapi/", {"runtime/threads", "importer", "tests"}},
+    {"Eigen/", {"runtime/model", "tests"}},
 };
 
 std::vector<std::string> broken_arrows(const SourceFile& file) {
@@ -81,15 +97,31 @@ TEST(include_direction, holds_in_the_whole_tree) {
   EXPECT_THAT(broken, testing::IsEmpty());
 }
 
+TEST(include_direction, every_folder_of_the_runtime_has_a_row_and_no_two_see_each_other) {
+  const auto& rows = runtime_rows();
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SINEW_SOURCE_DIR) / "runtime"))
+    if (entry.is_directory()) EXPECT_TRUE(rows.contains("runtime/" + entry.path().filename().string())) << entry.path();
+  for (const auto& [folder, seen] : rows)
+    for (const std::string& other : seen) {
+      ASSERT_TRUE(rows.contains(other)) << folder << " sees " << other << ", which has no row";
+      EXPECT_FALSE(other == folder || rows.at(other).contains(folder)) << folder << " and " << other << " see each other";
+    }
+}
+
 TEST(include_direction, finds_an_include_against_the_arrow) {
   const auto count = [](const char* path, const char* include) {
     return broken_arrows({path, std::string("#include ") + include + "\n"}).size();
   };
-  EXPECT_EQ(count("runtime/math/x.h", "\"runtime/assets/clip.h\""), 1u);
-  EXPECT_EQ(count("runtime/assets/x.h", "\"runtime/math/affine.h\""), 0u);
+  EXPECT_EQ(count("runtime/math/x.h", "\"runtime/clip/clip.h\""), 1u);
+  EXPECT_EQ(count("runtime/clip/x.h", "\"runtime/math/affine.h\""), 0u);
+  EXPECT_EQ(count("runtime/clip/x.h", "\"runtime/model/scene.h\""), 1u);
+  EXPECT_EQ(count("runtime/playback/x.h", "\"runtime/plan/compile_plan.h\""), 1u);
+  for (const char* offline : {"\"runtime/compress/clip_error.h\"", "\"runtime/lod/clip_bounds.h\""})
+    for (const char* frame : {"runtime/pose/x.cpp", "runtime/deform/simd/x-inl.h", "runtime/plan/x.cpp", "runtime/threads/x.cpp"})
+      EXPECT_EQ(count(frame, offline), 1u) << frame << offline;
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"importer/import_gltf.h\""), 1u);
-  EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/jobs/sample_clip.h\""), 1u);
-  EXPECT_EQ(count("importer/tool/x.cpp", "\"runtime/jobs/sample_clip.h\""), 0u);
+  EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);
+  EXPECT_EQ(count("importer/tool/x.cpp", "\"runtime/pose/sample_clip.h\""), 0u);
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"runtime/c/frame.h\""), 1u);
   EXPECT_EQ(count("importer/c/x.cpp", "\"runtime/c/handles.h\""), 0u);
   EXPECT_EQ(count("importer/read/x.cpp", "\"runtime/c/handles.h\""), 1u);
@@ -97,7 +129,7 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("viewer/app/main.cpp", "\"importer/import_gltf.h\""), 0u);
   EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel.h\""), 1u);
   EXPECT_EQ(count("samples/x/main.cpp", "\"tests/support/near.h\""), 1u);
-  EXPECT_EQ(count("runtime/jobs/x.cpp", "<vulkan/vulkan.h>"), 1u);
+  EXPECT_EQ(count("runtime/pose/x.cpp", "<vulkan/vulkan.h>"), 1u);
   EXPECT_EQ(count("importer/tool/x.cpp", "\"tiny_gltf.h\""), 1u);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "importer/import_gltf.h"
-#include "runtime/plan/compile_clip_within.h"
+#include "runtime/compress/compile_clip_within.h"
 #include "samples/showcase/showcase.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/swinging.h"

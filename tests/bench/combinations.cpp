@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "runtime/jobs/blend_combinations.h"
+#include "runtime/deform/blend_combinations.h"
 
 namespace sinew::bench {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/skin.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/model/skin.h"
+#include "runtime/deform/skin_linear.h"
 
 namespace sinew::bench {
 

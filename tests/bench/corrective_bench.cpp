@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/jobs/correct_pose.h"
+#include "runtime/pose/correct_pose.h"
 #include "tests/bench/measure.h"
 #include "tests/reference/pose_corrective.h"
 #include "tests/scenes/pose_samples.h"

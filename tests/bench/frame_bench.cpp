@@ -160,14 +160,14 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("all", needs);
   Needs fewer = needs;
   const std::size_t joints = scene->skeleton.joint_count();
-  for (std::size_t j = 0; j < joints; ++j) fewer.joint_detail.kept.push_back(2 * j < joints);   // parents come first
+  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);   // parents come first
   add_level("half", fewer);
   needs.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);
   add("pose/sinew/" + name + "/between", 1, [scene, between, step = 0]() mutable {
     const ClipLayer start{0, 0.1}, end{0, 0.2};
     step = (step + 1) % 1000;
-    const FrameInput input{.layers = {&start, 1}, .weights = {}, .root = {}, .ahead = {&end, 1}, .toward = 0.0005f + 0.001f * static_cast<float>(step)};
+    const FrameInput input{.layers = {&start, 1}, .weights = {}, .root = {}, .next_layers = {&end, 1}, .interpolation_factor = 0.0005f + 0.001f * static_cast<float>(step)};
     if (run_plan(between->plan, input, between->frame) != ErrorCode::ok) std::abort();
   });
 }

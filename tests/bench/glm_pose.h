@@ -8,8 +8,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "runtime/assets/bone_animation.h"
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/bone_animation.h"
+#include "runtime/animation/skeleton.h"
 
 /// The pose jobs as plain GLM code writes them: arrays of structures, one binary search per track, glm::slerp, mat4.
 namespace sinew::bench::glm_pose {

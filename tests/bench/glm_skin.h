@@ -6,8 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "runtime/assets/mesh.h"
-#include "runtime/jobs/vertex_streams.h"
+#include "runtime/model/mesh.h"
+#include "runtime/deform/vertex_streams.h"
 
 /// The vertex jobs as plain GLM code writes them.
 namespace sinew::bench::glm_skin {

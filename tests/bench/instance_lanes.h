@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "runtime/assets/skeleton.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/animation/skeleton.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew::bench {
 

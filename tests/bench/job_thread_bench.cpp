@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/plan/job_thread.h"
-#include "runtime/plan/tbb_executor.h"
+#include "runtime/threads/job_thread.h"
+#include "runtime/threads/tbb_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/measure.h"
 

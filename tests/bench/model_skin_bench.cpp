@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/jobs/sample_clip.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/pose/sample_clip.h"
+#include "runtime/deform/skin_linear.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/combinations.h"
 #include "tests/bench/glm_skin.h"

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "runtime/assets/unpack_clip.h"
+#include "runtime/clip/unpack_clip.h"
 #include "runtime/base/same_bits.h"
-#include "runtime/jobs/blend_poses.h"
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/jobs/sample_clip.h"
-#include "runtime/plan/tbb_executor.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/pose/sample_clip.h"
+#include "runtime/threads/tbb_executor.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/glm_pose.h"
 #include "tests/bench/instance_lanes.h"

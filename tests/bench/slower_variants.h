@@ -2,9 +2,9 @@
 #pragma once
 #include <span>
 
-#include "runtime/jobs/blend_matrix.h"
-#include "runtime/jobs/blend_motion.h"
-#include "runtime/jobs/vertex_streams.h"
+#include "runtime/deform/simd/blend_matrix.h"
+#include "runtime/deform/simd/blend_motion.h"
+#include "runtime/deform/vertex_streams.h"
 
 /// Ways of our own that lost, kept to be measured beside the winner.
 namespace sinew::bench {

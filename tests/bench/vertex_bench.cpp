@@ -2,16 +2,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/jobs/joint_palette.h"
-#include "runtime/jobs/local_to_model.h"
-#include "runtime/jobs/morph_vertices.h"
-#include "runtime/jobs/sample_clip.h"
-#include "runtime/jobs/skin_center_of_rotation.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/deform/morph_vertices.h"
+#include "runtime/pose/sample_clip.h"
+#include "runtime/deform/skin_center_of_rotation.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
 #include "runtime/plan/needs.h"
-#include "runtime/plan/sign_pairs.h"
-#include "runtime/plan/tbb_executor.h"
+#include "runtime/pose/hemisphere_pairs.h"
+#include "runtime/threads/tbb_executor.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/slower_variants.h"
@@ -58,7 +58,7 @@ struct Surface {
     split.resize(skin.joints.size());
     run(JointPaletteJob{&skin, model, palette});
     pairs = sharing_pairs(primitive.influences, palette.size());
-    run(SplitPaletteJob{palette, split, &any_stretch, sign_edges(skeleton, skin)});
+    run(SplitPaletteJob{palette, split, &any_stretch, hemisphere_edges(skeleton, skin)});
     for (const JointMatrix& m : palette) glm_palette.push_back(mat4_from_affine(affine_from(m)));
     for (const RigidStretch& s : split) glm_rigid.push_back({s.rigid.real, s.rigid.dual});
   }

@@ -9,7 +9,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/c/handles.h"
-#include "runtime/plan/event_cursor.h"
+#include "runtime/playback/event_cursor.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/c/engine.h"
 #include "tests/scenes/hand_scenes.h"

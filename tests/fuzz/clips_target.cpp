@@ -2,8 +2,8 @@
 #include <cstring>
 #include <vector>
 
-#include "runtime/assets/clip_file.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/pose/sample_clip.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/tiny_assets.h"
 

@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "runtime/plan/frame_hash.h"
-#include "runtime/plan/job_thread.h"
+#include "runtime/threads/job_thread.h"
 #include "tests/golden/golden_scenes.h"
-#include "tests/plan/thread_executor.h"
+#include "tests/threads/thread_executor.h"
 #include "tests/support/simd_targets.h"
 
 namespace sinew::test {

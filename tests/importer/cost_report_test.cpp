@@ -15,7 +15,7 @@
 #include "importer/tool/cost/run_beside.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/write_report.h"
-#include "runtime/assets/clip_file.h"
+#include "runtime/clip/clip_file.h"
 #include "runtime/math/interpolate.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"

@@ -9,8 +9,8 @@
 
 #include "importer/import_gltf.h"
 #include "importer/tool/length_text.h"
-#include "runtime/assets/unpack_clip.h"
-#include "runtime/plan/compile_clip_within.h"
+#include "runtime/clip/unpack_clip.h"
+#include "runtime/compress/compile_clip_within.h"
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
 #include "tests/support/corpus.h"

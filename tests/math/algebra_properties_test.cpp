@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "runtime/math/affine.h"
-#include "runtime/math/approximate_slerp.h"
+#include "importer/tool/cost/approximate_slerp.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/inverse.h"
 #include "runtime/math/rotation_between.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/jobs/pose.h"
+#include "runtime/pose/pose.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/plan_dump.h"

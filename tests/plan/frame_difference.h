@@ -9,11 +9,11 @@
 
 namespace sinew::test {
 
-inline Needs needs_with(JointDetail detail, Skinning skinning) {
+inline Needs needs_with(SkeletonLod detail, Skinning skinning) {
   Needs needs;
   needs.skinning = skinning;
   needs.normals = needs.tangents = false;
-  needs.joint_detail = std::move(detail);
+  needs.skeleton_lod = std::move(detail);
   return needs;
 }
 
@@ -33,7 +33,7 @@ struct Difference {
 };
 
 /// The largest distance between vertices of frames with and without the joints left out, at times all over a clip.
-inline Difference difference_of(const Scene& scene, const JointDetail& detail, std::uint32_t clip, int times, Skinning skinning = Skinning::linear) {
+inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, std::uint32_t clip, int times, Skinning skinning = Skinning::linear) {
   const Plan full = compile_plan(scene, needs_with({}, skinning)), lean = compile_plan(scene, needs_with(detail, skinning));
   FrameBuffer all(full), some(lean);
   Difference found;

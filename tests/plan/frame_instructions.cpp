@@ -60,8 +60,8 @@ void add_static_nodes(Scene& scene, std::uint32_t count) {
 
 Needs without_joints(std::uint32_t kept, std::uint32_t left_out) {
   Needs needs;
-  needs.joint_detail.kept.assign(kept, true);
-  needs.joint_detail.kept.resize(kept + left_out, false);
+  needs.skeleton_lod.kept.assign(kept, true);
+  needs.skeleton_lod.kept.resize(kept + left_out, false);
   return needs;
 }
 

@@ -8,7 +8,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/run_plan.h"
-#include "runtime/plan/truth_pose.h"
+#include "runtime/animation/truth_pose.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -22,9 +22,9 @@ Needs between() {
   return needs;
 }
 
-FrameInput from_to(std::span<const ClipLayer> layers, std::span<const ClipLayer> ahead, float toward) {
+FrameInput from_to(std::span<const ClipLayer> layers, std::span<const ClipLayer> ahead, float interpolation_factor) {
   FrameInput input;
-  input.layers = layers, input.ahead = ahead, input.toward = toward;
+  input.layers = layers, input.next_layers = ahead, input.interpolation_factor = interpolation_factor;
   return input;
 }
 

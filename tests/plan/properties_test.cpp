@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/assets/scene_look.h"
+#include "runtime/model/scene_look.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/assets/track_sample.h"
+#include "runtime/animation/track_sample.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/pose/sample_clip.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/near.h"

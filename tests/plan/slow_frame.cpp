@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "runtime/assets/track_sample.h"
+#include "runtime/animation/track_sample.h"
 #include "runtime/math/decompose.h"
 #include "tests/reference/pose_corrective.h"
 #include "tests/reference/skinning.h"

@@ -167,7 +167,7 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   for (int number = 0; number < 8; ++number) {
     const ClipLayer now[] = {{0, 0.1 * number, 0.7f}, {0, 0.9, 0.4f}}, ahead[] = {{0, 0.1 * number + 0.1, 0.5f}, {0, 0.3, 0.3f}};
     FrameInput input{.layers = now, .weights = {}, .root = {}};
-    if (number > 4) input.ahead = ahead, input.toward = 0.3f;
+    if (number > 4) input.next_layers = ahead, input.interpolation_factor = 0.3f;
     FrameBuffer fresh(plan);
     for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
     expect_same(frame.result(), fresh.result());

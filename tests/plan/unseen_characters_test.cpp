@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "runtime/base/same_bits.h"
-#include "runtime/plan/event_cursor.h"
-#include "runtime/plan/job_thread.h"
-#include "runtime/plan/root_motion.h"
+#include "runtime/playback/event_cursor.h"
+#include "runtime/threads/job_thread.h"
+#include "runtime/playback/root_motion.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"

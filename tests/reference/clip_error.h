@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "runtime/assets/scene.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/model/scene.h"
+#include "runtime/pose/sample_clip.h"
 #include "tests/reference/sampling.h"
 #include "tests/support/tiny_assets.h"
 

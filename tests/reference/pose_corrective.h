@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/assets/pose_samples.h"
+#include "runtime/model/pose_samples.h"
 
 namespace sinew::reference {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/track.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/animation/track.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew::reference {
 

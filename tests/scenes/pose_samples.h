@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "runtime/assets/pose_samples.h"
+#include "runtime/model/pose_samples.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {

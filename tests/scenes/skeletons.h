@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/skeleton.h"
 
 /// Skeletons of typical shapes, built in code for tests and benchmarks alike.
 namespace sinew::scenes {

@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
-#include "runtime/assets/scene.h"
-#include "runtime/jobs/vertex_streams.h"
+#include "runtime/model/scene.h"
+#include "runtime/deform/vertex_streams.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::scenes {

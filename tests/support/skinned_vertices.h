@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/skin.h"
-#include "runtime/jobs/vertex_streams.h"
+#include "runtime/model/skin.h"
+#include "runtime/deform/vertex_streams.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/math/transform.h"
 #include "tests/support/fixed_random.h"

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "runtime/jobs/skin_center_of_rotation.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/deform/skin_center_of_rotation.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
 #include "tests/support/skinned_vertices.h"
 
 namespace sinew::test {

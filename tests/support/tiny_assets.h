@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/assets/scene.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/model/scene.h"
+#include "runtime/pose/pose.h"
 #include "tests/support/fixed_random.h"
 
 /// Small assets in few words.

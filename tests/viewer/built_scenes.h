@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew::viewer {

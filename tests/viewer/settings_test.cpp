@@ -79,7 +79,7 @@ TEST(settings, show_and_skinning_go_around) {
 }
 
 TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
-  ClipBounds standing, walking;
+  ClipExtent standing, walking;
   standing.reached.add({-1, 0, -1}), standing.reached.add({1, 2, 1});
   standing.largest = walking.largest = standing.reached;
   walking.reached = standing.reached;

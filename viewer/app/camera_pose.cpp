@@ -11,8 +11,8 @@ Needs needs_for(const Scene& scene, std::uint32_t camera) {
   Needs needs;
   needs.positions = needs.normals = needs.tangents = needs.weights = false;
   needs.max_layers = 1;
-  needs.joint_detail.kept.assign(scene.skeleton.joint_count(), false);
-  needs.joint_detail.kept[scene.cameras[camera].joint] = true;
+  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+  needs.skeleton_lod.kept[scene.cameras[camera].joint] = true;
   return needs;
 }
 

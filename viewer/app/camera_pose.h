@@ -2,14 +2,14 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/assets/scene_look.h"
+#include "runtime/model/scene_look.h"
 #include "runtime/plan/run_plan.h"
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {
 
 /// A camera of the file at any time, known before the pose is: a plan of its own evaluates the camera's joint and those above it,
-/// and no other (JointDetail).
+/// and no other (SkeletonLod).
 class CameraPose {
  public:
   /// in   camera  of the scene, on a joint; the scene must outlive this

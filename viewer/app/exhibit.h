@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"

@@ -55,7 +55,7 @@ class Poser {
   UpdateLevels levels_;
 };
 
-OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
+OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
   OrbitCamera camera;
   camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
   camera.frame(bounds.outline.points(), static_cast<double>(options.width) / options.height);
@@ -63,7 +63,7 @@ OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const Cli
 }
 
 // A camera that was placed is taken as it is: an orbit camera cannot look straight down.
-View view_for(const Options& options, const Exhibit& exhibit, const ClipBounds& bounds) {
+View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
   const OrbitCamera camera = camera_for(options, exhibit, bounds);
   const auto placed = options.camera ? options.camera : exhibit.camera;
   if (!placed) return camera.view(bounds.reached);
@@ -76,7 +76,7 @@ class PictureMaker {
  public:
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
       : clip_(clip),
-        bounds_(clip_bounds(exhibit.scene, clip)),
+        bounds_(clip_extent(exhibit.scene, clip)),
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
         transparent_(options.transparent),
@@ -125,7 +125,7 @@ class PictureMaker {
   }
 
   std::uint32_t clip_;
-  ClipBounds bounds_;
+  ClipExtent bounds_;
   View view_;
   Settings settings_;
   bool transparent_, watches_plan_;

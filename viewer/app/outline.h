@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew::viewer {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/assets/scene.h"
-#include "runtime/plan/playback_clock.h"
+#include "runtime/model/scene.h"
+#include "runtime/playback/playback_clock.h"
 #include "runtime/plan/run_plan.h"
 
 namespace sinew::viewer {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::viewer {
 

@@ -52,7 +52,7 @@ void next_show(Settings& settings) noexcept {
   }
 }
 
-RenderOptions render_options(const Settings& settings, const ClipBounds& bounds, const glm::dvec3& eye) {
+RenderOptions render_options(const Settings& settings, const ClipExtent& bounds, const glm::dvec3& eye) {
   RenderOptions options = render_options_for(bounds.reached, eye);
   options.ao = ambient_occlusion_for(bounds.largest);
   options.ao.on = settings.ambient_occlusion;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "runtime/plan/needs.h"
-#include "viewer/app/clip_bounds.h"
+#include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/options.h"
 #include "viewer/passes/render_options.h"
@@ -52,6 +52,6 @@ void next_skinning(Settings& settings) noexcept;
 void next_show(Settings& settings) noexcept;
 
 /// What the renderer takes for these settings, with lengths that follow the clip's size.
-RenderOptions render_options(const Settings& settings, const ClipBounds& bounds, const glm::dvec3& eye);
+RenderOptions render_options(const Settings& settings, const ClipExtent& bounds, const glm::dvec3& eye);
 
 }  // namespace sinew::viewer

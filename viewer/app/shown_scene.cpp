@@ -52,7 +52,7 @@ Result<Ticket> ShownScene::ask() {
   const auto ticket = jobs_->submit({&input, 1});
   if (!ticket) return ticket;
   ticket_ = *ticket;
-  asked_ = current(), asked_exactly_ = input.toward == 0.0f && same_layers(input.layers, now.layers);
+  asked_ = current(), asked_exactly_ = input.interpolation_factor == 0.0f && same_layers(input.layers, now.layers);
   asked_unseen_ = unseen_, asked_joints_ = joints_watched_;
   ready_seen_ = false;
   return ticket;
@@ -113,10 +113,10 @@ std::span<const LineVertex> ShownScene::skeleton_lines() {
   return skeleton_.make(newest_->model, skeleton_.axis_length_m(bounds().largest));
 }
 
-const ClipBounds& ShownScene::bounds() {
+const ClipExtent& ShownScene::bounds() {
   const std::uint32_t clip = playback_.clip();
   auto& known = clip < exhibit_.scene.animations.size() ? bounds_[clip] : bounds_.back();
-  if (!known) known = clip_bounds(exhibit_.scene, clip);
+  if (!known) known = clip_extent(exhibit_.scene, clip);
   return *known;
 }
 

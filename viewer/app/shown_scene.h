@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/scene_look.h"
-#include "runtime/plan/job_thread.h"
+#include "runtime/model/scene_look.h"
+#include "runtime/threads/job_thread.h"
 #include "viewer/app/camera_pose.h"
-#include "viewer/app/clip_bounds.h"
+#include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/sight.h"
@@ -67,7 +67,7 @@ class ShownScene {
   std::span<const LineVertex> skeleton_lines();
 
   /// Of the clip that plays now; worked out once for each clip.
-  const ClipBounds& bounds();
+  const ClipExtent& bounds();
 
   ErrorCode last_error() const noexcept { return jobs_->last_error(); }
 
@@ -105,7 +105,7 @@ class ShownScene {
   FrameUpload frame_upload_;
   SceneLook look_;
   SkeletonLines skeleton_;
-  std::vector<std::optional<ClipBounds>> bounds_;   ///< [clips + 1], the last is the rest pose
+  std::vector<std::optional<ClipExtent>> bounds_;   ///< [clips + 1], the last is the rest pose
 };
 
 }  // namespace sinew::viewer

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/plan/clip_reach.h"
+#include "runtime/lod/clip_bounds.h"
 #include "runtime/plan/frame_input.h"
 #include "viewer/passes/view.h"
 

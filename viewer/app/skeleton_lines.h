@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/math/affine.h"
 #include "viewer/passes/frame_renderer.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "runtime/plan/frame_result.h"
-#include "runtime/plan/interpolated_input.h"
+#include "runtime/lod/interpolated_input.h"
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {

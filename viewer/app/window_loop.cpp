@@ -207,7 +207,7 @@ PanelFacts WindowLoop::facts() {
 }
 
 void WindowLoop::draw() {
-  const ClipBounds& bounds = shown_->bounds();
+  const ClipExtent& bounds = shown_->bounds();
   const View view = settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
   const RenderOptions look = render_options(settings_, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {

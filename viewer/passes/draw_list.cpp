@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "runtime/assets/mesh_copies.h"
+#include "runtime/model/mesh_copies.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {

@@ -7,7 +7,7 @@
 #include <vulkan/vulkan.h>
 #include <glm/vec4.hpp>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/ssao_kernel.h"
 #include "viewer/passes/view.h"

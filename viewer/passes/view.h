@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/assets/mesh.h"
+#include "runtime/model/mesh.h"
 #include "runtime/math/affine.h"
 
 namespace sinew::viewer {

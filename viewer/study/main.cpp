@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/plan/run_plan.h"
-#include "viewer/app/clip_bounds.h"
+#include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/scene_choice.h"
@@ -32,7 +32,7 @@ Json json_of(const OcclusionStudy& study) {
   return out;
 }
 
-View view_of(const Exhibit& exhibit, const ClipBounds& bounds, double aspect) {
+View view_of(const Exhibit& exhibit, const ClipExtent& bounds, double aspect) {
   OrbitCamera camera;
   camera.fov_y_rad = exhibit.fov_y_rad;
   if (exhibit.camera) {
@@ -50,7 +50,7 @@ OcclusionStudy study_of(Device& device, const Exhibit& exhibit, std::uint32_t cl
   FrameInput input;
   if (clip != kNone) input.layers = {&layer, 1};
   if (run_plan(plan, input, frame) != ErrorCode::ok) throw std::runtime_error("the frame cannot be evaluated");
-  const ClipBounds bounds = clip_bounds(exhibit.scene, clip);
+  const ClipExtent bounds = clip_extent(exhibit.scene, clip);
   const View view = view_of(exhibit, bounds, static_cast<double>(effort.width) / effort.height);
   return study_occlusion(device, exhibit.scene, frame.result(), view, ambient_occlusion_for(bounds.largest), effort);
 }

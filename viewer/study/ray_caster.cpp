@@ -16,7 +16,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "runtime/assets/mesh_copies.h"
+#include "runtime/model/mesh_copies.h"
 #include "runtime/math/normal_transform.h"
 
 namespace sinew::viewer {

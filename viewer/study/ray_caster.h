@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew::viewer {

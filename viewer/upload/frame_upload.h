@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "runtime/assets/scene_look.h"
+#include "runtime/model/scene_look.h"
 #include "runtime/plan/frame_result.h"
 #include "viewer/device/device.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "runtime/assets/scene_look.h"
+#include "runtime/model/scene_look.h"
 #include "viewer/upload/upload_mesh.h"
 
 namespace sinew::viewer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/upload/scene_bounds.h"
 
-#include "runtime/assets/mesh_copies.h"
+#include "runtime/model/mesh_copies.h"
 
 namespace sinew::viewer {
 

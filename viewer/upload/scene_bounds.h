@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew::viewer {

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "runtime/assets/scene_look.h"
+#include "runtime/model/scene_look.h"
 #include "viewer/device/device.h"
 
 namespace sinew::viewer {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "viewer/upload/staging.h"
 
 namespace sinew::viewer {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 #include "viewer/upload/staging.h"
 
 namespace sinew::viewer {

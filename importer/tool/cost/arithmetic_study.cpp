@@ -10,7 +10,7 @@
 #include "importer/tool/cost/limb.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
-#include "runtime/jobs/skin_linear.h"
+#include "runtime/deform/skin_linear.h"
 
 namespace sinew::cost {
 namespace {

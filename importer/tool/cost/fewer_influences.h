@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/assets/skin.h"
+#include "runtime/model/skin.h"
 
 namespace sinew::cost {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/assets/packed_keys.h"
+#include "runtime/clip/packed_keys.h"
 
 namespace sinew::cost {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/assets/bone_animation.h"
-#include "runtime/assets/key_tolerances.h"
+#include "runtime/animation/bone_animation.h"
+#include "runtime/clip/key_tolerances.h"
 
 namespace sinew::cost {
 

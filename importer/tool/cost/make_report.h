@@ -6,7 +6,7 @@
 
 #include "importer/tool/cost/report.h"
 #include "importer/tool/cost/study.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::cost {
 

@@ -8,8 +8,8 @@
 #include "importer/tool/cost/skinned_part.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
-#include "runtime/assets/track_sample.h"
-#include "runtime/jobs/morph_vertices.h"
+#include "runtime/animation/track_sample.h"
+#include "runtime/deform/morph_vertices.h"
 
 namespace sinew::cost {
 namespace {

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/skin.h"
-#include "runtime/jobs/skin_linear.h"
-#include "runtime/jobs/vertex_streams.h"
+#include "runtime/model/skin.h"
+#include "runtime/deform/skin_linear.h"
+#include "runtime/deform/vertex_streams.h"
 #include "runtime/math/normal_transform.h"
 
 namespace sinew::cost {

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "importer/tool/cost/rotation_lanes.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/jobs/track_places-inl.h"
+#include "runtime/pose/simd/track_places-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::cost::HWY_NAMESPACE {

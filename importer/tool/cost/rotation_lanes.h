@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/assets/clip.h"
-#include "runtime/jobs/pose.h"
+#include "runtime/clip/clip.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew::cost {
 

@@ -9,8 +9,8 @@
 #include "importer/tool/cost/rotation_tracks.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
-#include "runtime/jobs/pose_memory.h"
-#include "runtime/jobs/sample_clip.h"
+#include "runtime/pose/pose_memory.h"
+#include "runtime/pose/sample_clip.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew::cost {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/assets/track_sample.h"
-#include "runtime/math/incremental_slerp.h"
+#include "runtime/animation/track_sample.h"
+#include "importer/tool/cost/incremental_slerp.h"
 
 namespace sinew::cost {
 namespace {

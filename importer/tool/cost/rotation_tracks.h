@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "runtime/assets/bone_animation.h"
-#include "runtime/assets/skeleton.h"
+#include "runtime/animation/bone_animation.h"
+#include "runtime/animation/skeleton.h"
 
 namespace sinew::cost {
 

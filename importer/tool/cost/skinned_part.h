@@ -7,7 +7,7 @@
 
 #include "importer/tool/cost/plain_skinning.h"
 #include "importer/tool/cost/subject.h"
-#include "runtime/jobs/joint_palette.h"
+#include "runtime/pose/joint_palette.h"
 
 namespace sinew::cost {
 

@@ -10,10 +10,10 @@
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/topology/centers_of_rotation.h"
-#include "runtime/jobs/skin_center_of_rotation.h"
-#include "runtime/jobs/skin_dual_quaternion.h"
+#include "runtime/deform/skin_center_of_rotation.h"
+#include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/plan/needs.h"
-#include "runtime/plan/sign_pairs.h"
+#include "runtime/pose/hemisphere_pairs.h"
 
 namespace sinew::cost {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 class Skinner {
  public:
   Skinner(const SkinnedPart& part, std::span<const glm::vec3> centers)
-      : part_(part), centers_(centers.begin(), centers.end()), split_(part.skin->joints.size()), edges_(sign_edges(*part.skeleton, *part.skin)),
+      : part_(part), centers_(centers.begin(), centers.end()), split_(part.skin->joints.size()), edges_(hemisphere_edges(*part.skeleton, *part.skin)),
         pairs_(sharing_pairs(part.primitive->influences, split_.size())), out_(part.vertex_count()) {}
 
   /// Splitting the joints' matrices is part of the rigid kinds, once a frame.

@@ -9,11 +9,11 @@
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"
-#include "runtime/assets/clip_file.h"
-#include "runtime/assets/track_sample.h"
-#include "runtime/jobs/pose_memory.h"
-#include "runtime/jobs/sample_clip.h"
-#include "runtime/plan/compile_clip_within.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/animation/track_sample.h"
+#include "runtime/pose/pose_memory.h"
+#include "runtime/pose/sample_clip.h"
+#include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::cost {
 namespace {

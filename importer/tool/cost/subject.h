@@ -4,7 +4,7 @@
 
 #include "importer/tool/cost/skin_probe.h"
 #include "importer/tool/cost/study.h"
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::cost {
 

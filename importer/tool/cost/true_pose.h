@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/assets/scene.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::cost {
 

@@ -3,7 +3,7 @@
 // neither. Exit status 0 when the frame is right.
 #include <cstdio>
 
-#include "runtime/plan/playback_clock.h"
+#include "runtime/playback/playback_clock.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/scenes/hand_scenes.h"
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "runtime/animation/track.h"
+#include "runtime/math/squad.h"
+
+/// Plain evaluation of authoring tracks in float or double. Double is the truth that compiled clips are held to.
+namespace sinew {
+
+/// Where a time falls among the keys: on key `key` itself (also before the first and after the last, G10), or the
+/// fraction 0 < s < 1 of the way from `key` to the next one, `interval_s` > 0 later.
+struct KeyPosition {
+  std::size_t key = 0;
+  bool on_key = true;
+  double fraction = 0.0;
+  double interval_s = 0.0;
+};
+
+/// Position of `time_s` when `key` is the last key at or before it. The difference to the key time is taken in double (N24).
+inline KeyPosition position_after(std::span<const float> times_s, std::size_t key, double time_s) noexcept {
+  const double begin = static_cast<double>(times_s[key]);
+  if (time_s == begin || key + 1 == times_s.size()) return {key, true, 0.0, 0.0};
+  const double interval = static_cast<double>(times_s[key + 1]) - begin;
+  return {key, false, (time_s - begin) / interval, interval};
+}
+
+/// Of equal key times the last one counts: the value jumps there (G13).
+/// in   times_s[K]  K >= 1, never decreasing;  a time that is NaN falls on the first key      cost O(log K)
+inline KeyPosition locate_key(std::span<const float> times_s, double time_s) noexcept {
+  if (!(time_s >= static_cast<double>(times_s.front()))) return {};
+  const auto after = std::upper_bound(times_s.begin(), times_s.end(), time_s,
+                                      [](double t, float key) { return t < static_cast<double>(key); });
+  return position_after(times_s, static_cast<std::size_t>(after - times_s.begin()) - 1, time_s);
+}
+
+/// The four corners of squad between key k and k + 1; `end` and `end_control` are on the half sphere of `begin` (N08).
+template <class T>
+struct SquadSegment {
+  Quat<T> begin, begin_control, end_control, end;
+};
+
+/// Builds the corners from the keys around. The track's ends and jumps have no neighbour on their far side: there the
+/// key itself is the control point (N09).
+template <class T>
+SquadSegment<T> squad_segment(const QuatTrack& track, std::size_t k) noexcept {
+  const auto& times = track.times_s;
+  const auto key = [&](std::size_t i) { return normalised(quat_cast<T>(track.values[i])); };
+  const auto apart = [&](std::size_t i) { return static_cast<T>(static_cast<double>(times[i + 1]) - static_cast<double>(times[i])); };
+  const T length = apart(k);
+  SquadSegment<T> s;
+  s.begin = s.begin_control = key(k);
+  s.end = s.end_control = aligned_with(s.begin, key(k + 1));
+  if (k > 0 && apart(k - 1) > T(0))
+    s.begin_control = squad_controls_uneven(aligned_with(s.begin, key(k - 1)), s.begin, s.end, apart(k - 1), length).outgoing;
+  if (k + 2 < times.size() && apart(k + 1) > T(0))
+    s.end_control = squad_controls_uneven(s.begin, s.end, aligned_with(s.end, key(k + 2)), length, apart(k + 1)).incoming;
+  return s;
+}
+
+/// Row of a key's own value among the rows of `values`: cubic keys have a tangent on either side.
+inline std::size_t value_row(Interpolation interpolation, std::size_t key) noexcept {
+  return interpolation == Interpolation::cubic_spline ? 3 * key + 1 : key;
+}
+
+/// Value at `fraction` of the way from key `a` to key `b` if there were no keys between them; squad takes its slerp.
+/// eq   glTF 2.0, Appendix C.   in  0 < fraction < 1 of interval_s seconds
+template <class T>
+Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t i) { return Vec3<T>(track.values[i]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return lerp(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// The same for rotations: slerp on the short arc, Hermite then normalised.
+template <class T>
+Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t i) { return quat_cast<T>(track.values[i]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite_rotation(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return slerp_short_arc(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// The same for one of the weights.
+template <class T>
+T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s, std::size_t weight) noexcept {
+  const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
+  const auto value = [&](std::size_t row) { return static_cast<T>(track.values[row * track.target_count + weight]); };
+  if (track.interpolation == Interpolation::step) return value(from);
+  if (track.interpolation == Interpolation::cubic_spline)
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+  return lerp(value(from), value(to), static_cast<T>(fraction));
+}
+
+/// in  a track that passed check(Track)
+template <class T>
+Vec3<T> sample_track(const Vec3Track& track, double time_s) noexcept {
+  const KeyPosition at = locate_key(track.times_s, time_s);
+  if (at.on_key) return Vec3<T>(track.values[value_row(track.interpolation, at.key)]);
+  return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
+}
+
+/// eq   squad by Shoemake 1987
+template <class T>
+Quat<T> sample_track(const QuatTrack& track, double time_s) noexcept {
+  const KeyPosition at = locate_key(track.times_s, time_s);
+  if (at.on_key) return quat_cast<T>(track.values[value_row(track.interpolation, at.key)]);
+  if (track.interpolation != Interpolation::squad) return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
+  const SquadSegment<T> c = squad_segment<T>(track, at.key);
+  return squad(c.begin, c.begin_control, c.end_control, c.end, static_cast<T>(at.fraction));
+}
+
+/// out  weights[track.target_count]
+template <class T>
+void sample_track(const WeightTrack& track, double time_s, std::span<T> weights) noexcept {
+  const KeyPosition at = locate_key(track.times_s, time_s);
+  for (std::size_t i = 0; i < track.target_count; ++i)
+    weights[i] = at.on_key ? static_cast<T>(track.values[value_row(track.interpolation, at.key) * track.target_count + i])
+                           : between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s, i);
+}
+
+}  // namespace sinew

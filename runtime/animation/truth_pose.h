@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "runtime/animation/bone_animation.h"
+#include "runtime/animation/skeleton.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+
+inline Transformd in_double(const Transform& t) noexcept {
+  return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
+}
+
+/// A pose in double precision from the authoring form: what compiled clips are measured against.
+struct TruthPose {
+  std::vector<Transformd> local;   ///< [J]
+  std::vector<Affined> model;      ///< [J]
+};
+
+/// Local transforms and model matrices at one time; joints without tracks rest.
+/// cost O(tracks log keys + J), allocates when `out` is smaller than the skeleton
+void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out);
+
+/// eq   M[j] = M[parent(j)] * T(j) * R(j) * S(j), or the joint's fixed matrix      out  model[J]
+void model_from_local(const Skeleton& skeleton, std::span<const Transformd> local, std::span<Affined> model);
+
+}  // namespace sinew

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/clip.h"
+
+#include <utility>
+
+#include "runtime/clip/clip_layout.h"
+
+namespace sinew {
+
+Clip::Clip() : layout_(std::make_unique<ClipLayout>()) {}
+Clip::Clip(ClipLayout&& layout) : layout_(std::make_unique<ClipLayout>(std::move(layout))) {}
+Clip::Clip(Clip&&) noexcept = default;
+Clip& Clip::operator=(Clip&&) noexcept = default;
+Clip::~Clip() = default;
+
+const std::string& Clip::name() const noexcept { return layout_->name; }
+double Clip::duration_s() const noexcept { return layout_->duration_s; }
+std::size_t Clip::joint_count() const noexcept { return layout_->joint_count; }
+std::size_t Clip::weight_count() const noexcept { return layout_->base_weights.size(); }
+std::size_t Clip::property_count() const noexcept { return layout_->base_properties.size(); }
+Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
+
+const std::optional<ClipCertificate>& Clip::certificate() const noexcept { return layout_->certificate; }
+
+Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
+  clip.layout_->certificate = certificate;
+  return clip;
+}
+
+Clip clip_of(ClipLayout layout) { return Clip(std::move(layout)); }
+
+std::size_t Clip::byte_size() const noexcept {
+  std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
+                      sizeof(float);
+  for (const TimeGroup& group : layout_->groups) {
+    bytes += group.times.byte_size();
+    for (const TrackBlock& block : group.blocks)
+      bytes += block.rows.size() * sizeof(float) + block.packed.byte_size() + block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
+  }
+  return bytes;
+}
+
+}  // namespace sinew

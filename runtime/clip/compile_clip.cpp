@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numeric>
+
+#include "runtime/clip/clip_layout.h"
+#include "runtime/clip/track_rows.h"
+#include "runtime/base/contract.h"
+#include "runtime/base/same_bits.h"
+
+namespace sinew {
+namespace {
+
+template <class TrackType>
+struct Lane {
+  std::uint32_t target;
+  const TrackType* track;
+  double tolerance = 0.0;   ///< of its keys; 0 = full float
+};
+
+/// A track of weights or numbers: its targets are neighbours.
+template <>
+struct Lane<WeightTrack> {
+  std::uint32_t target;     ///< the first
+  const WeightTrack* track;
+  std::span<const double> tolerances = {};  ///< of each target, or empty
+};
+
+/// Tracks that will share one key search.
+struct Draft {
+  std::vector<float> times_s;
+  std::vector<Lane<Vec3Track>> vectors[2];  // translation, scale
+  std::vector<Lane<QuatTrack>> rotations;
+  std::vector<Lane<WeightTrack>> weights, numbers;
+};
+
+/// Finds the draft with exactly these key times, or opens one.
+class Drafts {
+ public:
+  Draft& with_times(const std::vector<float>& times_s) {
+    const auto [found, is_new] = by_times_.try_emplace(times_s, all_.size());
+    if (is_new) all_.emplace_back().times_s = times_s;
+    return all_[found->second];
+  }
+  const std::vector<Draft>& all() const noexcept { return all_; }
+
+ private:
+  std::vector<Draft> all_;
+  std::map<std::vector<float>, std::size_t> by_times_;
+};
+
+bool is_cubic(Interpolation i) noexcept { return i == Interpolation::cubic_spline; }
+
+/// True when the track has the value of its first key at all times. Compares bits, so that folding changes no result.
+template <class V>
+bool is_constant(const Track<V>& track) noexcept {
+  const auto same = [](const V& a, const V& b) { return std::memcmp(&a, &b, sizeof(V)) == 0; };
+  const bool cubic = is_cubic(track.interpolation);
+  for (std::size_t i = 0; i < track.values.size(); ++i) {
+    if (cubic && i % 3 != 1) {
+      const bool unused = i == 0 || i + 1 == track.values.size();
+      if (!unused && track.values[i] != V{} * 0.0f) return false;
+    } else if (!same(track.values[i], track.values[cubic ? 1 : 0])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// True when the values between keys are stored ones, not made by interpolation and its normalisation.
+bool holds_keys(const QuatTrack& track) noexcept {
+  return track.interpolation == Interpolation::step || track.key_count() == 1;
+}
+
+/// Of length 1 within the rounding of four components.
+bool is_unit(const glm::quat& q) noexcept { return std::abs(safe_length(quat_cast<double>(q)) - 1.0) <= 0x1p-23; }
+
+/// True when no weight of the track ever changes. Compares bits.
+bool is_constant(const WeightTrack& track) noexcept {
+  const std::size_t n = track.target_count, rows = n == 0 ? 0 : track.values.size() / n;
+  const bool cubic = is_cubic(track.interpolation);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float* values = track.values.data() + row * n;
+    if (!cubic || row % 3 == 1) {
+      if (std::memcmp(values, track.values.data() + (cubic ? n : 0), n * sizeof(float)) != 0) return false;
+      continue;
+    }
+    const bool unused = row == 0 || row + 1 == rows;
+    for (std::size_t i = 0; i < n && !unused; ++i)
+      if (values[i] != 0.0f) return false;
+  }
+  return true;
+}
+
+constexpr Interpolation kInterpolations[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
+                                             Interpolation::squad};
+
+template <class TrackType>
+void add_full_block(TimeGroup& group, Property property, std::span<const Lane<TrackType>> lanes) {
+  TrackBlock block = block_of(property, lanes.front().track->interpolation, lanes.size());
+  make_room(block, group.times.key_count());
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    block.targets.push_back(lanes[i].target);
+    fill_lane(block, *lanes[i].track, i);
+  }
+  block.places = JointPlaces(block.targets);
+  group.blocks.push_back(std::move(block));
+}
+
+/// Blocks of no more lanes than packed rows can have.
+void add_packed_blocks(TimeGroup& group, Property property, Interpolation interpolation, std::span<const std::uint32_t> targets,
+                       std::span<const PackedTrack> tracks) {
+  for (std::size_t first = 0; first < tracks.size(); first += kMostPackedLanes) {
+    const std::size_t count = std::min(kMostPackedLanes, tracks.size() - first);
+    TrackBlock block = block_of(property, interpolation, count);
+    block.targets.assign(targets.begin() + static_cast<std::ptrdiff_t>(first), targets.begin() + static_cast<std::ptrdiff_t>(first + count));
+    block.packed = packed_rows(tracks.subspan(first, count), group.times.key_count());
+    if (property < Property::weight) block.places = JointPlaces(block.targets);
+    group.blocks.push_back(std::move(block));
+  }
+}
+
+template <class TrackType>
+void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<TrackType>>& lanes) {
+  for (const Interpolation interpolation : kInterpolations) {
+    std::vector<Lane<TrackType>> full;
+    std::vector<std::uint32_t> targets;
+    std::vector<PackedTrack> packed;
+    for (const auto& lane : lanes) {
+      if (lane.track->interpolation != interpolation) continue;
+      std::optional<PackedTrack> keys = lane.tolerance > 0.0 ? pack_keys(*lane.track, lane.tolerance) : std::nullopt;
+      if (!keys) {
+        full.push_back(lane);
+        continue;
+      }
+      targets.push_back(lane.target);
+      packed.push_back(*std::move(keys));
+    }
+    if (!full.empty()) add_full_block(group, property, std::span<const Lane<TrackType>>(full));
+    add_packed_blocks(group, property, interpolation, targets, packed);
+  }
+}
+
+/// All targets of a weight track in packed form, or nothing when one of them cannot be.
+std::vector<PackedTrack> packed_weights(const Lane<WeightTrack>& lane) {
+  std::vector<PackedTrack> packed;
+  for (std::uint32_t i = 0; i < lane.tolerances.size(); ++i) {
+    auto keys = lane.tolerances[i] > 0.0 ? pack_keys(*lane.track, i, lane.tolerances[i]) : std::nullopt;
+    if (!keys) return {};
+    packed.push_back(*std::move(keys));
+  }
+  return packed;
+}
+
+/// A weight track is frame-major already: its targets become lanes one after another.
+void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lane) {
+  const std::size_t n = lane.track->target_count;
+  std::vector<std::uint32_t> targets(n);
+  std::iota(targets.begin(), targets.end(), lane.target);
+  if (const std::vector<PackedTrack> packed = packed_weights(lane); !packed.empty())
+    return add_packed_blocks(group, property, lane.track->interpolation, targets, packed);
+  TrackBlock block = block_of(property, lane.track->interpolation, n);
+  make_room(block, group.times.key_count());
+  std::copy(lane.track->values.begin(), lane.track->values.end(), block.rows.begin());
+  block.targets = std::move(targets);
+  group.blocks.push_back(std::move(block));
+}
+
+/// One compilation: constant tracks go to the base pose, the others to drafts by key times.
+class Compiler {
+ public:
+  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties)
+      : layout_(layout), properties_(properties) {
+    layout.joint_count = skeleton.joint_count();
+    layout.base_pose = BasePose(skeleton.rest);
+    layout.base_weights.assign(rest_weights.begin(), rest_weights.end());
+    layout.base_properties = properties.rest;
+  }
+
+  void add(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
+    // One track per joint and property: when an animation has several, the last one counts (G20).
+    std::vector<Lane<Vec3Track>> translation(layout_.joint_count, {0, nullptr}), scale = translation;
+    std::vector<Lane<QuatTrack>> rotation(layout_.joint_count, {0, nullptr});
+    for (std::size_t b = 0; b < animation.bones.size(); ++b) {
+      const BoneAnimation& bone = animation.bones[b];
+      const KeyTolerances::OfBone tolerance = rounding.bones.empty() ? KeyTolerances::OfBone() : rounding.bones[b];
+      CONTRACT(bone.joint < layout_.joint_count);
+      if (!bone.translation.empty()) translation[bone.joint] = {bone.joint, &bone.translation, tolerance.translation};
+      if (!bone.rotation.empty()) rotation[bone.joint] = {bone.joint, &bone.rotation, tolerance.rotation};
+      if (!bone.scale.empty()) scale[bone.joint] = {bone.joint, &bone.scale, tolerance.scale};
+    }
+    for (std::uint32_t j = 0; j < layout_.joint_count; ++j) {
+      add_vector(Property::translation, translation[j]);
+      add_rotation(rotation[j]);
+      add_vector(Property::scale, scale[j]);
+    }
+    add_weights(animation, first_weight, rounding);
+    add_properties(animation);
+    for (const Draft& draft : drafts_.all()) add_group(draft);
+  }
+
+ private:
+  void add_vector(Property property, const Lane<Vec3Track>& lane) {
+    if (lane.track == nullptr) return;
+    const bool scale = property == Property::scale;
+    if (is_constant(*lane.track)) {
+      const glm::vec3& v = lane.track->values[value_row(lane.track->interpolation, 0)];
+      layout_.base_pose.set(first_plane(property), lane.target, {v.x, v.y, v.z});
+      ++layout_.counts.folded;
+      return;
+    }
+    drafts_.with_times(lane.track->times_s).vectors[scale ? 1 : 0].push_back(lane);
+  }
+
+  void add_rotation(const Lane<QuatTrack>& lane) {
+    if (lane.track == nullptr) return;
+    const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
+    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q)) && same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
+      layout_.base_pose.set_rotation(lane.target, q);
+      ++layout_.counts.folded;
+      return;
+    }
+    drafts_.with_times(lane.track->times_s).rotations.push_back(lane);
+  }
+
+  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
+    // One track per set of weights: when an animation has several, the last one counts.
+    std::map<std::uint32_t, Lane<WeightTrack>> tracks;
+    for (std::size_t i = 0; i < animation.weights.size(); ++i) {
+      const WeightAnimation& a = animation.weights[i];
+      CONTRACT(std::size_t{a.instance} + 1 < first_weight.size());
+      const std::uint32_t first = first_weight[a.instance] + a.first_target;
+      CONTRACT(first + a.weights.target_count <= first_weight[a.instance + 1]);
+      if (a.weights.empty() || a.weights.target_count == 0) continue;
+      tracks[first] = {first, &a.weights, rounding.weights.empty() ? std::span<const double>() : rounding.weights[i]};
+    }
+    for (const auto& [first, lane] : tracks)
+      if (!fold(*lane.track, layout_.base_weights, first)) drafts_.with_times(lane.track->times_s).weights.push_back(lane);
+  }
+
+  void add_properties(const Animation& animation) {
+    for (const PropertyTrack& track : animation.properties) {
+      const PropertyTable::Entry* entry = properties_.find(track.target);
+      CONTRACT(entry != nullptr && entry->count == track.values.target_count);
+      if (track.values.empty() || fold(track.values, layout_.base_properties, entry->first)) continue;
+      drafts_.with_times(track.values.times_s).numbers.push_back({entry->first, &track.values});
+    }
+  }
+
+  /// A track that never changes becomes the base value; false for others.
+  bool fold(const WeightTrack& track, std::vector<float>& base, std::uint32_t first) {
+    if (!is_constant(track)) return false;
+    const std::uint32_t n = track.target_count;
+    std::copy_n(track.values.begin() + (is_cubic(track.interpolation) ? n : 0), n, base.begin() + first);
+    layout_.counts.folded += n;
+    return true;
+  }
+
+  void add_group(const Draft& draft) {
+    TimeGroup group{KeyTimes(draft.times_s), {}};
+    add_blocks(group, Property::translation, draft.vectors[0]);
+    add_blocks(group, Property::rotation, draft.rotations);
+    add_blocks(group, Property::scale, draft.vectors[1]);
+    for (const auto& lane : draft.weights) add_block(group, Property::weight, lane);
+    for (const auto& lane : draft.numbers) add_block(group, Property::number, lane);
+    for (const TrackBlock& block : group.blocks) count_tracks(block, layout_.counts);
+    layout_.groups.push_back(std::move(group));
+    ++layout_.counts.time_groups;
+  }
+
+  ClipLayout& layout_;
+  const PropertyTable& properties_;
+  Drafts drafts_;
+};
+
+}  // namespace
+
+Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties, const KeyTolerances& rounding) {
+  CONTRACT(rounding.bones.empty() || rounding.bones.size() == animation.bones.size());
+  CONTRACT(rounding.weights.empty() || rounding.weights.size() == animation.weights.size());
+  CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
+  ClipLayout layout;
+  layout.name = animation.name;
+  layout.duration_s = animation.duration_s;
+  Compiler(layout, skeleton, rest_weights, properties).add(animation, first_weight, rounding);
+  return clip_of(std::move(layout));
+}
+
+}  // namespace sinew

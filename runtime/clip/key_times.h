@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/animation/track_sample.h"
+
+namespace sinew {
+
+/// The key times of one group of tracks with a table of uniform buckets, so that a search costs the same for forward
+/// play and for jumps: O(1) for evenly spread keys, O(log K) at worst.
+class KeyTimes {
+ public:
+  /// in   times_s[K]  K >= 1, finite, never decreasing
+  explicit KeyTimes(std::vector<float> times_s) : times_s_(std::move(times_s)) {
+    const double first = static_cast<double>(times_s_.front()), span = static_cast<double>(times_s_.back()) - first;
+    const std::size_t buckets = span > 0.0 ? times_s_.size() : 1;
+    buckets_per_s_ = span > 0.0 ? static_cast<double>(buckets) / span : 0.0;
+    first_key_.assign(buckets + 1, 0);
+    for (const float t : times_s_) ++first_key_[bucket_of(static_cast<double>(t)) + 1];
+    for (const std::uint32_t keys : first_key_) search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));
+    for (std::size_t b = 1; b <= buckets; ++b) first_key_[b] += first_key_[b - 1];
+  }
+
+  /// The same answer as locate_key(times_s(), time_s).
+  KeyPosition locate(double time_s) const noexcept {
+    if (!(time_s >= static_cast<double>(times_s_.front()))) return {};
+    if (time_s >= static_cast<double>(times_s_.back())) return {times_s_.size() - 1, true, 0.0, 0.0};
+    // bucket_of never decreases with time, whatever it rounds: all keys of earlier buckets are earlier than time_s and
+    // all keys of later buckets are later, so the answer lies in this bucket or is the last key before it.
+    const std::size_t b = bucket_of(time_s);
+    // A fixed number of steps without a branch on the keys: uneven keys do not cost mispredictions.
+    std::size_t low = first_key_[b], left = first_key_[b + 1] - low;
+    for (std::size_t step = 0; step < search_steps_; ++step) {
+      const std::size_t half = (left + 1) / 2;
+      const bool later = left > 0 && static_cast<double>(times_s_[low + half - 1]) <= time_s;
+      low += later ? half : 0;
+      left = later ? left - half : half - (left > 0);
+    }
+    return position_after(times_s_, low - 1, time_s);
+  }
+
+  std::span<const float> times_s() const noexcept { return times_s_; }
+  std::size_t key_count() const noexcept { return times_s_.size(); }
+  std::size_t byte_size() const noexcept { return (times_s_.size() * sizeof(float)) + first_key_.size() * sizeof(std::uint32_t); }
+
+ private:
+  std::size_t bucket_of(double time_s) const noexcept {
+    const double b = (time_s - static_cast<double>(times_s_.front())) * buckets_per_s_;
+    return std::min(static_cast<std::size_t>(b), first_key_.size() - 2);
+  }
+
+  std::vector<float> times_s_;
+  std::vector<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
+  double buckets_per_s_ = 0.0;
+  std::size_t search_steps_ = 0;          ///< of a binary search in the fullest bucket
+};
+
+}  // namespace sinew

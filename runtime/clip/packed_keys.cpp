@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/packed_keys.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "runtime/clip/clip_layout.h"
+#include "runtime/base/contract.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+namespace {
+
+/// Below this the component that is left out would follow too badly from the others.
+constexpr double kSmallestDerived = 0.3;
+
+bool has_plain_keys(Interpolation interpolation) noexcept {
+  return interpolation == Interpolation::step || interpolation == Interpolation::linear;
+}
+
+/// The next float above a positive number whose lower half is 0: two bytes are enough for a step.
+float coarse_above(double x) noexcept {
+  constexpr std::uint32_t kLower = 0xffffu;
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
+  return std::bit_cast<float>((bits | kLower) + 1u);
+}
+
+struct Range {
+  float low, high;
+  double length() const noexcept { return static_cast<double>(high) - static_cast<double>(low); }
+};
+
+/// Numbers of component `c` in as many bits as its width says, over its range; without bits the middle stands for all.
+/// in   values[key][components]
+void quantise(std::span<const float> values, const Range& range, std::size_t c, PackedTrack& out) {
+  const std::size_t n = out.components, keys = values.size() / n;
+  const double most = static_cast<double>((std::uint32_t{1} << out.width[c]) - 1);
+  if (out.width[c] == 0) {
+    out.step[c] = 0.0f;
+    out.low[c] = range.low < range.high ? static_cast<float>(0.5 * (static_cast<double>(range.low) + static_cast<double>(range.high))) : range.low;
+    return;
+  }
+  out.low[c] = range.low;
+  out.step[c] = coarse_above(range.length() / most);
+  for (std::size_t k = 0; k < keys; ++k) {
+    const double number = std::round((static_cast<double>(values[k * n + c]) - static_cast<double>(out.low[c])) / static_cast<double>(out.step[c]));
+    out.numbers[k * n + c] = static_cast<std::uint32_t>(std::clamp(number, 0.0, most));
+  }
+}
+
+/// Finds few bits at which `error(packed, key)` is never above the tolerance: first all components as coarse as each other,
+/// then one bit less wherever that still holds.
+/// in   values[key][components]
+template <class Error>
+std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> values, double tolerance, const Error& error) {
+  const std::size_t n = out.components, keys = values.size() / n;
+  std::array<Range, 4> ranges{};
+  for (std::size_t c = 0; c < n; ++c) {
+    ranges[c] = {values[c], values[c]};
+    for (std::size_t k = 1; k < keys; ++k) ranges[c] = {std::min(ranges[c].low, values[k * n + c]), std::max(ranges[c].high, values[k * n + c])};
+  }
+  out.numbers.assign(values.size(), 0);
+  const auto holds = [&] {
+    for (std::size_t k = 0; k < keys; ++k)
+      if (!(error(out, k) <= tolerance)) return false;
+    return true;
+  };
+  for (double step = 2.0 * tolerance; tolerance > 0.0; step *= 0.8) {
+    for (std::size_t c = 0; c < n; ++c) {
+      if (c == out.derived) continue;
+      const double steps = ranges[c].length() / step;
+      if (!(steps < (1u << PackedTrack::kMostBits) - 1)) return std::nullopt;
+      out.width[c] = steps <= 1.0 ? std::uint8_t{0} : static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(std::ceil(steps))));
+      quantise(values, ranges[c], c, out);
+    }
+    if (out.bits_per_key() > PackedTrack::kMostKeyBits) return std::nullopt;
+    if (holds()) break;
+  }
+  for (std::size_t c = 0; c < n; ++c)
+    while (out.width[c] > 0) {
+      const PackedTrack before = out;
+      --out.width[c];
+      quantise(values, ranges[c], c, out);
+      if (holds()) continue;
+      out = before;
+      break;
+    }
+  return tolerance > 0.0 ? std::optional(std::move(out)) : std::nullopt;
+}
+
+/// Keys with signs that let one component be left out, or else change least from key to key.
+std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
+  std::array<double, 4> smallest;
+  smallest.fill(2.0);
+  for (const glm::quat& key : track.values) {
+    const Quat<double> q = normalised(quat_cast<double>(key));
+    for (int c = 0; c < 4; ++c) smallest[static_cast<std::size_t>(c)] = std::min(smallest[static_cast<std::size_t>(c)], std::abs(q[c]));
+  }
+  const auto largest = std::max_element(smallest.begin(), smallest.end());
+  derived = *largest < kSmallestDerived ? PackedTrack::kNoneDerived : static_cast<std::uint8_t>(largest - smallest.begin());
+  std::vector<float> values;
+  Quat<double> before = quat_identity<double>();
+  for (const glm::quat& key : track.values) {
+    Quat<double> q = normalised(quat_cast<double>(key));
+    if (derived == PackedTrack::kNoneDerived ? quat_dot(before, q) < 0.0 : q[derived] < 0.0) q = -q;
+    before = q;
+    for (int c = 0; c < 4; ++c) values.push_back(static_cast<float>(q[c]));
+  }
+  return values;
+}
+
+std::uint32_t bits_at(const PackedRows& rows, std::size_t bit, std::uint32_t count) noexcept {
+  std::uint32_t number = 0;
+  for (std::uint32_t i = 0; i < count; ++i, ++bit) number |= (std::uint32_t{rows.bits[bit / 8]} >> bit % 8 & 1u) << i;
+  return number;
+}
+
+}  // namespace
+
+std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept {
+  std::array<float, 4> v{};
+  for (std::uint32_t c = 0; c < track.components; ++c)
+    if (c != track.derived) v[c] = static_cast<float>(track.numbers[key * track.components + c]) * track.step[c] + track.low[c];
+  if (track.derived < track.components) {
+    const float rest = 1.0f - ((v[0] * v[0] + v[1] * v[1]) + (v[2] * v[2] + v[3] * v[3]));
+    v[track.derived] = std::sqrt(std::max(rest, 0.0f));
+  }
+  return v;
+}
+
+std::optional<PackedTrack> pack_keys(const Vec3Track& track, double tolerance) {
+  if (!has_plain_keys(track.interpolation)) return std::nullopt;
+  std::vector<float> values;
+  for (const glm::vec3& v : track.values) values.insert(values.end(), {v.x, v.y, v.z});
+  PackedTrack out;
+  out.components = 3;
+  const auto error = [&](const PackedTrack& packed, std::size_t key) {
+    const std::array<float, 4> v = unpack_key(packed, key);
+    return safe_length(Vec3<double>(v[0], v[1], v[2]) - Vec3<double>(track.values[key]));
+  };
+  return fewest_bits(std::move(out), values, tolerance, error);
+}
+
+std::optional<PackedTrack> pack_keys(const QuatTrack& track, double tolerance) {
+  if (!has_plain_keys(track.interpolation)) return std::nullopt;
+  PackedTrack out;
+  out.components = 4;
+  const std::vector<float> values = signed_keys(track, out.derived);
+  const auto error = [&](const PackedTrack& packed, std::size_t key) {
+    const std::array<float, 4> v = unpack_key(packed, key);
+    const Quat<double> q = normalised(quat_cast<double>(quat_xyzw(v[0], v[1], v[2], v[3])));
+    const Quat<double> d = q - aligned_with(q, normalised(quat_cast<double>(track.values[key])));
+    return 2.0 * std::sqrt(quat_dot(d, d));
+  };
+  return fewest_bits(std::move(out), values, tolerance, error);
+}
+
+std::optional<PackedTrack> pack_keys(const WeightTrack& track, std::uint32_t weight, double tolerance) {
+  if (!has_plain_keys(track.interpolation)) return std::nullopt;
+  std::vector<float> values;
+  for (std::size_t k = 0; k < track.key_count(); ++k) values.push_back(track.values[k * track.target_count + weight]);
+  PackedTrack out;
+  out.components = 1;
+  const auto error = [&](const PackedTrack& packed, std::size_t key) {
+    return std::abs(static_cast<double>(unpack_key(packed, key)[0]) - static_cast<double>(values[key]));
+  };
+  return fewest_bits(std::move(out), values, tolerance, error);
+}
+
+void place_bits(PackedRows& rows, std::size_t lanes, std::size_t components) {
+  rows.first_bit.assign(lanes + kLanePadding, 0);
+  std::uint32_t bit = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    rows.first_bit[lane] = static_cast<std::uint16_t>(bit);
+    for (std::size_t c = 0; c < components; ++c) bit += rows.width[c * lanes + lane];
+  }
+  rows.row_bytes = (bit + 7) / 8;
+}
+
+PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count) {
+  CONTRACT(!tracks.empty() && tracks.size() <= kMostPackedLanes);
+  const std::size_t lanes = tracks.size(), components = tracks.front().components, table = lanes * components + kLanePadding;
+  PackedRows rows;
+  rows.width.assign(table, 0);
+  rows.low.assign(table, 0.0f), rows.step.assign(table, 0.0f);
+  if (components == 4) rows.derived.assign(lanes + kLanePadding, PackedTrack::kNoneDerived);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    if (components == 4) rows.derived[lane] = tracks[lane].derived;
+    for (std::size_t c = 0; c < components; ++c) {
+      const std::size_t at = c * lanes + lane;
+      rows.width[at] = tracks[lane].width[c];
+      rows.low[at] = tracks[lane].low[c], rows.step[at] = tracks[lane].step[c];
+    }
+  }
+  place_bits(rows, lanes, components);
+  rows.bits.assign(key_count * rows.row_bytes + kReadAhead, 0);
+  for (std::size_t key = 0; key < key_count; ++key) {
+    std::size_t at = key * rows.row_bytes * 8;
+    for (const PackedTrack& track : tracks)
+      for (std::size_t c = 0; c < components; ++c)
+        for (std::uint32_t i = 0; i < track.width[c]; ++i, ++at)
+          rows.bits[at / 8] = static_cast<std::uint8_t>(rows.bits[at / 8] | ((track.numbers[key * components + c] >> i & 1u) << at % 8));
+  }
+  return rows;
+}
+
+PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count) {
+  PackedTrack track;
+  track.components = static_cast<std::uint32_t>((rows.width.size() - kLanePadding) / lanes);
+  if (!rows.derived.empty()) track.derived = rows.derived[lane];
+  for (std::size_t c = 0; c < track.components; ++c) {
+    const std::size_t at = c * lanes + lane;
+    track.width[c] = rows.width[at], track.low[c] = rows.low[at], track.step[c] = rows.step[at];
+  }
+  for (std::size_t key = 0; key < key_count; ++key) {
+    std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];
+    for (std::size_t c = 0; c < track.components; bit += track.width[c++]) track.numbers.push_back(bits_at(rows, bit, track.width[c]));
+  }
+  return track;
+}
+
+}  // namespace sinew

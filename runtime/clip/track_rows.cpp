@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/track_rows.h"
+
+#include <algorithm>
+
+#include "runtime/animation/track_sample.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+namespace {
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::vec3& v) {
+  float* row = block.rows.data() + (key * block.plane_count + plane) * block.lane_count + lane;
+  for (int c = 0; c < 3; ++c) row[static_cast<std::size_t>(c) * block.lane_count] = v[c];
+}
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::quat& q) {
+  float* row = block.rows.data() + (key * block.plane_count + plane) * block.lane_count + lane;
+  for (const float x : {q.x, q.y, q.z, q.w}) *row = x, row += block.lane_count;
+}
+
+void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, float x) {
+  block.rows[(key * block.plane_count + plane) * block.lane_count + lane] = x;
+}
+
+/// Half the rotation angle between two keys on the short arc, computed in double; negative when `next` must be negated.
+float signed_arc(const glm::quat& key, const glm::quat& next) noexcept {
+  const Quat<double> q = normalised(quat_cast<double>(key)), r = normalised(quat_cast<double>(next));
+  const bool negate = quat_dot(q, r) < 0.0;
+  const float arc = std::max(static_cast<float>(arc_angle(q, negate ? -r : r)), kSmallestArc);
+  return negate ? -arc : arc;
+}
+
+void put_squad_segment(TrackBlock& block, const QuatTrack& track, std::size_t key, std::size_t lane) {
+  put(block, key, 0, lane, track.values[key]);
+  const bool jumps = key + 1 == track.key_count() || !(track.times_s[key + 1] > track.times_s[key]);
+  if (jumps) return;  // nothing is ever evaluated between such keys
+  const SquadSegment<double> s = squad_segment<double>(track, key);
+  put(block, key, 4, lane, quat_cast<float>(s.begin_control));
+  put(block, key, 8, lane, quat_cast<float>(s.end_control));
+  put(block, key, 12, lane, quat_dot(s.end, quat_cast<double>(track.values[key + 1])) < 0.0 ? -1.0f : 1.0f);
+}
+
+}  // namespace
+
+void fill_lane(TrackBlock& block, const Vec3Track& track, std::size_t lane) {
+  const std::size_t per_key = block.plane_count / 3;
+  for (std::size_t i = 0; i < track.values.size(); ++i) put(block, i / per_key, 3 * (i % per_key), lane, track.values[i]);
+}
+
+void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
+  const bool cubic = track.interpolation == Interpolation::cubic_spline;
+  for (std::size_t i = 0; i < track.values.size(); ++i) {
+    if (track.interpolation == Interpolation::squad) put_squad_segment(block, track, i, lane);
+    else put(block, cubic ? i / 3 : i, cubic ? 4 * (i % 3) : 0, lane, track.values[i]);
+    if (track.interpolation == Interpolation::linear)
+      put(block, i, 4, lane, i + 1 < track.values.size() ? signed_arc(track.values[i], track.values[i + 1]) : kSmallestArc);
+  }
+}
+
+void make_room(TrackBlock& block, std::size_t key_count) {
+  block.rows.assign(key_count * block.plane_count * block.lane_count + kLanePadding, 0.0f);
+}
+
+}  // namespace sinew

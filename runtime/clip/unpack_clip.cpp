@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/unpack_clip.h"
+
+#include <utility>
+
+#include "runtime/clip/clip_layout.h"
+#include "runtime/clip/track_rows.h"
+#include "runtime/math/quaternion.h"
+
+namespace sinew {
+namespace {
+
+void fill_rotations(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
+  QuatTrack keys{block.interpolation, {}, {}};
+  for (std::size_t k = 0; k < key_count; ++k) {
+    const std::array<float, 4> v = unpack_key(track, k);
+    keys.values.push_back(quat_cast<float>(normalised(quat_cast<double>(quat_xyzw(v[0], v[1], v[2], v[3])))));
+  }
+  fill_lane(block, keys, lane);
+}
+
+/// Vectors, weights and numbers are their components.
+void fill_components(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
+  for (std::size_t k = 0; k < key_count; ++k) {
+    const std::array<float, 4> v = unpack_key(track, k);
+    for (std::size_t c = 0; c < track.components; ++c) block.rows[(k * block.plane_count + c) * block.lane_count + lane] = v[c];
+  }
+}
+
+TrackBlock unpacked(const TrackBlock& block, std::size_t key_count) {
+  TrackBlock out = block_of(block.property, block.interpolation, block.lane_count);
+  out.targets = block.targets, out.places = block.places;
+  make_room(out, key_count);
+  for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
+    const PackedTrack track = packed_lane(block.packed, block.lane_count, lane, key_count);
+    if (block.property == Property::rotation) fill_rotations(out, track, lane, key_count);
+    else fill_components(out, track, lane, key_count);
+  }
+  return out;
+}
+
+}  // namespace
+
+Clip unpacked(const Clip& clip) {
+  ClipLayout layout = clip.layout();
+  for (TimeGroup& group : layout.groups)
+    for (TrackBlock& block : group.blocks)
+      if (!block.packed.empty()) block = unpacked(block, group.times.key_count());
+  return clip_of(std::move(layout));
+}
+
+}  // namespace sinew

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/compress/compile_clip_within.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "runtime/clip/clip_file.h"
+#include "runtime/clip/unpack_clip.h"
+#include "runtime/base/contract.h"
+#include "runtime/compress/clip_error.h"
+#include "runtime/compress/joint_reach.h"
+#include "runtime/compress/split_by_need.h"
+
+namespace sinew {
+namespace {
+
+/// Of the budget; the rest is for times between those that are measured.
+constexpr double kUsed = 0.97;
+/// How often a clip that holds is tried again with other shares.
+constexpr int kLoosened = 9;
+constexpr double kMostLoosened = 2.0;
+/// First guess of what morph weights take of it.
+constexpr double kOfWeights = 0.25;
+/// What rounding of keys takes of a track's part, the rest being for keys that are left out: either may be worth more.
+constexpr double kOfRounding[] = {0.25, 0.97};
+
+Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
+  std::vector<float> rest_weights;
+  for (const MeshInstance& instance : scene.instances)
+    rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  return compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties, rounding);
+}
+
+std::uint64_t key_count(const Animation& animation) {
+  std::uint64_t keys = 0;
+  for (const BoneAnimation& bone : animation.bones) keys += bone.translation.key_count() + bone.rotation.key_count() + bone.scale.key_count();
+  for (const WeightAnimation& animated : animation.weights) keys += animated.weights.key_count();
+  for (const PropertyTrack& track : animation.properties) keys += track.values.key_count();
+  return keys;
+}
+
+std::uint32_t animated_joints(const Animation& animation) {
+  std::vector<std::uint32_t> joints;
+  for (const BoneAnimation& bone : animation.bones)
+    if (!bone.empty()) joints.push_back(bone.joint);
+  std::sort(joints.begin(), joints.end());
+  return static_cast<std::uint32_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
+}
+
+/// What each joint, and the weights together, may take of the budget.
+class Shares {
+ public:
+  Shares(const Scene& scene, double budget_m) : parents_(scene.skeleton.parents), budget_m_(budget_m), of_joint_(parents_.size(), 1.0) {}
+
+  double joint_m(std::uint32_t joint) const { return of_joint_[joint] * kUsed * budget_m_; }
+  double weights_m() const { return of_weights_ * kOfWeights * budget_m_; }
+
+  /// Gives less to whatever moved vertices too far; false when nothing did.
+  bool tighten(const ClipError& error) {
+    if (error.worst_m <= kUsed * budget_m_) return false;
+    const double weights_m = error.weights_m, left_m = std::max(kUsed * budget_m_ - weights_m, 0.25 * budget_m_);
+    std::vector<double> factor(of_joint_.size(), 1.0);
+    for (std::size_t j = factor.size(); j-- > 0;) {
+      if (error.of_joint_m[j] > left_m) factor[j] = std::min(factor[j], std::clamp(left_m / error.of_joint_m[j], 0.2, 0.9));
+      if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
+      of_joint_[j] *= factor[j];
+    }
+    if (weights_m > kOfWeights * budget_m_) of_weights_ *= std::clamp(kOfWeights * budget_m_ / weights_m, 0.01, 0.9);
+    return true;
+  }
+
+  /// Gives as much more to each joint as the errors of all below it leave, and to the weights what the largest leaves.
+  void loosen(const ClipError& error) {
+    const double left_m = std::max(kUsed * budget_m_ - error.weights_m, 0.25 * budget_m_);
+    std::vector<double> factor(of_joint_.size(), kMostLoosened);
+    for (std::size_t j = factor.size(); j-- > 0;) {
+      factor[j] = std::min(factor[j], std::max(left_m / std::max(error.of_joint_m[j], 0.01 * budget_m_), 1.0));
+      if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
+      of_joint_[j] *= factor[j];
+    }
+    of_weights_ *= std::min(kUsed * budget_m_ / std::max(error.worst_m, 0.01 * budget_m_), kMostLoosened);
+  }
+
+ private:
+  const std::vector<std::uint32_t>& parents_;
+  double budget_m_;
+  std::vector<double> of_joint_;
+  double of_weights_ = 1.0;
+};
+
+double per_unit(double metres, double reach) noexcept { return reach > 0.0 ? metres / reach : 0.0; }
+
+/// Tracks of joints and weights that really move, each with its part of the budget.
+std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, const VirtualVertices& vertices,
+                                      const std::vector<JointReach>& reach, const Shares& shares) {
+  std::vector<LooseTrack> tracks;
+  const auto add = [&](auto& track, double tolerance) {
+    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0})) tracks.push_back({&track, tolerance});
+  };
+  for (BoneAnimation& bone : animation.bones) {
+    const std::size_t first = tracks.size();
+    const JointReach& r = reach[bone.joint];
+    const double metres = shares.joint_m(bone.joint);
+    add(bone.translation, per_unit(metres, r.translation));
+    add(bone.rotation, per_unit(metres, r.rotation));
+    add(bone.scale, per_unit(metres, r.scale));
+    for (std::size_t i = first; i < tracks.size(); ++i) tracks[i].tolerance /= static_cast<double>(tracks.size() - first);
+  }
+  for (WeightAnimation& animated : animation.weights) {
+    if (animated.weights.key_count() < 2) continue;
+    const std::size_t at = scene.first_weight[animated.instance] + animated.first_target;
+    tracks.push_back({&animated.weights, shares.weights_m(), std::span(vertices.metres_per_weight).subspan(at, animated.weights.target_count)});
+  }
+  return tracks;
+}
+
+/// How far the keys of each track may be rounded, as a part of its tolerance.
+KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> tracks, double part) {
+  std::map<const void*, const LooseTrack*> loose;
+  for (const LooseTrack& track : tracks) loose[std::visit([](const auto* t) -> const void* { return t; }, track.track)] = &track;
+  const auto tolerance_of = [&](const auto& track) {
+    const auto found = loose.find(&track);
+    return found == loose.end() ? 0.0 : part * found->second->tolerance;
+  };
+  KeyTolerances out;
+  for (const BoneAnimation& bone : animation.bones)
+    out.bones.push_back({tolerance_of(bone.translation), tolerance_of(bone.rotation), tolerance_of(bone.scale)});
+  for (const WeightAnimation& animated : animation.weights) {
+    std::vector<double>& targets = out.weights.emplace_back();
+    if (const double metres = tolerance_of(animated.weights) / animated.weights.target_count; metres > 0.0)
+      for (const float per_weight : loose[&animated.weights]->metres_per_weight) targets.push_back(metres / static_cast<double>(per_weight));
+  }
+  return out;
+}
+
+void reduce(std::vector<LooseTrack> tracks) {
+  std::erase_if(tracks, [](const LooseTrack& track) { return hold_still(track); });
+  std::map<std::vector<float>, std::vector<LooseTrack>> groups;
+  for (const LooseTrack& track : tracks) groups[track.times_s()].push_back(track);
+  for (auto& [times_s, group] : groups)
+    for (const std::vector<LooseTrack>& part : split_by_need(std::move(group))) {
+      const std::vector<std::uint32_t> keys = keys_needed(part, times_s.size());
+      for (const LooseTrack& track : part) keep_keys(track, keys);
+    }
+}
+
+ClipCertificate certificate_of(const Animation& truth, const Animation& keys, const Clip& clip, std::uint64_t source_bytes, const ClipError& error,
+                               std::size_t times, double asked_m) {
+  return {.asked_m = asked_m,
+          .measured_m = error.worst_m,
+          .weights_m = error.weights_m,
+          .worst_time_s = error.worst_time_s,
+          .worst_joint = error.worst_joint,
+          .times_checked = static_cast<std::uint32_t>(times),
+          .animated_joints = animated_joints(truth),
+          .source_keys = key_count(truth),
+          .kept_keys = key_count(keys),
+          .source_bytes = source_bytes,
+          .bytes = saved_bytes(clip)};
+}
+
+/// What stays the same from round to round.
+struct Task {
+  const Scene& scene;
+  const Animation& truth;
+  const VirtualVertices& vertices;
+  double budget_m;
+  std::vector<double> times;
+  std::vector<JointReach> reach;
+  std::uint64_t source_bytes;   // with every key
+};
+
+struct Attempt {
+  ClipWithin within;
+  ClipError error;
+};
+
+Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
+  Attempt out{{task.truth, {}}, {}};
+  Animation& keys = out.within.keys;
+  std::vector<LooseTrack> tracks = moving_tracks(keys, task.scene, task.vertices, task.reach, shares);
+  const KeyTolerances rounding = roundings(keys, tracks, of_rounding);
+  for (LooseTrack& track : tracks) track.tolerance *= 1.0 - of_rounding;
+  reduce(std::move(tracks));
+  Clip clip = compile(task.scene, keys, rounding);
+  const Clip full = unpacked(clip);
+  const Clip* const forms[] = {&clip, &full};
+  out.error = measure_clip(task.scene, task.truth, task.vertices, forms, task.times);
+  const ClipCertificate certificate = certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
+  out.within.clip = with_certificate(std::move(clip), certificate);
+  return out;
+}
+
+bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) { return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes; }
+
+/// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too much; nothing if
+/// it never holds in kMostRounds.
+std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
+  Shares shares(task.scene, task.budget_m);
+  std::optional<ClipWithin> smallest;
+  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += smallest.has_value()) {
+    Attempt attempt = try_shares(task, shares, of_rounding);
+    if (shares.tighten(attempt.error)) continue;
+    if (is_smaller(attempt.within, smallest)) smallest = std::move(attempt.within);
+    shares.loosen(attempt.error);
+  }
+  return smallest;
+}
+
+}  // namespace
+
+Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth, const VirtualVertices& vertices, double asked_m) {
+  Clip clip = compile(scene, keys);
+  const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
+  const Clip* const forms[] = {&clip};
+  const ClipError error = measure_clip(scene, truth, vertices, forms, times);
+  const ClipCertificate certificate = certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
+  return with_certificate(std::move(clip), certificate);
+}
+
+ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m) {
+  CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
+  std::optional<ClipWithin> smallest;
+  if (budget_m > 0.0) {
+    const Task task{scene, truth, vertices, budget_m, times_to_check(truth, scene.skeleton.joint_count()), joint_reach(truth, scene.skeleton, vertices),
+                    saved_bytes(compile(scene, truth))};
+    for (const double of_rounding : kOfRounding) {
+      std::optional<ClipWithin> found = fit(task, of_rounding);
+      if (found && is_smaller(*found, smallest)) smallest = std::move(found);
+    }
+  }
+  if (smallest) return *std::move(smallest);
+  return {truth, compile_and_measure(scene, truth, truth, vertices, budget_m)};
+}
+
+}  // namespace sinew

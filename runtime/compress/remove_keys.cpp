@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/compress/remove_keys.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/animation/track_sample.h"
+
+namespace sinew {
+namespace {
+
+/// A place on a track: a key, or a fraction of the way from it to the next.
+struct Place {
+  std::size_t key;
+  double fraction;
+};
+
+/// Places at which curves are compared between keys; straight ones are farthest apart at keys.
+constexpr double kOnBends[] = {0.25, 0.5, 0.75};
+
+double time_of(const std::vector<float>& times, std::size_t key) noexcept { return static_cast<double>(times[key]); }
+double time_of(const std::vector<float>& times, const Place& at) noexcept {
+  if (at.fraction == 0.0) return time_of(times, at.key);
+  return time_of(times, at.key) + at.fraction * (time_of(times, at.key + 1) - time_of(times, at.key));
+}
+
+/// Calls `see(place)` at every place inside of the keys `first` and `last` until one answers false.
+template <class See>
+bool all_between(Interpolation interpolation, std::size_t first, std::size_t last, const See& see) {
+  for (std::size_t key = first; key < last; ++key) {
+    if (key > first && !see(Place{key, 0.0})) return false;
+    if (interpolation != Interpolation::cubic_spline) continue;
+    for (const double fraction : kOnBends)
+      if (!see(Place{key, fraction})) return false;
+  }
+  return true;
+}
+
+double apart(const Vec3<double>& a, const Vec3<double>& b) noexcept { return safe_length(a - b); }
+
+/// How far a point one unit from the axis moves, or a little more: twice a chord between unit quaternions.
+double apart(const Quat<double>& a, const Quat<double>& b) noexcept {
+  const Quat<double> d = a - aligned_with(a, b);
+  return 2.0 * std::sqrt(quat_dot(d, d));
+}
+
+auto in_double(const glm::vec3& v) noexcept { return Vec3<double>(v); }
+auto in_double(const glm::quat& q) noexcept { return quat_cast<double>(q); }
+
+template <class V>
+auto value_at(const Track<V>& track, const Place& at) noexcept {
+  if (at.fraction == 0.0) return in_double(track.values[value_row(track.interpolation, at.key)]);
+  const double interval_s = time_of(track.times_s, at.key + 1) - time_of(track.times_s, at.key);
+  return between_keys<double>(track, at.key, at.key + 1, at.fraction, interval_s);
+}
+
+double value_at(const WeightTrack& track, const Place& at, std::size_t weight) noexcept {
+  if (at.fraction == 0.0) return static_cast<double>(track.values[value_row(track.interpolation, at.key) * track.target_count + weight]);
+  const double interval_s = time_of(track.times_s, at.key + 1) - time_of(track.times_s, at.key);
+  return between_keys<double>(track, at.key, at.key + 1, at.fraction, interval_s, weight);
+}
+
+/// How far the track is from `other(place[, weight])` at a place.
+template <class V, class Other>
+double deviation(const Track<V>& track, std::span<const float>, const Place& at, const Other& other) {
+  return apart(value_at(track, at), other(at));
+}
+
+template <class Other>
+double deviation(const WeightTrack& track, std::span<const float> metres, const Place& at, const Other& other) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < track.target_count; ++i)
+    sum += std::abs(value_at(track, at, i) - other(at, i)) * static_cast<double>(metres[i]);
+  return sum;
+}
+
+/// Whether the track can do without its keys between `first` and `last`.
+template <class TrackType>
+bool can_skip(const TrackType& track, const LooseTrack& loose, std::size_t first, std::size_t last) {
+  const double begin = time_of(track.times_s, first), interval_s = time_of(track.times_s, last) - begin;
+  return all_between(track.interpolation, first, last, [&](const Place& place) {
+    const auto skipping = [&](const Place& at, auto... weight) {
+      return between_keys<double>(track, first, last, (time_of(track.times_s, at) - begin) / interval_s, interval_s, weight...);
+    };
+    return deviation(track, loose.metres_per_weight, place, skipping) <= loose.tolerance;
+  });
+}
+
+bool is_jump(const std::vector<float>& times, std::size_t key) noexcept { return key + 1 < times.size() && !(times[key + 1] > times[key]); }
+
+/// The middle of all keys; of rotations their mean direction, near enough where all are near each other.
+glm::vec3 middle_of(const Vec3Track& track) {
+  glm::vec3 lower = track.values[value_row(track.interpolation, 0)], upper = lower;
+  for (std::size_t key = 1; key < track.key_count(); ++key) {
+    const glm::vec3& v = track.values[value_row(track.interpolation, key)];
+    lower = glm::min(lower, v), upper = glm::max(upper, v);
+  }
+  return glm::vec3((Vec3<double>(lower) + Vec3<double>(upper)) * 0.5);
+}
+
+glm::quat middle_of(const QuatTrack& track) {
+  const Quat<double> first = quat_cast<double>(track.values[value_row(track.interpolation, 0)]);
+  Quat<double> sum = first;
+  for (std::size_t key = 1; key < track.key_count(); ++key)
+    sum += aligned_with(first, quat_cast<double>(track.values[value_row(track.interpolation, key)]));
+  return quat_cast<float>(normalised(sum));
+}
+
+std::vector<float> middle_of(const WeightTrack& track) {
+  std::vector<float> middle(track.target_count);
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    double lower = value_at(track, {0, 0.0}, i), upper = lower;
+    for (std::size_t key = 1; key < track.key_count(); ++key) {
+      lower = std::min(lower, value_at(track, {key, 0.0}, i));
+      upper = std::max(upper, value_at(track, {key, 0.0}, i));
+    }
+    middle[i] = static_cast<float>(0.5 * (lower + upper));
+  }
+  return middle;
+}
+
+/// Whether the track is never farther than its tolerance from `other(place[, weight])`.
+template <class TrackType, class Other>
+bool is_near(const TrackType& track, const LooseTrack& loose, const Other& other) {
+  const auto near = [&](const Place& at) { return deviation(track, loose.metres_per_weight, at, other) <= loose.tolerance; };
+  const std::size_t last = track.key_count() - 1;
+  return near({0, 0.0}) && near({last, 0.0}) && all_between(track.interpolation, 0, last, near);
+}
+
+template <class V>
+bool hold_still(Track<V>& track, const LooseTrack& loose) {
+  const V middle = middle_of(track);
+  if (!is_near(track, loose, [&](const Place&) { return in_double(middle); })) return false;
+  track = {Interpolation::step, {track.times_s.front(), track.times_s.back()}, {middle, middle}};
+  return true;
+}
+
+bool hold_still(WeightTrack& track, const LooseTrack& loose) {
+  std::vector<float> middle = middle_of(track);
+  if (!is_near(track, loose, [&](const Place&, std::size_t i) { return static_cast<double>(middle[i]); })) return false;
+  const std::vector<float> once = middle;
+  middle.insert(middle.end(), once.begin(), once.end());
+  track = {Interpolation::step, {track.times_s.front(), track.times_s.back()}, std::move(middle), track.target_count};
+  return true;
+}
+
+/// Rows of `width` numbers, per_key of them to a key.
+template <class Value>
+std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key, std::span<const std::uint32_t> keys) {
+  std::vector<Value> kept;
+  kept.reserve(keys.size() * per_key);
+  for (const std::uint32_t key : keys)
+    kept.insert(kept.end(), values.begin() + static_cast<std::ptrdiff_t>(key * per_key), values.begin() + static_cast<std::ptrdiff_t>((key + 1) * per_key));
+  return kept;
+}
+
+}  // namespace
+
+const std::vector<float>& LooseTrack::times_s() const {
+  return std::visit([](const auto* t) -> const std::vector<float>& { return t->times_s; }, track);
+}
+
+std::vector<std::uint32_t> keys_needed(std::span<const LooseTrack> tracks, std::size_t key_count) {
+  const std::vector<float>& times = tracks.front().times_s();
+  std::size_t strictest = 0;  // the track that stopped the last step will most often stop the next
+  const auto all_can_skip = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const std::size_t t = (strictest + i) % tracks.size();
+      if (std::visit([&](const auto* track) { return can_skip(*track, tracks[t], first, last); }, tracks[t].track)) continue;
+      strictest = t;
+      return false;
+    }
+    return true;
+  };
+  std::vector<std::uint32_t> keys{0};
+  for (std::size_t key = 0; key + 1 < key_count;) {
+    std::size_t next = key + 1;
+    const bool before_jump = is_jump(times, key);
+    while (!before_jump && next + 1 < key_count && next - key < kLongestStep && !is_jump(times, next) && all_can_skip(key, next + 1)) ++next;
+    keys.push_back(static_cast<std::uint32_t>(next));
+    key = next;
+  }
+  return keys;
+}
+
+void keep_keys(const LooseTrack& loose, std::span<const std::uint32_t> keys) {
+  std::visit(
+      [&](auto* track) {
+        std::size_t per_key = track->interpolation == Interpolation::cubic_spline ? 3 : 1;
+        if constexpr (requires { track->target_count; }) per_key *= track->target_count;
+        track->times_s = rows_of(track->times_s, 1, keys);
+        track->values = rows_of(track->values, per_key, keys);
+      },
+      loose.track);
+}
+
+bool hold_still(const LooseTrack& loose) {
+  return std::visit([&](auto* track) { return hold_still(*track, loose); }, loose.track);
+}
+
+}  // namespace sinew

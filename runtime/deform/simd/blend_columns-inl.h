@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Joint matrices of the vertices of a quarter tile, blended one vertex after the other and then turned into columns.
+#if defined(SINEW_BLEND_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_BLEND_COLUMNS_INL_H_
+#undef SINEW_BLEND_COLUMNS_INL_H_
+#else
+#define SINEW_BLEND_COLUMNS_INL_H_
+#endif
+
+#include "runtime/deform/simd/blend_parts-inl.h"
+#include "runtime/deform/simd/quarter_lanes-inl.h"
+#include "runtime/math/normal_transform.h"
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Columns of the matrices of a quarter's vertices, one vertex a block.
+struct Columns {
+  Wide c0, c1, c2, c3;
+};
+
+HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
+#if HWY_MAX_BYTES >= 64
+  const TileTag d;
+  // Blocks are swapped before halves are: a compiler would otherwise take halves twice for the two that are blended of each.
+  const auto even = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); };
+  const auto odd = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); };
+  const Wide even_01 = even(m[0].part[0], m[1].part[0]), even_23 = even(m[2].part[0], m[3].part[0]);
+  const Wide odd_01 = odd(m[0].part[0], m[1].part[0]), odd_23 = odd(m[2].part[0], m[3].part[0]);
+  return {hn::ConcatLowerLower(d, even_23, even_01), hn::ConcatLowerLower(d, odd_23, odd_01), hn::ConcatUpperUpper(d, even_23, even_01),
+          hn::ConcatUpperUpper(d, odd_23, odd_01)};
+#elif HWY_MAX_BYTES >= 32
+  const TileTag d;
+  return {hn::ConcatLowerLower(d, m[1].part[0], m[0].part[0]), hn::ConcatUpperUpper(d, m[1].part[0], m[0].part[0]),
+          hn::ConcatLowerLower(d, m[1].part[1], m[0].part[1]), hn::ConcatUpperUpper(d, m[1].part[1], m[0].part[1])};
+#else
+  return {m[0].part[0], m[0].part[1], m[0].part[2], m[0].part[3]};
+#endif
+}
+
+/// Columns of one quarter of the tile. Unrolled also where that is long, or its matrices would be kept in memory.
+template <int kCount>
+HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
+  MatrixParts matrices[kBlocks];
+#if HWY_COMPILER_GCC_ACTUAL
+#pragma GCC unroll 4
+#endif
+  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile, quarter * kBlocks + b);
+  return columns_of(matrices);
+}
+
+HWY_INLINE Wide transform_points(const Columns& m, const Spread3& p) {
+  return hn::MulAdd(m.c2, p.z, hn::MulAdd(m.c1, p.y, hn::MulAdd(m.c0, p.x, m.c3)));
+}
+HWY_INLINE Wide transform_vectors(const Columns& m, const Spread3& v) {
+  return hn::MulAdd(m.c2, v.z, hn::MulAdd(m.c1, v.y, hn::Mul(m.c0, v.x)));
+}
+
+/// (x y z -) to (y z x -) in every block.
+HWY_INLINE Wide next_components(Wide v) {
+  static constexpr LaneTable kTable([](std::size_t i) { return i / 4 * 4 + (i % 4 == 3 ? 3 : (i + 1) % 4 % 3); });
+  return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+HWY_INLINE Wide cross_blocks(Wide a, Wide next_a, Wide b, Wide next_b) {
+  return next_components(hn::NegMulAdd(next_a, b, hn::Mul(a, next_b)));
+}
+
+/// Columns of the cofactor matrix: c1 x c2, c2 x c0, c0 x c1.
+HWY_INLINE Columns cofactor(const Columns& m) {
+  const Wide n0 = next_components(m.c0), n1 = next_components(m.c1), n2 = next_components(m.c2);
+  return {cross_blocks(m.c1, n1, m.c2, n2), cross_blocks(m.c2, n2, m.c0, n0), cross_blocks(m.c0, n0, m.c1, n1), m.c3};
+}
+
+/// x + y + z of every block, in all its lanes.
+HWY_INLINE Wide component_sums(Wide v) { return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v)); }
+
+/// eq   M n, or sign(det M) cof(M) n as transform_normal_outward has it; not yet unit
+HWY_INLINE Wide moved_normals(const Columns& m, const Spread3& n, bool cofactor_rule) {
+  if (!cofactor_rule) return transform_vectors(m, n);
+  const Columns cof = cofactor(m);
+  const Wide moved = transform_vectors(cof, n);
+  const Wide squares = component_sums(hn::MulAdd(m.c2, m.c2, hn::MulAdd(m.c1, m.c1, hn::Mul(m.c0, m.c0))));
+  const Wide flat = hn::Mul(hn::Mul(squares, hn::Sqrt(squares)), hn::Set(TileTag(), -kFlatDeterminant<float>));
+  return hn::IfThenElse(hn::Lt(component_sums(hn::Mul(m.c0, cof.c0)), flat), hn::Neg(moved), moved);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_TARGET
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Eight floats for each vertex of a tile, handled vertex by vertex and then turned into lanes of vertices.
+#if defined(SINEW_EIGHT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_EIGHT_LANES_INL_H_
+#undef SINEW_EIGHT_LANES_INL_H_
+#else
+#define SINEW_EIGHT_LANES_INL_H_
+#endif
+
+#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/vertex_tiles-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Eight floats of one vertex in as many vectors as they take.
+using EightTag = hn::CappedTag<float, 8>;
+struct Eight {
+  static constexpr std::size_t kLanes = hn::MaxLanes(EightTag()), kCount = 8 / kLanes;
+  hn::Vec<EightTag> part[kCount];
+};
+
+HWY_INLINE Eight load_eight(const float* from) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Load(EightTag(), from + p * Eight::kLanes);
+  return out;
+}
+HWY_INLINE void store_eight(const Eight& a, float* to) {
+  for (std::size_t p = 0; p < Eight::kCount; ++p) hn::Store(a.part[p], EightTag(), to + p * Eight::kLanes);
+}
+HWY_INLINE Eight times(const Eight& a, hn::Vec<EightTag> w) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);
+  return out;
+}
+HWY_INLINE Eight times_plus(const float* from, hn::Vec<EightTag> w, const Eight& sum) {
+  Eight out;
+  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::MulAdd(hn::Load(EightTag(), from + p * Eight::kLanes), w, sum.part[p]);
+  return out;
+}
+
+/// Four numbers for each lane.
+struct Lanes8 {
+  Lanes4 low, high;
+};
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// A tile of one vertex has its lanes already.
+HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+  const auto& p = e[0].part;
+  return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]}};
+}
+
+#else
+
+/// A tile's eights as lanes, the first four floats of each in `low`.
+HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+#if HWY_MAX_BYTES >= 64
+  const TileTag d;
+  const auto pair = [&](std::size_t first) HWY_ATTR { return hn::Combine(d, e[first + 2].part[0], e[first].part[0]); };
+  const Lanes4 a = transpose(pair(0), pair(4), pair(8), pair(12)), b = transpose(pair(1), pair(5), pair(9), pair(13));
+  const auto even = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(of_b), of_a); };
+  const auto odd = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(of_b, hn::SwapAdjacentBlocks(of_a)); };
+  return {{even(a.x, b.x), even(a.y, b.y), even(a.z, b.z), even(a.w, b.w)}, {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
+#elif HWY_MAX_BYTES >= 32
+  const TileTag d;
+  const Lanes4 a = transpose(e[0].part[0], e[2].part[0], e[4].part[0], e[6].part[0]);
+  const Lanes4 b = transpose(e[1].part[0], e[3].part[0], e[5].part[0], e[7].part[0]);
+  const auto low = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatLowerLower(d, of_b, of_a); };
+  const auto high = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatUpperUpper(d, of_b, of_a); };
+  return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)}, {high(a.x, b.x), high(a.y, b.y), high(a.z, b.z), high(a.w, b.w)}};
+#else
+  return {transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]), transpose(e[0].part[1], e[1].part[1], e[2].part[1], e[3].part[1])};
+#endif
+}
+
+#endif  // HWY_TARGET
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

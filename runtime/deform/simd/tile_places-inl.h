@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Where the vertices of a tile are read from and written to.
+#if defined(SINEW_TILE_PLACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_TILE_PLACES_INL_H_
+#undef SINEW_TILE_PLACES_INL_H_
+#else
+#define SINEW_TILE_PLACES_INL_H_
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "runtime/deform/influence_dispatch.h"
+#include "runtime/deform/influence_streams.h"
+#include "runtime/deform/simd/tile-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Influences of a tile of vertices, `stride` apart; only a number known at run time has another stride than itself.
+template <int kCount>
+struct TileInfluences {
+  VertexJoints<kCount> first;
+  std::size_t runtime_stride;
+
+  HWY_INLINE VertexJoints<kCount> at(std::size_t k) const {
+    const std::size_t skip = k * (kCount > 0 ? static_cast<std::size_t>(kCount) : runtime_stride);
+    return {first.joints + skip, first.weights + skip, first.runtime_count};
+  }
+
+  /// What a palette has for joint `i` of vertex `k`. Four numbers are read at once, since loads and instructions are what blending
+  /// spends its time on, and rotated to be offsets in bytes: to shift them would take a copy of all four each time.
+  template <class Entry>
+  HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
+    if constexpr (!kFourAtOnce) return palette + at(k).joints[i];
+    static_assert(std::has_single_bit(sizeof(Entry)));
+    const std::size_t number = k * kCount + i, number_of_four = kCount % 4 == 0 ? i % 4 : number % 4;
+    std::uint64_t four;
+    hwy::CopyBytes<sizeof(four)>(first.joints + (number - number_of_four), &four);
+    const std::uint64_t offset = std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(sizeof(Entry)));
+    return reinterpret_cast<const Entry*>(reinterpret_cast<const char*>(palette) + (offset & (0xffff * sizeof(Entry))));
+  }
+
+ private:
+  static constexpr bool kFourAtOnce = kCount > 0 && kTileSize % 4 == 0 && std::endian::native == std::endian::little;
+};
+
+/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs nothing.
+template <class V3, class V4>
+struct TileAttributes {
+  V3* positions;
+  V3* normals;
+  V4* tangents;
+
+  HWY_INLINE TileAttributes from(std::size_t vertex) const {
+    return {positions + vertex, normals ? normals + vertex : nullptr, tangents ? tangents + vertex : nullptr};
+  }
+};
+using TileInput = TileAttributes<const glm::vec3, const glm::vec4>;
+using TileOutput = TileAttributes<glm::vec3, glm::vec4>;
+
+/// A tile that is not full goes through copies, so that nothing is read or written beyond the arrays.
+template <int kCount>
+struct TileCopies {
+  glm::vec3 positions[kTileSize], normals[kTileSize], out_positions[kTileSize], out_normals[kTileSize];
+  glm::vec4 tangents[kTileSize], out_tangents[kTileSize];
+  std::uint16_t joints[kTileSize * kCount + 1];
+  float weights[kTileSize * kCount + 1];
+
+  TileInput load(const TileInput& in, std::size_t count) {
+    fill(in.positions, count, positions);
+    if (in.normals) fill(in.normals, count, normals);
+    if (in.tangents) fill(in.tangents, count, tangents);
+    return {positions, normals, tangents};
+  }
+  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first one.
+  TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
+    if constexpr (kCount == 0) return {in, 0};
+    for (std::size_t k = 0; k < kTileSize; ++k) {
+      const std::size_t from = std::min(k, count - 1) * kCount;
+      std::copy_n(in.joints + from, kCount, joints + k * kCount);
+      std::copy_n(in.weights + from, kCount, weights + k * kCount);
+    }
+    return {{joints, weights, kCount}, kCount};
+  }
+  TileOutput in_place_of(const TileOutput& out) { return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr}; }
+  void store(const TileOutput& out, std::size_t count) const {
+    std::copy_n(out_positions, count, out.positions);
+    if (out.normals) std::copy_n(out_normals, count, out.normals);
+    if (out.tangents) std::copy_n(out_tangents, count, out.tangents);
+  }
+
+ private:
+  template <class V, std::size_t kRoom>
+  static void fill(const V* from, std::size_t count, V (&to)[kRoom]) {
+    for (std::size_t k = 0; k < kRoom; ++k) to[k] = from[std::min(k, count - 1)];
+  }
+};
+
+/// Joint numbers and weights of a tile in the numbers that kernels work with.
+template <int kCount>
+struct WidenedTile {
+  static constexpr std::size_t kRoom = kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
+  std::uint16_t joints[kRoom];
+  float weights[kRoom];
+
+  /// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2)
+  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count, std::size_t influence_count) {
+    const std::size_t count = vertex_count * influence_count;
+    std::visit([&](auto all) { std::copy_n(all.data() + first, count, joints); }, from.joints);
+    std::visit(
+        [&](auto all) {
+          using Number = typename decltype(all)::value_type;
+          for (std::size_t i = 0; i < count; ++i) {
+            const auto number = static_cast<float>(all[first + i]);
+            if constexpr (std::is_integral_v<Number>) weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
+            else weights[i] = number;
+          }
+        },
+        from.weights);
+    return {joints, weights, influence_count};
+  }
+};
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/deform/skin_linear.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/deform/skin_linear.cpp"
+#include <hwy/foreach_target.h>
+
+#include "runtime/deform/simd/blend_columns-inl.h"
+#include "runtime/deform/simd/one_matrix-inl.h"
+#include "runtime/deform/vertex_checks.h"
+#include "runtime/math/normal_transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace {
+
+/// The normal of vertex `v` of a tile where squares leave float's range, or the blend has none. Its matrix is the one that moves
+/// its position, to the last bit.
+template <int kCount>
+glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v, const glm::vec3& n, bool cofactor) {
+  const MatrixParts parts = blend_parts(palette, tile, v);
+  JointMatrix blended;
+  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
+  const Affine m = affine_from(blended);
+  return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
+}
+
+/// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long as
+/// the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's work.
+template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
+struct SkinRow {
+  using Row = TileRow<kCount>;
+  const JointMatrix* palette;
+
+#if HWY_TARGET == HWY_SCALAR
+
+  void operator()(const Row& row) const {
+    for (std::size_t t = 0; t < row.tile_count; ++t) skin_tile(row, t);
+  }
+
+ private:
+  void skin_tile(const Row& row, std::size_t t) const {
+    const TileInput in = row.in(t);
+    const TileOutput out = row.out(t);
+    const OneMatrix m = blend_one_matrix(palette, row.joints(t));
+    store3(transform_points(m, load3(in.positions)), out.positions);
+    if constexpr (kNormals) {
+      Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
+      const auto sound = normalise(n);
+      store3(n, out.normals);
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_normal(row, t, v); });
+    }
+    if constexpr (kTangents) {
+      const Lanes4 tangent = load4(in.tangents);
+      Lanes3 moved = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
+      const auto sound = normalise(moved);
+      store4({moved.x, moved.y, moved.z, tangent.w}, out.tangents);
+      for_each_lane_not_in(sound, [&](std::size_t v) { write_careful_tangent(row, t, v); });
+    }
+  }
+
+#else
+
+  HWY_INLINE void operator()(const Row& row) const {
+    KeptQuarters normals[kNormals ? kKept : 1], tangents[kTangents ? kKept : 1];
+    for (std::size_t first = 0; first < row.tile_count; first += kKept) {
+      const std::size_t end = std::min(row.tile_count, first + kKept);
+      for (std::size_t t = first; t < end; ++t) move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
+      auto sound = hn::FirstN(TileTag(), kTileSize);
+      for (std::size_t t = first; t < end; ++t) {
+        if constexpr (kNormals) sound = hn::And(sound, write_normals(normals[t - first], row, t));
+        if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
+      }
+      if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
+        for (std::size_t t = first; t < end; ++t)
+          SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row), t);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kKept = kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
+
+  HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
+    const TileInput in = row.in(t);
+    const TileInfluences<kCount> joints = row.joints(t);
+    Wide positions[4];
+    for_each_quarter([&](auto q) HWY_ATTR {
+      const Columns m = blend_columns(palette, joints, q);
+      positions[q] = transform_points(m, load_spread<q>(in.positions));
+      if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
+      if constexpr (kTangents) tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
+    });
+    store_packed(positions, row.out(t).positions, row.past_caches);
+  }
+
+  HWY_INLINE hn::Mask<TileTag> write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
+    Wide normals[4];
+    kept.load(normals);
+    const auto sound = normalise(normals);
+    store_packed(normals, row.out(t).normals, row.past_caches);
+    return sound;
+  }
+
+  HWY_INLINE hn::Mask<TileTag> write_tangents(const KeptQuarters& kept, const Row& row, std::size_t t) const {
+    const TileTag d;
+    static constexpr LaneTable kHandedness([](std::size_t i) { return i % 4 == 3 ? -1 : 0; });
+    const auto handedness = hn::MaskFromVec(hn::BitCast(d, hn::Load(hn::RebindToSigned<TileTag>(), kHandedness.lanes)));
+    Wide tangents[4];
+    kept.load(tangents);
+    const auto sound = normalise(tangents);
+    for_each_quarter([&](auto q) HWY_ATTR {
+      const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
+      const Wide tangent = hn::IfThenElse(handedness, source, tangents[q]);
+      float* to = &row.out(t).tangents[q * kBlocks].x;
+      if (row.past_caches) hn::Stream(tangent, d, to);
+      else hn::StoreU(tangent, d, to);
+    });
+    return sound;
+  }
+
+  /// What is not sound of a tile. Apart from the loops over tiles, and called with copies of what they have in registers, which
+  /// would otherwise not stay there across a call.
+  HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row, std::size_t t) const {
+    if constexpr (kNormals)
+      for_each_lane_not_in(soundness(normals), [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
+    if constexpr (kTangents)
+      for_each_lane_not_in(soundness(tangents), [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+  }
+  static hn::Mask<TileTag> soundness(const KeptQuarters& kept) {
+    Wide quarters[4];
+    kept.load(quarters);
+    return normalise(quarters);
+  }
+
+#endif
+
+  HWY_NOINLINE void write_careful_normal(const Row& row, std::size_t t, std::size_t v) const {
+    row.out(t).normals[v] = careful_normal(palette, row.joints(t), v, row.in(t).normals[v], kCofactor);
+  }
+  HWY_NOINLINE void write_careful_tangent(const Row& row, std::size_t t, std::size_t v) const {
+    const glm::vec4 tangent = row.in(t).tangents[v];
+    row.out(t).tangents[v] = glm::vec4(careful_normal(palette, row.joints(t), v, glm::vec3(tangent), false), tangent.w);
+  }
+};
+
+void skin_linear(const SkinLinearJob& job) {
+  const AttributesPresent wanted = present(job.vertices, job.out);
+  const StreamedOutput streamed(job.out, wanted);
+  const auto skin = [&](auto normals, auto tangents, auto cofactor) {
+    for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
+      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job.palette.data()}, streamed);
+    });
+  };
+  with_attributes(wanted, [&](auto normals, auto tangents) {
+    if (normals && job.normal_rule == NormalRule::cofactor) skin(normals, tangents, normals);
+    else skin(normals, tangents, std::false_type{});
+  });
+}
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+namespace {
+HWY_EXPORT(skin_linear);
+}  // namespace
+
+ErrorCode check(const SkinLinearJob& job) noexcept {
+  return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
+}
+
+void run(const SkinLinearJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_linear)(job); }
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/lod/interpolated_input.h"
+
+#include <utility>
+
+#include "runtime/base/contract.h"
+
+namespace sinew {
+
+std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint32_t turn) noexcept {
+  const std::uint64_t period = std::uint64_t{1} << static_cast<unsigned>(level);
+  return static_cast<std::uint32_t>(period - (frame + turn) % period);
+}
+
+InterpolatedInput::InterpolatedInput(const Plan& plan) {
+  CONTRACT(plan.needs.between_updates);
+  from_.reserve(plan.tables.input_layer_count), to_.reserve(plan.tables.input_layer_count);
+}
+
+FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level, std::uint64_t frame,
+                                   std::uint32_t turn) {
+  if (now.asleep || frame < start_ || frame > end_) moves_ = false;
+  if (now.asleep) return now;
+  if (!moves_ || frame == end_) {
+    if (level == UpdateLevel::every) return moves_ = false, now;
+    if (moves_) std::swap(from_, to_);
+    else from_.assign(now.layers.begin(), now.layers.end());
+    to_.assign(ahead.begin(), ahead.end());
+    start_ = frame, end_ = frame + frames_to_update(level, frame, turn), moves_ = true;
+  }
+  FrameInput between = now;
+  between.layers = from_, between.next_layers = to_;
+  between.interpolation_factor = static_cast<float>(frame - start_) / static_cast<float>(end_ - start_);
+  return between;
+}
+
+}  // namespace sinew

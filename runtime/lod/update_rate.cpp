@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/lod/update_rate.h"
+
+#include <cmath>
+#include <limits>
+
+namespace sinew {
+
+double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcept {
+  if (!(distance_m > radius_m)) return std::numeric_limits<double>::infinity();
+  return radius_m / (distance_m * std::tan(0.5 * fov_y_rad));
+}
+
+UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates) noexcept {
+  const auto is_below = [&](double border, UpdateLevel level) {
+    return screen_size < (before >= level ? border * (1.0 + rates.hysteresis) : border);
+  };
+  if (is_below(rates.fourth_below, UpdateLevel::every_fourth)) return UpdateLevel::every_fourth;
+  return is_below(rates.second_below, UpdateLevel::every_second) ? UpdateLevel::every_second : UpdateLevel::every;
+}
+
+UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates) noexcept {
+  unsigned finer = static_cast<unsigned>(level);
+  while (finer > 0 && frame_s * static_cast<double>(1u << finer) > rates.longest_s) --finer;
+  return static_cast<UpdateLevel>(finer);
+}
+
+HeldInput::HeldInput(const Plan& plan) {
+  layers_.reserve(plan.tables.input_layer_count);
+  weights_.reserve(plan.rest_weights.size());
+}
+
+FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t turn) {
+  const std::uint64_t period = std::uint64_t{1} << static_cast<unsigned>(level);
+  const bool is_due = (frame + turn) % period == 0;
+  if (now.asleep) {
+    holds_ = false;
+    return now;
+  }
+  if (is_due || !holds_) {
+    layers_.assign(now.layers.begin(), now.layers.end());
+    weights_.assign(now.weights.begin(), now.weights.end());
+    root_ = now.root, holds_ = true;
+  }
+  return {.layers = layers_, .weights = weights_, .root = root_, .out_of_view = now.out_of_view};
+}
+
+}  // namespace sinew

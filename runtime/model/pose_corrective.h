@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "runtime/model/pose_samples.h"
+
+namespace sinew {
+
+/// Pose-space deformation: sample poses with their interpolant solved, ready to turn any pose into morph weights.
+/// Made by solve_corrective, evaluated by pose/correct_pose.h; immutable.
+/// eq   f(pose) = sum over basis functions b of b(pose) * coefficients[b], with f = values at each sample pose
+///      (Lewis, Cordner and Fong 2000, "Pose space deformation", section 4)
+struct PoseCorrective {
+  PoseSamples samples;
+  /// [basis_size][R]  a row per basis function. R = M: the morph weights themselves. With `partition` R = S: each
+  /// sample's share, of which the values are a weighted mean.
+  std::vector<double> coefficients;
+  std::vector<float> lower, upper;  ///< [M] range of the samples' values
+
+  std::size_t result_count() const noexcept {
+    return samples.partition ? samples.sample_count() : samples.weights.size();
+  }
+};
+
+/// Solves for the coefficients, in double. Without regularisation the interpolant goes through all samples.
+/// eq   [K + r I, P; P^T, 0] [c; t] = [values; 0],  K[i][j] = kernel(distance of samples i and j), P the functions of
+///      the tail at the samples. Distances along rotations make K indefinite even for kernels that are positive
+///      definite in flat space: so LU with full pivoting, and a check of the condition.
+/// err  as check(PoseSamples); coincident_poses (two samples less than 1e-6 rad apart, without regularisation);
+///      rank_deficient (condition beyond 1e10: too few poses for the tail, or a gaussian far wider than they lie apart)
+/// cost O(basis^3), allocates
+Result<PoseCorrective> solve_corrective(PoseSamples samples);
+
+/// Sizes, indices and numbers of a solved corrective.
+/// in   joint_count, weight_count  of the scene
+/// err  as check(PoseSamples), index_out_of_range
+ErrorCode check(const PoseCorrective& corrective, std::size_t joint_count, std::size_t weight_count) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/model/scene.h"
+
+#include "runtime/model/scene_look.h"
+
+namespace sinew {
+
+void finish_scene(Scene& scene) {
+  scene.first_weight.assign(1, 0);
+  std::vector<float> rest_weights;
+  for (const MeshInstance& instance : scene.instances) {
+    rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+    scene.first_weight.push_back(static_cast<std::uint32_t>(rest_weights.size()));
+  }
+  scene.properties = make_property_table(scene);
+  scene.clips.clear();
+  scene.clips.reserve(scene.animations.size());
+  for (const Animation& animation : scene.animations)
+    scene.clips.push_back(compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties));
+}
+
+}  // namespace sinew

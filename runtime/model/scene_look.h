@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "runtime/model/scene.h"
+
+namespace sinew {
+
+/// The parts of a scene that property tracks change, for one character: the scene itself never changes.
+struct SceneLook {
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+
+  SceneLook() = default;
+  explicit SceneLook(const Scene& scene) : materials(scene.materials), lights(scene.lights), cameras(scene.cameras) {}
+};
+
+TextureUse& texture_of(Material& material, TextureSlot slot) noexcept;
+
+/// The numbers of a property where they are kept; empty for node_visible, which is no part of the look.
+/// in   target   its index is in range
+std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept;
+
+/// Puts the property values of a frame in their places.
+/// in   values[P]  FrameResult::properties; empty = nothing is changed;   look  made of the same scene
+/// cost O(P), no allocation
+void apply_properties(const Scene& scene, std::span<const float> values, SceneLook& look) noexcept;
+
+/// Every property that some animation of the scene moves, with its rest value.
+PropertyTable make_property_table(const Scene& scene);
+
+}  // namespace sinew

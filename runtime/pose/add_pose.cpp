@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose/add_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/pose/add_pose.cpp"
+#include <hwy/foreach_target.h>
+
+#include "runtime/pose/simd/pose_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace {
+
+struct Rotations {
+  Lanes x, y, z, w;
+};
+
+/// eq   a * b, in single multiplications and additions (N27)
+HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
+  const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
+  const auto m = [](Lanes p, Lanes q) HWY_ATTR { return hn::Mul(p, q); };
+  return {sum(m(a.w, b.x), m(a.x, b.w), m(a.y, b.z), hn::Neg(m(a.z, b.y))), sum(m(a.w, b.y), m(a.y, b.w), m(a.z, b.x), hn::Neg(m(a.x, b.z))),
+          sum(m(a.w, b.z), m(a.z, b.w), m(a.x, b.y), hn::Neg(m(a.y, b.x))), sum(m(a.w, b.w), hn::Neg(m(a.x, b.x)), hn::Neg(m(a.y, b.y)), hn::Neg(m(a.z, b.z)))};
+}
+
+HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, const TransformLanes& reference, Lanes weight) {
+  const Floats d;
+  const Lanes one = hn::Set(d, 1.0f);
+  const Rotations delta = product({layer.rx, layer.ry, layer.rz, layer.rw}, {hn::Neg(reference.rx), hn::Neg(reference.ry), hn::Neg(reference.rz), reference.rw});
+  const Lanes side = hn::IfThenElse(hn::Lt(delta.w, hn::Zero(d)), hn::Neg(weight), weight);
+  const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z), hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
+  const Rotations q = product(part, {pose.rx, pose.ry, pose.rz, pose.rw});
+  pose.rx = q.x, pose.ry = q.y, pose.rz = q.z, pose.rw = q.w;
+  const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(pose, pose)));
+  pose.rx = hn::Mul(q.x, by_length), pose.ry = hn::Mul(q.y, by_length), pose.rz = hn::Mul(q.z, by_length), pose.rw = hn::Mul(q.w, by_length);
+}
+
+HWY_INLINE Lanes added_scale(Lanes scale, Lanes layer, Lanes reference, Lanes weight) {
+  const Floats d;
+  const Lanes one = hn::Set(d, 1.0f);
+  const Lanes ratio = hn::IfThenElse(hn::Eq(reference, hn::Zero(d)), one, hn::Div(layer, reference));
+  return hn::Mul(scale, hn::Add(one, hn::Mul(weight, hn::Sub(ratio, one))));
+}
+
+HWY_INLINE auto same_rotation(const TransformLanes& a, const TransformLanes& b) {
+  return hn::And(hn::And(hn::Eq(a.rx, b.rx), hn::Eq(a.ry, b.ry)), hn::And(hn::Eq(a.rz, b.rz), hn::Eq(a.rw, b.rw)));
+}
+
+/// Adds one vector of joints from `j` on.
+HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
+  const Floats d;
+  const TransformLanes pose = load(job.pose, j), layer = load(job.layer, j), reference = load(job.reference, j);
+  const Lanes weight = weight_of(BlendLayer{job.layer, job.weight, job.joint_weights}, j);
+  TransformLanes sum = pose;
+  sum.tx = add_product(pose.tx, hn::Sub(layer.tx, reference.tx), weight);
+  sum.ty = add_product(pose.ty, hn::Sub(layer.ty, reference.ty), weight);
+  sum.tz = add_product(pose.tz, hn::Sub(layer.tz, reference.tz), weight);
+  add_rotation(sum, layer, reference, weight);
+  const auto still = same_rotation(layer, reference);
+  sum.rx = hn::IfThenElse(still, pose.rx, sum.rx), sum.ry = hn::IfThenElse(still, pose.ry, sum.ry);
+  sum.rz = hn::IfThenElse(still, pose.rz, sum.rz), sum.rw = hn::IfThenElse(still, pose.rw, sum.rw);
+  sum.sx = added_scale(pose.sx, layer.sx, reference.sx, weight);
+  sum.sy = added_scale(pose.sy, layer.sy, reference.sy, weight);
+  sum.sz = added_scale(pose.sz, layer.sz, reference.sz, weight);
+  store(choose(hn::Eq(weight, hn::Zero(d)), pose, sum), job.pose, j);
+}
+
+void add_all(const AddPoseJob& job) {
+  for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) add_lanes(job, j);
+}
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+namespace {
+HWY_EXPORT(add_all);
+}  // namespace
+
+ErrorCode check(const AddPoseJob& job) noexcept {
+  const BlendLayer layers[] = {{job.layer, job.weight, job.joint_weights}, {job.reference, 0.0f, {}}};
+  return check(BlendPosesJob{layers, job.pose, job.pose});
+}
+
+void run(const AddPoseJob& job) noexcept { HWY_DYNAMIC_DISPATCH(add_all)(job); }
+
+}  // namespace sinew
+#endif

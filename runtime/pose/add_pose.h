@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/base/result.h"
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// Adds to a pose what one layer differs from a reference pose by: breathing, aiming, a limp on top of any walk.
+/// eq   t' = t + w (t_l - t_r);  q' = normalise(((1 - w) 1 + w d) q), d = q_l conj(q_r) on the side of 1;
+///      s' = s (1 + w (s_l / s_r - 1)), per component, s_l / s_r = 1 where s_r = 0
+/// in   layer, reference  of the same joints as `pose`;   weight  finite, >= 0: 1 adds all of it
+///      joint_weights[J]  multiply `weight` per joint; empty = all ones
+/// out  pose              in place; joints of weight 0 keep their bits, as do all when layer = reference bit for bit in them
+/// err  size_mismatch, not_finite     cost O(J), no allocation
+struct AddPoseJob {
+  PoseSpan layer, reference;
+  float weight = 1.0f;
+  std::span<const float> joint_weights;
+  PoseSpan pose;
+};
+
+ErrorCode check(const AddPoseJob& job) noexcept;
+void run(const AddPoseJob& job) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/base/result.h"
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// One layer of a blend. `joint_weights[J]` multiplies `weight` per joint; empty = all ones.
+struct BlendLayer {
+  PoseSpan pose;
+  float weight = 1.0f;
+  std::span<const float> joint_weights;
+};
+
+/// Weighted mean of poses; where the weights of a joint sum to less than 1 the rest pose fills up.
+/// eq   t = sum(w t) / sum(w), s likewise; q = normalise(sum(w sign(dot(q, q_pivot)) q)), the pivot being the layer with
+///      the largest weight (first on a tie), so that the order of layers does not matter   (Kavan et al. 2008, sec. 3)
+/// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
+/// out  pose       may be one of the inputs
+/// err  size_mismatch, not_finite     cost O(J * L), no allocation
+struct BlendPosesJob {
+  std::span<const BlendLayer> layers;
+  PoseSpan rest;
+  PoseSpan pose;
+};
+
+ErrorCode check(const BlendPosesJob& job) noexcept;
+void run(const BlendPosesJob& job) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose/local_to_model.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/pose/local_to_model.cpp"
+#include <hwy/foreach_target.h>
+
+#include "runtime/pose/simd/affine_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A pose's stride is a multiple of 16 joints, so that whole vectors never reach past its planes.
+using Floats = hn::CappedTag<float, 16>;
+using Lanes = hn::Vec<Floats>;
+
+/// Joints are taken in chunks, of which a bit per joint says whether to compose it.
+constexpr std::size_t kChunk = 64;
+using Chosen = std::uint64_t;
+
+/// Local matrices of a chunk, in the order in which transposing within blocks of vectors leaves them.
+struct LocalMatrices {
+  HWY_ALIGN float rows[3][kChunk * 4];
+
+  /// place(i + k) = place(i) + place(k) for i a multiple of 4 and k < 4; with 16 lanes, of 8 and k < 8 as well.
+  static constexpr std::size_t place(std::size_t joint) {
+    constexpr std::size_t kLanes = hn::MaxLanes(Floats());
+    return kLanes < 4 ? 4 * joint : joint / kLanes * kLanes * 4 + joint % 4 * kLanes + joint % kLanes / 4 * 4;
+  }
+  RowsAt at(std::size_t place) const { return {rows[0] + place, rows[1] + place, rows[2] + place}; }
+};
+
+/// One row of every joint, from its components.
+HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
+  const Floats d;
+#if HWY_TARGET == HWY_SCALAR
+  hn::StoreInterleaved4(x, y, z, w, d, row);
+#else
+  const std::size_t lanes = hn::Lanes(d);
+  const Lanes xz_low = hn::InterleaveLower(d, x, z), xz_high = hn::InterleaveUpper(d, x, z);
+  const Lanes yw_low = hn::InterleaveLower(d, y, w), yw_high = hn::InterleaveUpper(d, y, w);
+  hn::Store(hn::InterleaveLower(d, xz_low, yw_low), d, row);
+  hn::Store(hn::InterleaveUpper(d, xz_low, yw_low), d, row + lanes);
+  hn::Store(hn::InterleaveLower(d, xz_high, yw_high), d, row + 2 * lanes);
+  hn::Store(hn::InterleaveUpper(d, xz_high, yw_high), d, row + 3 * lanes);
+#endif
+}
+
+/// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28)
+HWY_INLINE void store_matrices(const PoseSpan& pose, std::size_t j, float* x_row) {
+  const Floats d;
+  using P = PoseSpan;
+  const Lanes x = hn::LoadU(d, pose.plane(P::rx) + j), y = hn::LoadU(d, pose.plane(P::ry) + j);
+  const Lanes z = hn::LoadU(d, pose.plane(P::rz) + j), w = hn::LoadU(d, pose.plane(P::rw) + j);
+  const Lanes sx = hn::LoadU(d, pose.plane(P::sx) + j), sy = hn::LoadU(d, pose.plane(P::sy) + j);
+  const Lanes sz = hn::LoadU(d, pose.plane(P::sz) + j);
+  const Lanes one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const Lanes xx = hn::Mul(x, x), yy = hn::Mul(y, y), zz = hn::Mul(z, z);
+  const Lanes xy = hn::Mul(x, y), xz = hn::Mul(x, z), yz = hn::Mul(y, z);
+  const Lanes wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
+  store_row(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
+                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), x_row);
+  store_row(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
+                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), x_row + 4 * kChunk);
+  store_row(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
+                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), x_row + 8 * kChunk);
+}
+
+/// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read back at once.
+HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
+  const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
+  for (std::size_t i = 0, count = HWY_MIN(kChunk, skeleton.joint_count() - begin); i < count; ++i) {
+    if (HWY_LIKELY(fixed[i] == kNone)) continue;
+    for (int r = 0; r < 3; ++r) std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r], sizeof(glm::vec4));
+  }
+}
+
+/// Local matrices of a chunk. A function of its own: within another, some of its vectors would be spilled.
+HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen chosen, LocalMatrices& locals) {
+  const std::size_t lanes = hn::Lanes(Floats());
+  const Chosen of_vector = (Chosen{2} << (lanes - 1)) - 1;
+  for (std::size_t i = 0; i < kChunk && chosen >> i != 0; i += lanes)
+    if (chosen >> i & of_vector) store_matrices(job.local, begin + i, locals.rows[0] + 4 * i);
+  if (!job.skeleton->fixed_matrices.empty()) use_fixed_matrices(*job.skeleton, begin, locals);
+}
+
+#if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 64
+
+/// Composes joints chunk after chunk, parents first.
+template <bool kSome>
+class Composer {
+ public:
+  explicit Composer(const LocalToModelJob& job) : root_(job.root), model_(job.model.data()), parents_(job.skeleton->parents.data()) {}
+
+  HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) const {
+    for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4) {
+      HWY_UNROLL(4)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (chosen >> k & 1) compose(locals.at(LocalMatrices::place(i) + LocalMatrices::place(k)), begin + i + k);
+    }
+  }
+
+ private:
+  HWY_INLINE void compose(const RowsAt& local, std::size_t joint) const {
+    const std::uint32_t parent = parents_[joint];
+    const Rows rows = product(parent == kNone ? root_ : model_[parent], local);
+#if HWY_TARGET == HWY_SCALAR
+    model_[joint] = rows;
+#else
+    for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &model_[joint].row[r].x);
+#endif
+  }
+
+  const Affine& root_;
+  Affine* model_;
+  const std::uint32_t* parents_;
+};
+
+#else
+
+/// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump, which is
+/// foreseen: a joint would wait for its parent's matrix to come back from memory nearly as long as for the product.
+template <bool kSome>
+class Composer {
+ public:
+  HWY_INLINE explicit Composer(const LocalToModelJob& job)
+      : parents_(job.skeleton->parents.data()), model_(job.model.data()), root_(load_rows(job.root)),
+        last_{root_, root_, root_, root_, root_, root_, root_, root_} {}  // the parent kNone is one step before joint 0
+
+  HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) {
+    Chosen composed = (before_ & ~Chosen{0xff}) | (chosen & 0xff);
+    before_ = chosen;
+    for (std::size_t i = 0; i < kChunk && chosen >> i != 0; i += 8, composed = chosen)
+      compose_eight(locals.at(LocalMatrices::place(i)), begin + i, static_cast<std::uint32_t>(chosen >> i), composed);
+  }
+
+ private:
+  /// in   composed  bit j % kChunk of joint j, of these joints and of the eight before
+  HWY_INLINE void compose_eight(const RowsAt& local, std::size_t joint, std::uint32_t chosen, Chosen composed) {
+    const std::uint32_t* parents = parents_ + joint;
+    Affine* model = model_ + joint;
+    HWY_UNROLL(8)
+    for (std::size_t k = 0; k < 8; ++k) {
+      if ((chosen >> k & 1) == 0) continue;
+      const float* x_row = local.x + LocalMatrices::place(k);
+      const std::uint32_t parent = parents[k], steps = static_cast<std::uint32_t>(joint + k) - parent;
+      const bool has_passed = !kSome || (composed >> parent % kChunk & 1) != 0;
+      last_[k] = product(has_passed ? rows_before(k, steps, parent) : stored_rows(parent), {x_row, x_row + 4 * kChunk, x_row + 8 * kChunk});
+      hn::BlendedStore(last_[k], within_rows(), Floats(), &model[k].row[0].x);
+    }
+  }
+
+  HWY_INLINE Rows rows_before(std::size_t k, std::uint32_t steps, std::uint32_t parent) const {
+    switch (steps) {
+      case 1: return last_[(k + 7) % 8];
+      case 2: return last_[(k + 6) % 8];
+      case 3: return last_[(k + 5) % 8];
+      case 4: return last_[(k + 4) % 8];
+      case 5: return last_[(k + 3) % 8];
+      case 6: return last_[(k + 2) % 8];
+      case 7: return last_[(k + 1) % 8];
+      case 8: return last_[k];
+      default: return stored_rows(parent);
+    }
+  }
+  HWY_INLINE Rows stored_rows(std::uint32_t parent) const { return parent == kNone ? root_ : load_rows(model_[parent]); }
+
+  const std::uint32_t* parents_;
+  Affine* model_;
+  Rows root_, last_[8];  // last_[j % 8] of joint j
+  Chosen before_ = 0;    // what was chosen of the chunk before
+};
+
+#endif
+
+/// The bits of the joints from only[next] on that come before `end`, which are of one chunk; `next` passes them.
+Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::size_t& next) {
+  const auto last = only.back() < end ? only.end() : std::lower_bound(only.begin() + static_cast<std::ptrdiff_t>(next), only.end(), end);
+  Chosen chosen = 0;
+  for (const auto passed = static_cast<std::size_t>(last - only.begin()); next < passed; ++next) chosen |= Chosen{1} << only[next] % kChunk;
+  return chosen;
+}
+
+/// Local matrices are made a chunk ahead of the joints' chains, which wait for each other's products.
+template <bool kSome>
+HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
+  LocalMatrices locals;
+  Composer<kSome> composer(job);
+  std::size_t next = 0;
+  const std::size_t joints = kSome ? job.only.back() + std::size_t{1} : job.skeleton->joint_count();
+  for (std::size_t begin = 0; begin < joints; begin += kChunk) {
+    const std::size_t count = HWY_MIN(kChunk, joints - begin);
+    const Chosen chosen = kSome ? chosen_joints(job.only, begin + count, next) : ~Chosen{0} >> (kChunk - count);
+    fill(job, begin, chosen, locals);
+    composer.compose(locals, begin, chosen);
+  }
+}
+
+void model_matrices(const LocalToModelJob& job) { return job.only.empty() ? compose_joints<false>(job) : compose_joints<true>(job); }
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+namespace {
+
+HWY_EXPORT(model_matrices);
+
+}  // namespace
+
+ErrorCode check(const LocalToModelJob& job) noexcept {
+  if (!job.skeleton) return ErrorCode::size_mismatch;
+  const std::size_t count = job.skeleton->joint_count();
+  if (job.local.joint_count < count || job.model.size() < count) return ErrorCode::size_mismatch;
+  if (job.local.stride != PoseSpan::stride_for(job.local.joint_count)) return ErrorCode::size_mismatch;
+  if (count > 0 && !job.local.planes) return ErrorCode::size_mismatch;
+  if (!job.only.empty() && job.only.back() >= count) return ErrorCode::index_out_of_range;
+  const auto* pose_begin = reinterpret_cast<const std::byte*>(job.local.planes);
+  const auto* pose_end = pose_begin + PoseSpan::plane_count * job.local.stride * sizeof(float);
+  const auto out = std::as_bytes(job.model);
+  if (out.data() < pose_end && pose_begin < out.data() + out.size()) return ErrorCode::overlapping_buffers;
+  return ErrorCode::ok;
+}
+
+void run(const LocalToModelJob& job) noexcept { HWY_DYNAMIC_DISPATCH(model_matrices)(job); }
+
+}  // namespace sinew
+#endif  // HWY_ONCE

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/clip/clip.h"
+#include "runtime/base/result.h"
+#include "runtime/pose/pose.h"
+
+namespace sinew {
+
+/// Local pose of every joint, all morph weights and all animated properties at one time of a clip. What the clip does
+/// not animate gets its rest value (G22). Times outside the clip clamp per track (G10).
+/// eq   as BoneAnimation::interpolate, in float
+/// in   time_s      seconds in the clip
+/// out  pose        of the clip's joint count;   weights[W]  the clip's weight count, may be empty = not wanted
+///      properties[P]  the clip's property count, may be empty = not wanted
+///      holds_clip  the pose is a sample of this very clip: what that does not animate is there already (P01)
+/// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation
+struct SampleClipJob {
+  const Clip* clip = nullptr;
+  double time_s = 0.0;
+  PoseSpan pose;
+  std::span<float> weights;
+  std::span<float> properties = {};
+  bool holds_clip = false;
+};
+
+ErrorCode check(const SampleClipJob& job) noexcept;
+void run(const SampleClipJob& job) noexcept;
+
+}  // namespace sinew

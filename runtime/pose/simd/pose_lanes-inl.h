@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Poses over Highway's lanes, one joint per lane; included once per SIMD target, so without `#pragma once`. Single
+// multiplications and additions only, never fused: all targets give the same bits (N27, N28).
+#if defined(SINEW_POSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_POSE_LANES_INL_H
+#undef SINEW_POSE_LANES_INL_H
+#else
+#define SINEW_POSE_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "runtime/pose/blend_poses.h"
+#include "runtime/math/negligible.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A pose's stride is a multiple of 16 joints, so that whole vectors never reach past its planes.
+using Floats = hn::CappedTag<float, 16>;
+using Lanes = hn::Vec<Floats>;
+
+struct TransformLanes {
+  Lanes tx, ty, tz, rx, ry, rz, rw, sx, sy, sz;
+};
+
+HWY_INLINE Lanes load(const PoseSpan& pose, PoseSpan::Plane plane, std::size_t j) {
+  return hn::LoadU(Floats(), pose.plane(plane) + j);
+}
+
+HWY_INLINE TransformLanes load(const PoseSpan& p, std::size_t j) {
+  using P = PoseSpan;
+  return {load(p, P::tx, j), load(p, P::ty, j), load(p, P::tz, j), load(p, P::rx, j), load(p, P::ry, j),
+          load(p, P::rz, j), load(p, P::rw, j), load(p, P::sx, j), load(p, P::sy, j), load(p, P::sz, j)};
+}
+
+HWY_INLINE void store(const TransformLanes& t, const PoseSpan& p, std::size_t j) {
+  const Floats d;
+  using P = PoseSpan;
+  hn::StoreU(t.tx, d, p.plane(P::tx) + j), hn::StoreU(t.ty, d, p.plane(P::ty) + j), hn::StoreU(t.tz, d, p.plane(P::tz) + j);
+  hn::StoreU(t.rx, d, p.plane(P::rx) + j), hn::StoreU(t.ry, d, p.plane(P::ry) + j), hn::StoreU(t.rz, d, p.plane(P::rz) + j);
+  hn::StoreU(t.rw, d, p.plane(P::rw) + j);
+  hn::StoreU(t.sx, d, p.plane(P::sx) + j), hn::StoreU(t.sy, d, p.plane(P::sy) + j), hn::StoreU(t.sz, d, p.plane(P::sz) + j);
+}
+
+template <class Mask>
+HWY_INLINE TransformLanes choose(Mask m, const TransformLanes& a, const TransformLanes& b) {
+  return {hn::IfThenElse(m, a.tx, b.tx), hn::IfThenElse(m, a.ty, b.ty), hn::IfThenElse(m, a.tz, b.tz), hn::IfThenElse(m, a.rx, b.rx),
+          hn::IfThenElse(m, a.ry, b.ry), hn::IfThenElse(m, a.rz, b.rz), hn::IfThenElse(m, a.rw, b.rw), hn::IfThenElse(m, a.sx, b.sx),
+          hn::IfThenElse(m, a.sy, b.sy), hn::IfThenElse(m, a.sz, b.sz)};
+}
+
+/// Weight of a layer for the joints from `j` on; masks have no padding, so their tail is copied.
+HWY_INLINE Lanes weight_of(const BlendLayer& layer, std::size_t j) {
+  const Floats d;
+  Lanes w = hn::Set(d, layer.weight);
+  if (!layer.joint_weights.empty()) {
+    const std::size_t left = layer.joint_weights.size() - j;
+    HWY_ALIGN float tail[16] = {};
+    const float* mask = layer.joint_weights.data() + j;
+    if (left < hn::Lanes(d)) {
+      for (std::size_t i = 0; i < left; ++i) tail[i] = mask[i];
+      mask = tail;
+    }
+    w = hn::Mul(w, hn::LoadU(d, mask));
+  }
+  return hn::IfThenElseZero(hn::Ge(w, hn::Set(d, kNegligible)), w);
+}
+
+HWY_INLINE Lanes dot4(const TransformLanes& a, const TransformLanes& b) {
+  return hn::Add(hn::Add(hn::Mul(a.rx, b.rx), hn::Mul(a.ry, b.ry)), hn::Add(hn::Mul(a.rz, b.rz), hn::Mul(a.rw, b.rw)));
+}
+
+HWY_INLINE Lanes add_product(Lanes sum, Lanes value, Lanes weight) { return hn::Add(sum, hn::Mul(value, weight)); }
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/threads/tbb_executor.h"
+
+#include <tbb/parallel_for.h>
+
+// The thread sanitizer cannot see inside the system's libtbb. Its build leaves this file uninstrumented, so that TBB's own
+// templates do not look like races, and is told here the one thing that TBB guarantees: what the caller wrote is visible to
+// the bodies, and what they wrote is visible to the caller afterwards.
+#ifdef SINEW_TELL_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace sinew {
+namespace {
+
+#ifdef SINEW_TELL_THREAD_SANITIZER
+void hand_over(const void* place) noexcept { __tsan_release(const_cast<void*>(place)); }
+void take_over(const void* place) noexcept { __tsan_acquire(const_cast<void*>(place)); }
+#else
+void hand_over(const void*) noexcept {}
+void take_over(const void*) noexcept {}
+#endif
+
+}  // namespace
+
+void run_with_tbb(std::size_t count, const std::function<void(std::size_t)>& body) {
+  hand_over(&body);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    take_over(&body);
+    body(i);
+    hand_over(&body);
+  });
+  take_over(&body);
+}
+
+}  // namespace sinew

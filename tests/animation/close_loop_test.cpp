@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/animation/close_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "runtime/animation/track_sample.h"
+#include "runtime/math/interpolate.h"
+#include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+glm::quat about_y(double angle_rad) {
+  return quat_xyzw(0.0f, static_cast<float>(std::sin(angle_rad / 2)), 0.0f,
+                   static_cast<float>(std::cos(angle_rad / 2)));
+}
+
+/// Two seconds: a linear translation over the whole time, rotations over the first second and a half.
+Animation two_tracks() {
+  Animation animation;
+  animation.duration_s = 2.0;
+  animation.bones.resize(1);
+  animation.bones[0].translation =
+      test::track_of<glm::vec3>(Interpolation::linear, {0, 1, 2}, {{1, 0, 0}, {2, 0, 0}, {5, 0, 0}});
+  animation.bones[0].rotation =
+      test::track_of<glm::quat>(Interpolation::linear, {0.5f, 1.5f}, {about_y(0.2), about_y(1.0)});
+  animation.weights.push_back({0, {Interpolation::linear, {0, 2}, {0, 1, 10, -1}, 2}});
+  return animation;
+}
+
+Transformd pose_at(const Animation& animation, double time_s) {
+  return animation.bones[0].interpolate<double>(time_s, {});
+}
+
+TEST(close_loop, G12_interpolates_from_the_last_pose_to_the_first_over_the_gap) {
+  const Animation open = two_tracks();
+  const Animation closed = close_loop(open, 0.5).value();
+  EXPECT_EQ(closed.duration_s, 2.5);
+  EXPECT_NEAR(pose_at(closed, 2.25).translation.x, 3.0, 1e-15);
+  EXPECT_NEAR(pose_at(closed, 2.125).translation.x, 4.0, 1e-15);
+  EXPECT_LT(test::angle_between(pose_at(closed, 2.25).rotation, about_y(0.6)), 1e-7);
+  EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(1.0)), 1e-7);  // held from 1.5 s on
+  double weights[2];
+  sample_track(closed.weights[0].weights, 2.25, std::span<double>(weights));
+  EXPECT_EQ(weights[0], 5.0);
+  EXPECT_EQ(weights[1], 0.0);
+}
+
+TEST(close_loop, G12_the_end_of_the_gap_is_the_start_bit_for_bit_and_what_was_there_stays) {
+  for (const Interpolation kind : {Interpolation::step, Interpolation::linear, Interpolation::squad}) {
+    Animation open = two_tracks();
+    open.bones[0].rotation.interpolation = kind;
+    open.bones[0].rotation.times_s = {0.0f, 2.0f};
+    const Animation closed = close_loop(open, 0.25).value();
+    EXPECT_EQ(closed.bones[0].interpolate<float>(closed.duration_s), closed.bones[0].interpolate<float>(0.0));
+    if (kind == Interpolation::squad) continue;  // its control points look one key ahead
+    for (double t = 0; t <= 2.0; t += 0.125) EXPECT_EQ(pose_at(closed, t), pose_at(open, t)) << t;
+  }
+}
+
+TEST(close_loop, without_it_a_loop_holds_its_last_key_and_jumps) {
+  const Animation open = two_tracks();
+  EXPECT_EQ(pose_at(open, 2.25).translation.x, 5.0);
+}
+
+TEST(close_loop, G07_step_tracks_hold_through_the_gap) {
+  Animation open = two_tracks();
+  open.bones[0].translation.interpolation = Interpolation::step;
+  const Animation closed = close_loop(open, 0.5).value();
+  EXPECT_EQ(pose_at(closed, 2.49).translation.x, 5.0);
+  EXPECT_EQ(pose_at(closed, 2.5).translation.x, 1.0);
+}
+
+/// x = sin(pi t) by cubic keys with exact speeds; its period is 2 s, of which the last half second is missing.
+Animation sine() {
+  Animation animation;
+  animation.duration_s = 1.5;
+  animation.bones.resize(1);
+  Vec3Track& track = animation.bones[0].translation;
+  track.interpolation = Interpolation::cubic_spline;
+  constexpr double kPi = 3.14159265358979323846;
+  for (int k = 0; k <= 3; ++k) {
+    const double t = 0.5 * k;
+    const glm::vec3 speed(static_cast<float>(kPi * std::cos(kPi * t)), 0, 0);
+    track.times_s.push_back(static_cast<float>(t));
+    const bool first = k == 0, last = k == 3;
+    const glm::vec3 unused(1e6f);  // the file's numbers there mean nothing
+    track.values.insert(track.values.end(),
+                        {first ? unused : speed, {static_cast<float>(std::sin(kPi * t)), 0, 0}, last ? unused : speed});
+  }
+  return animation;
+}
+
+TEST(close_loop, G03_a_cubic_spline_keeps_its_speed_across_the_seam) {
+  const Animation closed = close_loop(sine(), 0.5).value();
+  constexpr double kPi = 3.14159265358979323846;
+  for (double t = 1.5; t < 2.0; t += 0.03125)
+    EXPECT_NEAR(pose_at(closed, t).translation.x, std::sin(kPi * t), 0.02) << t;
+  const double h = 1e-4;
+  const double before = (pose_at(closed, 2.0).translation.x - pose_at(closed, 2.0 - h).translation.x) / h;
+  const double after = (pose_at(closed, h).translation.x - pose_at(closed, 0.0).translation.x) / h;
+  EXPECT_NEAR(before, kPi, 1e-2);
+  EXPECT_NEAR(before, after, 1e-2);
+}
+
+TEST(close_loop, G03_a_cubic_track_that_ends_early_holds_and_then_leaves_at_rest) {
+  Animation open = sine();
+  open.duration_s = 3.0;
+  const Animation closed = close_loop(open, 1.0).value();
+  for (double t = 1.5; t <= 3.0; t += 0.125) EXPECT_NEAR(pose_at(closed, t).translation.x, -1.0, 1e-15) << t;
+  const double h = 1e-4;
+  EXPECT_NEAR((pose_at(closed, 3.0 + h).translation.x + 1.0) / h, 0.0, 1e-2);
+  EXPECT_EQ(pose_at(closed, 4.0).translation.x, 0.0);
+}
+
+TEST(close_loop, G05_cubic_rotations_close_on_the_short_arc) {
+  Animation open;
+  open.duration_s = 1.0;
+  open.bones.resize(1);
+  const glm::quat none(0, 0, 0, 0);
+  open.bones[0].rotation = {Interpolation::cubic_spline, {0, 1}, {none, about_y(0.1), none, none, -about_y(0.5), none}};
+  const Animation closed = close_loop(open, 1.0).value();
+  EXPECT_LT(test::angle_between(pose_at(closed, 1.5).rotation, about_y(0.3)), 1e-6);
+  EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(0.1)), 1e-7);
+}
+
+TEST(close_loop, closed_tracks_are_valid_and_compile) {
+  Scene scene;
+  scene.skeleton = test::chain_skeleton(1);
+  scene.meshes.push_back({"mesh", {}, {0.0f, 0.0f}, {}});
+  scene.instances.push_back({0, 0, kNone, {0.0f, 0.0f}});
+  scene.animations.push_back(close_loop(two_tracks(), 0.5).value());
+  scene.animations.push_back(close_loop(sine(), 0.5).value());
+  finish_scene(scene);
+  EXPECT_EQ(check(scene), ErrorCode::ok);
+  EXPECT_EQ(scene.clips[0].duration_s(), 2.5);
+}
+
+TEST(close_loop, refuses_a_gap_that_is_none) {
+  const Animation open = two_tracks();
+  EXPECT_EQ(close_loop(open, 0.0).error(), ErrorCode::unsupported);
+  EXPECT_EQ(close_loop(open, -1.0).error(), ErrorCode::unsupported);
+  EXPECT_EQ(close_loop(open, 1e-9).error(), ErrorCode::unsupported);
+  EXPECT_EQ(close_loop(open, std::numeric_limits<double>::quiet_NaN()).error(), ErrorCode::not_finite);
+}
+
+TEST(close_loop, an_animation_without_keys_only_gets_longer) {
+  Animation still;
+  still.bones.resize(1);
+  const Animation closed = close_loop(still, 1.0).value();
+  EXPECT_TRUE(closed.bones[0].empty());
+  EXPECT_EQ(closed.duration_s, 1.0);
+}
+
+}  // namespace
+}  // namespace sinew

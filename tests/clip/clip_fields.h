@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "runtime/clip/clip_file.h"
+
+namespace sinew::test {
+
+/// Writes size and checksum of what is there now: the head keeps nothing from the loader.
+inline void sign(std::vector<std::byte>& block) {
+  std::uint64_t sum = 0xcbf29ce484222325u;
+  for (std::size_t i = kClipFileHead; i < block.size(); ++i) sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
+  const std::uint64_t size = block.size();
+  std::memcpy(block.data() + 16, &size, 8);
+  std::memcpy(block.data() + 24, &sum, 8);
+}
+
+/// A block of one compiled clip, number by number, so that each can be wrong by itself. Written down from the form, with nothing
+/// of the code that saves clips.
+struct ClipFields {
+  struct Tracks {
+    std::uint8_t property, interpolation, packed;
+    std::uint32_t target_count;
+    std::vector<std::uint8_t> target_gaps;  ///< groups of seven bits
+    std::vector<float> rows;
+    std::vector<std::uint8_t> width, derived;
+    std::vector<std::uint16_t> ranges;
+    std::vector<std::uint8_t> bits;
+  };
+  struct Group {
+    std::vector<float> times_s;
+    std::vector<Tracks> blocks;
+  };
+
+  std::string name = "fields";
+  double duration_s = 2.0;
+  std::uint64_t joint_count = 4;
+  std::uint32_t folded = 1;
+  std::uint8_t certificate = 1;
+  double lengths[4] = {1e-3, 5e-4, 1e-4, 0.5};
+  std::uint32_t counts[3] = {2, 100, 3};
+  std::uint64_t sizes[4] = {90, 40, 4000, 400};
+  std::vector<float> weights = {0.1f, 0.2f, 0.3f}, properties = {1.0f, 2.0f};
+  std::vector<Group> groups;
+  std::vector<float> translations, rotations, scales;  ///< at rest
+
+  std::vector<std::byte> block() const {
+    std::vector<std::byte> out;
+    const auto add = [&](const auto& number) {
+      const auto* bytes = reinterpret_cast<const std::byte*>(&number);
+      out.insert(out.end(), bytes, bytes + sizeof(number));
+    };
+    // How many floats a number is from what is expected, 0 1 2 3 4 for 0 -1 1 -2 2, in groups of seven bits.
+    const auto add_near = [&](float number, float expected) {
+      std::int32_t bits = 0, expected_bits = 0;
+      std::memcpy(&bits, &number, 4), std::memcpy(&expected_bits, &expected, 4);
+      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - expected_bits);  // of 32 bits, whatever the distance
+      std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2) : static_cast<std::int64_t>(gap) * 2);
+      for (; turned > 127; turned /= 128) add(static_cast<std::uint8_t>(turned % 128 + 128));
+      add(static_cast<std::uint8_t>(turned));
+    };
+    const auto add_rest = [&](const std::vector<float>& numbers, const std::vector<float>& identity) {
+      add(static_cast<std::uint32_t>(numbers.size()));
+      for (std::size_t i = 0; i < numbers.size(); ++i) add_near(numbers[i], identity[i % identity.size()]);
+    };
+    const auto add_all = [&](const auto& numbers) {
+      add(static_cast<std::uint32_t>(numbers.size()));
+      for (const auto& number : numbers) add(number);
+    };
+    for (const char c : {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'}) add(c);
+    add(std::uint32_t{2}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
+    add(std::uint32_t{1});  // clips
+    add_all(name), add(duration_s), add(joint_count), add(folded), add(certificate);
+    if (certificate != 0) {
+      for (const double x : lengths) add(x);
+      for (const std::uint32_t x : counts) add(x);
+      for (const std::uint64_t x : sizes) add(x);
+    }
+    add_all(weights), add_all(properties), add(static_cast<std::uint32_t>(groups.size()));
+    for (const Group& group : groups) {
+      add(static_cast<std::uint32_t>(group.times_s.size()));
+      for (std::size_t k = 0; k < group.times_s.size(); ++k) add_near(group.times_s[k], k < 2 ? 0.0f : 2.0f * group.times_s[k - 1] - group.times_s[k - 2]);
+      add(static_cast<std::uint32_t>(group.blocks.size()));
+      for (const Tracks& t : group.blocks) {
+        add(t.property), add(t.interpolation), add(t.packed), add(t.target_count);
+        for (const std::uint8_t gap : t.target_gaps) add(gap);
+        if (t.packed == 0) add_all(t.rows);
+        else add_all(t.width), add_all(t.derived), add_all(t.ranges), add_all(t.bits);
+      }
+    }
+    add_rest(translations, {0.0f}), add_rest(rotations, {0.0f, 0.0f, 0.0f, 1.0f}), add_rest(scales, {1.0f});
+    sign(out);
+    return out;
+  }
+};
+
+}  // namespace sinew::test

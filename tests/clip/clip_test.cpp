@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/clip.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/clip/clip_layout.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+using test::animation_of;
+
+BoneAnimation bone_of(std::uint32_t joint, QuatTrack rotation, Vec3Track translation = {}, Vec3Track scale = {}) {
+  BoneAnimation b;
+  b.joint = joint;
+  b.rotation = std::move(rotation);
+  b.translation = std::move(translation);
+  b.scale = std::move(scale);
+  return b;
+}
+
+TEST(clip, P03_tracks_that_share_key_times_need_one_search) {
+  test::FixedRandom random(1);
+  const auto shared = test::random_times(random, 10);
+  auto other = shared;
+  other.back() += 0.5f;
+  std::vector<BoneAnimation> bones;
+  for (std::uint32_t j = 0; j < 8; ++j)
+    bones.push_back(bone_of(j, test::random_rotations(random, Interpolation::linear, j < 7 ? shared : other),
+                            test::random_vectors(random, j % 2 ? Interpolation::step : Interpolation::cubic_spline, shared)));
+  const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(8));
+  EXPECT_EQ(clip.counts().time_groups, 2u);
+  EXPECT_EQ(clip.counts().rotations, 8u);
+  EXPECT_EQ(clip.counts().translations, 8u);
+  EXPECT_EQ(clip.counts().folded, 0u);
+}
+
+TEST(clip, P02_constant_tracks_are_folded_into_the_base_pose) {
+  const glm::quat q = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f), zero = quat_xyzw(0.0f, 0.0f, 0.0f, 0.0f);
+  std::vector<BoneAnimation> bones;
+  bones.push_back(bone_of(0, {Interpolation::linear, {0, 1, 2}, {q, q, q}}, {Interpolation::step, {0, 5}, {{1, 2, 3}, {1, 2, 3}}}));
+  bones.push_back(bone_of(1, {Interpolation::linear, {4}, {q}}));
+  bones.push_back(bone_of(2, {Interpolation::cubic_spline, {0, 1}, {q, q, zero, zero, q, q}}));
+  const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(3));
+  EXPECT_EQ(clip.counts().folded, 4u);
+  EXPECT_EQ(clip.counts().rotations + clip.counts().translations, 0u);
+  EXPECT_EQ(clip.counts().time_groups, 0u);
+}
+
+TEST(clip, P02_equal_keys_with_a_tangent_between_them_are_not_constant) {
+  const glm::vec3 v(1, 2, 3), none(0), slope(0, 1, 0);
+  for (const bool at_the_end : {false, true}) {
+    BoneAnimation bone;
+    bone.translation = {Interpolation::cubic_spline, {0, 1}, {none, v, at_the_end ? none : slope, at_the_end ? slope : none, v, none}};
+    const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(1));
+    EXPECT_EQ(clip.counts().folded, 0u);
+    EXPECT_EQ(clip.counts().translations, 1u);
+  }
+}
+
+TEST(clip, G11_duration_is_that_of_the_animation) {
+  BoneAnimation bone = bone_of(0, {}, {Interpolation::linear, {3, 7}, {{0, 0, 0}, {1, 0, 0}}});
+  const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(2));
+  EXPECT_EQ(clip.duration_s(), 7.0);
+  EXPECT_EQ(clip.joint_count(), 2u);
+  EXPECT_EQ(clip.name(), "test");
+}
+
+TEST(clip, bytes_are_close_to_those_of_the_keys) {
+  test::FixedRandom random(2);
+  const auto times = test::random_times(random, 200);
+  std::vector<BoneAnimation> bones;
+  std::size_t source = times.size() * sizeof(float);
+  for (std::uint32_t j = 0; j < 50; ++j) {
+    bones.push_back(bone_of(j, test::random_rotations(random, Interpolation::linear, times), test::random_vectors(random, Interpolation::linear, times)));
+    source += times.size() * 7 * sizeof(float);
+  }
+  const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(50));
+  EXPECT_LE(clip.byte_size(), source * 5 / 4);
+}
+
+TEST(clip, G20_of_two_tracks_for_one_property_the_last_counts) {
+  BoneAnimation first = bone_of(0, {}, {Interpolation::linear, {0, 1}, {{1, 1, 1}, {2, 2, 2}}});
+  BoneAnimation second = bone_of(0, {}, {Interpolation::linear, {0, 2}, {{5, 5, 5}, {6, 6, 6}}});
+  const Clip clip = test::clip_of(animation_of({first, second}), test::chain_skeleton(1));
+  EXPECT_EQ(clip.counts().translations, 1u);
+  EXPECT_EQ(clip.layout().groups.front().times.times_s().back(), 2.0f);
+}
+
+TEST(clip, moved_clips_keep_their_contents) {
+  Clip a = test::clip_of(animation_of({}), test::chain_skeleton(3));
+  const Clip b = std::move(a);
+  EXPECT_EQ(b.joint_count(), 3u);
+}
+
+}  // namespace
+}  // namespace sinew

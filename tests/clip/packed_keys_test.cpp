@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/packed_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "runtime/clip/clip_layout.h"
+#include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+QuatTrack wandering(test::FixedRandom& random, std::size_t keys, double step_rad) {
+  QuatTrack track{Interpolation::linear, {}, {}};
+  Quat<double> q = random.rotation<double>();
+  for (std::size_t k = 0; k < keys; ++k) {
+    q = normalised(q * random.rotation_by<double>(random.in(0, step_rad)));
+    track.times_s.push_back(static_cast<float>(k));
+    track.values.push_back(quat_cast<float>(k % 3 == 0 ? -q : q));  // signs of no meaning
+  }
+  return track;
+}
+
+TEST(packed_keys, rotations_are_within_the_tolerance_and_coarser_ones_take_fewer_bits) {
+  test::FixedRandom random(1);
+  for (int round = 0; round < 30; ++round) {
+    const QuatTrack track = wandering(random, 40, round % 2 ? 0.05 : 2.0);
+    std::uint32_t before = 1000;
+    for (const double part : {1e-3, 1e-2, 1e-1}) {
+      const double tolerance = round % 2 ? 0.1 * part : part;
+      const auto packed = pack_keys(track, tolerance);
+      ASSERT_TRUE(packed);
+      EXPECT_LE(packed->bits_per_key(), before);
+      before = packed->bits_per_key();
+      for (std::size_t k = 0; k < track.key_count(); ++k) {
+        const auto v = unpack_key(*packed, k);
+        EXPECT_LE(2 * std::sin(test::angle_between(quat_xyzw(v[0], v[1], v[2], v[3]), track.values[k]) / 2), tolerance * (1 + 1e-6));
+      }
+    }
+  }
+}
+
+TEST(packed_keys, rotations_near_each_other_leave_one_component_out) {
+  test::FixedRandom random(2);
+  const auto packed = pack_keys(wandering(random, 20, 0.02), 1e-4);
+  ASSERT_TRUE(packed);
+  EXPECT_LT(packed->derived, PackedTrack::kNoneDerived);
+  EXPECT_EQ(packed->width[packed->derived], 0);
+}
+
+TEST(packed_keys, components_that_do_not_change_take_no_bits_and_keep_their_value) {
+  const Vec3Track track{Interpolation::linear, {0, 1, 2}, {{0.1f, 0, 7}, {0.1f, 1, 7}, {0.1f, 0.5f, 7}}};
+  const auto packed = pack_keys(track, 1e-3);
+  ASSERT_TRUE(packed);
+  EXPECT_EQ(packed->width[0], 0);
+  EXPECT_EQ(packed->width[2], 0);
+  EXPECT_GT(packed->width[1], 0);
+  EXPECT_EQ(unpack_key(*packed, 1)[0], 0.1f);
+  EXPECT_EQ(unpack_key(*packed, 2)[2], 7.0f);
+}
+
+TEST(packed_keys, what_takes_too_many_bits_or_is_a_curve_is_not_packed) {
+  EXPECT_FALSE(pack_keys(Vec3Track{Interpolation::linear, {0, 1}, {{0, 0, 0}, {1, 1, 1}}}, 1e-9));
+  EXPECT_FALSE(pack_keys(Vec3Track{Interpolation::linear, {0, 1}, {{0, 0, 0}, {1, 1, 1}}}, 0.0));
+  EXPECT_FALSE(pack_keys(Vec3Track{Interpolation::cubic_spline, {0}, {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}}, 1.0));
+  test::FixedRandom random(3);
+  EXPECT_FALSE(pack_keys(wandering(random, 10, 1.0), 1e-8));
+}
+
+TEST(packed_keys, rows_hold_the_numbers_of_every_lane_one_after_another) {
+  test::FixedRandom random(4);
+  std::vector<PackedTrack> tracks;
+  for (int i = 0; i < 21; ++i) tracks.push_back(*pack_keys(wandering(random, 9, random.in(0.01, 2)), std::pow(10.0, random.in(-4, -1))));
+  const PackedRows rows = packed_rows(tracks, 9);
+  for (std::size_t key = 0; key < 9; ++key) {
+    std::size_t bit = key * rows.row_bytes * 8;
+    for (std::size_t lane = 0; lane < tracks.size(); ++lane) {
+      EXPECT_EQ(rows.first_bit[lane], bit - key * rows.row_bytes * 8);
+      for (std::uint32_t c = 0; c < 4; ++c) {
+        std::uint32_t number = 0;
+        for (std::uint32_t i = 0; i < tracks[lane].width[c]; ++i, ++bit) number |= static_cast<std::uint32_t>(rows.bits[bit / 8] >> bit % 8 & 1) << i;
+        EXPECT_EQ(number, tracks[lane].numbers[key * 4 + c]);
+      }
+    }
+  }
+  EXPECT_EQ(rows.bits.size(), 9 * rows.row_bytes + kReadAhead);
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/compress/remove_keys.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "runtime/animation/track_sample.h"
+#include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<float> evenly(std::size_t count) {
+  std::vector<float> times(count);
+  std::iota(times.begin(), times.end(), 0.0f);
+  return times;
+}
+
+std::vector<std::uint32_t> needed(Vec3Track track, double tolerance) {
+  const LooseTrack loose{&track, tolerance};
+  return keys_needed({&loose, 1}, track.key_count());
+}
+
+TEST(remove_keys, keys_on_a_line_are_left_out_and_corners_stay) {
+  EXPECT_THAT(needed({Interpolation::linear, evenly(5), {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, 1e-6), ElementsAre(0, 2, 4));
+  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 3, 4}, {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {9, 0, 0}}}, 1e-6), ElementsAre(0, 2, 3));
+}
+
+TEST(remove_keys, G07_steps_keep_each_key_that_changes_the_value) {
+  EXPECT_THAT(needed({Interpolation::step, evenly(6), {{0, 0, 0}, {0, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}, {0, 0, 0}}}, 1e-6), ElementsAre(0, 2, 5));
+}
+
+TEST(remove_keys, G13_both_sides_of_a_jump_stay) {
+  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 2, 2, 3, 4}, std::vector<glm::vec3>(6, glm::vec3(1))}, 1.0), ElementsAre(0, 2, 3, 5));
+}
+
+TEST(remove_keys, G03_a_cubic_through_samples_of_one_cubic_keeps_its_ends_only) {
+  Vec3Track track{Interpolation::cubic_spline, evenly(9), {}};
+  for (const float t : track.times_s) {
+    const glm::vec3 slope(3 * t * t - 4 * t, 1, 2 * t), value(t * t * t - 2 * t * t, t, t * t);
+    track.values.insert(track.values.end(), {slope, value, slope});
+  }
+  EXPECT_THAT(needed(track, 1e-3), ElementsAre(0, 8));
+  const LooseTrack loose{&track, 1e-3};
+  keep_keys(loose, std::vector<std::uint32_t>{0, 8});
+  EXPECT_EQ(track.values.size(), 6u);
+  for (double t = 0.1; t < 8; t += 0.1) EXPECT_NEAR(sample_track<double>(track, t).x, t * t * t - 2 * t * t, 1e-4);
+}
+
+TEST(remove_keys, tracks_that_share_times_keep_what_any_of_them_needs) {
+  Vec3Track a{Interpolation::linear, evenly(5), {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
+  Vec3Track b{Interpolation::linear, evenly(5), {{0, 0, 0}, {9, 0, 0}, {9, 0, 0}, {9, 0, 0}, {9, 0, 0}}};
+  const std::vector<LooseTrack> both{{&a, 1e-6}, {&b, 1e-6}};
+  EXPECT_THAT(keys_needed(both, 5), ElementsAre(0, 1, 2, 4));
+}
+
+TEST(remove_keys, what_is_left_stays_within_the_tolerance_of_random_tracks) {
+  test::FixedRandom random(2);
+  for (int round = 0; round < 60; ++round) {
+    const Interpolation kinds[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline};
+    const Interpolation kind = kinds[round % 3];
+    const auto times = test::random_times(random, 2 + random.below(80), random.below(3));
+    QuatTrack track{kind, times, {}};
+    Quat<double> q = random.rotation<double>();
+    for (std::size_t i = 0; i < test::value_count(kind, times.size()); ++i) {
+      q = q * random.rotation_by<double>(random.in(0, 0.2));
+      const bool tangent = kind == Interpolation::cubic_spline && i % 3 != 1;
+      track.values.push_back(tangent ? quat_cast<float>(random.rotation<double>() * 0.1) : quat_cast<float>(q));
+    }
+    const QuatTrack before = track;
+    const double tolerance = random.in(0.01, 0.5);
+    const LooseTrack loose{&track, tolerance};
+    keep_keys(loose, keys_needed({&loose, 1}, times.size()));
+    EXPECT_LT(track.key_count(), before.key_count() + 1);
+    for (const float t : times)
+      EXPECT_LE(2 * std::sin(test::angle_between(sample_track<double>(before, double(t)), sample_track<double>(track, double(t))) / 2), tolerance + 1e-6) << round;
+  }
+}
+
+TEST(remove_keys, hold_still_takes_the_middle_and_respects_the_tolerance) {
+  Vec3Track track{Interpolation::linear, {1, 2, 4}, {{0, 0, 0}, {0.02f, 0, 0}, {0.01f, 0, 0}}};
+  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.009}));
+  EXPECT_EQ(track.key_count(), 3u);
+  EXPECT_TRUE(hold_still(LooseTrack{&track, 0.011}));
+  EXPECT_EQ(track.times_s, (std::vector<float>{1, 4}));
+  EXPECT_FLOAT_EQ(track.values[0].x, 0.01f);
+  EXPECT_EQ(track.values[0], track.values[1]);
+}
+
+TEST(remove_keys, hold_still_sees_what_cubic_curves_do_between_equal_keys) {
+  const glm::vec3 none(0), fast(0, 4, 0);
+  Vec3Track track{Interpolation::cubic_spline, {0, 1}, {none, none, fast, fast, none, none}};
+  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.1}));
+}
+
+TEST(remove_keys, weights_count_by_what_they_displace) {
+  const std::vector<float> metres{1.0f, 0.001f};
+  WeightTrack track{Interpolation::linear, {0, 1, 2}, {0, 0, 1, 1, 2, 0}, 2};
+  const LooseTrack loose{&track, 0.002, metres};
+  EXPECT_THAT(keys_needed({&loose, 1}, 3), ElementsAre(0, 2));
+  const LooseTrack strict{&track, 0.0005, metres};
+  EXPECT_THAT(keys_needed({&strict, 1}, 3), ElementsAre(0, 1, 2));
+  keep_keys(loose, std::vector<std::uint32_t>{0, 2});
+  EXPECT_EQ(track.values, (std::vector<float>{0, 0, 2, 0}));
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+/// Large outputs are written past the caches where they are aligned; that must not show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+
+#include "runtime/deform/skin_linear.h"
+#include "tests/support/simd_targets.h"
+#include "tests/support/skinned_vertices.h"
+
+namespace sinew {
+namespace {
+
+constexpr std::uint32_t kCounts[] = {1, 2, 4};
+constexpr std::uint32_t kGroupSize = 70'001;  // three groups of positions, normals and tangents: just over 8 MiB
+constexpr std::size_t kLine = 64, kSlack = 16 * sizeof(glm::vec4);
+
+/// Room for `count` values of which number `first` begins a cache line, and `off` bytes more.
+template <class T>
+class PlacedValues {
+ public:
+  PlacedValues(std::size_t count, std::size_t first, std::size_t off)
+      : bytes_(new(std::align_val_t(kLine)) std::byte[count * sizeof(T) + 2 * kSlack]),
+        values_(reinterpret_cast<T*>(bytes_.get() + kSlack - first * sizeof(T) % kLine + off), count) {
+    std::memset(bytes_.get(), kUntouched, count * sizeof(T) + 2 * kSlack);
+  }
+  std::span<T> span() const { return values_; }
+  bool is_untouched_around() const {
+    const auto* begin = reinterpret_cast<const unsigned char*>(values_.data());
+    const auto untouched = [](unsigned char byte) { return byte == kUntouched; };
+    return std::all_of(begin - kLine, begin, untouched) && std::all_of(begin + values_.size_bytes(), begin + values_.size_bytes() + kLine, untouched);
+  }
+
+ private:
+  static constexpr unsigned char kUntouched = 0xa5;
+  struct Free {
+    void operator()(std::byte* bytes) const { ::operator delete[](bytes, std::align_val_t(kLine)); }
+  };
+  std::unique_ptr<std::byte[], Free> bytes_;
+  std::span<T> values_;
+};
+
+struct PlacedOutput {
+  PlacedValues<glm::vec3> positions, normals;
+  PlacedValues<glm::vec4> tangents;
+
+  /// Vertex `first` begins a cache line in all three, unless normals are `off` bytes behind.
+  PlacedOutput(const test::SkinnedVertices& s, std::size_t first, std::size_t off, std::int64_t target)
+      : positions(s.positions.size(), first, 0), normals(s.positions.size(), first, off), tangents(s.positions.size(), first, 0) {
+    const test::OnlyTarget only(target);
+    run(SkinLinearJob{.influences = &s.influences, .palette = s.palette, .vertices = s.in(), .out = {positions.span(), normals.span(), tangents.span()}});
+  }
+  bool same_bits(const PlacedOutput& other) const {
+    const auto same = [](const auto& a, const auto& b) { return std::memcmp(a.span().data(), b.span().data(), a.span().size_bytes()) == 0; };
+    return same(positions, other.positions) && same(normals, other.normals) && same(tangents, other.tangents);
+  }
+  bool is_untouched_around() const { return positions.is_untouched_around() && normals.is_untouched_around() && tangents.is_untouched_around(); }
+};
+
+TEST(streamed_output, has_the_bits_of_output_that_is_not_wherever_it_is_aligned) {
+  test::FixedRandom random(41);
+  auto s = test::random_skinned_vertices(random, kCounts, kGroupSize, 24, true);
+  for (glm::vec4& column : s.palette[5].column) column = glm::vec4(0, 0, 0, column.w);  // vertices that are done again one by one
+  for (const std::int64_t target : test::simd_targets()) {
+    const PlacedOutput never(s, 0, sizeof(float), target);
+    for (const std::size_t first : {0, 3, 13}) {
+      const PlacedOutput streamed(s, first, 0, target);
+      EXPECT_TRUE(streamed.same_bits(never)) << test::simd_name(target) << ' ' << first;
+      EXPECT_TRUE(streamed.is_untouched_around()) << test::simd_name(target) << ' ' << first;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/lod/clip_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "runtime/deform/grow_bounds.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
+
+namespace sinew::test {
+namespace {
+
+bool holds(const Aabb& outer, const Aabb& inner) {
+  return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
+}
+
+float diagonal(const Aabb& box) { return glm::length(box.upper - box.lower); }
+
+Needs boxes_for(Skinning skinning) {
+  Needs needs;
+  needs.bounds = true, needs.skinning = skinning;
+  return needs;
+}
+
+/// The boxes of the vertices of frames at that many times all over the clip and past its end; answers their union.
+std::vector<Aabb> expect_holds(const Scene& scene, const Needs& needs, std::uint32_t clip, int times) {
+  const std::vector<Aabb> reach = clip_bounds(scene, needs, clip);
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  std::vector<Aabb> all(scene.instances.size());
+  for (int n = 0; n <= times; ++n) {
+    const ClipLayer layer{clip, clip == kNone ? 0.0 : 1.05 * scene.animations[clip].duration_s * n / times};
+    FrameInput input;
+    if (clip != kNone) input.layers = {&layer, 1};
+    EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Aabb& box = frame.result().instances[i].bounds;
+      EXPECT_FALSE(reach[i].empty()) << i;
+      EXPECT_TRUE(holds(reach[i], box)) << "instance " << i << " at " << layer.time_s << " s of clip " << clip;
+      all[i].add(box.lower), all[i].add(box.upper);
+    }
+  }
+  return all;
+}
+
+TEST(clip_bounds, G54_holds_every_vertex_at_every_time) {
+  for (std::uint32_t seed = 0; seed < 24; ++seed) {
+    RandomSceneOptions options;
+    options.skins = seed % 3, options.targets = seed % 2 * 3, options.mirrored_joints = seed % 4 == 0;
+    const Scene scene = random_scene(seed, options);
+    for (const std::uint32_t clip : {0u, 1u, kNone}) expect_holds(scene, boxes_for(Skinning::linear), clip, clip == kNone ? 1 : 300);
+  }
+}
+
+TEST(clip_bounds, G54_holds_vertices_that_follow_joints_in_other_ways) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    RandomSceneOptions options;
+    options.centers = true;
+    const Scene scene = random_scene(seed, options);
+    for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation}) expect_holds(scene, boxes_for(skinning), 0, 200);
+  }
+}
+
+TEST(clip_bounds, is_not_much_more_than_what_is_reached) {
+  const Scene arm = arm_scene(), face = face_scene();
+  const std::vector<Aabb> of_arm = expect_holds(arm, boxes_for(Skinning::linear), 0, 1000);
+  EXPECT_LT(diagonal(clip_bounds(arm, {}, 0)[0]), 1.35f * diagonal(of_arm[0]));
+  const std::vector<Aabb> of_face = expect_holds(face, boxes_for(Skinning::linear), 0, 1000);
+  EXPECT_LT(diagonal(clip_bounds(face, {}, 0)[0]), 3.0f * diagonal(of_face[0])) << "targets may all point the same way";
+  EXPECT_LT(diagonal(clip_bounds(arm, {}, kNone)[0]), 1.001f * std::sqrt(4.25f));
+}
+
+TEST(clip_bounds, a_jump_takes_no_more_than_both_its_sides) {
+  Scene scene = prop_scene();
+  BoneAnimation jump;
+  jump.translation = {.interpolation = Interpolation::step, .times_s = {0.0f, 1.0f, 2.0f}, .values = {glm::vec3(0), glm::vec3(100, 0, 0), glm::vec3(0)}};
+  scene.animations.push_back({"jump", 2.0, {jump}, {}});
+  finish_scene(scene);
+  expect_holds(scene, boxes_for(Skinning::linear), 0, 100);
+  const Aabb reach = clip_bounds(scene, {}, 0)[0];
+  EXPECT_NEAR(reach.lower.x, 0.0f, 0.01f);
+  EXPECT_NEAR(reach.upper.x, 101.0f, 0.01f);
+}
+
+TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {
+  Scene scene = arm_scene();
+  const float h = std::sqrt(0.5f);
+  scene.animations[0].bones[0].rotation = {Interpolation::linear, {0, 1}, {glm::quat(h, 0, 0, -h), glm::quat(h, 0, 0, h)}};
+  scene.clips.clear();
+  finish_scene(scene);
+  const std::vector<Aabb> reached = expect_holds(scene, boxes_for(Skinning::linear), 0, 1000);
+  EXPECT_NEAR(reached[0].upper.y, 2.0f, 1e-4f);   // in both keys the tip is at one metre
+}
+
+TEST(clip_bounds, dual_quaternions_bulge_out_of_the_boxes_of_the_joints) {
+  Scene scene = arm_scene();
+  const double half = 85.0 * 3.14159265358979 / 180.0;   // the lower arm is held, twisted by 170 degrees
+  scene.animations[0].bones[0].rotation = {Interpolation::step, {0}, {glm::quat(static_cast<float>(std::cos(half)), 0, static_cast<float>(std::sin(half)), 0)}};
+  scene.clips.clear();
+  finish_scene(scene);
+  EXPECT_LT(clip_bounds(scene, boxes_for(Skinning::linear), 0)[0].upper.z, 0.05f);
+  const std::vector<Aabb> reached = expect_holds(scene, boxes_for(Skinning::dual_quaternion), 0, 10);
+  EXPECT_GT(reached[0].upper.z, 0.2f);
+}
+
+TEST(clip_bounds, does_not_guess_where_correctives_lead) {
+  RandomSceneOptions options;
+  options.correctives = 1;
+  const Scene scene = random_scene(3, options);
+  for (const Aabb& box : clip_bounds(scene, {}, 0)) EXPECT_TRUE(box.empty());
+}
+
+}  // namespace
+}  // namespace sinew::test

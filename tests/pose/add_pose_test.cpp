@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/pose/add_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "runtime/math/quaternion.h"
+#include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+constexpr std::size_t kJoints = 37;  // not a multiple of any vector length
+
+struct Poses {
+  test::PoseBuffer base{kJoints}, layer{kJoints}, reference{kJoints};
+  std::vector<float> mask;
+
+  explicit Poses(std::uint64_t seed) {
+    test::FixedRandom random(seed);
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      base.span().set(j, random.transform(0.5, 2));
+      layer.span().set(j, random.transform(0.5, 2));
+      reference.span().set(j, random.transform(0.5, 2));
+      mask.push_back(j % 5 == 0 ? 0.0f : static_cast<float>(random.unit()));
+    }
+  }
+  AddPoseJob job(float weight) { return {layer.span(), reference.span(), weight, {}, base.span()}; }
+};
+
+Transformd as_double(const Transform& t) { return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)}; }
+
+/// The equations of add_pose.h, plainly.
+Transformd truth(const Transform& base, const Transform& layer, const Transform& reference, double w) {
+  const Transformd b = as_double(base), l = as_double(layer), r = as_double(reference);
+  Quat<double> delta = l.rotation * quat_conjugate(r.rotation);
+  if (delta.w < 0) delta = -delta;
+  const Quat<double> part = quat_xyzw(w * delta.x, w * delta.y, w * delta.z, 1 - w + w * delta.w);
+  return {b.translation + w * (l.translation - r.translation), normalised(part * b.rotation), b.scale * (1.0 + w * (l.scale / r.scale - 1.0))};
+}
+
+TEST(add_pose, rejects_other_joint_counts_and_weights_that_are_none) {
+  Poses p(1);
+  test::PoseBuffer other(kJoints + 40);
+  EXPECT_EQ(check(p.job(0.5f)), ErrorCode::ok);
+  AddPoseJob job = p.job(0.5f);
+  job.reference = other.span();
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = p.job(0.5f);
+  job.joint_weights = std::span(p.mask).first(3);
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  EXPECT_EQ(check(p.job(std::numeric_limits<float>::quiet_NaN())), ErrorCode::not_finite);
+  EXPECT_EQ(check(p.job(-1.0f)), ErrorCode::not_finite);
+}
+
+TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_the_same_bits) {
+  for (const float weight : {0.0f, 0.3f, 1.0f, 1.5f})
+    for (const bool masked : {false, true}) {
+      std::vector<Transform> first;
+      for (const std::int64_t target : test::simd_targets()) {
+        const test::OnlyTarget only(target);
+        Poses p(7), untouched(7);
+        AddPoseJob job = p.job(weight);
+        if (masked) job.joint_weights = p.mask;
+        run(job);
+        std::vector<Transform> found;
+        for (std::size_t j = 0; j < kJoints; ++j) {
+          found.push_back(p.base.span().get(j));
+          const double w = static_cast<double>(weight * (masked ? p.mask[j] : 1.0f));
+          const Transformd expected = truth(untouched.base.span().get(j), p.layer.span().get(j), p.reference.span().get(j), w);
+          EXPECT_TRUE(test::is_near(Vec3<double>(found[j].translation), expected.translation, 1e-6)) << j;
+          EXPECT_NEAR(std::abs(quat_dot(quat_cast<double>(found[j].rotation), expected.rotation)), 1.0, 1e-6) << j;
+          EXPECT_TRUE(test::is_near(Vec3<double>(found[j].scale), expected.scale, 4e-6)) << j;
+        }
+        if (first.empty()) first = found;
+        EXPECT_TRUE(found == first) << test::simd_name(target);
+      }
+    }
+}
+
+TEST(add_pose, the_reference_itself_adds_nothing) {
+  Poses p(8), untouched(8);
+  AddPoseJob job = p.job(1.0f);
+  job.layer = job.reference;
+  run(job);
+  for (std::size_t j = 0; j < kJoints; ++j) EXPECT_EQ(p.base.span().get(j), untouched.base.span().get(j)) << j;
+}
+
+TEST(add_pose, on_its_own_reference_a_layer_of_weight_one_comes_out) {
+  Poses p(9);
+  AddPoseJob job = p.job(1.0f);
+  job.reference = job.pose;
+  test::PoseBuffer start = p.base;
+  job.reference = start.span();
+  run(job);
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    EXPECT_NEAR(std::abs(quat_dot(p.base.span().get(j).rotation, p.layer.span().get(j).rotation)), 1.0f, 1e-6f) << j;
+    EXPECT_TRUE(test::is_near(p.base.span().get(j).scale, p.layer.span().get(j).scale, 1e-6)) << j;
+  }
+}
+
+TEST(add_pose, a_reference_without_scale_adds_no_scale) {
+  Poses p(10), untouched(10);
+  for (std::size_t j = 0; j < kJoints; ++j) p.reference.span().plane(PoseSpan::sx)[j] = 0.0f;
+  run(p.job(1.0f));
+  for (std::size_t j = 0; j < kJoints; ++j) EXPECT_EQ(p.base.span().get(j).scale.x, untouched.base.span().get(j).scale.x) << j;
+}
+
+}  // namespace
+}  // namespace sinew

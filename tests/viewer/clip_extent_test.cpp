@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/clip_extent.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace sinew::viewer {
+namespace {
+
+// One joint that flies 10 m along x in 2 s, and back to 4 m in the third; with or without a triangle of 1 m on it.
+Scene flyer(bool with_mesh) {
+  Scene scene;
+  auto& skeleton = scene.skeleton;
+  skeleton.parents = {kNone};
+  skeleton.rest.resize(1);
+  skeleton.rest[0].translation = {0, 3, 0};
+  skeleton.fixed_matrix_of = {kNone};
+  skeleton.names = {"flyer"};
+  skeleton.node_of_joint = skeleton.joint_of_node = {0};
+  skeleton.level_begin = {0, 1};
+  auto& animation = scene.animations.emplace_back();
+  animation.duration_s = 3.0;
+  auto& bone = animation.bones.emplace_back();
+  bone.translation.times_s = {0.0f, 2.0f, 3.0f};
+  bone.translation.values = {{0, 0, 0}, {10, 0, 0}, {4, 0, 0}};
+  if (with_mesh) {
+    auto& primitive = scene.meshes.emplace_back().primitives.emplace_back();
+    primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    primitive.normals.assign(3, {0, 0, 1});
+    primitive.indices = {0, 1, 2};
+    for (const auto& p : primitive.positions) primitive.bounds.add(p);
+    scene.instances.emplace_back();
+  }
+  finish_scene(scene);
+  EXPECT_EQ(check(scene), ErrorCode::ok);
+  return scene;
+}
+
+TEST(clip_extent, reach_as_far_as_the_clip_and_are_as_large_as_one_pose) {
+  const Scene scene = flyer(true);
+  const ClipExtent bounds = clip_extent(scene, 0);
+  EXPECT_NEAR(bounds.reached.lower.x, 0.0f, 1e-5f);
+  EXPECT_GT(bounds.reached.upper.x, 10.0f);            // poses are samples: the very end of the way may fall between two
+  EXPECT_LE(bounds.reached.upper.x, 11.0f + 1e-5f);
+  EXPECT_NEAR(glm::length(bounds.largest.upper - bounds.largest.lower), std::sqrt(2.0f), 1e-4f);
+}
+
+TEST(clip_extent, of_no_clip_are_those_of_the_rest_pose) {
+  const Scene scene = flyer(true);
+  const ClipExtent bounds = clip_extent(scene, kNone);
+  EXPECT_EQ(bounds.reached.lower, glm::vec3(0, 3, 0));
+  EXPECT_EQ(bounds.reached.upper, glm::vec3(1, 4, 0));
+}
+
+TEST(clip_extent, follow_the_joints_where_nothing_is_drawn) {
+  const Scene scene = flyer(false);
+  const ClipExtent moving = clip_extent(scene, 0);
+  EXPECT_GT(moving.reached.upper.x, 9.0f);
+  EXPECT_GT(moving.largest.upper.x - moving.largest.lower.x, 9.0f);   // a point has no size, its way has
+  const ClipExtent resting = clip_extent(scene, kNone);
+  EXPECT_GT(glm::length(resting.reached.upper - resting.reached.lower), 0.0f);
+  EXPECT_TRUE(clip_extent(Scene{}, kNone).reached.empty());
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/clip_extent.h"
+
+#include <glm/geometric.hpp>
+
+#include "runtime/plan/run_plan.h"
+#include "viewer/app/skeleton_lines.h"
+#include "viewer/upload/scene_bounds.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr int kPoses = 17;
+
+float diagonal(const Aabb& box) { return box.empty() ? -1.0f : glm::length(box.upper - box.lower); }
+
+// A point becomes a cube around it, so that lengths that follow the box are never zero.
+void give_extent(Aabb& box) {
+  if (box.empty() || diagonal(box) > 0.0f) return;
+  const float half = glm::length(box.lower) > 0.0f ? 0.01f * glm::length(box.lower) : 0.5f;
+  box.lower -= half;
+  box.upper += half;
+}
+
+}  // namespace
+
+ClipExtent clip_extent(const Scene& scene, std::uint32_t clip) {
+  Needs needs;
+  needs.normals = needs.tangents = false;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  const double duration = clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0;
+  const int poses = duration > 0.0 ? kPoses : 1;
+  ClipExtent bounds;
+  for (int i = 0; i < poses; ++i) {
+    const ClipLayer layer{clip, poses > 1 ? duration * i / (poses - 1) : 0.0, 1.0f};
+    FrameInput input;
+    if (clip < scene.animations.size()) input.layers = {&layer, 1};
+    if (run_plan(plan, input, frame) != ErrorCode::ok) continue;
+    const FrameResult& pose = frame.result();
+    Aabb box = bounds_of(scene, pose);
+    bounds.outline.add(scene, pose, box);
+    if (box.empty()) {
+      box = bounds_of_joints(pose.model);
+      for (const auto& m : pose.model) bounds.outline.add(translation_of(m));
+    }
+    if (box.empty()) continue;
+    if (diagonal(box) > diagonal(bounds.largest)) bounds.largest = box;
+    bounds.reached.add(box.lower);
+    bounds.reached.add(box.upper);
+  }
+  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;   // a point that travels
+  give_extent(bounds.reached);
+  give_extent(bounds.largest);
+  return bounds;
+}
+
+}  // namespace sinew::viewer
