@@ -38,13 +38,16 @@ ImportResult<std::vector<std::byte>> export_glb(const Scene& scene, const Export
   write::write_cameras_and_lights(scene, model);
   begin("writing clips", 0.6);
   const std::vector<int> node_of_instance = write::write_nodes(scene, model, buffer);
-  if (auto issue = write::write_animations(scene, node_of_instance, model, buffer)) return tl::unexpected(failure(*std::move(issue)));
+  if (auto issue = write::write_animations(scene, node_of_instance, model, buffer))
+    return tl::unexpected(failure(*std::move(issue)));
   begin("writing the file", 0.9);
   if (auto file = write::glb_file(model)) return *std::move(file);
-  return tl::unexpected(failure({Severity::error, "glb-size", "/buffers/0", "the scene does not fit into a GLB of 4 GiB"}));
+  return tl::unexpected(
+      failure({Severity::error, "glb-size", "/buffers/0", "the scene does not fit into a GLB of 4 GiB"}));
 }
 
-ImportResult<std::size_t> export_glb(const Scene& scene, const std::filesystem::path& file, const ExportOptions& options) {
+ImportResult<std::size_t> export_glb(const Scene& scene, const std::filesystem::path& file,
+                                     const ExportOptions& options) {
   auto bytes = export_glb(scene, options);
   if (!bytes) return tl::unexpected(std::move(bytes).error());
   if (auto fault = write::replace_file(file, *bytes))

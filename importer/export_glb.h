@@ -13,13 +13,14 @@ namespace sinew {
 
 /// What a file says about itself beside the scene.
 struct ExportOptions {
-  std::string copyright;               ///< asset.copyright
+  std::string copyright;                                                ///< asset.copyright
   std::function<void(const char* stage, double done_0_to_1)> progress;  ///< may be empty
 };
 
-/// The scene as one binary glTF 2.0 file: nodes, meshes, skins, animations, morph targets (sparse where that is smaller),
-/// materials, images (as they were where Image::encoded has them, else PNG), cameras, lights. Importing it again gives equal assets. Normals that the importer made flat are
-/// left out, since a missing NORMAL means flat; vertices keep the numbers that they had in their file where that is possible. What glTF cannot leave empty gets a
+/// The scene as one binary glTF 2.0 file: nodes, meshes, skins, animations, morph targets (sparse where that is
+/// smaller), materials, images (as they were where Image::encoded has them, else PNG), cameras, lights. Importing it
+/// again gives equal assets. Normals that the importer made flat are left out, since a missing NORMAL means flat;
+/// vertices keep the numbers that they had in their file where that is possible. What glTF cannot leave empty gets a
 /// harmless entry: a clip without tracks a channel without node, a missing image one visible pixel.
 /// Centers of rotation are left out: an import that wants them makes them again.
 /// Correctives have no place in glTF and are not written.

@@ -15,8 +15,8 @@ enum class Severity { error, warning };
 struct ImportIssue {
   Severity severity = Severity::error;
   std::string rule;
-  std::string json_pointer;   ///< RFC 6901, for example /accessors/3/count; empty for the container or file itself
-  std::string detail;         ///< this case, with the numbers that broke the rule and, for a warning, the repair
+  std::string json_pointer;  ///< RFC 6901, for example /accessors/3/count; empty for the container or file itself
+  std::string detail;        ///< this case, with the numbers that broke the rule and, for a warning, the repair
 };
 
 /// Why an import failed: the first error, the other errors of the file as far as they can be told apart from their

@@ -30,8 +30,8 @@
 #include "importer/read/check_bounds.h"
 #include "importer/read/images.h"
 #include "importer/read/materials.h"
-#include "importer/read/textures.h"
 #include "importer/read/memory_budget.h"
+#include "importer/read/textures.h"
 #include "importer/read/variants.h"
 
 namespace sinew {
@@ -40,11 +40,12 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import from bytes to scene. Each step may rely on what the steps before it proved. After errors the import goes on
-/// without what is broken, to name the other errors too, and ends without a scene.
+/// One import from bytes to scene. Each step may rely on what the steps before it proved. After errors the import goes
+/// on without what is broken, to name the other errors too, and ends without a scene.
 class Import {
  public:
-  Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log) : files_(files), options_(options), log_(log) {}
+  Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
+      : files_(files), options_(options), log_(log) {}
 
   std::optional<ImportedFile> run(Bytes file) {
     progress("parse", 0.0);
@@ -113,7 +114,9 @@ class Import {
   bool build(Scene& scene) {
     const JointOrder order = order_joints(document_);
     if (const std::size_t depth = order.level_begin.size() - 1; depth > options_.max_node_depth)
-      log_.report(Rule::too_many, "/nodes", std::to_string(depth) + " levels, at most " + std::to_string(options_.max_node_depth) + " are allowed");
+      log_.report(
+          Rule::too_many, "/nodes",
+          std::to_string(depth) + " levels, at most " + std::to_string(options_.max_node_depth) + " are allowed");
     scene.skeleton = build_skeleton(document_, order, find_animated_nodes(document_), log_);
     scene.skins = build_skins(document_, order, log_);
     scene.materials = read_materials(document_, log_);
@@ -193,7 +196,8 @@ ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const 
   });
 }
 
-ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const std::string& name, const ImportOptions& options) {
+ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const std::string& name,
+                                       const ImportOptions& options) {
   IssueLog log;
   return guarded(name, log, [&]() -> std::optional<ImportedFile> {
     SandboxedFiles files(std::nullopt, options.max_file_bytes);

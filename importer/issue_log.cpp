@@ -18,8 +18,10 @@ void IssueLog::report(Rule rule, std::string json_pointer, std::string detail) {
   const bool muted = is_muted(json_pointer);
   if (text.severity == Severity::error) {
     ++error_count_;
-    if (fresh_places_.size() < kMaxPlaces) fresh_places_.push_back(json_pointer);
-    else unlisted_error_ = true;
+    if (fresh_places_.size() < kMaxPlaces)
+      fresh_places_.push_back(json_pointer);
+    else
+      unlisted_error_ = true;
   }
   if (muted) return;
   seen_.resize(all_rules().size(), 0);

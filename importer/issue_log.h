@@ -19,7 +19,8 @@ std::string in_quotes(std::string_view text);
 /// what they found, or ends.
 class IssueLog {
  public:
-  /// `json_pointer` names the place ("/accessors/3/count", or empty for the container), `detail` this case with its numbers.
+  /// `json_pointer` names the place ("/accessors/3/count", or empty for the container), `detail` this case with its
+  /// numbers.
   void report(Rule rule, std::string json_pointer, std::string detail);
 
   /// No error since the last settle().

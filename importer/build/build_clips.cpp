@@ -16,7 +16,8 @@ namespace {
 
 Vec3Track vec3_track(SamplerData data) {
   Vec3Track track{data.interpolation, std::move(data.times_s), std::vector<glm::vec3>(data.values.size() / 3)};
-  if (!track.values.empty()) std::memcpy(track.values.data(), data.values.data(), track.values.size() * sizeof(glm::vec3));
+  if (!track.values.empty())
+    std::memcpy(track.values.data(), data.values.data(), track.values.size() * sizeof(glm::vec3));
   return track;
 }
 
@@ -40,9 +41,14 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
 
 class ClipBuilder {
  public:
-  ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances, const Placements& placements,
-              const ImportOptions& options, IssueLog& log)
-      : document_(document), order_(order), instances_(instances), placements_(placements), options_(options), log_(log) {}
+  ClipBuilder(const gltf::Document& document, const JointOrder& order, const Instances& instances,
+              const Placements& placements, const ImportOptions& options, IssueLog& log)
+      : document_(document),
+        order_(order),
+        instances_(instances),
+        placements_(placements),
+        options_(options),
+        log_(log) {}
 
   Animation build(std::uint32_t animation) {
     index_ = animation;
@@ -51,7 +57,8 @@ class ClipBuilder {
     out_.name = document_.animations[animation].name;
     for (std::uint32_t c = 0; c < document_.animations[animation].channels.size(); ++c) add_channel(c);
     for (const auto& [target, channel] : targets_)
-      if (target.property == AnimatedProperty::mesh_weights && options_.animate_default_weights) add_mesh_weights(target, channel);
+      if (target.property == AnimatedProperty::mesh_weights && options_.animate_default_weights)
+        add_mesh_weights(target, channel);
     for (auto& [joint, bone] : bones_) out_.bones.push_back(std::move(bone));
     for (auto& [first, track] : weights_) out_.weights.push_back({first.first, std::move(track), first.second});
     for (auto& [target, track] : properties_) out_.properties.push_back({target, std::move(track)});
@@ -64,7 +71,8 @@ class ClipBuilder {
     if (!target) return;
     const std::string place = place_of(channel);
     if (const auto other = taken_by(*target))
-      return log_.report(Rule::animation_duplicate, place, "channel " + std::to_string(*other) + " has the same target; this one is ignored");
+      return log_.report(Rule::animation_duplicate, place,
+                         "channel " + std::to_string(*other) + " has the same target; this one is ignored");
     targets_.emplace(*target, channel);
     switch (target->property) {
       case AnimatedProperty::translation:
@@ -76,7 +84,9 @@ class ClipBuilder {
     }
   }
 
-  std::string place_of(std::uint32_t channel) const { return pointer("animations", index_, "channels", channel, "target"); }
+  std::string place_of(std::uint32_t channel) const {
+    return pointer("animations", index_, "channels", channel, "target");
+  }
 
   /// The channel that moves this target, a part of it, or the whole that it is a part of.
   std::optional<std::uint32_t> taken_by(ChannelTarget target) const {
@@ -85,13 +95,15 @@ class ClipBuilder {
       return found == targets_.end() ? std::nullopt : std::optional(found->second);
     };
     if (const auto same = channel_of(target)) return same;
-    const bool weights = target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
+    const bool weights =
+        target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
     if (!weights) return std::nullopt;
     const bool whole = target.element == kNone;
     target.element = whole ? 0 : kNone;
     if (!whole) return channel_of(target);
     const auto part = targets_.lower_bound(target);
-    if (part == targets_.end() || part->first.property != target.property || part->first.node != target.node) return std::nullopt;
+    if (part == targets_.end() || part->first.property != target.property || part->first.node != target.node)
+      return std::nullopt;
     return part->second;
   }
 
@@ -109,7 +121,8 @@ class ClipBuilder {
     BoneAnimation& bone = bones_[joint];
     bone.joint = joint;
     if (target.property == AnimatedProperty::translation) bone.translation = vec3_track(std::move(*data));
-    if (target.property == AnimatedProperty::rotation) bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_);
+    if (target.property == AnimatedProperty::rotation)
+      bone.rotation = quat_track(std::move(*data), pointer("animations", index_, "channels", channel, "sampler"), log_);
     if (target.property == AnimatedProperty::scale) bone.scale = vec3_track(std::move(*data));
   }
 
@@ -120,11 +133,13 @@ class ClipBuilder {
   void add_weights(const ChannelTarget& target, std::uint32_t instance, std::uint32_t channel) {
     const std::size_t count = instance == kNone ? 0 : instances_.list[instance].rest_weights.size();
     if (count == 0)
-      return log_.report(Rule::animation_no_morphs, place_of(channel), "the node has no mesh with morph targets; the channel is ignored");
+      return log_.report(Rule::animation_no_morphs, place_of(channel),
+                         "the node has no mesh with morph targets; the channel is ignored");
     const bool whole = target.element == kNone;
     if (!whole && target.element >= count)
-      return log_.report(Rule::animation_pointer, place_of(channel), "there are " + std::to_string(count) +
-                             " weights, none of them is " + std::to_string(target.element) + "; the channel is ignored");
+      return log_.report(Rule::animation_pointer, place_of(channel),
+                         "there are " + std::to_string(count) + " weights, none of them is " +
+                             std::to_string(target.element) + "; the channel is ignored");
     const std::uint32_t components = whole ? static_cast<std::uint32_t>(count) : 1;
     if (auto data = read(channel, target, components))
       weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
@@ -145,7 +160,8 @@ class ClipBuilder {
     const auto data = read(channel, target, components);
     if (!data) return;
     const auto indices = placements_.indices_in_scene(target.pointed, order_);
-    if (indices.empty()) log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
+    if (indices.empty())
+      log_.report(Rule::animation_pointer, place, "no node shows what it moves; the channel is ignored");
     for (const std::uint32_t index : indices)
       properties_[{target.pointed.kind, index, target.pointed.slot}] = number_track(*data, components);
   }
@@ -161,7 +177,7 @@ class ClipBuilder {
   std::map<std::uint32_t, BoneAnimation> bones_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, WeightTrack> weights_;  ///< by instance and first target
   std::map<PropertyTarget, WeightTrack> properties_;
-  std::map<ChannelTarget, std::uint32_t> targets_;                          ///< and the channel that has it
+  std::map<ChannelTarget, std::uint32_t> targets_;  ///< and the channel that has it
 };
 
 }  // namespace

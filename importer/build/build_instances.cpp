@@ -14,39 +14,48 @@ namespace {
 std::vector<float> rest_weights(const gltf::Node& node, std::uint32_t index, const Mesh& mesh, IssueLog& log) {
   if (node.weights.empty()) return mesh.default_weights;
   if (node.weights.size() != mesh.target_count())
-    log.report(Rule::node_weights_count, pointer("nodes", index, "weights"), std::to_string(node.weights.size()) + " weights for " +
-                   std::to_string(mesh.target_count()) + " targets; cut or filled with zeros");
+    log.report(Rule::node_weights_count, pointer("nodes", index, "weights"),
+               std::to_string(node.weights.size()) + " weights for " + std::to_string(mesh.target_count()) +
+                   " targets; cut or filled with zeros");
   std::vector<float> weights(mesh.target_count(), 0.0f);
-  for (std::size_t t = 0; t < std::min(weights.size(), node.weights.size()); ++t) weights[t] = flushed(static_cast<float>(node.weights[t]));
+  for (std::size_t t = 0; t < std::min(weights.size(), node.weights.size()); ++t)
+    weights[t] = flushed(static_cast<float>(node.weights[t]));
   return weights;
 }
 
 bool is_skinned(const Mesh& mesh) {
-  return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), [](const Primitive& p) { return !p.influences.empty(); });
+  return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                     [](const Primitive& p) { return !p.influences.empty(); });
 }
 
 }  // namespace
 
-Instances build_instances(const gltf::Document& document, const JointOrder& order, const std::vector<Mesh>& meshes, IssueLog& log) {
+Instances build_instances(const gltf::Document& document, const JointOrder& order, const std::vector<Mesh>& meshes,
+                          IssueLog& log) {
   Instances instances;
   instances.of_node.assign(document.nodes.size(), kNone);
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
     const gltf::Node& node = document.nodes[n];
     if (node.mesh == kNone) {
-      if (node.skin != kNone) log.report(Rule::node_skin_without_mesh, pointer("nodes", n, "skin"), "the node has no mesh; ignored");
-      if (!node.weights.empty()) log.report(Rule::node_weights_count, pointer("nodes", n, "weights"), "the node has no mesh; ignored");
+      if (node.skin != kNone)
+        log.report(Rule::node_skin_without_mesh, pointer("nodes", n, "skin"), "the node has no mesh; ignored");
+      if (!node.weights.empty())
+        log.report(Rule::node_weights_count, pointer("nodes", n, "weights"), "the node has no mesh; ignored");
       continue;
     }
     auto copies = read_mesh_copies(document, n, log);
     if (copies && node.skin != kNone) {
-      log.report(Rule::instancing_skin, pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"), "the mesh has a skin; shown once");
+      log.report(Rule::instancing_skin, pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"),
+                 "the mesh has a skin; shown once");
       copies.reset();
     }
     if (copies && copies->empty()) continue;
     const Mesh& mesh = meshes[node.mesh];
-    MeshInstance instance{order.joint_of_node[n], node.mesh, node.skin, rest_weights(node, n, mesh, log), copies.value_or(std::vector<Transform>{})};
+    MeshInstance instance{order.joint_of_node[n], node.mesh, node.skin, rest_weights(node, n, mesh, log),
+                          copies.value_or(std::vector<Transform>{})};
     if (node.skin != kNone && !is_skinned(mesh)) {
-      log.report(Rule::node_skin_unused, pointer("nodes", n, "skin"), "no primitive of the mesh has joints and weights; ignored");
+      log.report(Rule::node_skin_unused, pointer("nodes", n, "skin"),
+                 "no primitive of the mesh has joints and weights; ignored");
       instance.skin = kNone;
     }
     instances.of_node[n] = static_cast<std::uint32_t>(instances.list.size());

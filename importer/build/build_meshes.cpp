@@ -21,7 +21,8 @@ std::vector<std::uint32_t> joint_limits(const gltf::Document& document) {
   std::vector<std::uint32_t> limits(document.meshes.size(), 65536);
   for (const auto& node : document.nodes)
     if (node.mesh != kNone && node.skin != kNone)
-      limits[node.mesh] = std::min(limits[node.mesh], static_cast<std::uint32_t>(document.skins[node.skin].joints.size()));
+      limits[node.mesh] =
+          std::min(limits[node.mesh], static_cast<std::uint32_t>(document.skins[node.skin].joints.size()));
   return limits;
 }
 
@@ -61,7 +62,8 @@ void make_missing(const gltf::Document& document, const ImportOptions& options, 
   if (primitive.topology != Topology::triangles || primitive.indices.empty()) return;
   if (options.make_normals && primitive.normals.empty()) make_flat_normals(primitive);
   const std::uint32_t set = normal_map_texcoord(document, primitive);
-  if (options.make_tangents && primitive.tangents.empty() && !primitive.normals.empty() && set < primitive.texcoords.size())
+  if (options.make_tangents && primitive.tangents.empty() && !primitive.normals.empty() &&
+      set < primitive.texcoords.size())
     make_tangents(primitive, set);
 }
 
@@ -87,10 +89,12 @@ Primitive build_primitive(const gltf::Document& document, std::uint32_t mesh, st
 
 std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, std::size_t targets, IssueLog& log) {
   if (!mesh.weights.empty() && mesh.weights.size() != targets)
-    log.report(Rule::mesh_weights_count, pointer("meshes", index, "weights"), std::to_string(mesh.weights.size()) + " weights for " +
-                   std::to_string(targets) + " targets; cut or filled with zeros");
+    log.report(Rule::mesh_weights_count, pointer("meshes", index, "weights"),
+               std::to_string(mesh.weights.size()) + " weights for " + std::to_string(targets) +
+                   " targets; cut or filled with zeros");
   std::vector<float> weights(targets, 0.0f);
-  for (std::size_t t = 0; t < std::min(targets, mesh.weights.size()); ++t) weights[t] = flushed(static_cast<float>(mesh.weights[t]));
+  for (std::size_t t = 0; t < std::min(targets, mesh.weights.size()); ++t)
+    weights[t] = flushed(static_cast<float>(mesh.weights[t]));
   return weights;
 }
 
@@ -110,7 +114,8 @@ std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptio
     for (std::uint32_t p = 0; p < source.primitives.size(); ++p)
       mesh.primitives.push_back(build_primitive(document, m, p, targets, limits[m], options, log));
     meshes.push_back(std::move(mesh));
-    if (options.progress) options.progress("meshes", 0.35 + 0.3 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
+    if (options.progress)
+      options.progress("meshes", 0.35 + 0.3 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
   }
   return meshes;
 }

@@ -15,10 +15,11 @@ namespace {
 
 /// From the file's vertices to those of a primitive that has been put in order; empty = unchanged.
 struct VertexOrder {
-  std::span<const std::uint32_t> source;   ///< the file's vertex of each vertex
-  std::vector<std::uint32_t> position;     ///< and the way there
+  std::span<const std::uint32_t> source;  ///< the file's vertex of each vertex
+  std::vector<std::uint32_t> position;    ///< and the way there
 
-  explicit VertexOrder(std::span<const std::uint32_t> source_vertex) : source(source_vertex), position(source_vertex.size()) {
+  explicit VertexOrder(std::span<const std::uint32_t> source_vertex)
+      : source(source_vertex), position(source_vertex.size()) {
     for (std::uint32_t v = 0; v < source.size(); ++v) position[source[v]] = v;
   }
 };

@@ -17,8 +17,11 @@ Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& l
   camera.name = source.name;
   camera.perspective = source.perspective;
   const auto use = [&](double value, float& out, const char* name) {
-    if (value > 0.0) out = static_cast<float>(value);
-    else log.report(Rule::camera_values, pointer("cameras", index), std::string(name) + " is not above 0; " + std::to_string(out) + " is used");
+    if (value > 0.0)
+      out = static_cast<float>(value);
+    else
+      log.report(Rule::camera_values, pointer("cameras", index),
+                 std::string(name) + " is not above 0; " + std::to_string(out) + " is used");
   };
   if (source.perspective) {
     use(source.yfov, camera.fov_y_rad, "yfov");
@@ -27,10 +30,14 @@ Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& l
     use(std::abs(source.xmag), camera.half_width, "xmag");
     use(std::abs(source.ymag), camera.half_height, "ymag");
   }
-  if (source.perspective || source.znear > 0.0) use(source.znear, camera.near_m, "znear");
-  else camera.near_m = 0.0f;
-  if (source.zfar > source.znear) camera.far_m = static_cast<float>(source.zfar);
-  else if (source.zfar != 0.0) log.report(Rule::camera_values, pointer("cameras", index), "zfar is not above znear; infinite is used");
+  if (source.perspective || source.znear > 0.0)
+    use(source.znear, camera.near_m, "znear");
+  else
+    camera.near_m = 0.0f;
+  if (source.zfar > source.znear)
+    camera.far_m = static_cast<float>(source.zfar);
+  else if (source.zfar != 0.0)
+    log.report(Rule::camera_values, pointer("cameras", index), "zfar is not above znear; infinite is used");
   return camera;
 }
 
@@ -54,7 +61,8 @@ Light build_light(const Json& json) {
   light.kind = kind == "spot" ? Light::Kind::spot : kind == "point" ? Light::Kind::point : Light::Kind::directional;
   if (const Json* color = member(json, "color"); color != nullptr && color->is_array() && color->size() == 3)
     for (int c = 0; c < 3; ++c)
-      if (const auto& value = (*color)[static_cast<std::size_t>(c)]; value.is_number()) light.color[c] = value.get<float>();
+      if (const auto& value = (*color)[static_cast<std::size_t>(c)]; value.is_number())
+        light.color[c] = value.get<float>();
   light.intensity = number_or(json, "intensity", light.intensity);
   light.range_m = number_or(json, "range", light.range_m);
   if (const Json* spot = member(json, "spot")) {
@@ -64,7 +72,8 @@ Light build_light(const Json& json) {
   return light;
 }
 
-void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements, IssueLog& log) {
+void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements,
+                  IssueLog& log) {
   constexpr const char* kLights = "KHR_lights_punctual";
   const Json* extension = member(document.extensions, kLights);
   const Json* list = extension != nullptr ? member(*extension, "lights") : nullptr;
@@ -73,9 +82,11 @@ void build_lights(const gltf::Document& document, const JointOrder& order, Scene
     const Json* use = member(document.nodes[n].extensions, kLights);
     const Json* index = use != nullptr ? member(*use, "light") : nullptr;
     if (index == nullptr) continue;
-    const bool known = list != nullptr && list->is_array() && index->is_number_unsigned() && index->get<std::uint64_t>() < list->size();
+    const bool known = list != nullptr && list->is_array() && index->is_number_unsigned() &&
+                       index->get<std::uint64_t>() < list->size();
     if (!known) {
-      log.report(Rule::light_values, pointer("nodes", n, "extensions", kLights, "light"), "there is no such light; ignored");
+      log.report(Rule::light_values, pointer("nodes", n, "extensions", kLights, "light"),
+                 "there is no such light; ignored");
       continue;
     }
     placements.of_light[index->get<std::size_t>()].push_back(static_cast<std::uint32_t>(scene.lights.size()));
@@ -84,7 +95,8 @@ void build_lights(const gltf::Document& document, const JointOrder& order, Scene
   }
 }
 
-void build_cameras(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements, IssueLog& log) {
+void build_cameras(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements,
+                   IssueLog& log) {
   for (std::uint32_t c = 0; c < document.cameras.size(); ++c) {
     scene.cameras.push_back(build_camera(document.cameras[c], c, log));
     placements.of_camera.push_back({c});
@@ -128,8 +140,10 @@ Placements build_placements(const gltf::Document& document, const JointOrder& or
     for (const std::uint32_t node : source.nodes) roots.joints.push_back(order.joint_of_node[node]);
     scene.scenes.push_back(std::move(roots));
   }
-  if (document.scene != kNone) scene.default_scene = document.scene;
-  else if (!document.scenes.empty()) scene.default_scene = 0;
+  if (document.scene != kNone)
+    scene.default_scene = document.scene;
+  else if (!document.scenes.empty())
+    scene.default_scene = 0;
   return placements;
 }
 

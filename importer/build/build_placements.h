@@ -17,9 +17,9 @@ struct Placements {
   std::vector<std::uint32_t> indices_in_scene(const PropertyTarget& target, const JointOrder& order) const;
 };
 
-/// What hangs on nodes beside meshes, which nodes are not shown (KHR_node_visibility), and which roots each scene shows:
-/// fills cameras, lights (KHR_lights_punctual), hidden_joints, scenes and default_scene (the file's, else the first; G56).
-/// warning camera-values, light-values: those that make no sense take the default; extension-value
+/// What hangs on nodes beside meshes, which nodes are not shown (KHR_node_visibility), and which roots each scene
+/// shows: fills cameras, lights (KHR_lights_punctual), hidden_joints, scenes and default_scene (the file's, else the
+/// first; G56). warning camera-values, light-values: those that make no sense take the default; extension-value
 Placements build_placements(const gltf::Document& document, const JointOrder& order, Scene& scene, IssueLog& log);
 
 }  // namespace sinew

@@ -25,7 +25,8 @@ Skeleton build_skeleton(const gltf::Document& document, const JointOrder& order,
     skeleton.names.push_back(document.nodes[node].name);
     if (!local.is_matrix) continue;
     if (animated[node]) {
-      log.report(Rule::node_matrix_animated, pointer("nodes", node, "matrix"), "the node is animated; its matrix is decomposed");
+      log.report(Rule::node_matrix_animated, pointer("nodes", node, "matrix"),
+                 "the node is animated; its matrix is decomposed");
       continue;
     }
     skeleton.fixed_matrix_of[joint] = static_cast<std::uint32_t>(skeleton.fixed_matrices.size());

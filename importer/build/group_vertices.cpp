@@ -21,12 +21,14 @@ std::uint32_t count_of(const MergedInfluences& merged, std::uint32_t vertex) {
 }
 
 void add_group(VertexInfluences& out, std::uint32_t count, std::uint32_t position, std::uint32_t first_entry) {
-  if (out.groups.empty() || out.groups.back().influence_count != count) out.groups.push_back({position, 0, count, first_entry});
+  if (out.groups.empty() || out.groups.back().influence_count != count)
+    out.groups.push_back({position, 0, count, first_entry});
   ++out.groups.back().vertex_count;
 }
 
 /// The lists themselves where the vertices are in order already.
-void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::vector<std::uint32_t>& source, bool in_order) {
+void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::vector<std::uint32_t>& source,
+                     bool in_order) {
   std::uint32_t entry = 0;
   for (std::uint32_t v = 0; v < source.size(); ++v) {
     const std::uint32_t count = count_of(merged, source[v]);
@@ -43,7 +45,8 @@ void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::
   auto joint = out.joints.begin();
   auto weight = out.weights.begin();
   for (const std::uint32_t old : source)
-    for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i) *joint++ = merged.joints[i], *weight++ = merged.weights[i];
+    for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i)
+      *joint++ = merged.joints[i], *weight++ = merged.weights[i];
 }
 
 /// Vertices by rising number of influences, those of equal number in their order: a counting sort.

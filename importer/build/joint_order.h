@@ -9,11 +9,11 @@ namespace sinew {
 
 /// The nodes of a document in the order of the skeleton: breadth-first, all roots first, children in the file's order.
 struct JointOrder {
-  std::vector<std::uint32_t> node_of_joint;   ///< [N]
-  std::vector<std::uint32_t> joint_of_node;   ///< [N]
-  std::vector<std::uint32_t> parents;         ///< [N] joint of the parent, kNone for a root
-  std::vector<std::uint32_t> level_begin;     ///< [depth + 1] first joint of each depth, last entry = N
-  std::vector<std::uint32_t> root_of_node;    ///< [N] node at the top of each node's tree
+  std::vector<std::uint32_t> node_of_joint;  ///< [N]
+  std::vector<std::uint32_t> joint_of_node;  ///< [N]
+  std::vector<std::uint32_t> parents;        ///< [N] joint of the parent, kNone for a root
+  std::vector<std::uint32_t> level_begin;    ///< [depth + 1] first joint of each depth, last entry = N
+  std::vector<std::uint32_t> root_of_node;   ///< [N] node at the top of each node's tree
 };
 
 /// in   nodes that form a forest (check_references).   Nodes of every scene and of none take part: the hierarchy is the

@@ -14,8 +14,8 @@ struct Influence {
   double weight = 0.0;
 };
 
-/// Sums this close to 1, for each weight, are 1 but for the rounding to floats, and stay as they are: dividing them again
-/// would change the last bits of weights that have been divided before.
+/// Sums this close to 1, for each weight, are 1 but for the rounding to floats, and stay as they are: dividing them
+/// again would change the last bits of weights that have been divided before.
 constexpr double kRounding = 0x1p-24;
 
 /// What was odd, counted over all vertices so that each kind is reported once.
@@ -77,8 +77,8 @@ class Merger {
         if (!counts) continue;
         if (joint >= limit_) {
           log_.report(Rule::joint_index, pointer(place_, "JOINTS_" + std::to_string(s)),
-                      "vertex " + std::to_string(v) + " is moved by joint " + std::to_string(joint) + " of a skin with " +
-                          std::to_string(limit_) + " joints");
+                      "vertex " + std::to_string(v) + " is moved by joint " + std::to_string(joint) +
+                          " of a skin with " + std::to_string(limit_) + " joints");
           return false;
         }
         vertex_.push_back({joint, static_cast<double>(weight)});
@@ -100,7 +100,9 @@ class Merger {
       odd_.sum_of_deviations += deviation;
     }
     if (vertex_.size() > kFew || repeats_a_joint()) add_up_joints();
-    sort_influences(vertex_, [](const Influence& a, const Influence& b) { return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint; });
+    sort_influences(vertex_, [](const Influence& a, const Influence& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+    });
     if (deviation <= kRounding * static_cast<double>(vertex_.size())) return;
     for (auto& influence : vertex_) influence.weight /= sum_;
   }
@@ -130,10 +132,11 @@ class Merger {
     const auto say = [&](std::size_t count, Rule rule, const std::string& what) {
       if (count > 0) log_.report(rule, place_, std::to_string(count) + " " + what);
     };
-    say(odd_.off_sum, Rule::weights_sum, "vertices have weights that do not add up to 1, the worst is off by " +
-                                             std::to_string(odd_.worst_deviation) + ", on average they are by " +
-                                             std::to_string(odd_.sum_of_deviations / static_cast<double>(std::max<std::size_t>(odd_.off_sum, 1))) +
-                                             "; divided by their sum");
+    say(odd_.off_sum, Rule::weights_sum,
+        "vertices have weights that do not add up to 1, the worst is off by " + std::to_string(odd_.worst_deviation) +
+            ", on average they are by " +
+            std::to_string(odd_.sum_of_deviations / static_cast<double>(std::max<std::size_t>(odd_.off_sum, 1))) +
+            "; divided by their sum");
     say(odd_.zero_sum, Rule::weights_zero, "vertices have no weight at all; joint slot 0 moves them");
     say(odd_.negative, Rule::weights_negative, "weights are negative; taken as zero");
     say(odd_.repeated, Rule::joint_repeated, "weights repeat a joint of their vertex; added up");
@@ -151,8 +154,8 @@ class Merger {
 
 }  // namespace
 
-MergedInfluences merge_influences(std::span<const InfluenceSet> sets, std::size_t vertex_count, std::uint32_t joint_limit,
-                                  const std::string& place, IssueLog& log) {
+MergedInfluences merge_influences(std::span<const InfluenceSet> sets, std::size_t vertex_count,
+                                  std::uint32_t joint_limit, const std::string& place, IssueLog& log) {
   if (sets.empty() || vertex_count == 0) return {};
   return Merger(sets, joint_limit, place, log).run(vertex_count);
 }

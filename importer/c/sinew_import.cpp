@@ -40,7 +40,8 @@ std::unique_ptr<sinew_messages> messages_of(const ImportResult<ImportedFile>& fi
 
 /// in   read(options)  imports
 template <class Read>
-sinew_error import(const std::string& name, const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages, Read&& read) {
+sinew_error import(const std::string& name, const sinew_import_options* options, sinew_scene** scene,
+                   sinew_messages** messages, Read&& read) {
   sinew_import_options given = sinew_default_import_options();
   if (const sinew_error error = c::read_struct(options, given); error != SINEW_OK) return error;
   ImportResult<ImportedFile> file = read(options_from(given));
@@ -71,7 +72,8 @@ const char* sinew_message(const sinew_messages* messages, std::size_t i) {
 
 void sinew_messages_destroy(sinew_messages* messages) { delete messages; }
 
-sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages) {
+sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene,
+                              sinew_messages** messages) {
   if (path == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
   return c::guarded([&] {
     return import(path, options, scene, messages, [&](const ImportOptions& own) {
@@ -80,8 +82,8 @@ sinew_error sinew_import_file(const char* path, const sinew_import_options* opti
   });
 }
 
-sinew_error sinew_import_memory(const void* bytes, std::size_t byte_count, const char* name, const sinew_import_options* options,
-                                sinew_scene** scene, sinew_messages** messages) {
+sinew_error sinew_import_memory(const void* bytes, std::size_t byte_count, const char* name,
+                                const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages) {
   if (bytes == nullptr || name == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
   return c::guarded([&] {
     return import(name, options, scene, messages, [&](const ImportOptions& own) {

@@ -9,10 +9,10 @@ extern "C" {
 /// What to read and how much of it to allow.
 typedef struct sinew_import_options {
   size_t struct_size;
-  uint32_t decode_images;              ///< 1 or 0
-  uint32_t make_normals;               ///< where triangles have none
-  uint32_t make_tangents;              ///< where a normal map needs them
-  uint32_t make_centers_of_rotation;   ///< for SINEW_SKIN_CENTER_OF_ROTATION; may take long
+  uint32_t decode_images;             ///< 1 or 0
+  uint32_t make_normals;              ///< where triangles have none
+  uint32_t make_tangents;             ///< where a normal map needs them
+  uint32_t make_centers_of_rotation;  ///< for SINEW_SKIN_CENTER_OF_ROTATION; may take long
   uint64_t max_file_bytes;
   uint64_t max_unpacked_bytes;
 } sinew_import_options;
@@ -21,19 +21,22 @@ sinew_import_options sinew_default_import_options(void);
 /// Why a file was refused, or what was odd about it, one line each. Owned by the caller.
 typedef struct sinew_messages sinew_messages;
 size_t sinew_message_count(const sinew_messages* messages);
-const char* sinew_message(const sinew_messages* messages, size_t i);          ///< ended by a zero; empty beyond the last
+const char* sinew_message(const sinew_messages* messages, size_t i);  ///< ended by a zero; empty beyond the last
 void sinew_messages_destroy(sinew_messages* messages);
 
 /// Reads a .gltf or .glb file with its buffers and images.
 /// in   path      UTF-8;   options  null = the defaults
-/// out  scene     owned by the caller;   messages  owned by the caller, errors first, then warnings; may be null = not wanted.
+/// out  scene     owned by the caller;   messages  owned by the caller, errors first, then warnings; may be null = not
+/// wanted.
 ///                Given also when the file is refused
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY
-sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages);
+sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene,
+                              sinew_messages** messages);
 
-/// The same from memory: a whole .glb, or .gltf text whose buffers are data URIs. `name` stands for the file in messages.
-sinew_error sinew_import_memory(const void* bytes, size_t byte_count, const char* name, const sinew_import_options* options,
-                                sinew_scene** scene, sinew_messages** messages);
+/// The same from memory: a whole .glb, or .gltf text whose buffers are data URIs. `name` stands for the file in
+/// messages.
+sinew_error sinew_import_memory(const void* bytes, size_t byte_count, const char* name,
+                                const sinew_import_options* options, sinew_scene** scene, sinew_messages** messages);
 
 #ifdef __cplusplus
 }

@@ -72,13 +72,15 @@ std::string fault(const Stream& s, const gltf::BufferView& view) {
   return {};
 }
 
-/// What the library at hand cannot decode, though the extension allows it; empty = nothing. The low half of the first byte
-/// is the version of the codec.
+/// What the library at hand cannot decode, though the extension allows it; empty = nothing. The low half of the first
+/// byte is the version of the codec.
 std::string unknown_to_decoder(const Stream& s, gltf::Bytes encoded) {
   if (s.filter == "COLOR") return "the filter COLOR";
   if (s.mode != "ATTRIBUTES" || encoded.empty()) return {};
   const auto first = std::to_integer<unsigned>(encoded.front());
-  return (first & 0xf0u) == 0xa0u && (first & 0x0fu) > 0 ? "version " + std::to_string(first & 0x0fu) + " of the attribute codec" : "";
+  return (first & 0xf0u) == 0xa0u && (first & 0x0fu) > 0
+             ? "version " + std::to_string(first & 0x0fu) + " of the attribute codec"
+             : "";
 }
 
 bool decode(const Stream& s, gltf::Bytes encoded, std::vector<std::byte>& out) {

@@ -14,19 +14,21 @@ namespace sinew {
 namespace {
 
 constexpr std::string_view kRead[] = {
-    "EXT_meshopt_compression",    "KHR_draco_mesh_compression",  "KHR_meshopt_compression",
-    "EXT_texture_webp",           "KHR_animation_pointer",       "KHR_lights_punctual",
-    "KHR_mesh_quantization",      "KHR_texture_transform",       "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",        "KHR_node_visibility",         "KHR_materials_pbrSpecularGlossiness",
-    "EXT_mesh_gpu_instancing",    "KHR_materials_variants",
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_meshopt_compression",
+    "EXT_texture_webp",        "KHR_animation_pointer",      "KHR_lights_punctual",
+    "KHR_mesh_quantization",   "KHR_texture_transform",      "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",     "KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
+    "EXT_mesh_gpu_instancing", "KHR_materials_variants",
 };
 
 /// These only refine how a surface reflects light, or say who made the file.
 constexpr std::string_view kReadPast[] = {
-    "KHR_materials_anisotropy",   "KHR_materials_clearcoat",     "KHR_materials_dispersion",
-    "KHR_materials_ior",          "KHR_materials_iridescence",   "KHR_materials_sheen",
-    "KHR_materials_specular",     "KHR_materials_transmission",  "KHR_materials_volume",
-    "KHR_materials_diffuse_transmission", "KHR_xmp_json_ld",
+    "KHR_materials_anisotropy",  "KHR_materials_clearcoat",
+    "KHR_materials_dispersion",  "KHR_materials_ior",
+    "KHR_materials_iridescence", "KHR_materials_sheen",
+    "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_volume",      "KHR_materials_diffuse_transmission",
+    "KHR_xmp_json_ld",
 };
 
 struct Version {
@@ -63,7 +65,8 @@ void check_list_sizes(const JsonNode& json, std::uint32_t max_nodes, IssueLog& l
     const bool large = std::find(std::begin(kLarge), std::end(kLarge), name) != std::end(kLarge);
     const std::size_t most = large ? max_nodes : std::min<std::size_t>(max_nodes, kMaxSmallList);
     if (list.Size() > most)
-      log.report(Rule::too_many, pointer(name), std::to_string(list.Size()) + " entries, at most " + std::to_string(most) + " are allowed");
+      log.report(Rule::too_many, pointer(name),
+                 std::to_string(list.Size()) + " entries, at most " + std::to_string(most) + " are allowed");
   }
 }
 
@@ -71,7 +74,8 @@ void check_list_sizes(const JsonNode& json, std::uint32_t max_nodes, IssueLog& l
 
 ExtensionSupport extension_support(std::string_view name) noexcept {
   if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) return ExtensionSupport::read;
-  if (std::find(std::begin(kReadPast), std::end(kReadPast), name) != std::end(kReadPast)) return ExtensionSupport::read_past;
+  if (std::find(std::begin(kReadPast), std::end(kReadPast), name) != std::end(kReadPast))
+    return ExtensionSupport::read_past;
   return ExtensionSupport::unknown;
 }
 

@@ -35,15 +35,18 @@ class ReferenceCheck {
   }
 
   void check_data() {
-    for (std::size_t i = 0; i < d_.buffer_views.size(); ++i) index(d_.buffer_views[i].buffer, d_.buffers, "bufferViews", i, "buffer");
-    for (std::size_t i = 0; i < d_.images.size(); ++i) index(d_.images[i].buffer_view, d_.buffer_views, "images", i, "bufferView");
+    for (std::size_t i = 0; i < d_.buffer_views.size(); ++i)
+      index(d_.buffer_views[i].buffer, d_.buffers, "bufferViews", i, "buffer");
+    for (std::size_t i = 0; i < d_.images.size(); ++i)
+      index(d_.images[i].buffer_view, d_.buffer_views, "images", i, "bufferView");
     for (std::size_t i = 0; i < d_.accessors.size(); ++i) {
       const auto& accessor = d_.accessors[i];
       index(accessor.buffer_view, d_.buffer_views, "accessors", i, "bufferView");
       index(accessor.sparse.indices_view, d_.buffer_views, "accessors", i, "sparse", "indices", "bufferView");
       index(accessor.sparse.values_view, d_.buffer_views, "accessors", i, "sparse", "values", "bufferView");
       if (accessor.count == 0)
-        log_.report(Rule::accessor_empty, pointer("accessors", i, "count"), "has no elements; what uses it is left out");
+        log_.report(Rule::accessor_empty, pointer("accessors", i, "count"),
+                    "has no elements; what uses it is left out");
       if (accessor.sparse.count == 0 && accessor.sparse.indices_view != kNone)
         log_.report(Rule::accessor_empty, pointer("accessors", i, "sparse", "count"), "has no replacements");
     }
@@ -56,7 +59,8 @@ class ReferenceCheck {
         const std::string place = pointer("meshes", m, "primitives", p);
         index(primitive.indices, d_.accessors, place, "indices");
         index(primitive.material, d_.materials, place, "material");
-        for (const auto& [name, accessor] : primitive.attributes) index(accessor, d_.accessors, place, "attributes", pointer_token(name));
+        for (const auto& [name, accessor] : primitive.attributes)
+          index(accessor, d_.accessors, place, "attributes", pointer_token(name));
         for (std::size_t t = 0; t < primitive.targets.size(); ++t)
           for (const auto& [name, accessor] : primitive.targets[t].attributes)
             index(accessor, d_.accessors, place, "targets", t, pointer_token(name));
@@ -77,8 +81,9 @@ class ReferenceCheck {
         if (parent[child] == kNone)
           parent[child] = static_cast<std::uint32_t>(n);
         else
-          log_.report(Rule::node_parents, pointer("nodes", n, "children", c),
-                      "node " + std::to_string(child) + " is a child of node " + std::to_string(parent[child]) + " already");
+          log_.report(
+              Rule::node_parents, pointer("nodes", n, "children", c),
+              "node " + std::to_string(child) + " is a child of node " + std::to_string(parent[child]) + " already");
       }
     }
     check_cycles(parent);
@@ -86,8 +91,8 @@ class ReferenceCheck {
     for (std::size_t n = 0; n < parent.size(); ++n) is_child_[n] = parent[n] != kNone;
   }
 
-  /// Every node has at most one parent here, so a walk upwards ends at a root, at a node seen before, or on itself. Every
-  /// node of a cycle is named.
+  /// Every node has at most one parent here, so a walk upwards ends at a root, at a node seen before, or on itself.
+  /// Every node of a cycle is named.
   void check_cycles(const std::vector<std::uint32_t>& parent) {
     std::vector<std::uint32_t> seen_by(parent.size(), kNone);
     for (std::uint32_t start = 0; start < parent.size(); ++start) {
@@ -133,7 +138,8 @@ class ReferenceCheck {
       const auto& material = d_.materials[m];
       const std::string place = pointer("materials", m);
       index(material.base_color_texture.index, d_.textures, place, "pbrMetallicRoughness", "baseColorTexture", "index");
-      index(material.metallic_roughness_texture.index, d_.textures, place, "pbrMetallicRoughness", "metallicRoughnessTexture", "index");
+      index(material.metallic_roughness_texture.index, d_.textures, place, "pbrMetallicRoughness",
+            "metallicRoughnessTexture", "index");
       index(material.normal_texture.index, d_.textures, place, "normalTexture", "index");
       index(material.occlusion_texture.index, d_.textures, place, "occlusionTexture", "index");
       index(material.emissive_texture.index, d_.textures, place, "emissiveTexture", "index");

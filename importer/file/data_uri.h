@@ -15,8 +15,8 @@ struct DataUri {
 
 bool is_data_uri(std::string_view uri) noexcept;
 
-/// Decodes "data:TYPE;base64,..." of any media type (G65). Nothing where the text is not base64, padding included or not.
-/// cost O(text), 3/4 of it allocated
+/// Decodes "data:TYPE;base64,..." of any media type (G65). Nothing where the text is not base64, padding included or
+/// not. cost O(text), 3/4 of it allocated
 std::optional<DataUri> decode_data_uri(std::string_view uri);
 
 }  // namespace sinew

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "importer/file/document_animations.h"
 #include "importer/file/document_materials.h"
 
 /// A parsed glTF 2.0 document as plain data: what the file says, defaults filled in, nothing interpreted. The
@@ -18,33 +19,41 @@ namespace sinew::gltf {
 
 enum class ComponentType : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 enum class ElementType : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
-enum class PrimitiveMode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
+enum class PrimitiveMode : std::uint8_t {
+  points,
+  lines,
+  line_loop,
+  line_strip,
+  triangles,
+  triangle_strip,
+  triangle_fan
+};
 
 struct Buffer {
-  std::string uri;                        ///< empty = the BIN chunk of a .glb (buffer 0), a placeholder, or read
+  std::string uri;  ///< empty = the BIN chunk of a .glb (buffer 0), a placeholder, or read
   std::uint64_t byte_length = 0;
-  bool placeholder = false;               ///< holds no bytes: EXT_meshopt_compression fallback (T6), or missing
+  bool placeholder = false;  ///< holds no bytes: EXT_meshopt_compression fallback (T6), or missing
   Json extensions;
-  Bytes bytes;                            ///< filled by load_buffers(): byte_length bytes
+  Bytes bytes;  ///< filled by load_buffers(): byte_length bytes
 };
 
 struct BufferView {
   std::uint32_t buffer = kNone;
   std::uint64_t byte_offset = 0, byte_length = 0;
-  std::uint32_t byte_stride = 0;          ///< 0 = tight
+  std::uint32_t byte_stride = 0;  ///< 0 = tight
   Json extensions;
-  Bytes bytes;                            ///< filled by load_buffers(), or by the decoder of a compression extension
+  Bytes bytes;  ///< filled by load_buffers(), or by the decoder of a compression extension
 };
 
 struct SparseAccessor {
-  std::uint64_t count = 0;                ///< 0 = not sparse
+  std::uint64_t count = 0;  ///< 0 = not sparse
   std::uint32_t indices_view = kNone, values_view = kNone;
   std::uint64_t indices_offset = 0, values_offset = 0;
   ComponentType index_type = ComponentType::u32;
 };
 
 struct Accessor {
-  std::uint32_t buffer_view = kNone;      ///< kNone = zeros (before sparse)
+  std::uint32_t buffer_view = kNone;  ///< kNone = zeros (before sparse)
   std::uint64_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::f32;
   ElementType type = ElementType::scalar;
@@ -58,7 +67,7 @@ struct MorphTarget {
 };
 
 struct Primitive {
-  std::map<std::string, std::uint32_t> attributes;   ///< semantic -> accessor
+  std::map<std::string, std::uint32_t> attributes;  ///< semantic -> accessor
   std::uint32_t indices = kNone, material = kNone;
   PrimitiveMode mode = PrimitiveMode::triangles;
   std::vector<MorphTarget> targets;
@@ -69,7 +78,7 @@ struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
   std::vector<double> weights;
-  std::vector<std::string> target_names;             ///< extras.targetNames
+  std::vector<std::string> target_names;  ///< extras.targetNames
 };
 
 struct Node {
@@ -79,7 +88,7 @@ struct Node {
   bool has_matrix = false, has_trs = false;
   std::array<double, 16> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  ///< column-major
   std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
-  std::array<double, 4> rotation{0, 0, 0, 1};        ///< xyzw
+  std::array<double, 4> rotation{0, 0, 0, 1};  ///< xyzw
   std::vector<double> weights;
   Json extensions;
 };
@@ -88,23 +97,6 @@ struct Skin {
   std::string name;
   std::vector<std::uint32_t> joints;
   std::uint32_t inverse_bind_matrices = kNone, skeleton = kNone;
-};
-
-struct AnimationSampler {
-  std::uint32_t input = kNone, output = kNone;
-  std::string interpolation = "LINEAR";
-};
-
-struct AnimationChannel {
-  std::uint32_t sampler = kNone, node = kNone;
-  std::string path;
-  std::string pointer;                               ///< KHR_animation_pointer: an RFC 6901 pointer into the document
-};
-
-struct Animation {
-  std::string name;
-  std::vector<AnimationSampler> samplers;
-  std::vector<AnimationChannel> channels;
 };
 
 struct Camera {
@@ -135,7 +127,7 @@ struct Document {
   std::vector<Camera> cameras;
   std::vector<Scene> scenes;
   std::uint32_t scene = kNone;
-  Json extensions;                                   ///< of the root, for example KHR_lights_punctual
+  Json extensions;  ///< of the root, for example KHR_lights_punctual
 
   /// Owns what `Bytes` members point into, beside the file itself: external files, data URIs, decoded views. A deque,
   /// so that growing moves nothing.

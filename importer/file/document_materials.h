@@ -42,12 +42,12 @@ struct Texture {
 struct Image {
   std::string name, uri, mime_type;
   std::uint32_t buffer_view = kNone;
-  Bytes encoded;                                     ///< filled by load_images()
-  std::string missing_reason;                        ///< not empty = `encoded` is empty, and why
+  Bytes encoded;               ///< filled by load_images()
+  std::string missing_reason;  ///< not empty = `encoded` is empty, and why
 };
 
 struct TextureSampler {
-  int mag_filter = -1, min_filter = -1;              ///< GL numbers, -1 = absent
+  int mag_filter = -1, min_filter = -1;  ///< GL numbers, -1 = absent
   int wrap_s = 10497, wrap_t = 10497;
 };
 

@@ -14,7 +14,8 @@ constexpr std::uint32_t kBin = 0x004E4942;    // "BIN\0"
 
 std::uint32_t read_u32(Bytes bytes, std::size_t at) {
   std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + static_cast<std::size_t>(i)]);
+  for (int i = 3; i >= 0; --i)
+    value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + static_cast<std::size_t>(i)]);
   return value;
 }
 
@@ -49,8 +50,9 @@ std::optional<Chunk> next_chunk(Bytes file, std::size_t& at, IssueLog& log) {
   }
   const std::size_t length = read_u32(file, at);
   if (length > file.size() - at - 8) {
-    log.report(Rule::glb_chunk, "", place + " says " + std::to_string(length) + " bytes, " +
-                                        std::to_string(file.size() - at - 8) + " are left");
+    log.report(
+        Rule::glb_chunk, "",
+        place + " says " + std::to_string(length) + " bytes, " + std::to_string(file.size() - at - 8) + " are left");
     return std::nullopt;
   }
   if (length % 4 != 0) {

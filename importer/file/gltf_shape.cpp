@@ -29,85 +29,121 @@ constexpr JsonValueShape kIndexMaps{.kind = Kind::array, .element = &kIndexMap};
 constexpr JsonProperty kExtensions{"extensions", kObject};
 constexpr JsonProperty kName{"name", kText};
 
-constexpr JsonProperty kAssetProperties[] = {{"version", kText, true}, {"minVersion", kText}, {"generator", kText}, {"copyright", kText}};
+constexpr JsonProperty kAssetProperties[] = {
+    {"version", kText, true}, {"minVersion", kText}, {"generator", kText}, {"copyright", kText}};
 constexpr JsonObjectShape kAsset{kAssetProperties};
 
 constexpr std::int64_t kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126};
 constexpr std::int64_t kIndexTypes[] = {5121, 5123, 5125};
 constexpr std::string_view kElementTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
-constexpr JsonProperty kSparseIndicesProperties[] = {{"bufferView", kIndex, true}, {"byteOffset", kSize},
+constexpr JsonProperty kSparseIndicesProperties[] = {
+    {"bufferView", kIndex, true},
+    {"byteOffset", kSize},
     {"componentType", {.kind = Kind::integer, .numbers = kIndexTypes}, true}};
 constexpr JsonObjectShape kSparseIndices{kSparseIndicesProperties};
 constexpr JsonProperty kSparseValuesProperties[] = {{"bufferView", kIndex, true}, {"byteOffset", kSize}};
 constexpr JsonObjectShape kSparseValues{kSparseValuesProperties};
 constexpr JsonProperty kSparseProperties[] = {{"count", kIndex, true},
-    {"indices", {.kind = Kind::object, .object = &kSparseIndices}, true},
-    {"values", {.kind = Kind::object, .object = &kSparseValues}, true}};
+                                              {"indices", {.kind = Kind::object, .object = &kSparseIndices}, true},
+                                              {"values", {.kind = Kind::object, .object = &kSparseValues}, true}};
 constexpr JsonObjectShape kSparse{kSparseProperties};
-constexpr JsonProperty kAccessorProperties[] = {{"bufferView", kIndex}, {"byteOffset", kSize},
-    {"componentType", {.kind = Kind::integer, .numbers = kComponentTypes}, true}, {"normalized", kBool}, {"count", kSize, true},
-    {"type", {.kind = Kind::string, .words = kElementTypes}, true}, {"max", kDoubles}, {"min", kDoubles},
-    {"sparse", {.kind = Kind::object, .object = &kSparse}}, kExtensions};
+constexpr JsonProperty kAccessorProperties[] = {
+    {"bufferView", kIndex},
+    {"byteOffset", kSize},
+    {"componentType", {.kind = Kind::integer, .numbers = kComponentTypes}, true},
+    {"normalized", kBool},
+    {"count", kSize, true},
+    {"type", {.kind = Kind::string, .words = kElementTypes}, true},
+    {"max", kDoubles},
+    {"min", kDoubles},
+    {"sparse", {.kind = Kind::object, .object = &kSparse}},
+    kExtensions};
 constexpr JsonObjectShape kAccessor{kAccessorProperties};
 
 constexpr JsonProperty kBufferProperties[] = {{"uri", kText}, {"byteLength", kSize, true}, kExtensions};
 constexpr JsonObjectShape kBuffer{kBufferProperties};
-constexpr JsonProperty kViewProperties[] = {{"buffer", kIndex, true}, {"byteOffset", kSize}, {"byteLength", kSize, true},
-    {"byteStride", kSize}, kExtensions};
+constexpr JsonProperty kViewProperties[] = {
+    {"buffer", kIndex, true}, {"byteOffset", kSize}, {"byteLength", kSize, true}, {"byteStride", kSize}, kExtensions};
 constexpr JsonObjectShape kView{kViewProperties};
 
-constexpr JsonProperty kPrimitiveProperties[] = {{"attributes", kIndexMap, true}, {"indices", kIndex}, {"material", kIndex},
-    {"mode", {.kind = Kind::integer, .lower = 0, .upper = 6}}, {"targets", kIndexMaps}, kExtensions};
+constexpr JsonProperty kPrimitiveProperties[] = {{"attributes", kIndexMap, true},
+                                                 {"indices", kIndex},
+                                                 {"material", kIndex},
+                                                 {"mode", {.kind = Kind::integer, .lower = 0, .upper = 6}},
+                                                 {"targets", kIndexMaps},
+                                                 kExtensions};
 constexpr JsonObjectShape kPrimitive{kPrimitiveProperties};
 constexpr JsonValueShape kPrimitiveValue{.kind = Kind::object, .object = &kPrimitive};
 constexpr JsonProperty kMeshProperties[] = {{"primitives", {.kind = Kind::array, .element = &kPrimitiveValue}, true},
-    {"weights", kNumbers}, kName, kExtensions};
+                                            {"weights", kNumbers},
+                                            kName,
+                                            kExtensions};
 constexpr JsonObjectShape kMesh{kMeshProperties};
 
-constexpr JsonProperty kNodeProperties[] = {{"camera", kIndex}, {"children", kIndices}, {"skin", kIndex}, {"matrix", kMat4},
-    {"mesh", kIndex}, {"rotation", kVec4}, {"scale", kVec3}, {"translation", kVec3}, {"weights", kNumbers}, kName, kExtensions};
+constexpr JsonProperty kNodeProperties[] = {
+    {"camera", kIndex},  {"children", kIndices}, {"skin", kIndex},       {"matrix", kMat4},     {"mesh", kIndex},
+    {"rotation", kVec4}, {"scale", kVec3},       {"translation", kVec3}, {"weights", kNumbers}, kName,
+    kExtensions};
 constexpr JsonObjectShape kNode{kNodeProperties};
-constexpr JsonProperty kSkinProperties[] = {{"inverseBindMatrices", kIndex}, {"skeleton", kIndex}, {"joints", kIndices, true}, kName};
+constexpr JsonProperty kSkinProperties[] = {
+    {"inverseBindMatrices", kIndex}, {"skeleton", kIndex}, {"joints", kIndices, true}, kName};
 constexpr JsonObjectShape kSkin{kSkinProperties};
 
 constexpr JsonProperty kTargetProperties[] = {{"node", kIndex}, {"path", kText, true}, kExtensions};
 constexpr JsonObjectShape kTarget{kTargetProperties};
-constexpr JsonProperty kChannelProperties[] = {{"sampler", kIndex, true}, {"target", {.kind = Kind::object, .object = &kTarget}, true}};
+constexpr JsonProperty kChannelProperties[] = {{"sampler", kIndex, true},
+                                               {"target", {.kind = Kind::object, .object = &kTarget}, true}};
 constexpr JsonObjectShape kChannel{kChannelProperties};
 constexpr JsonValueShape kChannelValue{.kind = Kind::object, .object = &kChannel};
-constexpr JsonProperty kSamplerProperties[] = {{"input", kIndex, true}, {"interpolation", kText}, {"output", kIndex, true}};
+constexpr JsonProperty kSamplerProperties[] = {
+    {"input", kIndex, true}, {"interpolation", kText}, {"output", kIndex, true}};
 constexpr JsonObjectShape kSampler{kSamplerProperties};
 constexpr JsonValueShape kSamplerValue{.kind = Kind::object, .object = &kSampler};
 constexpr JsonProperty kAnimationProperties[] = {{"channels", {.kind = Kind::array, .element = &kChannelValue}, true},
-    {"samplers", {.kind = Kind::array, .element = &kSamplerValue}, true}, kName};
+                                                 {"samplers", {.kind = Kind::array, .element = &kSamplerValue}, true},
+                                                 kName};
 constexpr JsonObjectShape kAnimation{kAnimationProperties};
 
-constexpr JsonProperty kTextureInfoProperties[] = {{"index", kIndex, true}, {"texCoord", kIndex}, {"scale", kNumber},
-    {"strength", kNumber}, kExtensions};
+constexpr JsonProperty kTextureInfoProperties[] = {
+    {"index", kIndex, true}, {"texCoord", kIndex}, {"scale", kNumber}, {"strength", kNumber}, kExtensions};
 constexpr JsonObjectShape kTextureInfo{kTextureInfoProperties};
 constexpr JsonValueShape kTextureUse{.kind = Kind::object, .object = &kTextureInfo};
-constexpr JsonProperty kRoughnessProperties[] = {{"baseColorFactor", kVec4}, {"baseColorTexture", kTextureUse},
-    {"metallicFactor", kNumber}, {"roughnessFactor", kNumber}, {"metallicRoughnessTexture", kTextureUse}};
+constexpr JsonProperty kRoughnessProperties[] = {{"baseColorFactor", kVec4},
+                                                 {"baseColorTexture", kTextureUse},
+                                                 {"metallicFactor", kNumber},
+                                                 {"roughnessFactor", kNumber},
+                                                 {"metallicRoughnessTexture", kTextureUse}};
 constexpr JsonObjectShape kRoughness{kRoughnessProperties};
 constexpr JsonProperty kMaterialProperties[] = {{"pbrMetallicRoughness", {.kind = Kind::object, .object = &kRoughness}},
-    {"normalTexture", kTextureUse}, {"occlusionTexture", kTextureUse}, {"emissiveTexture", kTextureUse}, {"emissiveFactor", kVec3},
-    {"alphaMode", kText}, {"alphaCutoff", kNumber}, {"doubleSided", kBool}, kName, kExtensions};
+                                                {"normalTexture", kTextureUse},
+                                                {"occlusionTexture", kTextureUse},
+                                                {"emissiveTexture", kTextureUse},
+                                                {"emissiveFactor", kVec3},
+                                                {"alphaMode", kText},
+                                                {"alphaCutoff", kNumber},
+                                                {"doubleSided", kBool},
+                                                kName,
+                                                kExtensions};
 constexpr JsonObjectShape kMaterial{kMaterialProperties};
 constexpr JsonProperty kTextureProperties[] = {{"sampler", kIndex}, {"source", kIndex}, kName, kExtensions};
 constexpr JsonObjectShape kTexture{kTextureProperties};
 constexpr JsonProperty kImageProperties[] = {{"uri", kText}, {"mimeType", kText}, {"bufferView", kIndex}, kName};
 constexpr JsonObjectShape kImage{kImageProperties};
-constexpr JsonProperty kTextureSamplerProperties[] = {{"magFilter", kIndex}, {"minFilter", kIndex}, {"wrapS", kIndex}, {"wrapT", kIndex}};
+constexpr JsonProperty kTextureSamplerProperties[] = {
+    {"magFilter", kIndex}, {"minFilter", kIndex}, {"wrapS", kIndex}, {"wrapT", kIndex}};
 constexpr JsonObjectShape kTextureSampler{kTextureSamplerProperties};
 
-constexpr JsonProperty kPerspectiveProperties[] = {{"aspectRatio", kNumber}, {"yfov", kNumber, true}, {"zfar", kNumber}, {"znear", kNumber, true}};
+constexpr JsonProperty kPerspectiveProperties[] = {
+    {"aspectRatio", kNumber}, {"yfov", kNumber, true}, {"zfar", kNumber}, {"znear", kNumber, true}};
 constexpr JsonObjectShape kPerspective{kPerspectiveProperties};
-constexpr JsonProperty kOrthographicProperties[] = {{"xmag", kNumber, true}, {"ymag", kNumber, true}, {"zfar", kNumber, true}, {"znear", kNumber, true}};
+constexpr JsonProperty kOrthographicProperties[] = {
+    {"xmag", kNumber, true}, {"ymag", kNumber, true}, {"zfar", kNumber, true}, {"znear", kNumber, true}};
 constexpr JsonObjectShape kOrthographic{kOrthographicProperties};
 constexpr std::string_view kCameraTypes[] = {"perspective", "orthographic"};
 constexpr JsonProperty kCameraProperties[] = {{"type", {.kind = Kind::string, .words = kCameraTypes}, true},
-    {"perspective", {.kind = Kind::object, .object = &kPerspective}},
-    {"orthographic", {.kind = Kind::object, .object = &kOrthographic}}, kName};
+                                              {"perspective", {.kind = Kind::object, .object = &kPerspective}},
+                                              {"orthographic", {.kind = Kind::object, .object = &kOrthographic}},
+                                              kName};
 constexpr JsonObjectShape kCamera{kCameraProperties};
 constexpr JsonProperty kSceneProperties[] = {{"nodes", kIndices}, kName};
 constexpr JsonObjectShape kScene{kSceneProperties};
@@ -129,12 +165,23 @@ constexpr JsonValueShape kSceneValue{.kind = Kind::object, .object = &kScene};
 constexpr JsonValueShape list_of(const JsonValueShape& element) { return {.kind = Kind::array, .element = &element}; }
 
 constexpr JsonProperty kRootProperties[] = {{"asset", {.kind = Kind::object, .object = &kAsset}, true},
-    {"extensionsUsed", kTexts}, {"extensionsRequired", kTexts}, {"accessors", list_of(kAccessorValue)},
-    {"animations", list_of(kAnimationValue)}, {"buffers", list_of(kBufferValue)}, {"bufferViews", list_of(kViewValue)},
-    {"cameras", list_of(kCameraValue)}, {"images", list_of(kImageValue)}, {"materials", list_of(kMaterialValue)},
-    {"meshes", list_of(kMeshValue)}, {"nodes", list_of(kNodeValue)}, {"samplers", list_of(kTextureSamplerValue)},
-    {"scene", kIndex}, {"scenes", list_of(kSceneValue)}, {"skins", list_of(kSkinValue)}, {"textures", list_of(kTextureValue)},
-    kExtensions};
+                                            {"extensionsUsed", kTexts},
+                                            {"extensionsRequired", kTexts},
+                                            {"accessors", list_of(kAccessorValue)},
+                                            {"animations", list_of(kAnimationValue)},
+                                            {"buffers", list_of(kBufferValue)},
+                                            {"bufferViews", list_of(kViewValue)},
+                                            {"cameras", list_of(kCameraValue)},
+                                            {"images", list_of(kImageValue)},
+                                            {"materials", list_of(kMaterialValue)},
+                                            {"meshes", list_of(kMeshValue)},
+                                            {"nodes", list_of(kNodeValue)},
+                                            {"samplers", list_of(kTextureSamplerValue)},
+                                            {"scene", kIndex},
+                                            {"scenes", list_of(kSceneValue)},
+                                            {"skins", list_of(kSkinValue)},
+                                            {"textures", list_of(kTextureValue)},
+                                            kExtensions};
 constexpr JsonObjectShape kRoot{kRootProperties};
 constexpr JsonValueShape kRootValue{.kind = Kind::object, .object = &kRoot};
 

@@ -11,15 +11,18 @@ namespace sinew {
 inline std::string pointer_token(std::string_view name) {
   std::string token;
   for (const char c : name) {
-    if (c == '~') token += "~0";
-    else if (c == '/') token += "~1";
-    else token += c;
+    if (c == '~')
+      token += "~0";
+    else if (c == '/')
+      token += "~1";
+    else
+      token += c;
   }
   return token;
 }
 
-/// pointer("accessors", 3, "count") is "/accessors/3/count". Names are taken as they are, a first part that already is a
-/// pointer continues it.
+/// pointer("accessors", 3, "count") is "/accessors/3/count". Names are taken as they are, a first part that already is
+/// a pointer continues it.
 template <class... Part>
 std::string pointer(const Part&... part) {
   std::string text;

@@ -11,13 +11,15 @@ namespace sinew {
 namespace {
 
 std::string_view name_of(JsonKind kind) {
-  constexpr std::string_view names[] = {"anything", "true or false", "a number",  "an integer",
+  constexpr std::string_view names[] = {"anything", "true or false", "a number", "an integer",
                                         "a string", "an object",     "an array", "an object of indices"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 /// glTF allows integers written with a fraction of zero ("3.0").
-bool is_integer(const JsonNode& value) { return value.IsNumber() && std::floor(value.GetDouble()) == value.GetDouble(); }
+bool is_integer(const JsonNode& value) {
+  return value.IsNumber() && std::floor(value.GetDouble()) == value.GetDouble();
+}
 
 bool has_kind(const JsonNode& value, JsonKind kind) {
   switch (kind) {
@@ -36,7 +38,7 @@ bool has_kind(const JsonNode& value, JsonKind kind) {
 /// A place in the document as a chain of frames, so that text is made only for what is reported.
 struct Place {
   const Place* parent = nullptr;
-  std::string_view name;      ///< of a property; for an array entry empty
+  std::string_view name;  ///< of a property; for an array entry empty
   std::size_t index = 0;
 
   std::string text() const {
@@ -51,7 +53,8 @@ class Checker {
 
   void check(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
     if (!has_kind(value, shape.kind))
-      return log_.report(Rule::json_type, place.text(), "must be " + std::string(name_of(shape.kind)) + ", is " + to_json(value).type_name());
+      return log_.report(Rule::json_type, place.text(),
+                         "must be " + std::string(name_of(shape.kind)) + ", is " + to_json(value).type_name());
     switch (shape.kind) {
       case JsonKind::number:
       case JsonKind::integer: return check_number(value, shape, place);
@@ -109,7 +112,9 @@ class Checker {
   /// Objects of glTF have a few members; only those with many are sorted.
   void check_names(const JsonNode& value, const Place& place) {
     constexpr rapidjson::SizeType kMany = 24;
-    const auto report = [&](std::string_view name) { log_.report(Rule::json_duplicate, place.text(), "has " + in_quotes(name) + " more than once"); };
+    const auto report = [&](std::string_view name) {
+      log_.report(Rule::json_duplicate, place.text(), "has " + in_quotes(name) + " more than once");
+    };
     if (value.MemberCount() > kMany) {
       std::vector<std::string_view> names;
       for (const auto& member : value.GetObject()) names.push_back(text_of(member.name));

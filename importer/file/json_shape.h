@@ -20,11 +20,11 @@ struct JsonObjectShape;
 struct JsonValueShape {
   JsonKind kind = JsonKind::any;
   double lower = std::numeric_limits<double>::lowest(), upper = std::numeric_limits<double>::max();  ///< numbers
-  std::span<const std::string_view> words{};        ///< strings: the allowed ones, empty = any
-  std::span<const std::int64_t> numbers{};          ///< integers: the allowed ones, empty = any
-  const JsonObjectShape* object = nullptr;          ///< of objects, null = any content
-  const JsonValueShape* element = nullptr;          ///< of arrays
-  std::size_t length = 0;                           ///< of arrays, 0 = any
+  std::span<const std::string_view> words{};  ///< strings: the allowed ones, empty = any
+  std::span<const std::int64_t> numbers{};    ///< integers: the allowed ones, empty = any
+  const JsonObjectShape* object = nullptr;    ///< of objects, null = any content
+  const JsonValueShape* element = nullptr;    ///< of arrays
+  std::size_t length = 0;                     ///< of arrays, 0 = any
 };
 
 struct JsonProperty {

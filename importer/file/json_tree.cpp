@@ -14,7 +14,8 @@ rapidjson::SizeType size_of(const std::string& text) { return static_cast<rapidj
 
 JsonNode* find_member(JsonNode& object, std::string_view name) noexcept {
   const auto first = object.MemberBegin();
-  for (auto left = static_cast<std::ptrdiff_t>(object.MemberCount()); left > 0; --left)  // of equal names the last counts
+  for (auto left = static_cast<std::ptrdiff_t>(object.MemberCount()); left > 0;
+       --left)  // of equal names the last counts
     if (const auto member = first + (left - 1); text_of(member->name) == name) return &member->value;
   return nullptr;
 }
@@ -37,7 +38,8 @@ nlohmann::json to_json(const JsonNode& node) {
     }
     case rapidjson::kObjectType: {
       nlohmann::json::object_t out;
-      for (const auto& [name, value] : node.GetObject()) out.insert_or_assign(std::string(text_of(name)), to_json(value));
+      for (const auto& [name, value] : node.GetObject())
+        out.insert_or_assign(std::string(text_of(name)), to_json(value));
       return out;
     }
   }
@@ -56,7 +58,8 @@ JsonNode from_json(const nlohmann::json& value, JsonPool& pool) {
     for (const auto& entry : value) out.PushBack(from_json(entry, pool), pool);
   } else if (value.is_object()) {
     out.SetObject();
-    for (const auto& [name, entry] : value.items()) out.AddMember(JsonNode(name.data(), size_of(name), pool), from_json(entry, pool), pool);
+    for (const auto& [name, entry] : value.items())
+      out.AddMember(JsonNode(name.data(), size_of(name), pool), from_json(entry, pool), pool);
   }
   return out;
 }

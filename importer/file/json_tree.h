@@ -5,8 +5,8 @@
 #include <new>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
 #include <rapidjson/document.h>
+#include <nlohmann/json.hpp>
 
 namespace sinew {
 
@@ -23,8 +23,8 @@ struct JsonMemory {
   static void Free(void* memory) noexcept { ::operator delete(memory); }
 };
 
-/// JSON as it comes from the file. A glTF file has as many small objects as it has accessors: the whole tree lies in a few large
-/// pieces and goes at once.
+/// JSON as it comes from the file. A glTF file has as many small objects as it has accessors: the whole tree lies in a
+/// few large pieces and goes at once.
 using JsonPool = rapidjson::MemoryPoolAllocator<JsonMemory>;
 using JsonBuilder = rapidjson::GenericDocument<rapidjson::UTF8<>, JsonPool, JsonMemory>;
 using JsonNode = JsonBuilder::ValueType;
@@ -45,7 +45,9 @@ inline const JsonNode* find_member(const JsonNode& object, std::string_view name
   return find_member(const_cast<JsonNode&>(object), name);
 }
 
-inline std::string_view text_of(const JsonNode& string) noexcept { return {string.GetString(), string.GetStringLength()}; }
+inline std::string_view text_of(const JsonNode& string) noexcept {
+  return {string.GetString(), string.GetStringLength()};
+}
 
 /// Parts of a document that outlive the tree, and back.
 nlohmann::json to_json(const JsonNode& node);

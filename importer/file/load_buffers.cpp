@@ -20,7 +20,8 @@ Bytes keep(Document& document, std::vector<std::byte> bytes) {
   return document.storage.back();
 }
 
-tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, SandboxedFiles& files, std::string* mime_type) {
+tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, SandboxedFiles& files,
+                                                      std::string* mime_type) {
   using Kind = FileFault::Kind;
   if (!is_data_uri(uri)) return files.read(uri);
   auto data = decode_data_uri(uri);
@@ -31,7 +32,7 @@ tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, Sa
 
 /// How the views and accessors use a buffer.
 struct BufferUse {
-  bool in_accessor = false;       ///< some accessor reads it as it is, not unpacked
+  bool in_accessor = false;  ///< some accessor reads it as it is, not unpacked
   bool compressed_view = false, plain_view = false;
 };
 
@@ -41,7 +42,9 @@ std::vector<BufferUse> find_uses(const Document& document) {
     if (view.buffer != kNone)
       (meshopt_extension(view.extensions) ? uses[view.buffer].compressed_view : uses[view.buffer].plain_view) = true;
   const auto mark = [&](std::uint32_t view) {
-    if (view == kNone || document.buffer_views[view].buffer == kNone || meshopt_extension(document.buffer_views[view].extensions)) return;
+    if (view == kNone || document.buffer_views[view].buffer == kNone ||
+        meshopt_extension(document.buffer_views[view].extensions))
+      return;
     uses[document.buffer_views[view].buffer].in_accessor = true;
   };
   for (const auto& accessor : document.accessors)
@@ -55,8 +58,8 @@ void report_missing(gltf::Buffer& buffer, const BufferUse& use, std::string plac
   log.report(use.in_accessor ? Rule::buffer_missing : Rule::buffer_unread, std::move(place), std::move(detail));
 }
 
-void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, SandboxedFiles& files, std::optional<Bytes> bin,
-                 IssueLog& log) {
+void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, SandboxedFiles& files,
+                 std::optional<Bytes> bin, IssueLog& log) {
   auto& buffer = document.buffers[index];
   const std::string place = pointer("buffers", index);
   const bool unread = use.compressed_view && !use.plain_view;
@@ -90,7 +93,8 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
                       std::to_string(buffer.byte_length) + " bytes, there are " + std::to_string(bytes.size()));
   if (in_chunk && bytes.size() - buffer.byte_length > 3)
     log.report(Rule::buffer_longer, pointer(place, "byteLength"),
-               std::to_string(buffer.byte_length) + " bytes, the BIN chunk has " + std::to_string(bytes.size()) + "; the rest is ignored");
+               std::to_string(buffer.byte_length) + " bytes, the BIN chunk has " + std::to_string(bytes.size()) +
+                   "; the rest is ignored");
   buffer.bytes = bytes.first(static_cast<std::size_t>(buffer.byte_length));
 }
 
@@ -100,11 +104,13 @@ void point_view(Document& document, std::size_t index, const BufferUse& use, Iss
   const std::string place = pointer("bufferViews", index);
   if (view.byte_length == 0) log.report(Rule::buffer_view_empty, pointer(place, "byteLength"), "has no bytes");
   if (view.byte_offset > buffer.byte_length || view.byte_length > buffer.byte_length - view.byte_offset)
-    return log.report(Rule::buffer_view_range, pointer(place, view.byte_offset >= buffer.byte_length ? "byteOffset" : "byteLength"),
-                      std::to_string(view.byte_length) + " bytes from byte " + std::to_string(view.byte_offset) +
-                          " leave the " + std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
+    return log.report(
+        Rule::buffer_view_range, pointer(place, view.byte_offset >= buffer.byte_length ? "byteOffset" : "byteLength"),
+        std::to_string(view.byte_length) + " bytes from byte " + std::to_string(view.byte_offset) + " leave the " +
+            std::to_string(buffer.byte_length) + " bytes of " + pointer("buffers", view.buffer));
   if (!buffer.placeholder)
-    view.bytes = buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
+    view.bytes =
+        buffer.bytes.subspan(static_cast<std::size_t>(view.byte_offset), static_cast<std::size_t>(view.byte_length));
   else if (!meshopt_extension(view.extensions) && use.in_accessor)
     log.report(Rule::buffer_missing, pointer(place, "buffer"), "is a placeholder, and the view is not compressed");
 }
@@ -119,7 +125,8 @@ void load_buffers(Document& document, SandboxedFiles& files, std::optional<Bytes
 void point_views(Document& document, IssueLog& log) {
   const auto uses = find_uses(document);
   for (std::size_t i = 0; i < document.buffer_views.size(); ++i)
-    if (const std::uint32_t buffer = document.buffer_views[i].buffer; buffer != kNone) point_view(document, i, uses[buffer], log);
+    if (const std::uint32_t buffer = document.buffer_views[i].buffer; buffer != kNone)
+      point_view(document, i, uses[buffer], log);
 }
 
 void load_images(Document& document, SandboxedFiles& files, IssueLog& log) {

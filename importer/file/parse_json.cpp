@@ -14,7 +14,8 @@
 namespace sinew {
 namespace {
 
-constexpr unsigned kFlags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
+constexpr unsigned kFlags =
+    rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
 
 /// The whole text as a number that T can hold.
 template <class T>
@@ -26,14 +27,16 @@ bool converts(std::string_view text, T& out) {
 /// Hands what the reader finds to the tree. Numbers come as text: the reader's own conversion is not exact.
 class TreeEvents {
  public:
-  TreeEvents(JsonBuilder& tree, std::string_view source, const rapidjson::MemoryStream& stream) : tree_(tree), source_(source), stream_(stream) {}
+  TreeEvents(JsonBuilder& tree, std::string_view source, const rapidjson::MemoryStream& stream)
+      : tree_(tree), source_(source), stream_(stream) {}
 
   bool Null() { return tree_.Null(); }
   bool Bool(bool value) { return tree_.Bool(value); }
   bool String(const char* text, rapidjson::SizeType size, bool) {
     if (!is_utf8({text, size})) return false;
     const std::string_view here = just_read(size);
-    return here == std::string_view(text, size) ? tree_.String(here.data(), size, false) : tree_.String(text, size, true);
+    return here == std::string_view(text, size) ? tree_.String(here.data(), size, false)
+                                                : tree_.String(text, size, true);
   }
   bool Key(const char* text, rapidjson::SizeType size, bool copy) { return String(text, size, copy); }
   bool StartObject() { return enter() && tree_.StartObject(); }
@@ -45,7 +48,8 @@ class TreeEvents {
     if (std::int64_t integer = 0; converts({text, size}, integer)) return tree_.Int64(integer);
     if (std::uint64_t integer = 0; converts({text, size}, integer)) return tree_.Uint64(integer);
     double number = 0.0;
-    if (!converts({text, size}, number)) number = std::strtod(std::string(text, size).c_str(), nullptr);  // too small or too large
+    if (!converts({text, size}, number))
+      number = std::strtod(std::string(text, size).c_str(), nullptr);  // too small or too large
     if (!std::isfinite(number)) return fail("number overflow");
     return tree_.Double(number);
   }
@@ -67,12 +71,13 @@ class TreeEvents {
   /// The reader has checked bytes, but lets half a surrogate pair pass where it is escaped: those encode as ED A0..BF.
   bool is_utf8(std::string_view text) {
     for (std::size_t at = text.find('\xed'); at != text.npos; at = text.find('\xed', at + 1))
-      if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0xa0) return fail("half a surrogate pair");
+      if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0xa0)
+        return fail("half a surrogate pair");
     return true;
   }
 
-  /// The source's last bytes before the closing quote: the string itself unless something in it was escaped. Data URIs are as
-  /// long as the file, so the tree has no copy of what is there already.
+  /// The source's last bytes before the closing quote: the string itself unless something in it was escaped. Data URIs
+  /// are as long as the file, so the tree has no copy of what is there already.
   std::string_view just_read(std::size_t size) const noexcept {
     const std::size_t end = stream_.Tell() - 1;
     return size < end ? source_.substr(end - size, size) : std::string_view();

@@ -52,12 +52,14 @@ std::string_view next_token(std::string_view& place) {
 std::optional<std::uint32_t> as_index(std::string_view token) {
   std::uint32_t index = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
-  return error == std::errc() && end == token.data() + token.size() && !token.empty() ? std::optional(index) : std::nullopt;
+  return error == std::errc() && end == token.data() + token.size() && !token.empty() ? std::optional(index)
+                                                                                      : std::nullopt;
 }
 
 std::optional<BrokenPlace> parse_place(std::string_view place) {
   const auto name = next_token(place);
-  const auto list = std::find_if(std::begin(kTraits), std::end(kTraits), [&](const ListTraits& t) { return t.name == name; });
+  const auto list =
+      std::find_if(std::begin(kTraits), std::end(kTraits), [&](const ListTraits& t) { return t.name == name; });
   const auto index = as_index(next_token(place));
   if (list == std::end(kTraits) || !index) return std::nullopt;
   BrokenPlace out{static_cast<std::size_t>(list - kTraits), *index, std::nullopt};
@@ -73,7 +75,8 @@ class Emptying {
       : d_(document), broken_(broken), primitives_(primitives), log_(log) {}
 
   void run() {
-    for (auto& buffer : marked(d_.buffers, Quarantine::buffers)) buffer->placeholder = true, buffer->byte_length = 0, buffer->bytes = {};
+    for (auto& buffer : marked(d_.buffers, Quarantine::buffers))
+      buffer->placeholder = true, buffer->byte_length = 0, buffer->bytes = {};
     empty_views();
     empty_accessors();
     empty_images();
@@ -112,7 +115,8 @@ class Emptying {
   void empty_accessors() {
     for (std::uint32_t a = 0; a < d_.accessors.size(); ++a) {
       const auto& accessor = d_.accessors[a];
-      if (is(Quarantine::buffer_views, accessor.buffer_view) || is(Quarantine::buffer_views, accessor.sparse.indices_view) ||
+      if (is(Quarantine::buffer_views, accessor.buffer_view) ||
+          is(Quarantine::buffer_views, accessor.sparse.indices_view) ||
           is(Quarantine::buffer_views, accessor.sparse.values_view))
         broken_[Quarantine::accessors].insert(a);
     }
@@ -127,12 +131,14 @@ class Emptying {
   }
 
   bool uses_broken_accessor(const std::map<std::string, std::uint32_t>& attributes) const {
-    return std::any_of(attributes.begin(), attributes.end(), [&](const auto& entry) { return is(Quarantine::accessors, entry.second); });
+    return std::any_of(attributes.begin(), attributes.end(),
+                       [&](const auto& entry) { return is(Quarantine::accessors, entry.second); });
   }
 
   bool is_broken(const gltf::Primitive& primitive) const {
     return uses_broken_accessor(primitive.attributes) || is(Quarantine::accessors, primitive.indices) ||
-           std::any_of(primitive.targets.begin(), primitive.targets.end(), [&](const auto& t) { return uses_broken_accessor(t.attributes); });
+           std::any_of(primitive.targets.begin(), primitive.targets.end(),
+                       [&](const auto& t) { return uses_broken_accessor(t.attributes); });
   }
 
   /// An empty primitive keeps its number of targets: its neighbours are compared with it.
@@ -205,7 +211,8 @@ class Emptying {
     for (std::uint32_t a = 0; a < d_.animations.size(); ++a) {
       const auto& animation = d_.animations[a];
       for (std::uint32_t s = 0; s < animation.samplers.size(); ++s)
-        if (is(Quarantine::accessors, animation.samplers[s].input) || is(Quarantine::accessors, animation.samplers[s].output))
+        if (is(Quarantine::accessors, animation.samplers[s].input) ||
+            is(Quarantine::accessors, animation.samplers[s].output))
           log_.mute(pointer("animations", a, "samplers", s));
       for (std::uint32_t c = 0; c < animation.channels.size(); ++c)
         if (has_broken_target(animation.channels[c])) log_.mute(pointer("animations", a, "channels", c, "target"));
@@ -233,8 +240,10 @@ bool Quarantine::mark_errors(IssueLog& log, std::string_view harmless) {
     }
     const auto place = parse_place(text);
     if (!place) return false;
-    if (place->primitive) broken_primitives_.emplace(place->index, *place->primitive);
-    else broken_[place->list].insert(place->index);
+    if (place->primitive)
+      broken_primitives_.emplace(place->index, *place->primitive);
+    else
+      broken_[place->list].insert(place->index);
   }
   return true;
 }
@@ -248,7 +257,8 @@ bool Quarantine::isolate(JsonTree& document, IssueLog& log) {
   for (std::size_t list = 0; list < kLists; ++list)
     for (const std::uint32_t index : broken_[list]) {
       log.mute(pointer(kTraits[list].name, index));
-      (*find_member(document.root, kTraits[list].name))[index] = from_json(Json::parse(kTraits[list].smallest), document.pool);
+      (*find_member(document.root, kTraits[list].name))[index] =
+          from_json(Json::parse(kTraits[list].smallest), document.pool);
     }
   return true;
 }

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <string_view>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,14 +20,29 @@ namespace sinew {
 class Quarantine {
  public:
   /// After check_shape(): entries of lists that broke their shape become the smallest valid ones.
-  /// out  false where the document as a whole is at fault (root, asset, a list that is none) or there are too many errors:
+  /// out  false where the document as a whole is at fault (root, asset, a list that is none) or there are too many
+  /// errors:
   ///      the import ends then
   bool isolate(JsonTree& document, IssueLog& log);
 
   /// After any later step, with the document read.
   bool isolate(gltf::Document& document, IssueLog& log);
 
-  enum List : std::size_t { accessors, animations, buffers, buffer_views, cameras, images, materials, meshes, nodes, samplers, scenes, skins, textures };
+  enum List : std::size_t {
+    accessors,
+    animations,
+    buffers,
+    buffer_views,
+    cameras,
+    images,
+    materials,
+    meshes,
+    nodes,
+    samplers,
+    scenes,
+    skins,
+    textures
+  };
   static constexpr std::size_t kLists = 13;
 
  private:

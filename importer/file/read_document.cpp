@@ -9,7 +9,8 @@
 namespace sinew {
 namespace {
 
-/// The properties of one object, whose types and ranges have been checked. Absent ones take the default that glTF gives them.
+/// The properties of one object, whose types and ranges have been checked. Absent ones take the default that glTF gives
+/// them.
 class Fields {
  public:
   explicit Fields(const JsonNode& object) : object_(object) {}
@@ -61,7 +62,8 @@ class Fields {
   }
   std::vector<std::uint32_t> indices(const char* name) const { return list(name, as_index); }
   std::vector<std::string> texts(const char* name) const {
-    return list(name, [](const JsonNode& value) { return value.IsString() ? std::string(text_of(value)) : std::string(); });
+    return list(name,
+                [](const JsonNode& value) { return value.IsString() ? std::string(text_of(value)) : std::string(); });
   }
 
   /// Fills an array whose length the shape has fixed; true where it is there.
@@ -81,7 +83,8 @@ class Fields {
 
 std::map<std::string, std::uint32_t> index_map(const JsonNode& object) {
   std::map<std::string, std::uint32_t> out;
-  for (const auto& [name, index] : object.GetObject()) out.insert_or_assign(std::string(text_of(name)), Fields::as_index(index));
+  for (const auto& [name, index] : object.GetObject())
+    out.insert_or_assign(std::string(text_of(name)), Fields::as_index(index));
   return out;
 }
 
@@ -90,7 +93,9 @@ gltf::ElementType element_type(std::string_view name) {
   return static_cast<gltf::ElementType>(std::find(std::begin(kNames), std::end(kNames), name) - std::begin(kNames));
 }
 
-gltf::ComponentType component_type(const Fields& in) { return static_cast<gltf::ComponentType>(in.index("componentType")); }
+gltf::ComponentType component_type(const Fields& in) {
+  return static_cast<gltf::ComponentType>(in.index("componentType"));
+}
 
 gltf::Buffer read_buffer(const JsonNode& json) {
   const Fields in(json);
@@ -102,7 +107,8 @@ gltf::BufferView read_view(const JsonNode& json) {
   return {.buffer = in.index("buffer"),
           .byte_offset = in.size("byteOffset"),
           .byte_length = in.size("byteLength"),
-          .byte_stride = static_cast<std::uint32_t>(std::min(in.number("byteStride", 0.0), 4294967295.0)),  // T5: any is taken here
+          .byte_stride = static_cast<std::uint32_t>(
+              std::min(in.number("byteStride", 0.0), 4294967295.0)),  // T5: any is taken here
           .extensions = in.part("extensions")};
 }
 
@@ -142,7 +148,8 @@ gltf::Primitive read_primitive(const JsonNode& json) {
 
 gltf::Mesh read_mesh(const JsonNode& json) {
   const Fields in(json);
-  gltf::Mesh out{.name = in.text("name"), .primitives = in.list("primitives", read_primitive), .weights = in.numbers("weights")};
+  gltf::Mesh out{
+      .name = in.text("name"), .primitives = in.list("primitives", read_primitive), .weights = in.numbers("weights")};
   if (const JsonNode* extras = in.find("extras"); extras != nullptr && extras->IsObject())
     if (const JsonNode* names = Fields(*extras).find("targetNames"); names != nullptr && names->IsArray())
       out.target_names = Fields(*extras).texts("targetNames");
@@ -177,7 +184,8 @@ gltf::AnimationChannel read_channel(const JsonNode& json) {
   const Fields in(json), target(*in.find("target"));
   gltf::AnimationChannel out{.sampler = in.index("sampler"), .node = target.index("node"), .path = target.text("path")};
   if (const JsonNode* extensions = target.find("extensions"))
-    if (const JsonNode* extension = Fields(*extensions).find("KHR_animation_pointer"); extension != nullptr && extension->IsObject())
+    if (const JsonNode* extension = Fields(*extensions).find("KHR_animation_pointer");
+        extension != nullptr && extension->IsObject())
       out.pointer = Fields(*extension).text("pointer");
   return out;
 }
@@ -188,11 +196,13 @@ gltf::Animation read_animation(const JsonNode& json) {
     return gltf::AnimationSampler{in.index("input"), in.index("output"), in.text("interpolation", "LINEAR")};
   };
   const Fields in(json);
-  return {.name = in.text("name"), .samplers = in.list("samplers", sampler), .channels = in.list("channels", read_channel)};
+  return {
+      .name = in.text("name"), .samplers = in.list("samplers", sampler), .channels = in.list("channels", read_channel)};
 }
 
 /// A texture of a material; `factor` is where its own strength goes.
-gltf::TextureInfo read_texture_info(const Fields& owner, const char* name, const char* factor_name = nullptr, double* factor = nullptr) {
+gltf::TextureInfo read_texture_info(const Fields& owner, const char* name, const char* factor_name = nullptr,
+                                    double* factor = nullptr) {
   const JsonNode* json = owner.find(name);
   if (json == nullptr) return {};
   const Fields in(*json);
@@ -225,19 +235,26 @@ gltf::Material read_material(const JsonNode& json) {
 
 gltf::Texture read_texture(const JsonNode& json) {
   const Fields in(json);
-  return {.name = in.text("name"), .source = in.index("source"), .sampler = in.index("sampler"), .extensions = in.part("extensions")};
+  return {.name = in.text("name"),
+          .source = in.index("source"),
+          .sampler = in.index("sampler"),
+          .extensions = in.part("extensions")};
 }
 
 gltf::Image read_image(const JsonNode& json) {
   const Fields in(json);
-  return {.name = in.text("name"), .uri = in.text("uri"), .mime_type = in.text("mimeType"), .buffer_view = in.index("bufferView")};
+  return {.name = in.text("name"),
+          .uri = in.text("uri"),
+          .mime_type = in.text("mimeType"),
+          .buffer_view = in.index("bufferView")};
 }
 
 gltf::TextureSampler read_texture_sampler(const JsonNode& json) {
   const Fields in(json);
   const auto gl = [&](const char* name, int fallback) { return static_cast<int>(in.number(name, fallback)); };
   const gltf::TextureSampler usual;
-  return {gl("magFilter", usual.mag_filter), gl("minFilter", usual.min_filter), gl("wrapS", usual.wrap_s), gl("wrapT", usual.wrap_t)};
+  return {gl("magFilter", usual.mag_filter), gl("minFilter", usual.min_filter), gl("wrapS", usual.wrap_s),
+          gl("wrapT", usual.wrap_t)};
 }
 
 gltf::Camera read_camera(const JsonNode& json) {

@@ -41,11 +41,12 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
-/// A file that is open before it is asked what it is, so that it cannot be another one when it is read. Opening neither waits
-/// for the other end of a pipe nor takes over a terminal.
+/// A file that is open before it is asked what it is, so that it cannot be another one when it is read. Opening neither
+/// waits for the other end of a pipe nor takes over a terminal.
 class OpenFile {
  public:
-  explicit OpenFile(const fs::path& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
+  explicit OpenFile(const fs::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
   ~OpenFile() {
     if (opened()) ::close(descriptor_);
   }

@@ -25,12 +25,14 @@ T load(const std::byte* at) noexcept {
 /// What a stored component means: itself, or a fraction of the largest integer.
 template <bool normalized, class Out, class Component>
 Out decoded(Component c) noexcept {
-  if constexpr (normalized) return std::max(static_cast<float>(c) / static_cast<float>(std::numeric_limits<Component>::max()), -1.0f);
-  else return static_cast<Out>(c);
+  if constexpr (normalized)
+    return std::max(static_cast<float>(c) / static_cast<float>(std::numeric_limits<Component>::max()), -1.0f);
+  else
+    return static_cast<Out>(c);
 }
 
-/// Elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector made from two of these takes each byte
-/// once: its memory is not cleared first.
+/// Elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector made from two of these takes
+/// each byte once: its memory is not cleared first.
 template <class V, class Component, bool normalized>
 class ElementIterator {
  public:
@@ -40,7 +42,8 @@ class ElementIterator {
   using pointer = const V*;
   using reference = V;
 
-  ElementIterator(const std::byte* first, std::size_t stride, difference_type index = 0) : first_(first), stride_(stride), index_(index) {}
+  ElementIterator(const std::byte* first, std::size_t stride, difference_type index = 0)
+      : first_(first), stride_(stride), index_(index) {}
 
   V operator*() const noexcept {
     const std::byte* at = first_ + static_cast<std::size_t>(index_) * stride_;
@@ -49,7 +52,8 @@ class ElementIterator {
     } else {
       V out;
       for (int c = 0; c < V::length(); ++c)
-        out[c] = decoded<normalized, typename V::value_type>(load<Component>(at + static_cast<std::size_t>(c) * sizeof(Component)));
+        out[c] = decoded<normalized, typename V::value_type>(
+            load<Component>(at + static_cast<std::size_t>(c) * sizeof(Component)));
       return out;
     }
   }
@@ -67,11 +71,13 @@ class ElementIterator {
   difference_type index_;
 };
 
-/// Calls `use(begin)` with the iterator that fits the stored components. Unsigned integers and doubles come as they are stored.
+/// Calls `use(begin)` with the iterator that fits the stored components. Unsigned integers and doubles come as they are
+/// stored.
 template <class V, class Use>
 auto with_elements(ComponentType type, bool normalized, const std::byte* first, std::size_t stride, Use use) {
   const auto go = [&]<class Component>(Component) {
-    if constexpr (std::is_integral_v<Component> && sizeof(Component) < 4 && !std::is_same_v<V, std::uint32_t> && !std::is_same_v<V, double>)
+    if constexpr (std::is_integral_v<Component> && sizeof(Component) < 4 && !std::is_same_v<V, std::uint32_t> &&
+                  !std::is_same_v<V, double>)
       if (normalized) return use(ElementIterator<V, Component, true>(first, stride));
     return use(ElementIterator<V, Component, false>(first, stride));
   };
@@ -89,14 +95,16 @@ auto with_elements(ComponentType type, bool normalized, const std::byte* first, 
 /// Components of one V.
 template <class V>
 constexpr std::size_t width_of() {
-  if constexpr (std::is_arithmetic_v<V>) return 1;
-  else return static_cast<std::size_t>(V::length());
+  if constexpr (std::is_arithmetic_v<V>)
+    return 1;
+  else
+    return static_cast<std::size_t>(V::length());
 }
 
 /// Appends `count` elements: each a V, or all their components, column after column, where V is a number.
 template <class V>
-void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& layout, const std::byte* first, std::size_t stride,
-            std::size_t count) {
+void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& layout, const std::byte* first,
+            std::size_t stride, std::size_t count) {
   const auto add = [&](const std::byte* from, std::size_t step, std::size_t n) {
     with_elements<V>(accessor.component_type, accessor.normalized, from, step,
                      [&](auto it) { out.insert(out.end(), it, it + static_cast<std::ptrdiff_t>(n)); });
@@ -127,7 +135,8 @@ Replacements<V> replacements(const Document& document, const Accessor& accessor,
 }
 
 template <class V>
-void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout, std::vector<V>& out) {
+void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout,
+                  std::vector<V>& out) {
   const auto [indices, values] = replacements<V>(document, accessor, layout);
   const std::size_t entries = layout.components() / width_of<V>();  // of `out` per element
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -185,11 +194,14 @@ ElementLayout element_layout(ElementType type, ComponentType component) noexcept
 }
 
 std::uint64_t element_stride(const Document& document, const Accessor& accessor) noexcept {
-  const std::uint32_t stride = accessor.buffer_view == kNone ? 0 : document.buffer_views[accessor.buffer_view].byte_stride;
+  const std::uint32_t stride =
+      accessor.buffer_view == kNone ? 0 : document.buffer_views[accessor.buffer_view].byte_stride;
   return stride != 0 ? stride : element_layout(accessor).element_bytes;
 }
 
-std::vector<float> read_floats(const Document& document, std::uint32_t accessor) { return read<float>(document, accessor); }
+std::vector<float> read_floats(const Document& document, std::uint32_t accessor) {
+  return read<float>(document, accessor);
+}
 
 std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t index) {
   const Accessor& accessor = document.accessors[index];
@@ -197,7 +209,9 @@ std::vector<std::uint32_t> read_unsigned(const Document& document, std::uint32_t
   return std::vector<std::uint32_t>(static_cast<std::size_t>(accessor.count) * element_layout(accessor).components());
 }
 
-std::vector<double> read_stored(const Document& document, std::uint32_t accessor) { return read<double>(document, accessor); }
+std::vector<double> read_stored(const Document& document, std::uint32_t accessor) {
+  return read<double>(document, accessor);
+}
 
 template <class V>
 std::vector<V> read_vectors(const Document& document, std::uint32_t accessor) {

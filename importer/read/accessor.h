@@ -14,10 +14,10 @@ namespace sinew {
 /// How one element of an accessor lies in memory. Columns of matrices start at multiples of 4 bytes, so the columns of
 /// small matrices are padded (G27).
 struct ElementLayout {
-  std::uint32_t rows = 1, columns = 1;     ///< a vector is one column
+  std::uint32_t rows = 1, columns = 1;  ///< a vector is one column
   std::uint32_t component_bytes = 4;
-  std::uint32_t column_bytes = 4;          ///< with padding
-  std::uint32_t element_bytes = 4;         ///< with padding
+  std::uint32_t column_bytes = 4;   ///< with padding
+  std::uint32_t element_bytes = 4;  ///< with padding
 
   std::uint32_t components() const noexcept { return rows * columns; }
 };

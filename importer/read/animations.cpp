@@ -29,12 +29,14 @@ std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const 
   const auto pointed = read_property_pointer(document, channel.pointer, fault);
   if (!pointed) {
     const Rule rule = fault.past_end ? Rule::reference : Rule::animation_pointer;
-    log.report(rule, place, in_quotes(channel.pointer) + " " + fault.text + (fault.past_end ? "" : "; the channel is ignored"));
+    log.report(rule, place,
+               in_quotes(channel.pointer) + " " + fault.text + (fault.past_end ? "" : "; the channel is ignored"));
     return std::nullopt;
   }
   if (pointed->list == PointedProperty::List::meshes)
     return ChannelTarget{AnimatedProperty::mesh_weights, pointed->index, pointed->element};
-  if (const auto property = property_of(pointed->node_path)) return ChannelTarget{*property, pointed->index, pointed->element};
+  if (const auto property = property_of(pointed->node_path))
+    return ChannelTarget{*property, pointed->index, pointed->element};
   return ChannelTarget{AnimatedProperty::pointed, kNone, kNone, pointed->target};
 }
 
@@ -42,12 +44,14 @@ Interpolation interpolation_of(const std::string& word, const std::string& place
   if (word == "STEP") return Interpolation::step;
   if (word == "CUBICSPLINE") return Interpolation::cubic_spline;
   if (word != "LINEAR")
-    log.report(Rule::animation_interpolation, pointer(place, "interpolation"), in_quotes(word) + " is unknown; LINEAR is used");
+    log.report(Rule::animation_interpolation, pointer(place, "interpolation"),
+               in_quotes(word) + " is unknown; LINEAR is used");
   return Interpolation::linear;
 }
 
 ElementType element_type_of(const ChannelTarget& target) {
-  constexpr ElementType kOfCount[] = {ElementType::scalar, ElementType::scalar, ElementType::vec2, ElementType::vec3, ElementType::vec4};
+  constexpr ElementType kOfCount[] = {ElementType::scalar, ElementType::scalar, ElementType::vec2, ElementType::vec3,
+                                      ElementType::vec4};
   switch (target.property) {
     case AnimatedProperty::translation:
     case AnimatedProperty::scale: return ElementType::vec3;
@@ -73,8 +77,10 @@ bool output_format_fits(const gltf::Accessor& output, const ChannelTarget& targe
 class SamplerReader {
  public:
   SamplerReader(const gltf::Document& document, std::uint32_t animation, std::uint32_t sampler, IssueLog& log)
-      : document_(document), sampler_(document.animations[animation].samplers[sampler]),
-        place_(pointer("animations", animation, "samplers", sampler)), log_(log) {}
+      : document_(document),
+        sampler_(document.animations[animation].samplers[sampler]),
+        place_(pointer("animations", animation, "samplers", sampler)),
+        log_(log) {}
 
   std::optional<SamplerData> read(const ChannelTarget& target, std::uint32_t components) {
     SamplerData data;
@@ -87,7 +93,8 @@ class SamplerReader {
     if (!check_times(data.times_s)) return std::nullopt;
     data.values = read_floats(document_, sampler_.output);
     if (!std::all_of(data.values.begin(), data.values.end(), [](float f) { return std::isfinite(f); })) {
-      log_.report(Rule::animation_values, pointer(place_, "output"), "holds NaN or infinity; channels that use it are left out");
+      log_.report(Rule::animation_values, pointer(place_, "output"),
+                  "holds NaN or infinity; channels that use it are left out");
       return std::nullopt;
     }
     if (flag)
@@ -99,8 +106,9 @@ class SamplerReader {
   /// There is nothing between on and off. Keys with tangents are no list of flags.
   bool step_instead(Interpolation& interpolation) {
     const bool usable = interpolation == Interpolation::linear;
-    log_.report(Rule::animation_flag, pointer(place_, "interpolation"),
-                in_quotes(sampler_.interpolation) + (usable ? "; STEP is used" : "; channels that use it are left out"));
+    log_.report(
+        Rule::animation_flag, pointer(place_, "interpolation"),
+        in_quotes(sampler_.interpolation) + (usable ? "; STEP is used" : "; channels that use it are left out"));
     interpolation = Interpolation::step;
     return usable;
   }
@@ -112,7 +120,8 @@ class SamplerReader {
       return false;
     }
     if (!output_format_fits(output, target)) {
-      log_.report(Rule::animation_output, pointer(place_, "output"), "has not the type that the animated property needs");
+      log_.report(Rule::animation_output, pointer(place_, "output"),
+                  "has not the type that the animated property needs");
       return false;
     }
     if (input.count == 0) {
@@ -121,14 +130,17 @@ class SamplerReader {
     }
     const bool cubic = interpolation == Interpolation::cubic_spline;
     if (cubic && input.count < 2) {
-      log_.report(Rule::animation_cubic_keys, pointer(place_, "input"), "one key for CUBICSPLINE; channels that use it are left out");
+      log_.report(Rule::animation_cubic_keys, pointer(place_, "input"),
+                  "one key for CUBICSPLINE; channels that use it are left out");
       return false;
     }
-    const bool weights = target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
+    const bool weights =
+        target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
     const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (weights ? components : 1u);
     if (output.count == input.count * per_key) return true;
-    log_.report(Rule::animation_output, pointer(place_, "output"), std::to_string(output.count) + " values for " +
-                    std::to_string(input.count) + " keys that need " + std::to_string(per_key) + " each");
+    log_.report(Rule::animation_output, pointer(place_, "output"),
+                std::to_string(output.count) + " values for " + std::to_string(input.count) + " keys that need " +
+                    std::to_string(per_key) + " each");
     return false;
   }
 
@@ -146,14 +158,16 @@ class SamplerReader {
     for (std::size_t k = 0; k < times.size(); ++k) {
       const bool good = std::isfinite(times[k]) && times[k] >= 0.0f && (k == 0 || times[k] >= times[k - 1]);
       if (!good) {
-        log_.report(Rule::animation_times, pointer(place_, "input"), "time of key " + std::to_string(k) +
+        log_.report(Rule::animation_times, pointer(place_, "input"),
+                    "time of key " + std::to_string(k) +
                         " is negative, decreasing or not finite; channels that use it are left out");
         return false;
       }
       repeated = repeated || (k > 0 && times[k] == times[k - 1]);
     }
     if (repeated)
-      log_.report(Rule::animation_time_repeated, pointer(place_, "input"), "two keys at one time are a jump: the later value holds from there");
+      log_.report(Rule::animation_time_repeated, pointer(place_, "input"),
+                  "two keys at one time are a jump: the later value holds from there");
     return true;
   }
 
@@ -165,14 +179,15 @@ class SamplerReader {
 
 }  // namespace
 
-std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation, std::uint32_t index,
-                                                 IssueLog& log) {
+std::optional<ChannelTarget> read_channel_target(const gltf::Document& document, std::uint32_t animation,
+                                                 std::uint32_t index, IssueLog& log) {
   const gltf::AnimationChannel& channel = document.animations[animation].channels[index];
   const std::string place = pointer("animations", animation, "channels", index, "target");
   if (channel.path == "pointer") return read_pointer(document, channel, place, log);
   const auto property = property_of(channel.path);
   if (!property) {
-    log.report(Rule::animation_path, pointer(place, "path"), in_quotes(channel.path) + " is unknown; the channel is ignored");
+    log.report(Rule::animation_path, pointer(place, "path"),
+               in_quotes(channel.path) + " is unknown; the channel is ignored");
     return std::nullopt;
   }
   if (channel.node == kNone) {

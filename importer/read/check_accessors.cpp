@@ -22,7 +22,8 @@ constexpr std::uint64_t kMaxSparse = std::uint64_t{1} << 28;
 
 /// True when `count` elements of `size` bytes, `stride` apart, fit behind `offset` into `available` bytes. Offset is
 /// below 2^53 and stride below 2^32 by the shape of the JSON, count is bounded here, so nothing wraps.
-bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size, std::uint64_t available) {
+bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size,
+          std::uint64_t available) {
   if (count == 0) return offset <= available;
   if (count > kMaxCount || offset > available || size > available - offset) return false;
   return count == 1 || (available - offset - size) / stride >= count - 1;
@@ -32,14 +33,19 @@ bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::
 class AccessorCheck {
  public:
   AccessorCheck(const Document& document, std::size_t index, IssueLog& log)
-      : document_(document), accessor_(document.accessors[index]), layout_(element_layout(accessor_)),
-        place_(pointer("accessors", index)), log_(log) {}
+      : document_(document),
+        accessor_(document.accessors[index]),
+        layout_(element_layout(accessor_)),
+        place_(pointer("accessors", index)),
+        log_(log) {}
 
   /// What is odd, though it can be read.
   void warn() {
-    const bool integer = accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
+    const bool integer =
+        accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
     if (accessor_.normalized && !integer)
-      log_.report(Rule::accessor_normalized, pointer(place_, "normalized"), "only 8- and 16-bit integers are normalised; ignored");
+      log_.report(Rule::accessor_normalized, pointer(place_, "normalized"),
+                  "only 8- and 16-bit integers are normalised; ignored");
     if (accessor_.buffer_view != kNone) warn_alignment();
     if (accessor_.sparse.count == 0) return;
     warn_stride(accessor_.sparse.indices_view, "indices");
@@ -51,7 +57,8 @@ class AccessorCheck {
   bool fits_views(Available available) {
     if (accessor_.count > kMaxCount)
       return fail(Rule::accessor_fit, pointer(place_, "count"), std::to_string(accessor_.count) + " elements");
-    if (accessor_.buffer_view != kNone && !fits_base(available(document_.buffer_views[accessor_.buffer_view]))) return false;
+    if (accessor_.buffer_view != kNone && !fits_base(available(document_.buffer_views[accessor_.buffer_view])))
+      return false;
     return accessor_.sparse.count == 0 || fits_sparse(available(document_.buffer_views[accessor_.sparse.indices_view]),
                                                       available(document_.buffer_views[accessor_.sparse.values_view]));
   }
@@ -72,11 +79,13 @@ class AccessorCheck {
       std::uint64_t index = 0;
       for (std::uint32_t byte = size; byte-- > 0;) index = index << 8 | std::to_integer<std::uint64_t>(at[byte]);
       if (index >= accessor_.count)
-        return log_.report(Rule::accessor_sparse, place, "index " + std::to_string(index) + " of " + std::to_string(accessor_.count) + " elements");
+        return log_.report(Rule::accessor_sparse, place,
+                           "index " + std::to_string(index) + " of " + std::to_string(accessor_.count) + " elements");
       ordered = ordered && (i == 0 || index > previous);
       previous = index;
     }
-    if (!ordered) log_.report(Rule::accessor_sparse_order, place, "indices do not strictly increase; applied in their order");
+    if (!ordered)
+      log_.report(Rule::accessor_sparse_order, place, "indices do not strictly increase; applied in their order");
   }
 
  private:
@@ -89,34 +98,37 @@ class AccessorCheck {
     const auto& view = document_.buffer_views[accessor_.buffer_view];
     const bool own_offset = accessor_.byte_offset % layout_.component_bytes != 0;
     if (own_offset || (view.byte_offset + accessor_.byte_offset) % layout_.component_bytes != 0)
-      log_.report(Rule::accessor_alignment, own_offset ? pointer(place_, "byteOffset") : place_,
-                  "elements are not aligned to " + std::to_string(layout_.component_bytes) + " bytes; read byte by byte");
+      log_.report(
+          Rule::accessor_alignment, own_offset ? pointer(place_, "byteOffset") : place_,
+          "elements are not aligned to " + std::to_string(layout_.component_bytes) + " bytes; read byte by byte");
   }
 
   void warn_stride(std::uint32_t view, const char* part) {
     if (document_.buffer_views[view].byte_stride != 0)
-      log_.report(Rule::accessor_sparse_stride, pointer(place_, "sparse", part, "bufferView"), "has a byteStride; read as if it had none");
+      log_.report(Rule::accessor_sparse_stride, pointer(place_, "sparse", part, "bufferView"),
+                  "has a byteStride; read as if it had none");
   }
 
   bool fits_base(std::uint64_t available) {
     const std::uint64_t stride = element_stride(document_, accessor_);
     const std::string view = pointer("bufferViews", accessor_.buffer_view);
     if (stride < layout_.element_bytes)
-      return fail(Rule::accessor_stride, place_, "byteStride of " + view + " is " + std::to_string(stride) + " bytes, one element has " +
-                                                     std::to_string(layout_.element_bytes));
+      return fail(Rule::accessor_stride, place_,
+                  "byteStride of " + view + " is " + std::to_string(stride) + " bytes, one element has " +
+                      std::to_string(layout_.element_bytes));
     if (fits(accessor_.byte_offset, stride, accessor_.count, layout_.element_bytes, available)) return true;
     return fail(Rule::accessor_fit, accessor_.byte_offset > available ? pointer(place_, "byteOffset") : place_,
                 std::to_string(accessor_.count) + " elements of " + std::to_string(layout_.element_bytes) + " bytes, " +
-                    std::to_string(stride) + " apart, from byte " + std::to_string(accessor_.byte_offset) + " do not fit into the " +
-                    std::to_string(available) + " bytes of " + view);
+                    std::to_string(stride) + " apart, from byte " + std::to_string(accessor_.byte_offset) +
+                    " do not fit into the " + std::to_string(available) + " bytes of " + view);
   }
 
   bool fits_sparse(std::uint64_t index_space, std::uint64_t value_space) {
     const auto& sparse = accessor_.sparse;
     const std::string place = pointer(place_, "sparse");
     if (sparse.count > accessor_.count)
-      return fail(Rule::accessor_sparse, pointer(place, "count"), std::to_string(sparse.count) + " replacements of " +
-                                                                      std::to_string(accessor_.count) + " elements");
+      return fail(Rule::accessor_sparse, pointer(place, "count"),
+                  std::to_string(sparse.count) + " replacements of " + std::to_string(accessor_.count) + " elements");
     const std::uint32_t index_bytes = component_bytes(sparse.index_type);
     if (!fits(sparse.indices_offset, index_bytes, sparse.count, index_bytes, index_space))
       return fail(Rule::accessor_fit, pointer(place, "indices"), "do not fit into their buffer view");

@@ -20,8 +20,11 @@ std::string text(double number) { return gltf::Json(number).dump(); }
 class BoundsCheck {
  public:
   BoundsCheck(const gltf::Accessor& accessor, std::size_t index, std::vector<double> elements, IssueLog& log)
-      : accessor_(accessor), elements_(std::move(elements)), components_(element_layout(accessor).components()),
-        place_(pointer("accessors", index)), log_(log) {}
+      : accessor_(accessor),
+        elements_(std::move(elements)),
+        components_(element_layout(accessor).components()),
+        place_(pointer("accessors", index)),
+        log_(log) {}
 
   void run() {
     compare(accessor_.min, "min", std::less<>());
@@ -34,19 +37,23 @@ class BoundsCheck {
   void compare(const std::vector<double>& declared, const char* name, Better better) {
     if (declared.empty()) return;
     if (declared.size() != components_)
-      return log_.report(Rule::accessor_bounds, pointer(place_, name), std::to_string(declared.size()) + " entries for " + std::to_string(components_) + " components");
+      return log_.report(
+          Rule::accessor_bounds, pointer(place_, name),
+          std::to_string(declared.size()) + " entries for " + std::to_string(components_) + " components");
     for (std::size_t c = 0; c < components_; ++c) {
       double bound = elements_[c];
       for (std::size_t i = c; i < elements_.size(); i += components_)
         if (better(elements_[i], bound)) bound = elements_[i];
       if (stored(declared[c]) != bound)
-        log_.report(Rule::accessor_bounds, pointer(place_, name, c), "is " + text(declared[c]) + ", the elements have " + text(bound) + "; they are used");
+        log_.report(Rule::accessor_bounds, pointer(place_, name, c),
+                    "is " + text(declared[c]) + ", the elements have " + text(bound) + "; they are used");
     }
   }
 
   /// JSON numbers are doubles; float elements are compared with what they round to.
   double stored(double number) const {
-    return accessor_.component_type == gltf::ComponentType::f32 ? static_cast<double>(static_cast<float>(number)) : number;
+    return accessor_.component_type == gltf::ComponentType::f32 ? static_cast<double>(static_cast<float>(number))
+                                                                : number;
   }
 
   const gltf::Accessor& accessor_;

@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-// The one place that has stb_image, as a private copy of the functions used here. For PNG only: its JPEG decoder writes past
-// its tables when a file lies about them.
+// The one place that has stb_image, as a private copy of the functions used here. For PNG only: its JPEG decoder writes
+// past its tables when a file lies about them.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -62,8 +62,10 @@ class Jpeg {
 
   std::optional<ImageHeader> size() const {
     int width = 0, height = 0, subsampling = 0, colors = 0;
-    if (!handle_ || encoded_.size() < 2 || data_of(encoded_)[0] != 0xff || data_of(encoded_)[1] != 0xd8) return std::nullopt;
-    if (tjDecompressHeader3(handle_.get(), data_of(encoded_), encoded_.size(), &width, &height, &subsampling, &colors) != 0)
+    if (!handle_ || encoded_.size() < 2 || data_of(encoded_)[0] != 0xff || data_of(encoded_)[1] != 0xd8)
+      return std::nullopt;
+    if (tjDecompressHeader3(handle_.get(), data_of(encoded_), encoded_.size(), &width, &height, &subsampling,
+                            &colors) != 0)
       return std::nullopt;
     return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/jpeg"};
   }
@@ -71,8 +73,9 @@ class Jpeg {
   /// A file of ever more progressive scans is refused; one that merely ends early shows what it has.
   tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageHeader& size) const {
     std::vector<std::uint8_t> rgba(4 * size.pixels());
-    const int failed = tjDecompress2(handle_.get(), data_of(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
-                                     static_cast<int>(size.height), TJPF_RGBA, TJFLAG_LIMITSCANS);
+    const int failed =
+        tjDecompress2(handle_.get(), data_of(encoded_), encoded_.size(), rgba.data(), static_cast<int>(size.width), 0,
+                      static_cast<int>(size.height), TJPF_RGBA, TJFLAG_LIMITSCANS);
     if (failed != 0 && tjGetErrorCode(handle_.get()) == TJERR_FATAL)
       return tl::make_unexpected(std::string("cannot be decoded: ") + tjGetErrorStr2(handle_.get()));
     return rgba;

@@ -62,7 +62,8 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const gltf::Bytes encoded = document.images[i].encoded;
     if (options.decode_images && images[i].missing_reason.empty()) decode(encoded, images[i]);
-    if (options.keep_encoded_images && images[i].missing_reason.empty()) images[i].encoded.assign(encoded.begin(), encoded.end());
+    if (options.keep_encoded_images && images[i].missing_reason.empty())
+      images[i].encoded.assign(encoded.begin(), encoded.end());
   });
   // What could not even be fetched has been reported where that was found out.
   for (std::size_t i = 0; i < count; ++i)

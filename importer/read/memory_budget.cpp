@@ -35,7 +35,8 @@ class Budget {
 /// How many nodes one channel moves something for: each gets a track of its own.
 class Users {
  public:
-  explicit Users(const gltf::Document& document) : document_(document), meshes_(document.meshes.size()), cameras_(document.cameras.size()) {
+  explicit Users(const gltf::Document& document)
+      : document_(document), meshes_(document.meshes.size()), cameras_(document.cameras.size()) {
     for (const auto& node : document.nodes) {
       if (node.mesh != kNone) ++meshes_[node.mesh];
       if (node.camera != kNone) ++cameras_[node.camera];
@@ -89,8 +90,9 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
   for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
   const std::uint64_t allowed = std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));
   if (budget.total() > allowed)
-    log.report(Rule::memory_budget, "", "vertices and keys would take " + std::to_string(budget.total()) + " bytes, a file of " +
-                                            std::to_string(file_bytes) + " bytes may take " + std::to_string(allowed));
+    log.report(Rule::memory_budget, "",
+               "vertices and keys would take " + std::to_string(budget.total()) + " bytes, a file of " +
+                   std::to_string(file_bytes) + " bytes may take " + std::to_string(allowed));
 }
 
 }  // namespace sinew

@@ -19,7 +19,8 @@ std::string place_of(std::uint32_t node) { return pointer("nodes", node, "extens
 
 class CopyReader {
  public:
-  CopyReader(const gltf::Document& document, std::uint32_t node, IssueLog& log) : document_(document), place_(place_of(node)), log_(log) {}
+  CopyReader(const gltf::Document& document, std::uint32_t node, IssueLog& log)
+      : document_(document), place_(place_of(node)), log_(log) {}
 
   std::optional<std::vector<Transform>> read(const std::map<std::string, std::uint32_t>& attributes) {
     for (const auto& [name, accessor] : attributes)
@@ -27,11 +28,15 @@ class CopyReader {
     std::vector<Transform> copies(count_.value_or(0));
     for (const auto& [name, accessor] : attributes) {
       if (name.starts_with('_')) continue;
-      const std::vector<float> numbers = read_finite<float>(document_, accessor, pointer(place_, pointer_token(name)), log_);
+      const std::vector<float> numbers =
+          read_finite<float>(document_, accessor, pointer(place_, pointer_token(name)), log_);
       if (numbers.empty() && !copies.empty()) return std::nullopt;  // not finite
-      if (name == "ROTATION") fill_rotations(copies, numbers);
-      else for (std::size_t i = 0; i < copies.size(); ++i)
-        (name == "SCALE" ? copies[i].scale : copies[i].translation) = glm::vec3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+      if (name == "ROTATION")
+        fill_rotations(copies, numbers);
+      else
+        for (std::size_t i = 0; i < copies.size(); ++i)
+          (name == "SCALE" ? copies[i].scale : copies[i].translation) =
+              glm::vec3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
     }
     return copies;
   }
@@ -51,8 +56,10 @@ class CopyReader {
     if (!rotation && name != "TRANSLATION" && name != "SCALE") return fail(name, "is no attribute of an instance");
     const bool floats = accessor.component_type == ComponentType::f32;
     const bool small = accessor.component_type == ComponentType::i8 || accessor.component_type == ComponentType::i16;
-    if (accessor.type != (rotation ? ElementType::vec4 : ElementType::vec3)) return fail(name, "has the wrong number of components");
-    return floats || (rotation && small && accessor.normalized) || fail(name, "has a component type that is not allowed");
+    if (accessor.type != (rotation ? ElementType::vec4 : ElementType::vec3))
+      return fail(name, "has the wrong number of components");
+    return floats || (rotation && small && accessor.normalized) ||
+           fail(name, "has a component type that is not allowed");
   }
 
   void fill_rotations(std::vector<Transform>& copies, const std::vector<float>& numbers) {
@@ -74,7 +81,8 @@ class CopyReader {
 
 }  // namespace
 
-std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node, IssueLog& log) {
+std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node,
+                                                     IssueLog& log) {
   std::map<std::string, std::uint32_t> out;
   const Json& extensions = document.nodes[node].extensions;
   if (!extensions.is_object()) return out;
@@ -87,13 +95,16 @@ std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& docum
   }
   for (const auto& [name, index] : attributes->items()) {
     const bool known = index.is_number_unsigned() && index.get<std::uint64_t>() < document.accessors.size();
-    if (known) out.emplace(name, index.get<std::uint32_t>());
-    else log.report(Rule::reference, pointer(place_of(node), pointer_token(name)), "is no index of an accessor");
+    if (known)
+      out.emplace(name, index.get<std::uint32_t>());
+    else
+      log.report(Rule::reference, pointer(place_of(node), pointer_token(name)), "is no index of an accessor");
   }
   return out;
 }
 
-std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node, IssueLog& log) {
+std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node,
+                                                       IssueLog& log) {
   const std::size_t errors = log.error_count();
   const auto attributes = copy_attributes(document, node, log);
   if (attributes.empty() || log.error_count() != errors) return std::nullopt;

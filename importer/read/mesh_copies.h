@@ -16,9 +16,10 @@ namespace sinew {
 /// err  reference;  warning extension-value
 std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node, IssueLog& log);
 
-/// Where the copies of a node's mesh stand, in the node's space. Nothing without the extension or after an error; an empty
-/// list shows nothing.
-/// err  those of copy_attributes, instancing-attributes, not-finite;  warning rotation-zero, rotation-length
-std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node, IssueLog& log);
+/// Where the copies of a node's mesh stand, in the node's space. Nothing without the extension or after an error; an
+/// empty list shows nothing. err  those of copy_attributes, instancing-attributes, not-finite;  warning rotation-zero,
+/// rotation-length
+std::optional<std::vector<Transform>> read_mesh_copies(const gltf::Document& document, std::uint32_t node,
+                                                       IssueLog& log);
 
 }  // namespace sinew

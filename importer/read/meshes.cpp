@@ -27,8 +27,10 @@ std::vector<glm::vec4> opaque(const std::vector<glm::vec3>& colors) {
 class PrimitiveReader {
  public:
   PrimitiveReader(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log)
-      : document_(document), source_(document.meshes[mesh].primitives[primitive]),
-        place_(pointer("meshes", mesh, "primitives", primitive)), log_(log) {}
+      : document_(document),
+        source_(document.meshes[mesh].primitives[primitive]),
+        place_(pointer("meshes", mesh, "primitives", primitive)),
+        log_(log) {}
 
   PrimitiveData read() {
     data_.primitive.topology = topology_of(source_.mode);
@@ -45,7 +47,8 @@ class PrimitiveReader {
     if (log_.error_count() != errors_before_) return std::move(data_);
     data_.primitive.indices = read_indices(document_, source_, static_cast<std::uint32_t>(count_), place_, log_);
     if (!data_.primitive.tangents.empty() && data_.primitive.normals.empty())
-      log_.report(Rule::mesh_tangent_without_normal, pointer(place_, "attributes", "TANGENT"), "tangents without normals are ignored");
+      log_.report(Rule::mesh_tangent_without_normal, pointer(place_, "attributes", "TANGENT"),
+                  "tangents without normals are ignored");
     if (data_.primitive.normals.empty()) data_.primitive.tangents.clear();
     return std::move(data_);
   }
@@ -55,12 +58,14 @@ class PrimitiveReader {
     const auto semantic = parse_semantic(name);
     const std::string place = pointer(place_, "attributes", pointer_token(name));
     if (!semantic) {
-      if (!name.starts_with('_')) log_.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
+      if (!name.starts_with('_'))
+        log_.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
       return;
     }
     if (document_.accessors[accessor].count != count_)
-      return log_.report(Rule::mesh_attribute_count, place, std::to_string(document_.accessors[accessor].count) + " entries for " +
-                                                                std::to_string(count_) + " vertices");
+      return log_.report(
+          Rule::mesh_attribute_count, place,
+          std::to_string(document_.accessors[accessor].count) + " entries for " + std::to_string(count_) + " vertices");
     if (!check_vertex_format(document_, accessor, semantic->attribute, false, place, log_)) return;
     if (semantic->attribute == Attribute::joints) {
       joints_[semantic->set] = read_unsigned(document_, accessor);
@@ -88,9 +93,12 @@ class PrimitiveReader {
         break;
       case Attribute::texcoord: texcoords_[semantic.set] = numbers<glm::vec2>(accessor, place); break;
       case Attribute::color:
-        if (semantic.set != 0) numbers<float>(accessor, place);
-        else if (document_.accessors[accessor].type == gltf::ElementType::vec4) primitive.colors = numbers<glm::vec4>(accessor, place);
-        else primitive.colors = opaque(numbers<glm::vec3>(accessor, place));
+        if (semantic.set != 0)
+          numbers<float>(accessor, place);
+        else if (document_.accessors[accessor].type == gltf::ElementType::vec4)
+          primitive.colors = numbers<glm::vec4>(accessor, place);
+        else
+          primitive.colors = opaque(numbers<glm::vec3>(accessor, place));
         break;
       case Attribute::weights: weights_[semantic.set] = numbers<float>(accessor, place); break;
       case Attribute::joints: break;
@@ -109,8 +117,9 @@ class PrimitiveReader {
       n = length > 1e-20f ? n / length : glm::vec3(0.0f, 0.0f, 1.0f);
     }
     if (odd > 0)
-      log_.report(Rule::mesh_normal_length, place, std::to_string(odd) + " normals are not of unit length (one has " +
-                                                       std::to_string(worst) + "); normalised, +Z where there is none");
+      log_.report(Rule::mesh_normal_length, place,
+                  std::to_string(odd) + " normals are not of unit length (one has " + std::to_string(worst) +
+                      "); normalised, +Z where there is none");
   }
 
   void make_signs(const std::string& place) {
@@ -120,14 +129,16 @@ class PrimitiveReader {
       ++odd;
       t.w = t.w < 0.0f ? -1.0f : 1.0f;
     }
-    if (odd > 0) log_.report(Rule::mesh_tangent_sign, place, std::to_string(odd) + " handedness values are not +1 or -1; the sign is taken");
+    if (odd > 0)
+      log_.report(Rule::mesh_tangent_sign, place,
+                  std::to_string(odd) + " handedness values are not +1 or -1; the sign is taken");
   }
 
   void collect_texcoords() {
     for (auto& [set, values] : texcoords_) {
       if (set != data_.primitive.texcoords.size())
-        return log_.report(Rule::mesh_texcoord_gap, pointer(place_, "attributes"), "TEXCOORD_" + std::to_string(set) +
-                                                                                       " follows a gap; ignored");
+        return log_.report(Rule::mesh_texcoord_gap, pointer(place_, "attributes"),
+                           "TEXCOORD_" + std::to_string(set) + " follows a gap; ignored");
       data_.primitive.texcoords.push_back(std::move(values));
     }
   }
@@ -139,7 +150,8 @@ class PrimitiveReader {
       data_.influence_sets.push_back({std::move(joints), std::move(weights->second)});
     }
     if (data_.influence_sets.size() != joints_.size() || joints_.size() != weights_.size())
-      log_.report(Rule::mesh_joint_sets, pointer(place_, "attributes"), "JOINTS_n and WEIGHTS_n do not pair up; single ones are ignored");
+      log_.report(Rule::mesh_joint_sets, pointer(place_, "attributes"),
+                  "JOINTS_n and WEIGHTS_n do not pair up; single ones are ignored");
   }
 
   const gltf::Document& document_;
@@ -157,25 +169,33 @@ class PrimitiveReader {
 }  // namespace
 
 template <class V>
-bool check_finite(std::span<const V> values, std::span<const std::uint32_t> indices, std::size_t components, const std::string& place,
-                  IssueLog& log) {
+bool check_finite(std::span<const V> values, std::span<const std::uint32_t> indices, std::size_t components,
+                  const std::string& place, IssueLog& log) {
   if (all_finite(values)) return true;
   const auto* first = reinterpret_cast<const float*>(values.data());
-  const auto* bad = std::find_if(first, first + values.size_bytes() / sizeof(float), [](float f) { return !std::isfinite(f); });
+  const auto* bad =
+      std::find_if(first, first + values.size_bytes() / sizeof(float), [](float f) { return !std::isfinite(f); });
   const auto element = static_cast<std::size_t>(bad - first) / components;
-  log.report(Rule::not_finite, place, "element " + std::to_string(indices.empty() ? element : indices[element]) + " holds NaN or infinity");
+  log.report(Rule::not_finite, place,
+             "element " + std::to_string(indices.empty() ? element : indices[element]) + " holds NaN or infinity");
   return false;
 }
-template bool check_finite(std::span<const glm::vec2>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
-template bool check_finite(std::span<const glm::vec3>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
-template bool check_finite(std::span<const glm::vec4>, std::span<const std::uint32_t>, std::size_t, const std::string&, IssueLog&);
+template bool check_finite(std::span<const glm::vec2>, std::span<const std::uint32_t>, std::size_t, const std::string&,
+                           IssueLog&);
+template bool check_finite(std::span<const glm::vec3>, std::span<const std::uint32_t>, std::size_t, const std::string&,
+                           IssueLog&);
+template bool check_finite(std::span<const glm::vec4>, std::span<const std::uint32_t>, std::size_t, const std::string&,
+                           IssueLog&);
 
 template <class V>
-std::vector<V> read_finite(const gltf::Document& document, std::uint32_t index, const std::string& place, IssueLog& log) {
+std::vector<V> read_finite(const gltf::Document& document, std::uint32_t index, const std::string& place,
+                           IssueLog& log) {
   const gltf::Accessor& accessor = document.accessors[index];
   std::vector<V> values;
-  if constexpr (std::is_same_v<V, float>) values = read_floats(document, index);
-  else values = read_vectors<V>(document, index);
+  if constexpr (std::is_same_v<V, float>)
+    values = read_floats(document, index);
+  else
+    values = read_vectors<V>(document, index);
   const bool whole = accessor.component_type != gltf::ComponentType::f32;  // integers are finite
   if (whole || check_finite<V>(values, {}, element_layout(accessor).components(), place, log)) return values;
   return {};
@@ -185,7 +205,8 @@ template std::vector<glm::vec2> read_finite(const gltf::Document&, std::uint32_t
 template std::vector<glm::vec3> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
 template std::vector<glm::vec4> read_finite(const gltf::Document&, std::uint32_t, const std::string&, IssueLog&);
 
-PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, IssueLog& log) {
+PrimitiveData read_primitive(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
+                             IssueLog& log) {
   return PrimitiveReader(document, mesh, primitive, log).read();
 }
 

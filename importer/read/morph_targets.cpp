@@ -32,9 +32,11 @@ Displacements<glm::vec4> without_alpha(const Displacements<glm::vec3>& colors) {
 
 /// Where only replacements move anything, nothing else is read: the zeros beneath would be dropped again.
 template <class V>
-Displacements<V> read_displacements(const gltf::Document& document, std::uint32_t index, const std::string& place, IssueLog& log) {
+Displacements<V> read_displacements(const gltf::Document& document, std::uint32_t index, const std::string& place,
+                                    IssueLog& log) {
   const gltf::Accessor& accessor = document.accessors[index];
-  if (accessor.sparse.count == 0 || accessor.buffer_view != kNone) return {{}, read_finite<V>(document, index, place, log)};
+  if (accessor.sparse.count == 0 || accessor.buffer_view != kNone)
+    return {{}, read_finite<V>(document, index, place, log)};
   auto out = read_replacements<V>(document, index);
   if (accessor.component_type == gltf::ComponentType::f32 &&
       !check_finite<V>(out.values, out.indices, element_layout(accessor).components(), place, log))
@@ -44,15 +46,16 @@ Displacements<V> read_displacements(const gltf::Document& document, std::uint32_
 
 }  // namespace
 
-TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t target,
-                             const Primitive& base, IssueLog& log) {
+TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
+                             std::uint32_t target, const Primitive& base, IssueLog& log) {
   TargetData out;
   const auto& attributes = document.meshes[mesh].primitives[primitive].targets[target].attributes;
   for (const auto& [name, accessor] : attributes) {
     const std::string place = pointer("meshes", mesh, "primitives", primitive, "targets", target, pointer_token(name));
     const auto semantic = parse_semantic(name);
     if (!semantic) {
-      if (!name.starts_with('_')) log.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
+      if (!name.starts_with('_'))
+        log.report(Rule::mesh_attribute_name, place, "is no attribute that glTF defines; ignored");
       continue;
     }
     if (!base_has(base, *semantic)) {
@@ -60,8 +63,9 @@ TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh,
       continue;
     }
     if (document.accessors[accessor].count != base.vertex_count()) {
-      log.report(Rule::mesh_attribute_count, place, std::to_string(document.accessors[accessor].count) + " entries for " +
-                                                        std::to_string(base.vertex_count()) + " vertices");
+      log.report(Rule::mesh_attribute_count, place,
+                 std::to_string(document.accessors[accessor].count) + " entries for " +
+                     std::to_string(base.vertex_count()) + " vertices");
       continue;
     }
     if (!check_vertex_format(document, accessor, semantic->attribute, true, place, log)) continue;
@@ -75,8 +79,9 @@ TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh,
       case Attribute::normal: out.normals = vec3(); break;
       case Attribute::tangent: out.tangents = vec3(); break;
       case Attribute::color:
-        out.colors = document.accessors[accessor].type == gltf::ElementType::vec4 ? read_displacements<glm::vec4>(document, accessor, place, log)
-                                                                                  : without_alpha(vec3());
+        out.colors = document.accessors[accessor].type == gltf::ElementType::vec4
+                         ? read_displacements<glm::vec4>(document, accessor, place, log)
+                         : without_alpha(vec3());
         break;
       case Attribute::texcoord:
         if (out.texcoords.size() <= semantic->set) out.texcoords.resize(semantic->set + 1);

@@ -35,7 +35,9 @@ NodeTransform read_matrix(const gltf::Node& node, const std::string& place, Issu
 NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, IssueLog& log) {
   const std::string place = pointer("nodes", index);
   if (node.has_matrix) {
-    if (node.has_trs) log.report(Rule::node_matrix_trs, pointer(place, "matrix"), "the node has a matrix and translation, rotation or scale; the matrix is used");
+    if (node.has_trs)
+      log.report(Rule::node_matrix_trs, pointer(place, "matrix"),
+                 "the node has a matrix and translation, rotation or scale; the matrix is used");
     return read_matrix(node, place, log);
   }
   const auto& r = node.rotation;
@@ -43,7 +45,8 @@ NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, I
   if (unit.length <= 1e-12)
     log.report(Rule::rotation_zero, pointer(place, "rotation"), "has no length; taken as no rotation");
   else if (std::abs(unit.length - 1.0) > kUnitTolerance)
-    log.report(Rule::rotation_length, pointer(place, "rotation"), "has length " + std::to_string(unit.length) + "; normalised");
+    log.report(Rule::rotation_length, pointer(place, "rotation"),
+               "has length " + std::to_string(unit.length) + "; normalised");
   NodeTransform out;
   out.transform = {to_vec3(node.translation), unit.rotation, to_vec3(node.scale)};
   return out;

@@ -11,7 +11,7 @@ namespace sinew {
 
 /// Where a node is in its parent's space: either a transform, or a matrix that is kept verbatim (G50).
 struct NodeTransform {
-  Transform transform;       ///< of a matrix: its decomposition, for what cannot use the matrix
+  Transform transform;  ///< of a matrix: its decomposition, for what cannot use the matrix
   bool is_matrix = false;
   Affine matrix;
 };

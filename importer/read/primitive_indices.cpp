@@ -42,8 +42,7 @@ Indices unroll_lines(const Indices& in, bool closed) {
 Indices unroll_strip(const Indices& in) {
   Indices out;
   out.reserve(3 * in.size());
-  for (std::size_t i = 0; i + 2 < in.size(); ++i)
-    out.insert(out.end(), {in[i], in[i + 1 + i % 2], in[i + 2 - i % 2]});
+  for (std::size_t i = 0; i + 2 < in.size(); ++i) out.insert(out.end(), {in[i], in[i + 1 + i % 2], in[i + 2 - i % 2]});
   return out;
 }
 
@@ -54,7 +53,8 @@ Indices unroll_fan(const Indices& in) {
   return out;
 }
 
-bool check_format(const gltf::Document& document, std::uint32_t accessor_index, const std::string& place, IssueLog& log) {
+bool check_format(const gltf::Document& document, std::uint32_t accessor_index, const std::string& place,
+                  IssueLog& log) {
   using gltf::ComponentType;
   const auto& accessor = document.accessors[accessor_index];
   const ComponentType type = accessor.component_type;
@@ -108,14 +108,17 @@ Indices read_indices(const gltf::Document& document, const gltf::Primitive& prim
     indices = read_unsigned(document, primitive.indices);
   }
   if (!all_below(indices, vertex_count)) {
-    const auto bad = std::find_if(indices.begin(), indices.end(), [&](std::uint32_t index) { return index >= vertex_count; });
-    log.report(Rule::mesh_index, where, "entry " + std::to_string(bad - indices.begin()) + " is " + std::to_string(*bad) + ", there are " +
-                                            std::to_string(vertex_count) + " vertices");
+    const auto bad =
+        std::find_if(indices.begin(), indices.end(), [&](std::uint32_t index) { return index >= vertex_count; });
+    log.report(Rule::mesh_index, where,
+               "entry " + std::to_string(bad - indices.begin()) + " is " + std::to_string(*bad) + ", there are " +
+                   std::to_string(vertex_count) + " vertices");
     return {};
   }
   if (!count_fits(primitive.mode, indices.size()))
-    log.report(Rule::mesh_mode, pointer(place, "mode"),
-               std::to_string(indices.size()) + " vertices do not make whole elements of this mode; the rest is dropped");
+    log.report(
+        Rule::mesh_mode, pointer(place, "mode"),
+        std::to_string(indices.size()) + " vertices do not make whole elements of this mode; the rest is dropped");
   return unroll(primitive.mode, std::move(indices));
 }
 

@@ -13,11 +13,13 @@ namespace sinew {
 Topology topology_of(gltf::PrimitiveMode mode) noexcept;
 
 /// Strips, fans and loops as plain lists; vertices that complete no element are dropped.
-/// eq   strip triangle i = {i, i + (1 + i % 2), i + (2 - i % 2)}, fan triangle i = {i + 1, i + 2, 0}   (glTF 2.0, "Meshes")
+/// eq   strip triangle i = {i, i + (1 + i % 2), i + (2 - i % 2)}, fan triangle i = {i + 1, i + 2, 0}   (glTF 2.0,
+/// "Meshes")
 std::vector<std::uint32_t> unroll(gltf::PrimitiveMode mode, std::vector<std::uint32_t> indices);
 
 /// The index list of a primitive, unrolled; without an accessor the vertices in order.
-/// err  mesh-indices (format), mesh-index (past the vertices);  warning mesh-mode (count does not fit), mesh-indices-stride
+/// err  mesh-indices (format), mesh-index (past the vertices);  warning mesh-mode (count does not fit),
+/// mesh-indices-stride
 std::vector<std::uint32_t> read_indices(const gltf::Document& document, const gltf::Primitive& primitive,
                                         std::uint32_t vertex_count, const std::string& place, IssueLog& log);
 

@@ -13,12 +13,11 @@ using gltf::Json;
 using List = PointedProperty::List;
 using Kind = PropertyKind;
 
-constexpr std::pair<std::string_view, List> kLists[] = {
-    {"/nodes/", List::nodes},
-    {"/meshes/", List::meshes},
-    {"/cameras/", List::cameras},
-    {"/extensions/KHR_lights_punctual/lights/", List::lights},
-    {"/materials/", List::materials}};
+constexpr std::pair<std::string_view, List> kLists[] = {{"/nodes/", List::nodes},
+                                                        {"/meshes/", List::meshes},
+                                                        {"/cameras/", List::cameras},
+                                                        {"/extensions/KHR_lights_punctual/lights/", List::lights},
+                                                        {"/materials/", List::materials}};
 
 struct Row {
   List list;
@@ -55,9 +54,10 @@ constexpr std::pair<std::string_view, TextureSlot> kTextures[] = {
     {"normalTexture", TextureSlot::normal},
     {"occlusionTexture", TextureSlot::occlusion},
     {"emissiveTexture", TextureSlot::emissive}};
-constexpr std::pair<std::string_view, Kind> kTransforms[] = {{"/extensions/KHR_texture_transform/offset", Kind::texture_offset},
-                                                             {"/extensions/KHR_texture_transform/rotation", Kind::texture_rotation},
-                                                             {"/extensions/KHR_texture_transform/scale", Kind::texture_scale}};
+constexpr std::pair<std::string_view, Kind> kTransforms[] = {
+    {"/extensions/KHR_texture_transform/offset", Kind::texture_offset},
+    {"/extensions/KHR_texture_transform/rotation", Kind::texture_rotation},
+    {"/extensions/KHR_texture_transform/scale", Kind::texture_scale}};
 
 bool take(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
@@ -196,7 +196,8 @@ std::string property_pointer(const PropertyTarget& target, const Scene& scene) {
   return text + std::to_string(index) + "/" + path_of(target, orthographic);
 }
 
-std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text, PointerFault& fault) {
+std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text,
+                                                     PointerFault& fault) {
   const auto fail = [&](const char* why) {
     fault.text = why;
     return std::nullopt;
@@ -217,7 +218,8 @@ std::optional<PointedProperty> read_property_pointer(const gltf::Document& docum
   }
   out.target = *target;
   out.target.index = out.index;
-  if (!on_node && !is_defined(document, out.list, path, out.target)) return fail("is not defined in the file and has no default");
+  if (!on_node && !is_defined(document, out.list, path, out.target))
+    return fail("is not defined in the file and has no default");
   return out;
 }
 

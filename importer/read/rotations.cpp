@@ -18,20 +18,25 @@ UnitRotation unit_rotation(double x, double y, double z, double w) noexcept {
   out.length = length;
   if (!(length > kNoLength)) return out;
   const double factor = std::abs(length - 1.0) <= kFloatRounding ? 1.0 : 1.0 / length;
-  out.rotation = quat_xyzw(static_cast<float>(x * factor), static_cast<float>(y * factor), static_cast<float>(z * factor),
-                           static_cast<float>(w * factor));
+  out.rotation = quat_xyzw(static_cast<float>(x * factor), static_cast<float>(y * factor),
+                           static_cast<float>(z * factor), static_cast<float>(w * factor));
   return out;
 }
 
 void RotationTally::add(double length) noexcept {
-  if (length <= kNoLength) ++zeros_;
-  else if (std::abs(length - 1.0) > std::abs(worst_ - 1.0)) worst_ = length;
+  if (length <= kNoLength)
+    ++zeros_;
+  else if (std::abs(length - 1.0) > std::abs(worst_ - 1.0))
+    worst_ = length;
 }
 
 void RotationTally::report(const std::string& place, const char* one, const char* many, IssueLog& log) const {
-  if (zeros_ > 0) log.report(Rule::rotation_zero, place, std::to_string(zeros_) + ' ' + many + " have no length; taken as no rotation");
+  if (zeros_ > 0)
+    log.report(Rule::rotation_zero, place,
+               std::to_string(zeros_) + ' ' + many + " have no length; taken as no rotation");
   if (std::abs(worst_ - 1.0) > kUnitTolerance)
-    log.report(Rule::rotation_length, place, std::string(one) + " has length " + std::to_string(worst_) + "; normalised");
+    log.report(Rule::rotation_length, place,
+               std::string(one) + " has length " + std::to_string(worst_) + "; normalised");
 }
 
 }  // namespace sinew

@@ -11,7 +11,7 @@ namespace sinew {
 /// How a stored quaternion became a unit one.
 struct UnitRotation {
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-  double length = 1.0;   ///< as stored
+  double length = 1.0;  ///< as stored
 };
 
 /// Numbers of a quaternion as stored, as a unit quaternion. Within the rounding of floats they are left alone, so that

@@ -23,7 +23,8 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
   const gltf::Skin& skin = document.skins[index];
   const std::string place = pointer("skins", index, "inverseBindMatrices");
   std::vector<Affine> matrices(skin.joints.size());
-  if (skin.joints.empty()) log.report(Rule::skin_no_joints, pointer("skins", index, "joints"), "the skin moves nothing");
+  if (skin.joints.empty())
+    log.report(Rule::skin_no_joints, pointer("skins", index, "joints"), "the skin moves nothing");
   if (skin.inverse_bind_matrices == kNone) return matrices;
   const gltf::Accessor& accessor = document.accessors[skin.inverse_bind_matrices];
   if (accessor.type != gltf::ElementType::mat4 || accessor.component_type != gltf::ComponentType::f32) {
@@ -31,7 +32,8 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
     return matrices;
   }
   if (accessor.count < skin.joints.size()) {
-    log.report(Rule::skin_matrices, place, std::to_string(accessor.count) + " matrices for " + std::to_string(skin.joints.size()) + " joints");
+    log.report(Rule::skin_matrices, place,
+               std::to_string(accessor.count) + " matrices for " + std::to_string(skin.joints.size()) + " joints");
     return matrices;
   }
   const std::vector<float> numbers = read_floats(document, skin.inverse_bind_matrices);
@@ -42,13 +44,14 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
       return matrices;
     }
     if (!to_affine(m, matrices[j]))
-      log.report(Rule::skin_matrix_row, place, "the fourth row of matrix " + std::to_string(j) + " is not 0 0 0 1; taken as such");
+      log.report(Rule::skin_matrix_row, place,
+                 "the fourth row of matrix " + std::to_string(j) + " is not 0 0 0 1; taken as such");
   }
   return matrices;
 }
 
-void check_common_root(const gltf::Document& document, std::uint32_t index, const std::vector<std::uint32_t>& root_of_node,
-                       IssueLog& log) {
+void check_common_root(const gltf::Document& document, std::uint32_t index,
+                       const std::vector<std::uint32_t>& root_of_node, IssueLog& log) {
   const auto& joints = document.skins[index].joints;
   for (std::size_t j = 1; j < joints.size(); ++j)
     if (root_of_node[joints[j]] != root_of_node[joints[0]])

@@ -19,7 +19,8 @@ const Json* list_in(const Json& extensions, const char* name, const std::string&
   if (extension == extensions.end()) return nullptr;
   if (extension->is_object())
     if (const auto list = extension->find(name); list != extension->end() && list->is_array()) return &*list;
-  log.report(Rule::extension_value, pointer(place, "extensions", kExtension), "has no array " + in_quotes(name) + "; ignored");
+  log.report(Rule::extension_value, pointer(place, "extensions", kExtension),
+             "has no array " + in_quotes(name) + "; ignored");
   return nullptr;
 }
 
@@ -40,8 +41,8 @@ std::vector<std::string> read_variants(const gltf::Document& document, IssueLog&
   return names;
 }
 
-std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
-                                                    IssueLog& log) {
+std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh,
+                                                    std::uint32_t primitive, IssueLog& log) {
   std::vector<VariantMaterial> out;
   const std::string place = pointer("meshes", mesh, "primitives", primitive);
   const Json* list = list_in(document.meshes[mesh].primitives[primitive].extensions, "mappings", place, log);
@@ -51,7 +52,8 @@ std::vector<VariantMaterial> read_variant_materials(const gltf::Document& docume
   const std::size_t variant_count = variants == nullptr ? 0 : variants->size();
   for (std::size_t m = 0; m < list->size(); ++m) {
     const Json& mapping = (*list)[m];
-    const bool whole = mapping.is_object() && mapping.contains("material") && mapping.contains("variants") && mapping["variants"].is_array();
+    const bool whole = mapping.is_object() && mapping.contains("material") && mapping.contains("variants") &&
+                       mapping["variants"].is_array();
     const std::uint32_t material = whole ? index_below(mapping["material"], document.materials.size()) : kNone;
     bool good = material != kNone;
     if (good)
@@ -61,7 +63,8 @@ std::vector<VariantMaterial> read_variant_materials(const gltf::Document& docume
         good = good && index != kNone;
       }
     if (!good)
-      log.report(Rule::extension_value, pointer(place, "extensions", kExtension, "mappings", m), "names no variant or no material; ignored");
+      log.report(Rule::extension_value, pointer(place, "extensions", kExtension, "mappings", m),
+                 "names no variant or no material; ignored");
   }
   const auto earlier = [](const VariantMaterial& a, const VariantMaterial& b) { return a.variant < b.variant; };
   const auto same = [](const VariantMaterial& a, const VariantMaterial& b) { return a.variant == b.variant; };

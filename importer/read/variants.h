@@ -16,7 +16,7 @@ std::vector<std::string> read_variants(const gltf::Document& document, IssueLog&
 
 /// The materials that variants give a primitive. Of two for one variant the first counts.
 /// warning extension-value: what names no variant or material is ignored
-std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
-                                                    IssueLog& log);
+std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh,
+                                                    std::uint32_t primitive, IssueLog& log);
 
 }  // namespace sinew

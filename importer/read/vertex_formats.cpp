@@ -43,7 +43,8 @@ Fit component_fit(const gltf::Accessor& accessor, Attribute attribute, bool disp
     case Attribute::joints: return !is_signed(type) && !accessor.normalized ? Fit::core : Fit::no;
     case Attribute::weights: return !is_signed(type) && accessor.normalized ? Fit::core : Fit::no;
     case Attribute::color: return accessor.normalized && (displacement || !is_signed(type)) ? Fit::core : Fit::no;
-    case Attribute::texcoord: return accessor.normalized && (displacement || !is_signed(type)) ? Fit::core : Fit::quantized;
+    case Attribute::texcoord:
+      return accessor.normalized && (displacement || !is_signed(type)) ? Fit::core : Fit::quantized;
     case Attribute::position: return Fit::quantized;
     case Attribute::normal:
     case Attribute::tangent: return is_signed(type) && (accessor.normalized || displacement) ? Fit::quantized : Fit::no;
@@ -72,14 +73,16 @@ std::optional<Semantic> parse_semantic(std::string_view name) {
 bool check_vertex_format(const gltf::Document& document, std::uint32_t index, Attribute attribute, bool displacement,
                          const std::string& place, IssueLog& log) {
   const gltf::Accessor& accessor = document.accessors[index];
-  const Fit fit = type_fits(accessor.type, attribute, displacement) ? component_fit(accessor, attribute, displacement) : Fit::no;
+  const Fit fit =
+      type_fits(accessor.type, attribute, displacement) ? component_fit(accessor, attribute, displacement) : Fit::no;
   if (fit == Fit::no) {
     log.report(Rule::mesh_attribute_format, place, "has a type that glTF does not allow for this attribute");
     return false;
   }
   const auto& used = document.extensions_used;
   if (fit == Fit::quantized && std::find(used.begin(), used.end(), "KHR_mesh_quantization") == used.end())
-    log.report(Rule::mesh_quantization, place, "holds integers without KHR_mesh_quantization in extensionsUsed; read as if it were there");
+    log.report(Rule::mesh_quantization, place,
+               "holds integers without KHR_mesh_quantization in extensionsUsed; read as if it were there");
   return true;
 }
 

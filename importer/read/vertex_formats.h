@@ -14,7 +14,7 @@ enum class Attribute : std::uint8_t { position, normal, tangent, texcoord, color
 
 struct Semantic {
   Attribute attribute = Attribute::position;
-  std::uint32_t set = 0;       ///< the number behind TEXCOORD_, COLOR_, JOINTS_, WEIGHTS_
+  std::uint32_t set = 0;  ///< the number behind TEXCOORD_, COLOR_, JOINTS_, WEIGHTS_
 };
 
 /// "TEXCOORD_1" and the like; nothing for application-specific or unknown names.

@@ -26,15 +26,19 @@ std::string joint_text(std::uint32_t joint, std::span<const std::string> names) 
 }  // namespace
 
 std::string certificate_table(std::span<const Clip> clips, std::span<const std::string> joint_names) {
-  TextTable table({"#", "clip", "asked", "measured", "kept", "worst at", "worst time", "keys", "of", "bytes", "of all keys", "bytes/joint/s", "ns/joint", "unpacked"});
+  TextTable table({"#", "clip", "asked", "measured", "kept", "worst at", "worst time", "keys", "of", "bytes",
+                   "of all keys", "bytes/joint/s", "ns/joint", "unpacked"});
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (!clips[i].certificate()) continue;
     const ClipCertificate& c = *clips[i].certificate();
-    table.add({std::to_string(i), quoted(clips[i].name()), length_text(c.asked_m), length_text(c.measured_m), c.is_met() ? "yes" : "NO",
-               joint_text(c.worst_joint, joint_names), fmt::format("{:.4g} s", c.worst_time_s), std::to_string(c.kept_keys),
-               std::to_string(c.source_keys), std::to_string(c.bytes), std::to_string(c.source_bytes),
-               clips[i].duration_s() > 0.0 ? fmt::format("{:.1f}", c.bytes_per_joint_second(clips[i].duration_s())) : "",
-               fmt::format("{:.2g}", sampling_ns_per_joint(clips[i])), fmt::format("{:.2g}", sampling_ns_per_joint(unpacked(clips[i])))});
+    table.add(
+        {std::to_string(i), quoted(clips[i].name()), length_text(c.asked_m), length_text(c.measured_m),
+         c.is_met() ? "yes" : "NO", joint_text(c.worst_joint, joint_names), fmt::format("{:.4g} s", c.worst_time_s),
+         std::to_string(c.kept_keys), std::to_string(c.source_keys), std::to_string(c.bytes),
+         std::to_string(c.source_bytes),
+         clips[i].duration_s() > 0.0 ? fmt::format("{:.1f}", c.bytes_per_joint_second(clips[i].duration_s())) : "",
+         fmt::format("{:.2g}", sampling_ns_per_joint(clips[i])),
+         fmt::format("{:.2g}", sampling_ns_per_joint(unpacked(clips[i])))});
   }
   return table.text();
 }

@@ -7,8 +7,8 @@
 
 namespace sinew::tool {
 
-/// What the clips' certificates say, a row each: asked, measured, where, keys kept, bytes, bytes per joint per second, and
-/// the time of a sample, as it is and with its keys unpacked, measured now. Clips without certificate are left out.
+/// What the clips' certificates say, a row each: asked, measured, where, keys kept, bytes, bytes per joint per second,
+/// and the time of a sample, as it is and with its keys unpacked, measured now. Clips without certificate are left out.
 /// in   joint_names  of the skeleton; may be empty, then joints are numbers
 std::string certificate_table(std::span<const Clip> clips, std::span<const std::string> joint_names);
 

@@ -25,7 +25,8 @@ constexpr const char* kAbout =
     "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
     "  sinew plan fox.glb                                which stages a frame runs, and why\n"
     "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
-    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that near\n"
+    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that "
+    "near\n"
     "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playing, rounded within the same bounds\n"
     "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
 constexpr const char* kEnding =
@@ -35,11 +36,13 @@ constexpr const char* kEnding =
 
 /// What is wrong, and whose help says what is right: that of the command, once there is one.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
-  const std::vector<const CLI::App*> chosen = program.get_subcommands([](const CLI::App* command) { return command->parsed(); });
+  const std::vector<const CLI::App*> chosen =
+      program.get_subcommands([](const CLI::App* command) { return command->parsed(); });
   if (!chosen.empty()) return fmt::format("{} (see `sinew {} --help`)", error.what(), chosen.front()->get_name());
   const std::vector<std::string> unknown = program.remaining();
   if (unknown.empty()) return fmt::format("{} (see `sinew --help`)", error.what());
-  return fmt::format("there is no {} {} (see `sinew --help`)", unknown.front().starts_with('-') ? "option" : "command", unknown.front());
+  return fmt::format("there is no {} {} (see `sinew --help`)", unknown.front().starts_with('-') ? "option" : "command",
+                     unknown.front());
 }
 
 ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, const char* const* argv) {

@@ -40,7 +40,8 @@ ExitCode compile_file(const CompileOptions& options) {
   if (!budget_m) return say_error("--budget: " + budget_m.error()), ExitCode::wrong_usage;
   std::error_code error;
   if (std::filesystem::equivalent(options.in, options.out, error))
-    return say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out)), ExitCode::wrong_usage;
+    return say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out)),
+           ExitCode::wrong_usage;
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(options.in, import);
@@ -51,7 +52,8 @@ ExitCode compile_file(const CompileOptions& options) {
   const std::vector<std::byte> bytes = save_clips(saved);
   if (const auto fault = write::replace_file(options.out, bytes))
     return say_issue(options.out, {Severity::error, "write-file", "", *fault}), ExitCode::machine_lacks;
-  fmt::print("{}{}: {}, {}\n", certificate_table(clips, file->scene.skeleton.names), options.out, counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
+  fmt::print("{}{}: {}, {}\n", certificate_table(clips, file->scene.skeleton.names), options.out,
+             counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
 
@@ -61,12 +63,15 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CompileOptions>();
   CLI::App* command = program.add_subcommand(
       "compile",
-      "Compile the clips of a file for playing, as small as a budget allows: no vertex of the model is ever farther off than\n"
-      "that from where the file has it. Prints what was measured of each clip, which is also stored in it; `sinew info OUT`\n"
+      "Compile the clips of a file for playing, as small as a budget allows: no vertex of the model is ever farther "
+      "off than\n"
+      "that from where the file has it. Prints what was measured of each clip, which is also stored in it; `sinew info "
+      "OUT`\n"
       "shows it again. OUT belongs to the skeleton of FILE and is read by load_clips (runtime/clip/clip_file.h).");
   command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
   command->add_option("-o,--output", options->out, "The file to write")->required();
-  command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")->capture_default_str();
+  command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")
+      ->capture_default_str();
   command->callback([options, &outcome] { outcome = compile_file(*options); });
 }
 

@@ -41,7 +41,8 @@ std::string objection(const ConvertOptions& options) {
 /// The scene as bytes of a .glb, with progress on a terminal.
 ImportResult<std::vector<std::byte>> export_shown(const ImportedFile& file) {
   ProgressLine progress;
-  return export_glb(file.scene, {file.facts.copyright, [&](const char* stage, double done) { progress.show(stage, done); }});
+  return export_glb(file.scene,
+                    {file.facts.copyright, [&](const char* stage, double done) { progress.show(stage, done); }});
 }
 
 /// The same with as few keys as the budget allows, and what was measured after reading those bytes again.
@@ -49,7 +50,8 @@ ImportResult<std::vector<std::byte>> export_within(ImportedFile& file, double bu
   Scene& scene = file.scene;
   const VirtualVertices vertices = virtual_vertices(scene);
   ProgressLine progress;
-  std::vector<Animation> animations = reduced_animations(scene, vertices, budget_m, [&](double done) { progress.show("fitting clips", done); });
+  std::vector<Animation> animations =
+      reduced_animations(scene, vertices, budget_m, [&](double done) { progress.show("fitting clips", done); });
   progress.wipe();
   std::swap(scene.animations, animations);
   auto bytes = export_shown(file);
@@ -59,7 +61,8 @@ ImportResult<std::vector<std::byte>> export_within(ImportedFile& file, double bu
   plain.decode_images = plain.make_tangents = false;
   const auto again = import_gltf(*bytes, "what was written", plain);
   if (!again) return tl::unexpected(again.error());
-  fmt::print("{}", certificate_table(certify_clips(scene, vertices, again->scene.animations, budget_m), scene.skeleton.names));
+  fmt::print(
+      "{}", certificate_table(certify_clips(scene, vertices, again->scene.animations, budget_m), scene.skeleton.names));
   return bytes;
 }
 
@@ -85,16 +88,19 @@ ExitCode convert_file(const ConvertOptions& options) {
 
 void add_convert(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand(
-      "convert",
-      "Write what was read as one binary file: nodes, meshes, skins, clips, morph targets, materials, images, cameras,\n"
-      "lights. Compressed and quantised data are written as plain floats, images stay as they are. Reading OUT gives the\n"
-      "same scene, bit for bit. OUT appears complete or not at all.\n"
-      "With a budget, keys are left out of clips as long as no vertex of the model moves farther than that from where it\n"
-      "was, at any time; what was written is read again and measured.");
+  CLI::App* command = program.add_subcommand("convert",
+                                             "Write what was read as one binary file: nodes, meshes, skins, clips, "
+                                             "morph targets, materials, images, cameras,\n"
+                                             "lights. Compressed and quantised data are written as plain floats, "
+                                             "images stay as they are. Reading OUT gives the\n"
+                                             "same scene, bit for bit. OUT appears complete or not at all.\n"
+                                             "With a budget, keys are left out of clips as long as no vertex of the "
+                                             "model moves farther than that from where it\n"
+                                             "was, at any time; what was written is read again and measured.");
   command->add_option("IN", options->in, "A .gltf or .glb file")->required();
   command->add_option("OUT.glb", options->out, "The file to write, never the one that is read")->required();
-  command->add_option("--budget", options->budget, "Largest distance by which leaving out keys may move anything: 0.1mm, 1e-4");
+  command->add_option("--budget", options->budget,
+                      "Largest distance by which leaving out keys may move anything: 0.1mm, 1e-4");
   command->callback([options, &outcome] { outcome = convert_file(*options); });
 }
 

@@ -30,32 +30,37 @@ struct CostOptions {
 };
 
 std::string command_of(const CostOptions& options) {
-  return fmt::format("sinew cost{}{}{}{} -o {}", options.file.empty() ? "" : " ", options.file, options.clip ? " --clip " + *options.clip : "",
-                     options.quick ? " --quick" : "", options.folder);
+  return fmt::format("sinew cost{}{}{}{} -o {}", options.file.empty() ? "" : " ", options.file,
+                     options.clip ? " --clip " + *options.clip : "", options.quick ? " --quick" : "", options.folder);
 }
 
 std::string description_of(const std::string& file, const Scene& scene) {
-  return fmt::format("{}: {}, {}, {}, {:.3g} m large", std::filesystem::path(file).filename().string(), counted(scene.skeleton.joint_count(), "joint"),
-                     counted(scene.clips.size(), "clip"), counted(scene.skins.size(), "skin"), model_size_m(scene));
+  return fmt::format("{}: {}, {}, {}, {:.3g} m large", std::filesystem::path(file).filename().string(),
+                     counted(scene.skeleton.joint_count(), "joint"), counted(scene.clips.size(), "clip"),
+                     counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
 
 constexpr double kDoneBefore = 0.8;  // when ambient occlusion begins
 
 /// What the study of ambient occlusion looks at: the same clip of the same file, or a built-in scene of its own.
-std::vector<std::string> study_arguments(const CostOptions& options, const Scene& scene, std::optional<std::uint32_t> clip) {
+std::vector<std::string> study_arguments(const CostOptions& options, const Scene& scene,
+                                         std::optional<std::uint32_t> clip) {
   std::vector<std::string> arguments;
   if (options.quick) arguments.push_back("--quick");
   if (options.file.empty()) return arguments;
   const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(scene);
-  arguments.insert(arguments.end(), {"--clip", looked_at == kNone ? "none" : std::to_string(looked_at), "--", options.file});
+  arguments.insert(arguments.end(),
+                   {"--clip", looked_at == kNone ? "none" : std::to_string(looked_at), "--", options.file});
   return arguments;
 }
 
-ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip, const std::string& subject, const CostOptions& options) {
+ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip, const std::string& subject,
+                   const CostOptions& options) {
   ProgressLine progress;
   const auto show = [&](const char* work, double done) { progress.show(work, done); };
   const auto show_part = [&](const char* work, double done) { show(work, kDoneBefore * done); };
-  cost::Report report = cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show_part);
+  cost::Report report =
+      cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show_part);
   show("ambient occlusion", kDoneBefore);
   report.groups.push_back(cost::look_at_occlusion(study_arguments(options, *scenes.moving, clip)));
   progress.wipe();
@@ -74,7 +79,8 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
 ExitCode report_on_showcase(const CostOptions& options) {
   if (options.clip) return say_error("--clip: names a clip of FILE, and there is no FILE"), ExitCode::wrong_usage;
   const auto arms = showcase::twisted_arms(), face = showcase::morphed_face();
-  return report_on({&arms.scene, &arms.scene, &face.scene}, std::nullopt, "the built-in showcase: twisted arms and a morphed face", options);
+  return report_on({&arms.scene, &arms.scene, &face.scene}, std::nullopt,
+                   "the built-in showcase: twisted arms and a morphed face", options);
 }
 
 ExitCode report_cost(const CostOptions& options) {
@@ -91,7 +97,8 @@ ExitCode report_cost(const CostOptions& options) {
     if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
     clip = chosen->front();
   }
-  return report_on({&file->scene, &file->scene, &file->scene}, clip, description_of(options.file, file->scene), options);
+  return report_on({&file->scene, &file->scene, &file->scene}, clip, description_of(options.file, file->scene),
+                   options);
 }
 
 }  // namespace
@@ -100,12 +107,15 @@ void add_cost(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = program.add_subcommand(
       "cost",
-      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, to\n"
-      "calculate and to darken corners, each with its error against double precision (or rays) and its time on this machine. DIR\n"
+      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, "
+      "to\n"
+      "calculate and to darken corners, each with its error against double precision (or rays) and its time on this "
+      "machine. DIR\n"
       "gets report.html (open it in a browser), report.json and report.csv, and appears complete or not at all.");
   command->add_option("FILE", options->file, "A .gltf or .glb file; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
-  command->add_option("--clip", options->clip, "Index or name of the clip to look at, or none; the one that moves most joints is the default");
+  command->add_option("--clip", options->clip,
+                      "Index or name of the clip to look at, or none; the one that moves most joints is the default");
   command->add_flag("--quick", options->quick, "A first impression within seconds, with more noise");
   command->callback([options, &outcome] { outcome = report_cost(*options); });
 }

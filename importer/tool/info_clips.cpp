@@ -31,13 +31,25 @@ std::vector<std::byte> read_clips(const std::string& file) {
 }
 
 Json json_of(const Clip& clip) {
-  Json out{{"name", clip.name()}, {"duration_s", clip.duration_s()}, {"joints", clip.joint_count()}, {"weights", clip.weight_count()},
-           {"properties", clip.property_count()}, {"bytes", clip.byte_size()}, {"certificate", nullptr}};
+  Json out{{"name", clip.name()},
+           {"duration_s", clip.duration_s()},
+           {"joints", clip.joint_count()},
+           {"weights", clip.weight_count()},
+           {"properties", clip.property_count()},
+           {"bytes", clip.byte_size()},
+           {"certificate", nullptr}};
   if (const auto& c = clip.certificate())
-    out["certificate"] = {{"asked_m", c->asked_m}, {"measured_m", c->measured_m}, {"weights_m", c->weights_m}, {"is_met", c->is_met()},
-                          {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)}, {"worst_time_s", c->worst_time_s},
-                          {"times_checked", c->times_checked}, {"source_keys", c->source_keys}, {"kept_keys", c->kept_keys},
-                          {"source_bytes", c->source_bytes}, {"bytes", c->bytes},
+    out["certificate"] = {{"asked_m", c->asked_m},
+                          {"measured_m", c->measured_m},
+                          {"weights_m", c->weights_m},
+                          {"is_met", c->is_met()},
+                          {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)},
+                          {"worst_time_s", c->worst_time_s},
+                          {"times_checked", c->times_checked},
+                          {"source_keys", c->source_keys},
+                          {"kept_keys", c->kept_keys},
+                          {"source_bytes", c->source_bytes},
+                          {"bytes", c->bytes},
                           {"bytes_per_joint_second", c->bytes_per_joint_second(clip.duration_s())}};
   return out;
 }
@@ -58,7 +70,8 @@ std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
     fmt::print("{}\n", out.dump(2, ' ', false, Json::error_handler_t::replace));
     return ExitCode::done;
   }
-  fmt::print("{}\ncompiled clips, version {}: {} in {} bytes\n{}", file, kClipFileVersion, clips->size(), bytes.size(), certificate_table(*clips, {}));
+  fmt::print("{}\ncompiled clips, version {}: {} in {} bytes\n{}", file, kClipFileVersion, clips->size(), bytes.size(),
+             certificate_table(*clips, {}));
   return ExitCode::done;
 }
 

@@ -92,8 +92,8 @@ class InfoText {
     if (!text_of(info_["generator"]).empty()) line("made with: {}", text_of(info_["generator"]));
     if (!text_of(info_["copyright"]).empty()) line("copyright: {}", text_of(info_["copyright"]));
     const Json& nodes = info_["nodes"];
-    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(), nodes["depth"].dump(),
-         info_["scenes"].dump());
+    line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(),
+         nodes["depth"].dump(), info_["scenes"].dump());
     if (!info_["hidden_nodes"].empty()) line("hidden nodes: {}", info_["hidden_nodes"].size());
   }
 
@@ -112,8 +112,9 @@ class InfoText {
   }
 
   void extensions() {
-    table("extensions", info_["extensions"], {"required", "handling"},
-          [](const Json& e) { return std::vector{std::string(flag(e["required"], "required")), text_of(e["handling"])}; });
+    table("extensions", info_["extensions"], {"required", "handling"}, [](const Json& e) {
+      return std::vector{std::string(flag(e["required"], "required")), text_of(e["handling"])};
+    });
   }
 
   void meshes() {
@@ -129,8 +130,10 @@ class InfoText {
   void morph_targets() {
     for (std::size_t i = 0; i < info_["meshes"].size(); ++i)
       if (const Json& mesh = info_["meshes"][i]; mesh.contains("morph_targets"))
-        table(fmt::format("morph targets of mesh {}", i).c_str(), mesh["morph_targets"], {"non-zero deltas", "default weight"},
-              [](const Json& t) { return std::vector{t["non_zero_deltas"].dump(), number(t["default_weight"])}; });
+        table(fmt::format("morph targets of mesh {}", i).c_str(), mesh["morph_targets"],
+              {"non-zero deltas", "default weight"}, [](const Json& t) {
+                return std::vector{t["non_zero_deltas"].dump(), number(t["default_weight"])};
+              });
   }
 
   void skins() {
@@ -140,37 +143,57 @@ class InfoText {
   }
 
   void clips() {
-    table("clips", info_["clips"], {"seconds", "channels", "keys", "most keys", "constant", "size of keys", "size compiled", "modes", "properties"},
+    table("clips", info_["clips"],
+          {"seconds", "channels", "keys", "most keys", "constant", "size of keys", "size compiled", "modes",
+           "properties"},
           [](const Json& c) {
-            return std::vector{number(c["duration_s"]), c["channels"].dump(), c["keys"].dump(), c["most_keys_of_a_channel"].dump(),
-                               c["constant_tracks"].dump(), size_text(c["bytes_of_keys"]), size_text(c["bytes_compiled"]),
-                               pairs(c["modes"], ": "), pairs(c["channels_by_property"], ": ")};
+            return std::vector{number(c["duration_s"]),
+                               c["channels"].dump(),
+                               c["keys"].dump(),
+                               c["most_keys_of_a_channel"].dump(),
+                               c["constant_tracks"].dump(),
+                               size_text(c["bytes_of_keys"]),
+                               size_text(c["bytes_compiled"]),
+                               pairs(c["modes"], ": "),
+                               pairs(c["channels_by_property"], ": ")};
           });
   }
 
   void materials() {
     if (!info_["variants"].empty()) line("material variants: {}", names(info_["variants"]));
-    table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"}, [](const Json& m) {
-      return std::vector{text_of(m["alpha"]), flag(m["double_sided"], "both"), flag(m["unlit"], "unlit"), number(m["metallic"]),
-                         number(m["roughness"]), texture_names(m["textures"])};
-    });
+    table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"},
+          [](const Json& m) {
+            return std::vector{text_of(m["alpha"]),   flag(m["double_sided"], "both"), flag(m["unlit"], "unlit"),
+                               number(m["metallic"]), number(m["roughness"]),          texture_names(m["textures"])};
+          });
   }
 
   void images() {
-    table("images", info_["images"], {"format", "width", "height", "in the file", "decoded", "missing because"}, [](const Json& i) {
-      if (!i["missing"].is_null()) return std::vector<std::string>{"", "", "", "", "", text_of(i["missing"])};
-      return std::vector<std::string>{i["format"].is_null() ? "" : text_of(i["format"]), i["width"].dump(), i["height"].dump(),
-                                      size_text(i["bytes"]), size_text(i["bytes_decoded"]), ""};
-    });
+    table("images", info_["images"], {"format", "width", "height", "in the file", "decoded", "missing because"},
+          [](const Json& i) {
+            if (!i["missing"].is_null()) return std::vector<std::string>{"", "", "", "", "", text_of(i["missing"])};
+            return std::vector<std::string>{i["format"].is_null() ? "" : text_of(i["format"]),
+                                            i["width"].dump(),
+                                            i["height"].dump(),
+                                            size_text(i["bytes"]),
+                                            size_text(i["bytes_decoded"]),
+                                            ""};
+          });
   }
 
   void cameras() {
-    table("cameras", info_["cameras"], {"node", "kind", "field of view", "half height", "near", "far"}, [](const Json& c) {
-      constexpr double kDegrees = 57.29577951308232;
-      return std::vector{number(c["node"]), text_of(c["kind"]),
-                         c["fov_y_rad"].is_null() ? std::string() : fmt::format("{:.4g} deg", kDegrees * c["fov_y_rad"].get<double>()),
-                         number(c["half_height"]), number(c["near_m"]), number(c["far_m"])};
-    });
+    table("cameras", info_["cameras"], {"node", "kind", "field of view", "half height", "near", "far"},
+          [](const Json& c) {
+            constexpr double kDegrees = 57.29577951308232;
+            return std::vector{number(c["node"]),
+                               text_of(c["kind"]),
+                               c["fov_y_rad"].is_null()
+                                   ? std::string()
+                                   : fmt::format("{:.4g} deg", kDegrees * c["fov_y_rad"].get<double>()),
+                               number(c["half_height"]),
+                               number(c["near_m"]),
+                               number(c["far_m"])};
+          });
   }
 
   void lights() {

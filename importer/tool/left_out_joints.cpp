@@ -30,7 +30,8 @@ std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vec
 
 std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
   const Skeleton& skeleton = scene.skeleton;
-  std::string text = fmt::format("joints left out within {}: {} of {}", length_text(asked_m), within.left_out, skeleton.joint_count());
+  std::string text =
+      fmt::format("joints left out within {}: {} of {}", length_text(asked_m), within.left_out, skeleton.joint_count());
   if (within.left_out == 0) return text + "\n";
   text += fmt::format("; they move vertices by {} at most\n", length_text(within.measured_m));
   const std::vector<JointPlace> places = place_joints(scene, within.detail);
@@ -48,8 +49,13 @@ nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonL
   const std::vector<JointPlace> places = place_joints(scene, within.detail);
   for (std::uint32_t j = 0; j < places.size(); ++j)
     if (!places[j].is_kept)
-      left_out.push_back({{"joint", name_of(scene.skeleton, j)}, {"node", scene.skeleton.node_of_joint[j]}, {"follows", name_of(scene.skeleton, places[j].joint)}});
-  return {{"asked", asked_m}, {"measured", within.measured_m}, {"joints", scene.skeleton.joint_count()}, {"left_out", left_out}};
+      left_out.push_back({{"joint", name_of(scene.skeleton, j)},
+                          {"node", scene.skeleton.node_of_joint[j]},
+                          {"follows", name_of(scene.skeleton, places[j].joint)}});
+  return {{"asked", asked_m},
+          {"measured", within.measured_m},
+          {"joints", scene.skeleton.joint_count()},
+          {"left_out", left_out}};
 }
 
 }  // namespace sinew::tool

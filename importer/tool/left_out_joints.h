@@ -4,12 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/model/scene.h"
 #include "runtime/lod/compile_skeleton_lod.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 
-/// A table of the branches that a plan leaves out: the uppermost joint, how many go with it, and the joint that they follow.
+/// A table of the branches that a plan leaves out: the uppermost joint, how many go with it, and the joint that they
+/// follow.
 std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
 
 /// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out; lengths in metres.

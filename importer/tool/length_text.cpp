@@ -21,7 +21,8 @@ constexpr Unit kUnits[] = {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}
 
 tl::expected<double, std::string> parse_length(std::string_view text) {
   const auto refuse = [&](const char* why) {
-    return tl::unexpected(fmt::format("\"{}\" {}; lengths look like 0.1mm, 1cm, 0.001m, 50um or 1e-4 (metres)", text, why));
+    return tl::unexpected(
+        fmt::format("\"{}\" {}; lengths look like 0.1mm, 1cm, 0.001m, 50um or 1e-4 (metres)", text, why));
   };
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -38,8 +39,10 @@ tl::expected<double, std::string> parse_length(std::string_view text) {
 std::string length_text(double metres) {
   if (metres == 0.0) return "0";
   const Unit* unit = std::begin(kUnits);
-  if (metres < 1e-4) unit = &kUnits[3];
-  else if (metres < 1.0) unit = &kUnits[2];
+  if (metres < 1e-4)
+    unit = &kUnits[3];
+  else if (metres < 1.0)
+    unit = &kUnits[2];
   return fmt::format("{:.3g} {}", metres / unit->metres, unit->name);
 }
 

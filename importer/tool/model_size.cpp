@@ -9,7 +9,9 @@
 namespace sinew::tool {
 
 double model_size_m(const Scene& scene) {
-  PoseSampler sampler(scene, {.linear = true, .dual_quaternion = false, .center_of_rotation = false, .vertices_per_primitive = kAllVertices});
+  PoseSampler sampler(
+      scene,
+      {.linear = true, .dual_quaternion = false, .center_of_rotation = false, .vertices_per_primitive = kAllVertices});
   if (sampler.run(kNone, 0.0) != ErrorCode::ok) return kSizeWithoutVertices;
   double lower[3], upper[3];
   std::fill_n(lower, 3, std::numeric_limits<double>::infinity());

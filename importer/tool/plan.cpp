@@ -33,15 +33,16 @@ struct PlanOptions {
 
 /// What --needs may name, beside kMasks.
 const std::map<std::string, bool Needs::*> kNeeds = {
-    {"joints", &Needs::joints},         {"weights", &Needs::weights},
-    {"positions", &Needs::positions},   {"normals", &Needs::normals},
-    {"tangents", &Needs::tangents},     {"palettes", &Needs::palettes},
-    {"bounds", &Needs::bounds},         {"properties", &Needs::properties},
-    {"additive", &Needs::additive},     {"hidden-meshes", &Needs::hidden_meshes},
+    {"joints", &Needs::joints},           {"weights", &Needs::weights},
+    {"positions", &Needs::positions},     {"normals", &Needs::normals},
+    {"tangents", &Needs::tangents},       {"palettes", &Needs::palettes},
+    {"bounds", &Needs::bounds},           {"properties", &Needs::properties},
+    {"additive", &Needs::additive},       {"hidden-meshes", &Needs::hidden_meshes},
     {"stage-times", &Needs::stage_times}, {"between-updates", &Needs::between_updates}};
 constexpr const char* kMasks = "masks";
 
-const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear}, {"cofactor", NormalRule::cofactor}};
+const std::map<std::string, NormalRule> kNormalRules = {{"linear", NormalRule::linear},
+                                                        {"cofactor", NormalRule::cofactor}};
 
 std::vector<std::string> need_names() {
   std::vector<std::string> names = {kMasks};
@@ -51,7 +52,8 @@ std::vector<std::string> need_names() {
 
 Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
   Needs needs;
-  if (options.skinning.size() != 1 && options.skinning.size() != scene.instances.size()) return tl::unexpected(ErrorCode::size_mismatch);
+  if (options.skinning.size() != 1 && options.skinning.size() != scene.instances.size())
+    return tl::unexpected(ErrorCode::size_mismatch);
   needs.skinning = kSkinningNames.at(options.skinning.front());
   if (options.skinning.size() > 1)
     for (const std::string& method : options.skinning) needs.instance_skinning.push_back(kSkinningNames.at(method));
@@ -60,8 +62,10 @@ Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
   if (options.needs.empty()) return needs;
   for (const auto& [name, flag] : kNeeds) needs.*flag = false;
   for (const std::string& name : options.needs)
-    if (name == kMasks) needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 1.0f)};
-    else needs.*kNeeds.at(name) = true;
+    if (name == kMasks)
+      needs.masks = {std::vector<float>(scene.skeleton.joint_count(), 1.0f)};
+    else
+      needs.*kNeeds.at(name) = true;
   return needs;
 }
 
@@ -104,12 +108,14 @@ struct LeftOut {
 };
 
 /// err  a sentence that says what is wrong with the length
-tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene, const std::vector<std::uint32_t>& clips,
-                                                                  const Needs& needs) {
+tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene,
+                                                                   const std::vector<std::uint32_t>& clips,
+                                                                   const Needs& needs) {
   if (!options.joint_tolerance) return std::nullopt;
   const auto asked_m = parse_length(*options.joint_tolerance);
   if (!asked_m) return tl::unexpected("--joint-tolerance: " + asked_m.error());
-  return LeftOut{*asked_m, compile_skeleton_lod(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
+  return LeftOut{*asked_m,
+                 compile_skeleton_lod(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
 }
 
 void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
@@ -146,33 +152,34 @@ ExitCode plan_file(const PlanOptions& options) {
   import.decode_images = false;
   import.make_centers_of_rotation = std::any_of(options.skinning.begin(), options.skinning.end(), [](const std::string& method) {
     return kSkinningNames.at(method) == Skinning::center_of_rotation;
-  });
-  const auto file = load_file(options.file, import);
-  if (!file) return ExitCode::input_at_fault;
-  const auto chosen = choose_clips(file->scene, options.clip);
-  if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
+});
+const auto file = load_file(options.file, import);
+if (!file) return ExitCode::input_at_fault;
+const auto chosen = choose_clips(file->scene, options.clip);
+if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
 
-  auto needs = needs_from(options, file->scene);
-  if (!needs) {
-    say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(), file->scene.instances.size()));
-    return ExitCode::wrong_usage;
-  }
-  const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
-  if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
-  if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
-  const Plan plan = compile_plan(file->scene, *needs);
-  std::optional<WorkCounters> work;
-  if (options.clip) {
-    const auto counted = work_of_one_frame(plan, chosen->front());
-    if (!counted)
-      return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
-    work = *counted;
-  }
-  options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
-  return ExitCode::done;
+auto needs = needs_from(options, file->scene);
+if (!needs) {
+  say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(),
+                        file->scene.instances.size()));
+  return ExitCode::wrong_usage;
 }
-
+const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
+if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
+if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
+const Plan plan = compile_plan(file->scene, *needs);
+std::optional<WorkCounters> work;
+if (options.clip) {
+  const auto counted = work_of_one_frame(plan, chosen->front());
+  if (!counted)
+    return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
+  work = *counted;
+}
+options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
+return ExitCode::done;
 }  // namespace
+
+}  // namespace sinew::tool
 
 void add_plan(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<PlanOptions>();
@@ -184,24 +191,30 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
                    "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
       ->type_name("INDEX|NAME|none");
   command
-      ->add_option("--needs", options->needs,
-                   "What the consumer of frames asks for (default: joints,weights,positions,normals,tangents,properties)")
+      ->add_option(
+          "--needs", options->needs,
+          "What the consumer of frames asks for (default: joints,weights,positions,normals,tangents,properties)")
       ->delimiter(',')
       ->type_name("LIST")
       ->check(CLI::IsMember(need_names()));
   command->add_option("--layers", options->layers, "Most clips that blend in one frame (default: 4)")
       ->type_name("N")
       ->check(CLI::Range(1u, 64u));
-  command->add_option("--skinning", options->skinning, "Skinning to plan for: one method, or one for each mesh instance (default: linear)")
+  command
+      ->add_option("--skinning", options->skinning,
+                   "Skinning to plan for: one method, or one for each mesh instance (default: linear)")
       ->delimiter(',')
       ->type_name("METHOD")
       ->check(CLI::IsMember(skinning_names()));
-  command->add_option("--normals", options->normals, "How linear skinning turns normals: linear or cofactor (default: linear)")
+  command
+      ->add_option("--normals", options->normals,
+                   "How linear skinning turns normals: linear or cofactor (default: linear)")
       ->type_name("RULE")
       ->check(CLI::IsMember(std::vector<std::string>{"linear", "cofactor"}));
   command
       ->add_option("--joint-tolerance", options->joint_tolerance,
-                   "Leave out joints that move no vertex farther than this, as in 1mm, over the clip or over all (default: none)")
+                   "Leave out joints that move no vertex farther than this, as in 1mm, over the clip or over all "
+                   "(default: none)")
       ->type_name("LENGTH");
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });

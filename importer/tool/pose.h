@@ -21,12 +21,12 @@ struct VertexKindTraits {
   bool direction;     ///< unit vector: compared without a unit
 };
 inline constexpr std::array<VertexKindTraits, 7> kVertexKinds{{{"positions", 3, false},
-                                                              {"normals", 3, true},
-                                                              {"tangents", 4, true},
-                                                              {"dqs", 3, false},
-                                                              {"dqsNormals", 3, true},
-                                                              {"cors", 3, false},
-                                                              {"corNormals", 3, true}}};
+                                                               {"normals", 3, true},
+                                                               {"tangents", 4, true},
+                                                               {"dqs", 3, false},
+                                                               {"dqsNormals", 3, true},
+                                                               {"cors", 3, false},
+                                                               {"corNormals", 3, true}}};
 
 /// Deformed vertices of one primitive hung on one node, in world space. Node, mesh, primitive and vertex numbers are
 /// the file's. A NaN stands for "no value" (null in the file).

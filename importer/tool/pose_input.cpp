@@ -124,7 +124,8 @@ class PoseReader {
   void named_once(const std::vector<Entry>& list, const std::string& at, const Name& name) {
     std::set<decltype(name(list.front()))> names;
     for (std::size_t i = 0; i < list.size(); ++i)
-      if (!names.insert(name(list[i])).second) complain(fmt::format("{}/{}", at, i), "repeats what an earlier entry names");
+      if (!names.insert(name(list[i])).second)
+        complain(fmt::format("{}/{}", at, i), "repeats what an earlier entry names");
   }
 
   NodeWorld node_world(const json& node, const std::string& at) {

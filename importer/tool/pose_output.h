@@ -13,9 +13,9 @@
 namespace sinew::tool {
 
 /// Writes a pose file while poses are being made, so that memory does not grow with their number. Each sample has a key
-/// "bits" beside the format's own: hashes of all joints and weights ("pose") and of all vertices by kind of skinning. A name that ends in
-/// .gz is compressed; no name means stdout. err  every call answers whether all went well so far; the reason is in
-/// errno of the first failure
+/// "bits" beside the format's own: hashes of all joints and weights ("pose") and of all vertices by kind of skinning. A
+/// name that ends in .gz is compressed; no name means stdout. err  every call answers whether all went well so far; the
+/// reason is in errno of the first failure
 class PoseOutput {
  public:
   explicit PoseOutput(const std::string& file_or_empty);

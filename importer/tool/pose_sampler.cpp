@@ -67,7 +67,12 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 }  // namespace
 
 PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
-    : plan(compile_plan(scene, Needs{.properties = false, .hidden_meshes = true, .max_layers = 1, .skinning = skinning, .instance_skinning = {}})), frame(plan) {}
+    : plan(compile_plan(scene, Needs{.properties = false,
+                                     .hidden_meshes = true,
+                                     .max_layers = 1,
+                                     .skinning = skinning,
+                                     .instance_skinning = {}})),
+      frame(plan) {}
 
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene), with_bits_(content.bits) {
   const bool turned = content.dual_quaternion || content.center_of_rotation;

@@ -13,15 +13,16 @@ namespace sinew::tool {
 
 /// What a pose holds besides node matrices and morph weights.
 struct PoseContent {
-  bool linear = true;           ///< positions, normals and tangents of skinned primitives
-  bool dual_quaternion = true;  ///< dqs and dqsNormals of skinned primitives
+  bool linear = true;              ///< positions, normals and tangents of skinned primitives
+  bool dual_quaternion = true;     ///< dqs and dqsNormals of skinned primitives
   bool center_of_rotation = true;  ///< cors and corNormals of skinned primitives
   std::size_t vertices_per_primitive = 64;
-  bool bits = true;             ///< Pose::bits
+  bool bits = true;  ///< Pose::bits
 };
 
 /// Poses of a scene as a program that links sinew gets them: every sample is one run of a compiled plan per kind of
-/// skinning (one without centers of rotation is skinned linearly instead). Positions, normals and tangents of unskinned primitives, morphed or not, are always there.
+/// skinning (one without centers of rotation is skinned linearly instead). Positions, normals and tangents of unskinned
+/// primitives, morphed or not, are always there.
 class PoseSampler {
  public:
   /// The scene must outlive the sampler.
@@ -53,7 +54,8 @@ class PoseSampler {
   const VertexChoice& choice_of(const Drawn& drawn) const { return choices_[drawn.choice]; }
   void add_rigid(const Drawn& drawn, PrimitivePose& out) const;
   void add_linear(const Drawn& drawn, PrimitivePose& out) const;
-  void add_turned(const Method& method, const Drawn& drawn, VertexKind positions, VertexKind normals, PrimitivePose& out) const;
+  void add_turned(const Method& method, const Drawn& drawn, VertexKind positions, VertexKind normals,
+                  PrimitivePose& out) const;
   const FrameResult& any_frame() const;
   std::map<std::string, std::string> bits() const;
 

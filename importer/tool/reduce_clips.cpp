@@ -6,7 +6,8 @@
 
 namespace sinew::tool {
 
-std::vector<Animation> reduced_animations(const Scene& scene, const VirtualVertices& vertices, double budget_m, const ClipProgress& progress) {
+std::vector<Animation> reduced_animations(const Scene& scene, const VirtualVertices& vertices, double budget_m,
+                                          const ClipProgress& progress) {
   std::vector<Animation> reduced;
   for (const Animation& truth : scene.animations) {
     progress(static_cast<double>(reduced.size()) / static_cast<double>(scene.animations.size()));
@@ -15,7 +16,8 @@ std::vector<Animation> reduced_animations(const Scene& scene, const VirtualVerti
   return reduced;
 }
 
-std::vector<Clip> certify_clips(const Scene& scene, const VirtualVertices& vertices, const std::vector<Animation>& written, double budget_m) {
+std::vector<Clip> certify_clips(const Scene& scene, const VirtualVertices& vertices,
+                                const std::vector<Animation>& written, double budget_m) {
   CONTRACT(written.size() == scene.animations.size());
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < written.size(); ++i)

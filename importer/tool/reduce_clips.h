@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/model/scene.h"
 #include "runtime/compress/virtual_vertices.h"
+#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 
@@ -15,7 +15,9 @@ using ClipProgress = std::function<void(double done_0_to_1)>;
 std::vector<Animation> reduced_animations(const Scene& scene, const VirtualVertices& vertices, double budget_m,
                                           const ClipProgress& progress);
 
-/// Clips of animations that were reduced, written and read again, each measured against the animation that it came from.
-std::vector<Clip> certify_clips(const Scene& scene, const VirtualVertices& vertices, const std::vector<Animation>& written, double budget_m);
+/// Clips of animations that were reduced, written and read again, each measured against the animation that it came
+/// from.
+std::vector<Clip> certify_clips(const Scene& scene, const VirtualVertices& vertices,
+                                const std::vector<Animation>& written, double budget_m);
 
 }  // namespace sinew::tool

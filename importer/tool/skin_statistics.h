@@ -9,8 +9,9 @@ namespace sinew::tool {
 
 /// What a skin moves, over all meshes that nodes hang on it, each mesh once.
 struct SkinStatistics {
-  std::map<std::uint32_t, std::uint64_t> vertices_by_influences;  ///< vertices of the file with each number of influences
-  std::uint64_t joints_with_weight = 0;                           ///< joints that move a vertex
+  std::map<std::uint32_t, std::uint64_t>
+      vertices_by_influences;            ///< vertices of the file with each number of influences
+  std::uint64_t joints_with_weight = 0;  ///< joints that move a vertex
 };
 
 SkinStatistics skin_statistics(const Scene& scene, std::uint32_t skin);

@@ -44,12 +44,14 @@ bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
 }
 
 bool holds_centers(const PoseFile& golden, bool exact) {
-  return holds(golden, {VertexKind::cors, VertexKind::cor_normals}) || (exact && holds_bits(golden, "centerOfRotation"));
+  return holds(golden, {VertexKind::cors, VertexKind::cor_normals}) ||
+         (exact && holds_bits(golden, "centerOfRotation"));
 }
 
 /// Samples the scene at the golden times and compares.
 Result<void> compare_all(const Scene& scene, const PoseFile& golden, bool exact, PoseComparison& comparison) {
-  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), holds_centers(golden, exact), kAllVertices, exact};
+  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), holds_centers(golden, exact),
+                      kAllVertices, exact};
   if (exact) content.dual_quaternion |= holds_bits(golden, "dualQuaternion");
   PoseSampler sampler(scene, content);
   ProgressLine progress;

@@ -16,7 +16,10 @@ class Hash {
   void add(std::span<const std::byte> bytes) {
     for (const std::byte b : bytes) value_ = (value_ ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3u;
   }
-  template <class T> void add_array(const std::vector<T>& values) { add(std::as_bytes(std::span(values))); }
+  template <class T>
+  void add_array(const std::vector<T>& values) {
+    add(std::as_bytes(std::span(values)));
+  }
   std::uint64_t value() const { return value_; }
 
  private:
@@ -84,7 +87,8 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
     header.vertex_count = static_cast<std::uint32_t>(centers.size());
     header.data_hash = hash_of(centers);
     out.write(reinterpret_cast<const char*>(&header), sizeof header);
-    out.write(reinterpret_cast<const char*>(centers.data()), static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3)));
+    out.write(reinterpret_cast<const char*>(centers.data()),
+              static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3)));
     if (!out.flush()) return;
   }
   std::filesystem::rename(unfinished, file_, ignored);

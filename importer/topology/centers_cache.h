@@ -18,8 +18,8 @@ class CentersCache {
   /// Nothing when the file is absent, of another version or size, or damaged.
   std::optional<std::vector<glm::vec3>> load() const;
 
-  /// Writes beside the target and renames, so that a reader never sees half a file. A cache that cannot be written is not an
-  /// error: the centers are computed again next time.
+  /// Writes beside the target and renames, so that a reader never sees half a file. A cache that cannot be written is
+  /// not an error: the centers are computed again next time.
   void store(const std::vector<glm::vec3>& centers) const;
 
  private:

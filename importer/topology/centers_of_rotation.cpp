@@ -103,7 +103,9 @@ struct PairSurface {
   double j, k;
   WeightedSum area;
 
-  friend bool operator<(const PairSurface& a, const PairSurface& b) { return std::pair(a.j, a.k) < std::pair(b.j, b.k); }
+  friend bool operator<(const PairSurface& a, const PairSurface& b) {
+    return std::pair(a.j, a.k) < std::pair(b.j, b.k);
+  }
   bool has_weights_of(const PairSurface& other) const { return j == other.j && k == other.k; }
 };
 
@@ -112,7 +114,8 @@ struct PairVertex {
   double j, k;
 };
 
-/// The sum over triangles and pairs of joints, taken pair by pair: only what both joints of a pair move has a part in it.
+/// The sum over triangles and pairs of joints, taken pair by pair: only what both joints of a pair move has a part in
+/// it.
 class CenterSearch {
  public:
   CenterSearch(const Primitive& primitive, const CentersOptions& options) : options_(options) {
@@ -149,7 +152,9 @@ class CenterSearch {
  private:
   void add_pair(std::uint16_t j, std::uint16_t k, double done_before) {
     std::vector<PairVertex> vertices;
-    vertex_shares_.for_each_of_both(j, k, [&](std::uint32_t v, double wj, double wk) { vertices.push_back({v, wj, wk}); });
+    vertex_shares_.for_each_of_both(j, k, [&](std::uint32_t v, double wj, double wk) {
+      vertices.push_back({v, wj, wk});
+    });
     const std::vector<PairSurface> surface = surface_of(j, k);
     constexpr std::size_t kBlock = 1024;  // of vertices between two reports
     for (std::size_t first = 0; first < vertices.size(); first += kBlock) {
@@ -172,8 +177,10 @@ class CenterSearch {
     std::stable_sort(all.begin(), all.end());
     std::size_t count = 0;
     for (const PairSurface& next : all) {
-      if (count > 0 && all[count - 1].has_weights_of(next)) all[count - 1].area.add(next.area.points, next.area.weight);
-      else all[count++] = next;
+      if (count > 0 && all[count - 1].has_weights_of(next))
+        all[count - 1].area.add(next.area.points, next.area.weight);
+      else
+        all[count++] = next;
     }
     all.resize(count);
     return all;
@@ -190,8 +197,8 @@ class CenterSearch {
 
   const CentersOptions& options_;
   std::vector<Triangle> triangles_;
-  SharesByJoint triangle_shares_, vertex_shares_;      // of vertices: of each distinct weight vector
-  std::vector<std::vector<std::uint32_t>> vertices_;   // that have this weight vector
+  SharesByJoint triangle_shares_, vertex_shares_;     // of vertices: of each distinct weight vector
+  std::vector<std::vector<std::uint32_t>> vertices_;  // that have this weight vector
   std::set<std::pair<std::uint16_t, std::uint16_t>> pairs_;
   std::vector<WeightedSum> sums_;
 };

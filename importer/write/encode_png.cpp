@@ -20,8 +20,8 @@ std::vector<std::byte> encode_png(const Image& image) {
     const auto* bytes = static_cast<const std::byte*>(data);
     out.insert(out.end(), bytes, bytes + size);
   };
-  stbi_write_png_to_func(append, &file, static_cast<int>(image.width), static_cast<int>(image.height), 4, image.rgba.data(),
-                         static_cast<int>(image.width * 4));
+  stbi_write_png_to_func(append, &file, static_cast<int>(image.width), static_cast<int>(image.height), 4,
+                         image.rgba.data(), static_cast<int>(image.width * 4));
   return file;
 }
 

@@ -25,8 +25,10 @@ std::optional<FileVertices> source_order(const Primitive& primitive) {
     if (source[v] >= source.size()) return std::nullopt;
     if (source[v] >= out.scene_vertex.size()) out.scene_vertex.resize(source[v] + 1, kNone);
     std::uint32_t& first = out.scene_vertex[source[v]];
-    if (first == kNone) first = v;
-    else if (!copies_are_equal) return std::nullopt;
+    if (first == kNone)
+      first = v;
+    else if (!copies_are_equal)
+      return std::nullopt;
   }
   const bool gaps = std::find(out.scene_vertex.begin(), out.scene_vertex.end(), kNone) != out.scene_vertex.end();
   return gaps ? std::nullopt : std::optional(std::move(out));

@@ -7,13 +7,19 @@
 namespace sinew::write {
 namespace {
 
-template <class V> constexpr int kType = TINYGLTF_TYPE_SCALAR;
-template <> constexpr int kType<glm::vec2> = TINYGLTF_TYPE_VEC2;
-template <> constexpr int kType<glm::vec3> = TINYGLTF_TYPE_VEC3;
-template <> constexpr int kType<glm::vec4> = TINYGLTF_TYPE_VEC4;
+template <class V>
+constexpr int kType = TINYGLTF_TYPE_SCALAR;
+template <>
+constexpr int kType<glm::vec2> = TINYGLTF_TYPE_VEC2;
+template <>
+constexpr int kType<glm::vec3> = TINYGLTF_TYPE_VEC3;
+template <>
+constexpr int kType<glm::vec4> = TINYGLTF_TYPE_VEC4;
 
-/// Per component over `count` elements of `width` floats; `includes_zero` for sparse accessors, whose other elements are 0.
-void set_bounds(tinygltf::Accessor& accessor, const float* values, std::size_t count, std::size_t width, bool includes_zero) {
+/// Per component over `count` elements of `width` floats; `includes_zero` for sparse accessors, whose other elements
+/// are 0.
+void set_bounds(tinygltf::Accessor& accessor, const float* values, std::size_t count, std::size_t width,
+                bool includes_zero) {
   for (std::size_t c = 0; c < width; ++c) {
     double lower = includes_zero ? 0.0 : values[c], upper = lower;
     for (std::size_t i = 0; i < count; ++i) {
@@ -53,48 +59,54 @@ int GlbBuffer::add_accessor(std::span<const std::byte> bytes, std::size_t count,
 }
 
 int GlbBuffer::add(std::span<const float> values, bool with_bounds) {
-  const int index = add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
+  const int index = add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_SCALAR,
+                                 TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
   if (with_bounds && !values.empty()) set_bounds(model_.accessors.back(), values.data(), values.size(), 1, false);
   return index;
 }
 
 int GlbBuffer::add(std::span<const glm::vec2> values) {
-  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::vertices);
+  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC2, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                      ViewUse::vertices);
 }
 
 int GlbBuffer::add(std::span<const glm::vec3> values, bool with_bounds, ViewUse use) {
-  const int index = add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, use);
+  const int index =
+      add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, use);
   if (with_bounds && !values.empty()) set_bounds(model_.accessors.back(), &values[0].x, values.size(), 3, false);
   return index;
 }
 
 int GlbBuffer::add(std::span<const glm::vec4> values) {
-  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::vertices);
+  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                      ViewUse::vertices);
 }
 
 int GlbBuffer::add_numbers(std::span<const float> values, std::uint32_t components) {
   const int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
-  return add_accessor(std::as_bytes(values), values.size() / components, types[components - 1], TINYGLTF_COMPONENT_TYPE_FLOAT,
-                      ViewUse::other);
+  return add_accessor(std::as_bytes(values), values.size() / components, types[components - 1],
+                      TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
 }
 
 int GlbBuffer::add_flags(std::span<const float> values) {
   std::vector<std::uint8_t> flags;
   flags.reserve(values.size());
   for (const float value : values) flags.push_back(value >= 0.5f);
-  return add_accessor(std::as_bytes(std::span(flags)), flags.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                      ViewUse::other);
+  return add_accessor(std::as_bytes(std::span(flags)), flags.size(), TINYGLTF_TYPE_SCALAR,
+                      TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, ViewUse::other);
 }
 
 int GlbBuffer::add_rotations(std::span<const glm::quat> values) {
   std::vector<glm::vec4> xyzw;
   xyzw.reserve(values.size());
   for (const auto& q : values) xyzw.emplace_back(q.x, q.y, q.z, q.w);
-  return add_accessor(std::as_bytes(std::span(xyzw)), xyzw.size(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
+  return add_accessor(std::as_bytes(std::span(xyzw)), xyzw.size(), TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                      ViewUse::other);
 }
 
 int GlbBuffer::add_indices(std::span<const std::uint32_t> values) {
-  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, ViewUse::indices);
+  return add_accessor(std::as_bytes(values), values.size(), TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                      ViewUse::indices);
 }
 
 int GlbBuffer::add_joints(std::span<const std::uint16_t> four_per_vertex) {
@@ -106,7 +118,8 @@ int GlbBuffer::add_matrices(std::span<const Affine> values) {
   std::vector<glm::mat4> columns;
   columns.reserve(values.size());
   for (const auto& m : values) columns.push_back(mat4_from_affine(m));
-  return add_accessor(std::as_bytes(std::span(columns)), columns.size(), TINYGLTF_TYPE_MAT4, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
+  return add_accessor(std::as_bytes(std::span(columns)), columns.size(), TINYGLTF_TYPE_MAT4,
+                      TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
 }
 
 template <class V>
@@ -117,7 +130,8 @@ int GlbBuffer::add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t ve
   if (!sparse) {
     dense.resize(vertex_count, V(0.0f));
     for (std::size_t i = 0; i < moved; ++i) dense[deltas.vertices[i]] = deltas.deltas[i];
-    add_accessor(std::as_bytes(std::span<const V>(dense)), vertex_count, kType<V>, TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::vertices);
+    add_accessor(std::as_bytes(std::span<const V>(dense)), vertex_count, kType<V>, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                 ViewUse::vertices);
   } else {
     tinygltf::Accessor accessor;
     accessor.count = vertex_count;

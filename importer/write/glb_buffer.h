@@ -4,8 +4,8 @@
 #include <span>
 
 #include "importer/write/tinygltf.h"
-#include "runtime/model/morph_set.h"
 #include "runtime/math/affine.h"
+#include "runtime/model/morph_set.h"
 
 namespace sinew::write {
 
@@ -38,7 +38,8 @@ class GlbBuffer {
   int add_deltas(const SparseDeltas<glm::vec4>& deltas, std::size_t vertex_count);
 
  private:
-  template <class V> int add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t vertex_count, bool with_bounds);
+  template <class V>
+  int add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t vertex_count, bool with_bounds);
   int add_accessor(std::span<const std::byte> bytes, std::size_t count, int type, int component, ViewUse use);
 
   tinygltf::Model& model_;

@@ -23,8 +23,8 @@ void for_each(Json& object, const char* list, Change change) {
     for (auto& entry : *found) change(entry);
 }
 
-/// Removes what tinygltf writes although glTF does not allow it: null for an object without properties, 0 for an infinite
-/// far plane, -1 for a channel without node.
+/// Removes what tinygltf writes although glTF does not allow it: null for an object without properties, 0 for an
+/// infinite far plane, -1 for a channel without node.
 void mend(Json& root) {
   for (auto& [name, list] : root.items())
     if (list.is_array())

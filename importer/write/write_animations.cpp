@@ -35,14 +35,16 @@ class AnimationWriter {
     tinygltf::AnimationChannel channel;
     has_pointers_ = true;
     channel.target_path = "pointer";
-    channel.target_extensions["KHR_animation_pointer"] = tinygltf::Value(tinygltf::Value::Object{{"pointer", tinygltf::Value(pointer)}});
+    channel.target_extensions["KHR_animation_pointer"] =
+        tinygltf::Value(tinygltf::Value::Object{{"pointer", tinygltf::Value(pointer)}});
     return add(std::move(channel), interpolation, times_s, values);
   }
 
   /// Keeps the place of an animation that moves nothing: readers ignore a channel without node.
   void add_nothing() {
     const std::vector<glm::vec3> value(1);
-    add(-1, "translation", Interpolation::step, {0.0f}, buffer_.add(std::span<const glm::vec3>(value), false, ViewUse::other));
+    add(-1, "translation", Interpolation::step, {0.0f},
+        buffer_.add(std::span<const glm::vec3>(value), false, ViewUse::other));
   }
 
   bool has_pointers() const noexcept { return has_pointers_; }
@@ -50,7 +52,8 @@ class AnimationWriter {
   tinygltf::Animation out;
 
  private:
-  bool add(tinygltf::AnimationChannel channel, Interpolation interpolation, const std::vector<float>& times_s, int values) {
+  bool add(tinygltf::AnimationChannel channel, Interpolation interpolation, const std::vector<float>& times_s,
+           int values) {
     const char* name = name_of(interpolation);
     if (!name) return false;
     auto [found, is_new] = times_.try_emplace(times_s, -1);
@@ -73,35 +76,39 @@ class AnimationWriter {
 bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbBuffer& buffer) {
   bool ok = true;
   if (const auto& t = bone.translation; !t.empty())
-    ok &= writer.add(node, "translation", t.interpolation, t.times_s, buffer.add(std::span<const glm::vec3>(t.values), false, ViewUse::other));
+    ok &= writer.add(node, "translation", t.interpolation, t.times_s,
+                     buffer.add(std::span<const glm::vec3>(t.values), false, ViewUse::other));
   if (const auto& r = bone.rotation; !r.empty())
     ok &= writer.add(node, "rotation", r.interpolation, r.times_s, buffer.add_rotations(r.values));
   if (const auto& s = bone.scale; !s.empty())
-    ok &= writer.add(node, "scale", s.interpolation, s.times_s, buffer.add(std::span<const glm::vec3>(s.values), false, ViewUse::other));
+    ok &= writer.add(node, "scale", s.interpolation, s.times_s,
+                     buffer.add(std::span<const glm::vec3>(s.values), false, ViewUse::other));
   return ok;
 }
 
 /// All weights of a node, or one of them.
-bool add_weights(const WeightAnimation& animated, const Scene& scene, int node, AnimationWriter& writer, GlbBuffer& buffer) {
+bool add_weights(const WeightAnimation& animated, const Scene& scene, int node, AnimationWriter& writer,
+                 GlbBuffer& buffer) {
   const WeightTrack& track = animated.weights;
   const int values = buffer.add(std::span<const float>(track.values));
   if (track.target_count == scene.instances[animated.instance].rest_weights.size())
     return writer.add(node, "weights", track.interpolation, track.times_s, values);
   if (track.target_count != 1) return false;
-  return writer.add("/nodes/" + std::to_string(node) + "/weights/" + std::to_string(animated.first_target), track.interpolation,
-                    track.times_s, values);
+  return writer.add("/nodes/" + std::to_string(node) + "/weights/" + std::to_string(animated.first_target),
+                    track.interpolation, track.times_s, values);
 }
 
 bool add_property(const PropertyTrack& track, const Scene& scene, AnimationWriter& writer, GlbBuffer& buffer) {
   const WeightTrack& values = track.values;
-  const int accessor = is_flag(track.target.kind) ? buffer.add_flags(values.values) : buffer.add_numbers(values.values, values.target_count);
+  const int accessor = is_flag(track.target.kind) ? buffer.add_flags(values.values)
+                                                  : buffer.add_numbers(values.values, values.target_count);
   return writer.add(property_pointer(track.target, scene), values.interpolation, values.times_s, accessor);
 }
 
 }  // namespace
 
-std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance, tinygltf::Model& model,
-                                            GlbBuffer& buffer) {
+std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance,
+                                            tinygltf::Model& model, GlbBuffer& buffer) {
   for (std::size_t a = 0; a < scene.animations.size(); ++a) {
     const auto& animation = scene.animations[a];
     AnimationWriter writer(buffer);

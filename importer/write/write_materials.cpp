@@ -28,9 +28,10 @@ void reference(const TextureUse& use, bool animated, tinygltf::Model& model, Inf
   info.index = static_cast<int>(use.texture);
   info.texCoord = static_cast<int>(use.texcoord);
   if (!has_transform(use, animated)) return;
-  info.extensions["KHR_texture_transform"] = tinygltf::Value(Object{{"offset", pair(use.offset)},
-                                                                    {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
-                                                                    {"scale", pair(use.scale)}});
+  info.extensions["KHR_texture_transform"] =
+      tinygltf::Value(Object{{"offset", pair(use.offset)},
+                             {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
+                             {"scale", pair(use.scale)}});
   declare_extension(model, "KHR_texture_transform");
 }
 
@@ -50,7 +51,8 @@ class MovedParts {
 
   bool strength() const { return moves(PropertyKind::emissive_strength, TextureSlot::base_color); }
   bool texture(TextureSlot slot) const {
-    return moves(PropertyKind::texture_offset, slot) || moves(PropertyKind::texture_rotation, slot) || moves(PropertyKind::texture_scale, slot);
+    return moves(PropertyKind::texture_offset, slot) || moves(PropertyKind::texture_rotation, slot) ||
+           moves(PropertyKind::texture_scale, slot);
   }
 
  private:
@@ -67,8 +69,10 @@ tinygltf::Material written(const Material& material, const MovedParts& moved, ti
   out.pbrMetallicRoughness.baseColorFactor = {c.x, c.y, c.z, c.w};
   out.pbrMetallicRoughness.metallicFactor = material.metallic;
   out.pbrMetallicRoughness.roughnessFactor = material.roughness;
-  reference(material.base_color_texture, moved.texture(TextureSlot::base_color), model, out.pbrMetallicRoughness.baseColorTexture);
-  reference(material.metallic_roughness_texture, moved.texture(TextureSlot::metallic_roughness), model, out.pbrMetallicRoughness.metallicRoughnessTexture);
+  reference(material.base_color_texture, moved.texture(TextureSlot::base_color), model,
+            out.pbrMetallicRoughness.baseColorTexture);
+  reference(material.metallic_roughness_texture, moved.texture(TextureSlot::metallic_roughness), model,
+            out.pbrMetallicRoughness.metallicRoughnessTexture);
   reference(material.normal_texture, moved.texture(TextureSlot::normal), model, out.normalTexture);
   out.normalTexture.scale = material.normal_scale;
   reference(material.occlusion_texture, moved.texture(TextureSlot::occlusion), model, out.occlusionTexture);
@@ -79,7 +83,8 @@ tinygltf::Material written(const Material& material, const MovedParts& moved, ti
   const float largest = std::max({e.x, e.y, e.z});
   int exponent = 0;
   std::frexp(std::max(1.0f, largest), &exponent);
-  const float excess = largest > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f, strength = material.emissive_strength * excess;
+  const float excess = largest > 1.0f ? std::ldexp(1.0f, exponent) : 1.0f,
+              strength = material.emissive_strength * excess;
   out.emissiveFactor = {e.x / excess, e.y / excess, e.z / excess};
   if (strength != 1.0f || moved.strength()) {
     out.extensions["KHR_materials_emissive_strength"] =
@@ -149,14 +154,16 @@ void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
     out.name = image.name;
     const bool keep = is_kept(image);
     out.mimeType = keep ? image.mime_type : "image/png";
-    const Image placeholder{.name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // missing images stay visible
+    const Image placeholder{
+        .name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // missing images stay visible
     out.bufferView =
         buffer.add_view(keep ? image.encoded : encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
     model.images.push_back(std::move(out));
   }
   for (const auto& texture : scene.textures) {
     tinygltf::Sampler sampler;
-    sampler.magFilter = texture.sampler.magnify == Filter::linear ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_NEAREST;
+    sampler.magFilter =
+        texture.sampler.magnify == Filter::linear ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_NEAREST;
     sampler.minFilter = minify_filter(texture.sampler);
     sampler.wrapS = wrap_of(texture.sampler.wrap_u);
     sampler.wrapT = wrap_of(texture.sampler.wrap_v);

@@ -33,7 +33,8 @@ std::vector<InfluenceRange> influence_ranges(const VertexInfluences& influences)
 }
 
 /// JOINTS_n and WEIGHTS_n take four influences a set; vertices with fewer are filled up with weight 0.
-void write_influences(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+void write_influences(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out,
+                      GlbBuffer& buffer) {
   const auto ranges = vertices.gather(influence_ranges(primitive.influences));
   std::uint32_t most = 0;
   for (const auto& range : ranges) most = std::max(most, range.count);
@@ -50,7 +51,8 @@ void write_influences(const Primitive& primitive, const FileVertices& vertices, 
   }
 }
 
-void write_targets(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+void write_targets(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out,
+                   GlbBuffer& buffer) {
   const std::size_t count = vertices.count();
   for (const auto& target : primitive.morphs.targets) {
     std::map<std::string, int> attributes;
@@ -66,7 +68,8 @@ void write_targets(const Primitive& primitive, const FileVertices& vertices, tin
   }
 }
 
-void write_vertices(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out, GlbBuffer& buffer) {
+void write_vertices(const Primitive& primitive, const FileVertices& vertices, tinygltf::Primitive& out,
+                    GlbBuffer& buffer) {
   const auto add = [&](const char* name, const auto& values, auto... with_bounds) {
     if (values.empty()) return;
     const auto ordered = vertices.gather(values);
@@ -75,7 +78,8 @@ void write_vertices(const Primitive& primitive, const FileVertices& vertices, ti
   add("POSITION", primitive.positions, true);
   if (!primitive.flat_normals) add("NORMAL", primitive.normals);
   add("TANGENT", primitive.tangents);
-  for (std::size_t n = 0; n < primitive.texcoords.size(); ++n) add(("TEXCOORD_" + std::to_string(n)).c_str(), primitive.texcoords[n]);
+  for (std::size_t n = 0; n < primitive.texcoords.size(); ++n)
+    add(("TEXCOORD_" + std::to_string(n)).c_str(), primitive.texcoords[n]);
   add("COLOR_0", primitive.colors);
 }
 

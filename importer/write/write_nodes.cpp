@@ -86,7 +86,8 @@ void write_skins(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) 
   for (const auto& skin : scene.skins) {
     tinygltf::Skin out;
     out.name = skin.name;
-    for (const std::uint32_t joint : skin.joints) out.joints.push_back(static_cast<int>(scene.skeleton.node_of_joint[joint]));
+    for (const std::uint32_t joint : skin.joints)
+      out.joints.push_back(static_cast<int>(scene.skeleton.node_of_joint[joint]));
     out.inverseBindMatrices = buffer.add_matrices(skin.inverse_bind);
     if (skin.skeleton_root != kNone) out.skeleton = static_cast<int>(scene.skeleton.node_of_joint[skin.skeleton_root]);
     model.skins.push_back(std::move(out));
@@ -108,7 +109,8 @@ std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuff
   }
   write_skins(scene, model, buffer);
   for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-    if (scene.cameras[i].joint != kNone) model.nodes[skeleton.node_of_joint[scene.cameras[i].joint]].camera = static_cast<int>(i);
+    if (scene.cameras[i].joint != kNone)
+      model.nodes[skeleton.node_of_joint[scene.cameras[i].joint]].camera = static_cast<int>(i);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (scene.lights[i].joint != kNone)
       attach_light(model.nodes[skeleton.node_of_joint[scene.lights[i].joint]], static_cast<int>(i));

@@ -25,9 +25,11 @@ void write_variants(const Scene& scene, tinygltf::Model& model) {
     for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
       Array mappings;
       for (const VariantMaterial& other : scene.meshes[m].primitives[p].variant_materials)
-        mappings.emplace_back(Object{{"material", number(other.material)}, {"variants", tinygltf::Value(Array{number(other.variant)})}});
+        mappings.emplace_back(
+            Object{{"material", number(other.material)}, {"variants", tinygltf::Value(Array{number(other.variant)})}});
       if (!mappings.empty())
-        model.meshes[m].primitives[p].extensions[kExtension] = tinygltf::Value(Object{{"mappings", tinygltf::Value(std::move(mappings))}});
+        model.meshes[m].primitives[p].extensions[kExtension] =
+            tinygltf::Value(Object{{"mappings", tinygltf::Value(std::move(mappings))}});
     }
 }
 

@@ -57,7 +57,7 @@ struct Animation {
   double duration_s = 0.0;
   std::vector<BoneAnimation> bones;
   std::vector<WeightAnimation> weights;
-  std::vector<PropertyTrack> properties = {};   ///< one per target
+  std::vector<PropertyTrack> properties = {};  ///< one per target
 };
 
 }  // namespace sinew

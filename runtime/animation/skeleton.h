@@ -15,9 +15,9 @@ namespace sinew {
 /// the hierarchy is the node hierarchy and a skin is a list of joints (G33). Joints are in breadth-first order:
 /// parents come before children, and the joints of one depth lie together.
 struct Skeleton {
-  std::vector<std::uint32_t> parents;          ///< [J] parents[j] < j, kNone for a root
-  std::vector<Transform> rest;                 ///< [J] local transform without any clip, unit rotations
-  std::vector<Affine> fixed_matrices;          ///< matrices of the joints that the file gives as a matrix, verbatim (G50)
+  std::vector<std::uint32_t> parents;  ///< [J] parents[j] < j, kNone for a root
+  std::vector<Transform> rest;         ///< [J] local transform without any clip, unit rotations
+  std::vector<Affine> fixed_matrices;  ///< matrices of the joints that the file gives as a matrix, verbatim (G50)
   std::vector<std::uint32_t> fixed_matrix_of;  ///< [J] index into fixed_matrices, kNone = `rest` applies
   std::vector<std::string> names;              ///< [J] may repeat or be empty: only for look-ups by people (G53)
   std::vector<std::uint32_t> node_of_joint;    ///< [J] glTF node index

@@ -19,7 +19,8 @@ struct KeyPosition {
   double interval_s = 0.0;
 };
 
-/// Position of `time_s` when `key` is the last key at or before it. The difference to the key time is taken in double (N24).
+/// Position of `time_s` when `key` is the last key at or before it. The difference to the key time is taken in double
+/// (N24).
 inline KeyPosition position_after(std::span<const float> times_s, std::size_t key, double time_s) noexcept {
   const double begin = static_cast<double>(times_s[key]);
   if (time_s == begin || key + 1 == times_s.size()) return {key, true, 0.0, 0.0};
@@ -48,15 +49,19 @@ template <class T>
 SquadSegment<T> squad_segment(const QuatTrack& track, std::size_t k) noexcept {
   const auto& times = track.times_s;
   const auto key = [&](std::size_t i) { return normalised(quat_cast<T>(track.values[i])); };
-  const auto apart = [&](std::size_t i) { return static_cast<T>(static_cast<double>(times[i + 1]) - static_cast<double>(times[i])); };
+  const auto apart = [&](std::size_t i) {
+    return static_cast<T>(static_cast<double>(times[i + 1]) - static_cast<double>(times[i]));
+  };
   const T length = apart(k);
   SquadSegment<T> s;
   s.begin = s.begin_control = key(k);
   s.end = s.end_control = aligned_with(s.begin, key(k + 1));
   if (k > 0 && apart(k - 1) > T(0))
-    s.begin_control = squad_controls_uneven(aligned_with(s.begin, key(k - 1)), s.begin, s.end, apart(k - 1), length).outgoing;
+    s.begin_control =
+        squad_controls_uneven(aligned_with(s.begin, key(k - 1)), s.begin, s.end, apart(k - 1), length).outgoing;
   if (k + 2 < times.size() && apart(k + 1) > T(0))
-    s.end_control = squad_controls_uneven(s.begin, s.end, aligned_with(s.end, key(k + 2)), length, apart(k + 1)).incoming;
+    s.end_control =
+        squad_controls_uneven(s.begin, s.end, aligned_with(s.end, key(k + 2)), length, apart(k + 1)).incoming;
   return s;
 }
 
@@ -68,34 +73,40 @@ inline std::size_t value_row(Interpolation interpolation, std::size_t key) noexc
 /// Value at `fraction` of the way from key `a` to key `b` if there were no keys between them; squad takes its slerp.
 /// eq   glTF 2.0, Appendix C.   in  0 < fraction < 1 of interval_s seconds
 template <class T>
-Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+Vec3<T> between_keys(const Vec3Track& track, std::size_t a, std::size_t b, double fraction,
+                     double interval_s) noexcept {
   const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
   const auto value = [&](std::size_t i) { return Vec3<T>(track.values[i]); };
   if (track.interpolation == Interpolation::step) return value(from);
   if (track.interpolation == Interpolation::cubic_spline)
-    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction),
+                   static_cast<T>(interval_s));
   return lerp(value(from), value(to), static_cast<T>(fraction));
 }
 
 /// The same for rotations: slerp on the short arc, Hermite then normalised.
 template <class T>
-Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s) noexcept {
+Quat<T> between_keys(const QuatTrack& track, std::size_t a, std::size_t b, double fraction,
+                     double interval_s) noexcept {
   const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
   const auto value = [&](std::size_t i) { return quat_cast<T>(track.values[i]); };
   if (track.interpolation == Interpolation::step) return value(from);
   if (track.interpolation == Interpolation::cubic_spline)
-    return hermite_rotation(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+    return hermite_rotation(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction),
+                            static_cast<T>(interval_s));
   return slerp_short_arc(value(from), value(to), static_cast<T>(fraction));
 }
 
 /// The same for one of the weights.
 template <class T>
-T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s, std::size_t weight) noexcept {
+T between_keys(const WeightTrack& track, std::size_t a, std::size_t b, double fraction, double interval_s,
+               std::size_t weight) noexcept {
   const std::size_t from = value_row(track.interpolation, a), to = value_row(track.interpolation, b);
   const auto value = [&](std::size_t row) { return static_cast<T>(track.values[row * track.target_count + weight]); };
   if (track.interpolation == Interpolation::step) return value(from);
   if (track.interpolation == Interpolation::cubic_spline)
-    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction), static_cast<T>(interval_s));
+    return hermite(value(from), value(from + 1), value(to - 1), value(to), static_cast<T>(fraction),
+                   static_cast<T>(interval_s));
   return lerp(value(from), value(to), static_cast<T>(fraction));
 }
 
@@ -112,7 +123,8 @@ template <class T>
 Quat<T> sample_track(const QuatTrack& track, double time_s) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
   if (at.on_key) return quat_cast<T>(track.values[value_row(track.interpolation, at.key)]);
-  if (track.interpolation != Interpolation::squad) return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
+  if (track.interpolation != Interpolation::squad)
+    return between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s);
   const SquadSegment<T> c = squad_segment<T>(track, at.key);
   return squad(c.begin, c.begin_control, c.end_control, c.end, static_cast<T>(at.fraction));
 }
@@ -122,8 +134,9 @@ template <class T>
 void sample_track(const WeightTrack& track, double time_s, std::span<T> weights) noexcept {
   const KeyPosition at = locate_key(track.times_s, time_s);
   for (std::size_t i = 0; i < track.target_count; ++i)
-    weights[i] = at.on_key ? static_cast<T>(track.values[value_row(track.interpolation, at.key) * track.target_count + i])
-                           : between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s, i);
+    weights[i] = at.on_key
+                     ? static_cast<T>(track.values[value_row(track.interpolation, at.key) * track.target_count + i])
+                     : between_keys<T>(track, at.key, at.key + 1, at.fraction, at.interval_s, i);
 }
 
 }  // namespace sinew

@@ -15,8 +15,8 @@ inline Transformd in_double(const Transform& t) noexcept {
 
 /// A pose in double precision from the authoring form: what compiled clips are measured against.
 struct TruthPose {
-  std::vector<Transformd> local;   ///< [J]
-  std::vector<Affined> model;      ///< [J]
+  std::vector<Transformd> local;  ///< [J]
+  std::vector<Affined> model;     ///< [J]
 };
 
 /// Local transforms and model matrices at one time; joints without tracks rest.

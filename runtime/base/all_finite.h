@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Whether no number is infinite or NaN. Looks at all of them without a branch, so that compilers make vector code of it.
-/// cost O(n), memory-bound
+/// Whether no number is infinite or NaN. Looks at all of them without a branch, so that compilers make vector code of
+/// it. cost O(n), memory-bound
 inline bool all_finite(std::span<const float> numbers) noexcept {
   constexpr std::uint32_t kExponent = 0x7f800000u;
   std::uint32_t odd = 0;
@@ -20,7 +20,8 @@ inline bool all_finite(std::span<const float> numbers) noexcept {
 template <class Element>
 bool all_finite(std::span<const Element> elements) noexcept {
   static_assert(sizeof(Element) % sizeof(float) == 0);
-  return all_finite(std::span(reinterpret_cast<const float*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(float))));
+  return all_finite(
+      std::span(reinterpret_cast<const float*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(float))));
 }
 
 }  // namespace sinew

@@ -6,7 +6,8 @@
 
 namespace sinew {
 
-/// Asks for memory that is soon read or written, without waiting for it. Touches nothing: other threads may write there.
+/// Asks for memory that is soon read or written, without waiting for it. Touches nothing: other threads may write
+/// there.
 inline void prefetch(const void* from, std::size_t byte_count) noexcept {
   constexpr std::size_t kLineBytes = 64;
   for (std::size_t at = 0; at < byte_count; at += kLineBytes) hwy::Prefetch(static_cast<const std::byte*>(from) + at);

@@ -10,17 +10,17 @@ namespace sinew {
 /// (importer/import_error.h); these codes are for bad *calls*: wrong sizes, indices or orders of buffers.
 enum class ErrorCode {
   ok,
-  size_mismatch,           ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
-  overlapping_buffers,     ///< an output buffer overlaps an input that the job still reads
-  index_out_of_range,      ///< an index points past the array that it refers to
-  parents_not_first,       ///< a joint comes before its parent
-  times_not_increasing,    ///< key times decrease, or a time is not finite
-  too_few_keys,            ///< no key at all, or fewer than two for a cubic spline
-  not_finite,              ///< a number is NaN or infinite
-  unsupported,             ///< the combination asked for does not exist
-  coincident_poses,        ///< two sample poses are the same as far as their drivers count
-  rank_deficient,          ///< a system of equations has no unique solution within rounding
-  busy,                    ///< the job thread has no free slot for another frame
+  size_mismatch,         ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
+  overlapping_buffers,   ///< an output buffer overlaps an input that the job still reads
+  index_out_of_range,    ///< an index points past the array that it refers to
+  parents_not_first,     ///< a joint comes before its parent
+  times_not_increasing,  ///< key times decrease, or a time is not finite
+  too_few_keys,          ///< no key at all, or fewer than two for a cubic spline
+  not_finite,            ///< a number is NaN or infinite
+  unsupported,           ///< the combination asked for does not exist
+  coincident_poses,      ///< two sample poses are the same as far as their drivers count
+  rank_deficient,        ///< a system of equations has no unique solution within rounding
+  busy,                  ///< the job thread has no free slot for another frame
 };
 
 /// One sentence per code, for logs.

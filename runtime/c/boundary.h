@@ -20,14 +20,16 @@ constexpr sinew_error error_from(ErrorCode code) noexcept { return static_cast<s
 template <class T>
 inline constexpr std::size_t kFirstVersionBytes = sizeof(T);
 
-/// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in `out`.
+/// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in
+/// `out`.
 template <class T>
 sinew_error read_struct(const T* given, T& out) noexcept {
   if (given == nullptr) return SINEW_OK;
   const std::size_t size = given->struct_size, known = std::min(size, sizeof(T));
   if (size < kFirstVersionBytes<T>) return SINEW_WRONG_STRUCT_SIZE;
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
-  if (std::any_of(bytes + known, bytes + size, [](unsigned char byte) { return byte != 0; })) return SINEW_WRONG_STRUCT_SIZE;
+  if (std::any_of(bytes + known, bytes + size, [](unsigned char byte) { return byte != 0; }))
+    return SINEW_WRONG_STRUCT_SIZE;
   std::memcpy(&out, given, known);
   return SINEW_OK;
 }

@@ -30,17 +30,22 @@ constexpr std::size_t aligned(std::size_t bytes) noexcept {
 void* allocate_new(void*, std::size_t byte_count, std::size_t alignment) {
   return ::operator new(byte_count, std::align_val_t(alignment), std::nothrow);
 }
-void release_new(void*, void* block, std::size_t, std::size_t alignment) { ::operator delete(block, std::align_val_t(alignment)); }
+void release_new(void*, void* block, std::size_t, std::size_t alignment) {
+  ::operator delete(block, std::align_val_t(alignment));
+}
 void keep_block(void*, void*, std::size_t, std::size_t) {}
 
 sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_allocator& allocator) {
   auto* layers = reinterpret_cast<ClipLayer*>(block + aligned(sizeof(sinew_frame)));
   std::uninitialized_value_construct_n(layers, plan.layer_room());
   std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.layer_room() * sizeof(ClipLayer));
-  return new (block) sinew_frame{&plan, allocator, {layers, plan.layer_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
+  return new (block)
+      sinew_frame{&plan, allocator, {layers, plan.layer_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
 }
 
-const FrameResult& result_behind(const sinew_result* result) noexcept { return *reinterpret_cast<const FrameResult*>(result); }
+const FrameResult& result_behind(const sinew_result* result) noexcept {
+  return *reinterpret_cast<const FrameResult*>(result);
+}
 
 }  // namespace
 
@@ -96,7 +101,8 @@ sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out)
                           .properties = c::span_from<sinew_floats>(frame.properties),
                           .hidden = c::span_from<sinew_flags>(frame.hidden),
                           .instance_count = frame.instances.size(),
-                          .shape_count = frame.primitives.size()}, out);
+                          .shape_count = frame.primitives.size()},
+                         out);
 }
 
 sinew_joint_matrices sinew_get_palette(const sinew_result* result, std::uint32_t skin) {
@@ -129,5 +135,6 @@ sinew_error sinew_get_shape(const sinew_result* result, std::uint32_t shape, sin
                           .normals = c::span_from<sinew_vec3s>(found.normals),
                           .tangents = c::span_from<sinew_vec4s>(found.tangents),
                           .colors = c::span_from<sinew_vec4s>(found.colors),
-                          .since_frame = found.since_frame}, out);
+                          .since_frame = found.since_frame},
+                         out);
 }

@@ -7,28 +7,29 @@ extern "C" {
 #endif
 
 typedef enum sinew_layer_kind {
-  SINEW_LAYER_BLEND = 0,           ///< averaged with its like by weight
-  SINEW_LAYER_ADD_TO_REST = 1,     ///< adds what the clip differs from the rest pose
-  SINEW_LAYER_ADD_TO_START = 2     ///< adds what the clip differs from its own first instant
+  SINEW_LAYER_BLEND = 0,        ///< averaged with its like by weight
+  SINEW_LAYER_ADD_TO_REST = 1,  ///< adds what the clip differs from the rest pose
+  SINEW_LAYER_ADD_TO_START = 2  ///< adds what the clip differs from its own first instant
 } sinew_layer_kind;
 
 /// One clip playing at one time.
 typedef struct sinew_layer {
   double time_s;
   uint32_t clip;
-  uint32_t mask;                   ///< of sinew_needs, SINEW_NONE = all joints
+  uint32_t mask;  ///< of sinew_needs, SINEW_NONE = all joints
   float weight;
-  uint32_t kind;                   ///< sinew_layer_kind
+  uint32_t kind;  ///< sinew_layer_kind
 } sinew_layer;
 
 typedef struct sinew_frame_input {
   size_t struct_size;
-  const sinew_layer* layers;       ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
-  size_t layer_count;              ///< at most max_layers + max_adding_layers
-  sinew_floats weights;            ///< all morph weights in place of the clips' own; empty = the clips'
-  sinew_affine root;               ///< placed above all root joints
-  const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded; null = all in view
-  uint32_t asleep;                 ///< 1 = nobody needs anything of the character: no work is done, the result is empty
+  const sinew_layer* layers;         ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
+  size_t layer_count;                ///< at most max_layers + max_adding_layers
+  sinew_floats weights;              ///< all morph weights in place of the clips' own; empty = the clips'
+  sinew_affine root;                 ///< placed above all root joints
+  const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded;
+                                     ///< null = all in view
+  uint32_t asleep;  ///< 1 = nobody needs anything of the character: no work is done, the result is empty
 } sinew_frame_input;
 
 /// No layers, root identity; struct_size is set.
@@ -40,31 +41,32 @@ typedef struct sinew_frame sinew_frame;
 /// in   plan  must outlive the frame;   allocator  null = operator new; copied. Asked once, for sinew_plan_frame_bytes
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
-/// The same in the caller's block, of at least sinew_plan_frame_bytes at a multiple of SINEW_FRAME_ALIGNMENT, which must outlive
-/// the frame.
-/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
+/// The same in the caller's block, of at least sinew_plan_frame_bytes at a multiple of SINEW_FRAME_ALIGNMENT, which
+/// must outlive the frame. err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
 sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
 void sinew_frame_destroy(sinew_frame* frame);
 
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask), SINEW_SIZE_MISMATCH (weights, too many
-///      layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; weight below 1 where the plan has one layer; adding where
-///      the plan has none). Afterwards the last good frame is still there.
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask), SINEW_SIZE_MISMATCH
+/// (weights, too many
+///      layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; weight below 1 where the plan has one layer;
+///      adding where the plan has none). Afterwards the last good frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
-/// What a frame gave. Belongs to the frame, or to the jobs, it was asked from; its spans are valid until that runs again.
+/// What a frame gave. Belongs to the frame, or to the jobs, it was asked from; its spans are valid until that runs
+/// again.
 typedef struct sinew_result sinew_result;
 const sinew_result* sinew_frame_result(const sinew_frame* frame);
 
 typedef struct sinew_result_info {
   size_t struct_size;
-  uint64_t frame;                  ///< counts up by one per run
-  uint64_t since_frame;            ///< first of the unbroken row of frames with this very result
-  sinew_affines model;             ///< [joints] world matrices
-  sinew_floats weights;            ///< all morph weights
-  sinew_floats properties;         ///< animated numbers
-  sinew_flags hidden;              ///< [joints] 1 = not shown; empty when nothing is ever hidden
+  uint64_t frame;           ///< counts up by one per run
+  uint64_t since_frame;     ///< first of the unbroken row of frames with this very result
+  sinew_affines model;      ///< [joints] world matrices
+  sinew_floats weights;     ///< all morph weights
+  sinew_floats properties;  ///< animated numbers
+  sinew_flags hidden;       ///< [joints] 1 = not shown; empty when nothing is ever hidden
   size_t instance_count, shape_count;
 } sinew_result_info;
 sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
@@ -74,11 +76,11 @@ sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin
 
 typedef struct sinew_instance_result {
   size_t struct_size;
-  sinew_affine world_from_mesh;    ///< identity for skinned meshes: their vertices are in world space
-  sinew_box bounds;                ///< world space; empty unless asked for
-  uint32_t first_shape;            ///< one shape per primitive of its mesh
-  uint32_t mirrored;               ///< 1: front faces wind clockwise
-  uint32_t visible;                ///< 0: on a hidden joint, or out of view
+  sinew_affine world_from_mesh;  ///< identity for skinned meshes: their vertices are in world space
+  sinew_box bounds;              ///< world space; empty unless asked for
+  uint32_t first_shape;          ///< one shape per primitive of its mesh
+  uint32_t mirrored;             ///< 1: front faces wind clockwise
+  uint32_t visible;              ///< 0: on a hidden joint, or out of view
 } sinew_instance_result;
 sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance, sinew_instance_result* out);
 
@@ -88,7 +90,8 @@ typedef struct sinew_shape {
   uint32_t instance, primitive;
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
-  uint64_t since_frame;            ///< first of the unbroken row of frames with these vertices: no upload for who has them; 0 = none
+  uint64_t
+      since_frame;  ///< first of the unbroken row of frames with these vertices: no upload for who has them; 0 = none
 } sinew_shape;
 sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 

@@ -8,10 +8,12 @@ namespace sinew::c {
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
 
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room, FrameInput& input) noexcept {
+sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room,
+                       FrameInput& input) noexcept {
   sinew_frame_input own = sinew_default_input();
   if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
-  if ((own.layer_count > 0 && own.layers == nullptr) || (own.weights.count > 0 && own.weights.data == nullptr)) return SINEW_NULL_ARGUMENT;
+  if ((own.layer_count > 0 && own.layers == nullptr) || (own.weights.count > 0 && own.weights.data == nullptr))
+    return SINEW_NULL_ARGUMENT;
   if (own.layer_count > plan.layer_room()) return SINEW_SIZE_MISMATCH;
   for (std::size_t i = 0; i < own.layer_count; ++i) {
     const sinew_layer& layer = own.layers[i];
@@ -20,8 +22,10 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, s
   }
   input.layers = room.first(own.layer_count);
   input.weights = {own.weights.data, own.weights.count};
-  if (own.out_of_view != nullptr) input.out_of_view = {own.out_of_view, plan.plan.scene->instances.size()};
-  else input.out_of_view = {};
+  if (own.out_of_view != nullptr)
+    input.out_of_view = {own.out_of_view, plan.plan.scene->instances.size()};
+  else
+    input.out_of_view = {};
   input.asleep = own.asleep != 0;
   copy_bits(own.root, input.root);
   return SINEW_OK;

@@ -11,7 +11,9 @@ namespace sinew::c {
 /// The input of a C caller as the runtime takes it.
 /// in   given  null = the rest pose;   room[plan.layer_room()]  for the layers
 /// out  input  views of `room` and of the caller's weights
-/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more layers than room), SINEW_UNSUPPORTED (unknown kind)
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room, FrameInput& input) noexcept;
+/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more layers than room), SINEW_UNSUPPORTED
+/// (unknown kind)
+sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room,
+                       FrameInput& input) noexcept;
 
 }  // namespace sinew::c

@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/model/scene.h"
 #include "runtime/c/plan.h"
+#include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:

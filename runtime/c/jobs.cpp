@@ -36,7 +36,9 @@ class EngineMemory : public std::pmr::memory_resource {
 Executor executor_from(const sinew_executor& given) {
   if (given.run == nullptr) return {};
   return [given](std::size_t count, const std::function<void(std::size_t)>& body) {
-    const auto call = [](void* context, std::size_t i) { (*static_cast<const std::function<void(std::size_t)>*>(context))(i); };
+    const auto call = [](void* context, std::size_t i) {
+      (*static_cast<const std::function<void(std::size_t)>*>(context))(i);
+    };
     given.run(given.context, count, call, const_cast<std::function<void(std::size_t)>*>(&body));
   };
 }
@@ -99,7 +101,8 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, s
   });
 }
 
-sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, std::size_t input_count, std::uint64_t* ticket) {
+sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, std::size_t input_count,
+                              std::uint64_t* ticket) {
   if (jobs == nullptr || (inputs == nullptr && input_count > 0)) return SINEW_NULL_ARGUMENT;
   if (input_count != jobs->characters.size()) return SINEW_SIZE_MISMATCH;
   for (std::size_t c = 0; c < input_count; ++c) {

@@ -20,7 +20,8 @@ static_assert(static_cast<int>(Skinning::linear) == SINEW_SKIN_LINEAR &&
 
 sinew_error check(const sinew_needs& given, std::size_t joints, std::size_t instances) noexcept {
   if ((given.flags & ~kAllFlags) != 0 || given.max_layers == 0) return SINEW_UNSUPPORTED;
-  if (given.skinning > SINEW_SKIN_CENTER_OF_ROTATION || given.normal_rule > SINEW_NORMALS_COFACTOR) return SINEW_UNSUPPORTED;
+  if (given.skinning > SINEW_SKIN_CENTER_OF_ROTATION || given.normal_rule > SINEW_NORMALS_COFACTOR)
+    return SINEW_UNSUPPORTED;
   if (given.mask_count > 0 && given.masks == nullptr) return SINEW_NULL_ARGUMENT;
   for (std::size_t i = 0; i < given.mask_count * joints; ++i)
     if (!std::isfinite(given.masks[i]) || given.masks[i] < 0.0f) return SINEW_NOT_FINITE;
@@ -40,7 +41,8 @@ Needs needs_from(const sinew_needs& given, std::size_t joints, std::size_t insta
   needs.max_layers = given.max_layers;
   needs.skinning = static_cast<Skinning>(given.skinning);
   needs.normal_rule = static_cast<NormalRule>(given.normal_rule);
-  for (std::size_t m = 0; m < given.mask_count; ++m) needs.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
+  for (std::size_t m = 0; m < given.mask_count; ++m)
+    needs.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
     needs.instance_skinning.push_back(static_cast<Skinning>(given.instance_skinning[i]));
   return needs;
@@ -50,8 +52,8 @@ Needs needs_from(const sinew_needs& given, std::size_t joints, std::size_t insta
 
 sinew_needs sinew_default_needs(void) {
   return {.struct_size = sizeof(sinew_needs),
-          .flags = SINEW_NEED_JOINTS | SINEW_NEED_POSITIONS | SINEW_NEED_NORMALS | SINEW_NEED_TANGENTS | SINEW_NEED_WEIGHTS |
-                   SINEW_NEED_PROPERTIES,
+          .flags = SINEW_NEED_JOINTS | SINEW_NEED_POSITIONS | SINEW_NEED_NORMALS | SINEW_NEED_TANGENTS |
+                   SINEW_NEED_WEIGHTS | SINEW_NEED_PROPERTIES,
           .max_layers = 4,
           .max_adding_layers = 4,
           .skinning = SINEW_SKIN_LINEAR,
@@ -87,5 +89,6 @@ sinew_error sinew_get_stage(const sinew_plan* plan, std::uint32_t stage, sinew_s
                           .reason = c::string_from(found.reason),
                           .count = found.count,
                           .bytes = found.bytes,
-                          .runs = found.runs}, out);
+                          .runs = found.runs},
+                         out);
 }

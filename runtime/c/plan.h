@@ -8,11 +8,11 @@ extern "C" {
 
 /// What frames shall hold; what nobody asks for is left out of the plan and costs nothing.
 enum {
-  SINEW_NEED_JOINTS = 1u << 0,         ///< model matrices of all joints
-  SINEW_NEED_POSITIONS = 1u << 1,      ///< deformed vertices
+  SINEW_NEED_JOINTS = 1u << 0,     ///< model matrices of all joints
+  SINEW_NEED_POSITIONS = 1u << 1,  ///< deformed vertices
   SINEW_NEED_NORMALS = 1u << 2,
   SINEW_NEED_TANGENTS = 1u << 3,
-  SINEW_NEED_WEIGHTS = 1u << 4,        ///< morph weights with the correctives
+  SINEW_NEED_WEIGHTS = 1u << 4,  ///< morph weights with the correctives
   SINEW_NEED_BOUNDS = 1u << 5,
   SINEW_NEED_PROPERTIES = 1u << 6,     ///< animated numbers of materials, lights and cameras
   SINEW_NEED_HIDDEN_MESHES = 1u << 7,  ///< deform meshes on hidden joints as well
@@ -23,20 +23,20 @@ enum {
 typedef enum sinew_skinning {
   SINEW_SKIN_LINEAR = 0,
   SINEW_SKIN_DUAL_QUATERNION = 1,
-  SINEW_SKIN_CENTER_OF_ROTATION = 2    ///< linear where the mesh has no centers
+  SINEW_SKIN_CENTER_OF_ROTATION = 2  ///< linear where the mesh has no centers
 } sinew_skinning;
 
 typedef enum sinew_normal_rule { SINEW_NORMALS_LINEAR = 0, SINEW_NORMALS_COFACTOR = 1 } sinew_normal_rule;
 
 typedef struct sinew_needs {
   size_t struct_size;
-  uint32_t flags;                      ///< SINEW_NEED_*
-  uint32_t max_layers;                 ///< most layers that blend in one frame, at least 1
-  uint32_t max_adding_layers;          ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
-  uint32_t skinning;                   ///< sinew_skinning
-  uint32_t normal_rule;                ///< sinew_normal_rule
+  uint32_t flags;              ///< SINEW_NEED_*
+  uint32_t max_layers;         ///< most layers that blend in one frame, at least 1
+  uint32_t max_adding_layers;  ///< most layers that add in one frame, with SINEW_NEED_ADDITIVE
+  uint32_t skinning;           ///< sinew_skinning
+  uint32_t normal_rule;        ///< sinew_normal_rule
   uint32_t mask_count;
-  const float* masks;                  ///< [mask_count][joints] weights >= 0, one row after another; copied
+  const float* masks;                      ///< [mask_count][joints] weights >= 0, one row after another; copied
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
 } sinew_needs;
 
@@ -62,9 +62,9 @@ size_t sinew_plan_frame_bytes(const sinew_plan* plan);
 typedef struct sinew_stage {
   size_t struct_size;
   sinew_string name, reason;
-  uint64_t count;                      ///< what it touches per frame: tracks, joints, vertices
-  uint64_t bytes;                      ///< of frame memory that it writes
-  uint32_t runs;                       ///< 1 or 0
+  uint64_t count;  ///< what it touches per frame: tracks, joints, vertices
+  uint64_t bytes;  ///< of frame memory that it writes
+  uint32_t runs;   ///< 1 or 0
 } sinew_stage;
 
 size_t sinew_stage_count(const sinew_plan* plan);

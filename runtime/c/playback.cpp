@@ -11,8 +11,10 @@ namespace {
 
 using namespace sinew;
 
-static_assert(static_cast<int>(PlayMode::loop) == SINEW_PLAY_LOOP && static_cast<int>(PlayMode::clamp) == SINEW_PLAY_CLAMP &&
-              static_cast<int>(PlayMode::ping_pong) == SINEW_PLAY_PING_PONG && static_cast<int>(PlayMode::once) == SINEW_PLAY_ONCE);
+static_assert(static_cast<int>(PlayMode::loop) == SINEW_PLAY_LOOP &&
+              static_cast<int>(PlayMode::clamp) == SINEW_PLAY_CLAMP &&
+              static_cast<int>(PlayMode::ping_pong) == SINEW_PLAY_PING_PONG &&
+              static_cast<int>(PlayMode::once) == SINEW_PLAY_ONCE);
 
 // The C structs hold the bytes of the C++ ones.
 static_assert(sizeof(PlaybackClock) <= sizeof(sinew_clock) && sizeof(PlaybackStep) <= sizeof(sinew_step));
@@ -66,8 +68,8 @@ double sinew_clock_time_s(const sinew_clock* clock) { return clock_in(*clock).ti
 std::int64_t sinew_clock_rounds(const sinew_clock* clock) { return clock_in(*clock).rounds(); }
 int sinew_clock_finished(const sinew_clock* clock) { return clock_in(*clock).finished(); }
 
-std::size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, std::size_t event_count, std::uint32_t* events,
-                                 std::size_t capacity) {
+std::size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, std::size_t event_count,
+                                 std::uint32_t* events, std::size_t capacity) {
   PlaybackStep played;
   c::copy_bits(*step, played);
   std::size_t crossed = 0;

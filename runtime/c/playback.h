@@ -7,17 +7,21 @@ extern "C" {
 #endif
 
 typedef enum sinew_play_mode {
-  SINEW_PLAY_LOOP = 0,             ///< time runs in [0, duration)
-  SINEW_PLAY_CLAMP = 1,            ///< holds the end
-  SINEW_PLAY_PING_PONG = 2,        ///< forth and back
-  SINEW_PLAY_ONCE = 3              ///< as clamp, and is finished there
+  SINEW_PLAY_LOOP = 0,       ///< time runs in [0, duration)
+  SINEW_PLAY_CLAMP = 1,      ///< holds the end
+  SINEW_PLAY_PING_PONG = 2,  ///< forth and back
+  SINEW_PLAY_ONCE = 3        ///< as clamp, and is finished there
 } sinew_play_mode;
 
 /// The clock of one clip of one character: a value, to be copied and dropped freely. Its inside is the library's.
-typedef struct sinew_clock { double inside[8]; } sinew_clock;
+typedef struct sinew_clock {
+  double inside[8];
+} sinew_clock;
 
 /// A stretch of play, for sinew_crossed_events. Its inside is the library's.
-typedef struct sinew_step { double inside[8]; } sinew_step;
+typedef struct sinew_step {
+  double inside[8];
+} sinew_step;
 
 /// in   duration_s >= 0, speed finite;   mode  sinew_play_mode
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_UNSUPPORTED (mode)
@@ -27,9 +31,9 @@ sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, uint32_t mod
 /// out  step  what was played; may be null
 /// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE
 sinew_error sinew_clock_advance(sinew_clock* clock, double dt_s, sinew_step* step);
-sinew_error sinew_clock_seek(sinew_clock* clock, double time_s);          ///< clamped to the clip
+sinew_error sinew_clock_seek(sinew_clock* clock, double time_s);  ///< clamped to the clip
 sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed);
-double sinew_clock_time_s(const sinew_clock* clock);                      ///< for sinew_layer
+double sinew_clock_time_s(const sinew_clock* clock);  ///< for sinew_layer
 int64_t sinew_clock_rounds(const sinew_clock* clock);
 int sinew_clock_finished(const sinew_clock* clock);
 
@@ -37,7 +41,8 @@ int sinew_clock_finished(const sinew_clock* clock);
 /// in   event_times_s[event_count]  rising, within the clip
 /// out  events[capacity]  indices of events; what does not fit is left out
 /// Answers how many were crossed, which may be more than `capacity`.
-size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, size_t event_count, uint32_t* events, size_t capacity);
+size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, size_t event_count, uint32_t* events,
+                            size_t capacity);
 
 #ifdef __cplusplus
 }

@@ -27,7 +27,8 @@ sinew_string name_at(const std::vector<std::string>& names, std::size_t i) noexc
 template <class T>
 std::uint32_t find_named(const std::vector<T>& all, const char* name, auto name_of) noexcept {
   if (name == nullptr) return SINEW_NONE;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const T& one) { return std::string_view(name_of(one)) == name; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const T& one) { return std::string_view(name_of(one)) == name; });
   return found == all.end() ? SINEW_NONE : static_cast<std::uint32_t>(found - all.begin());
 }
 
@@ -46,7 +47,9 @@ void sinew_scene_destroy(sinew_scene* scene) { delete scene; }
 
 std::size_t sinew_joint_count(const sinew_scene* scene) { return scene->scene.skeleton.joint_count(); }
 
-sinew_string sinew_joint_name(const sinew_scene* scene, std::uint32_t joint) { return name_at(scene->scene.skeleton.names, joint); }
+sinew_string sinew_joint_name(const sinew_scene* scene, std::uint32_t joint) {
+  return name_at(scene->scene.skeleton.names, joint);
+}
 
 std::uint32_t sinew_joint_parent(const sinew_scene* scene, std::uint32_t joint) {
   const std::uint32_t* parent = at(scene->scene.skeleton.parents, joint);
@@ -69,7 +72,9 @@ double sinew_clip_duration_s(const sinew_scene* scene, std::uint32_t clip) {
   return found != nullptr ? found->duration_s() : 0.0;
 }
 
-std::uint32_t sinew_find_clip(const sinew_scene* scene, const char* name) { return find_named(scene->scene.clips, name, clip_name); }
+std::uint32_t sinew_find_clip(const sinew_scene* scene, const char* name) {
+  return find_named(scene->scene.clips, name, clip_name);
+}
 
 std::size_t sinew_skin_count(const sinew_scene* scene) { return scene->scene.skins.size(); }
 
@@ -85,7 +90,9 @@ sinew_string sinew_mesh_name(const sinew_scene* scene, std::uint32_t mesh) {
   return found != nullptr ? c::string_from(found->name) : sinew_string{"", 0};
 }
 
-std::uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name) { return find_named(scene->scene.meshes, name, mesh_name); }
+std::uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name) {
+  return find_named(scene->scene.meshes, name, mesh_name);
+}
 
 std::size_t sinew_primitive_count(const sinew_scene* scene, std::uint32_t mesh) {
   const Mesh* found = at(scene->scene.meshes, mesh);
@@ -116,10 +123,12 @@ sinew_error sinew_get_instance(const sinew_scene* scene, std::uint32_t instance,
                           .mesh = found->mesh,
                           .skin = found->skin,
                           .first_weight = first[instance],
-                          .weight_count = first[instance + 1] - first[instance]}, out);
+                          .weight_count = first[instance + 1] - first[instance]},
+                         out);
 }
 
-sinew_error sinew_get_primitive(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive, sinew_primitive* out) {
+sinew_error sinew_get_primitive(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,
+                                sinew_primitive* out) {
   if (scene == nullptr) return SINEW_NULL_ARGUMENT;
   const Primitive* found = primitive_at(scene, mesh, primitive);
   if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
@@ -131,21 +140,25 @@ sinew_error sinew_get_primitive(const sinew_scene* scene, std::uint32_t mesh, st
                           .normals = span_from<sinew_vec3s>(std::span(found->normals)),
                           .tangents = span_from<sinew_vec4s>(std::span(found->tangents)),
                           .colors = span_from<sinew_vec4s>(std::span(found->colors)),
-                          .texcoord_count = found->texcoords.size()}, out);
+                          .texcoord_count = found->texcoords.size()},
+                         out);
 }
 
-sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t set) {
+sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,
+                                      std::uint32_t set) {
   const Primitive* found = primitive_at(scene, mesh, primitive);
   const std::vector<glm::vec2>* texcoords = found != nullptr ? at(found->texcoords, set) : nullptr;
   return texcoords != nullptr ? span_from<sinew_vec2s>(std::span(*texcoords)) : sinew_vec2s{nullptr, 0};
 }
 
-sinew_influences sinew_vertex_influences(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive, std::uint32_t vertex) {
+sinew_influences sinew_vertex_influences(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive,
+                                         std::uint32_t vertex) {
   const Primitive* found = primitive_at(scene, mesh, primitive);
   if (found == nullptr || found->influences.empty() || vertex >= found->vertex_count()) return {nullptr, nullptr, 0};
   const VertexInfluences& influences = found->influences;
-  const auto group = std::prev(std::upper_bound(influences.groups.begin(), influences.groups.end(), vertex,
-                                                [](std::uint32_t v, const InfluenceGroup& g) { return v < g.first_vertex; }));
+  const auto group =
+      std::prev(std::upper_bound(influences.groups.begin(), influences.groups.end(), vertex,
+                                 [](std::uint32_t v, const InfluenceGroup& g) { return v < g.first_vertex; }));
   const std::size_t first = group->first_influence + std::size_t{vertex - group->first_vertex} * group->influence_count;
   return {&influences.joints[first], &influences.weights[first], group->influence_count};
 }

@@ -6,8 +6,8 @@
 extern "C" {
 #endif
 
-/// Everything of one file: joints, clips, meshes. Made by the importer, or by C++ code (runtime/c/handles.h). Never changes.
-/// Indices that are out of range answer empty strings and spans, SINEW_NONE and 0.
+/// Everything of one file: joints, clips, meshes. Made by the importer, or by C++ code (runtime/c/handles.h). Never
+/// changes. Indices that are out of range answer empty strings and spans, SINEW_NONE and 0.
 typedef struct sinew_scene sinew_scene;
 
 /// Plans of the scene must be gone.
@@ -16,8 +16,8 @@ void sinew_scene_destroy(sinew_scene* scene);
 // Joints: every node is one; parents come before children.
 size_t sinew_joint_count(const sinew_scene* scene);
 sinew_string sinew_joint_name(const sinew_scene* scene, uint32_t joint);
-uint32_t sinew_joint_parent(const sinew_scene* scene, uint32_t joint);           ///< SINEW_NONE = root
-uint32_t sinew_find_joint(const sinew_scene* scene, const char* name);           ///< first of that name, SINEW_NONE = none
+uint32_t sinew_joint_parent(const sinew_scene* scene, uint32_t joint);  ///< SINEW_NONE = root
+uint32_t sinew_find_joint(const sinew_scene* scene, const char* name);  ///< first of that name, SINEW_NONE = none
 
 // Clips.
 size_t sinew_clip_count(const sinew_scene* scene);
@@ -34,14 +34,14 @@ size_t sinew_mesh_count(const sinew_scene* scene);
 sinew_string sinew_mesh_name(const sinew_scene* scene, uint32_t mesh);
 uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name);
 size_t sinew_primitive_count(const sinew_scene* scene, uint32_t mesh);
-size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);              ///< morph targets
+size_t sinew_target_count(const sinew_scene* scene, uint32_t mesh);  ///< morph targets
 sinew_string sinew_target_name(const sinew_scene* scene, uint32_t mesh, uint32_t target);
 
 /// A mesh hung on a joint. Frames answer one sinew_instance_result for each.
 typedef struct sinew_instance {
   size_t struct_size;
-  uint32_t joint, mesh, skin;              ///< skin SINEW_NONE = rigid
-  uint32_t first_weight, weight_count;     ///< of its morph targets in the flat array of all weights
+  uint32_t joint, mesh, skin;           ///< skin SINEW_NONE = rigid
+  uint32_t first_weight, weight_count;  ///< of its morph targets in the flat array of all weights
 } sinew_instance;
 
 size_t sinew_instance_count(const sinew_scene* scene);
@@ -54,23 +54,24 @@ typedef enum sinew_topology { SINEW_POINTS = 0, SINEW_LINES = 1, SINEW_TRIANGLES
 /// One draw in its rest shape. Absent attributes are empty; others have one entry per vertex.
 typedef struct sinew_primitive {
   size_t struct_size;
-  uint32_t topology;                       ///< sinew_topology
-  uint32_t material;                       ///< of the file; SINEW_NONE = none
-  sinew_indices indices;                   ///< 1, 2 or 3 per point, line or triangle
+  uint32_t topology;      ///< sinew_topology
+  uint32_t material;      ///< of the file; SINEW_NONE = none
+  sinew_indices indices;  ///< 1, 2 or 3 per point, line or triangle
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
-  size_t texcoord_count;                   ///< sets
+  size_t texcoord_count;  ///< sets
 } sinew_primitive;
 
 /// err  as sinew_get_instance
 sinew_error sinew_get_primitive(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, sinew_primitive* out);
 sinew_vec2s sinew_primitive_texcoords(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, uint32_t set);
 
-/// Influences of a vertex for engines that skin vertices themselves: `count` joints of the skin with their weights, which sum to 1.
+/// Influences of a vertex for engines that skin vertices themselves: `count` joints of the skin with their weights,
+/// which sum to 1.
 typedef struct sinew_influences {
-  const uint16_t* joints;                  ///< [count] index into sinew_skin_joints
-  const float* weights;                    ///< [count] falling
-  size_t count;                            ///< 0 = the primitive is not skinned
+  const uint16_t* joints;  ///< [count] index into sinew_skin_joints
+  const float* weights;    ///< [count] falling
+  size_t count;            ///< 0 = the primitive is not skinned
 } sinew_influences;
 sinew_influences sinew_vertex_influences(const sinew_scene* scene, uint32_t mesh, uint32_t primitive, uint32_t vertex);
 

@@ -15,13 +15,16 @@ static_assert(error_from(ErrorCode::ok) == SINEW_OK && error_from(ErrorCode::siz
               error_from(ErrorCode::index_out_of_range) == SINEW_INDEX_OUT_OF_RANGE &&
               error_from(ErrorCode::parents_not_first) == SINEW_PARENTS_NOT_FIRST &&
               error_from(ErrorCode::times_not_increasing) == SINEW_TIMES_NOT_INCREASING &&
-              error_from(ErrorCode::too_few_keys) == SINEW_TOO_FEW_KEYS && error_from(ErrorCode::not_finite) == SINEW_NOT_FINITE &&
+              error_from(ErrorCode::too_few_keys) == SINEW_TOO_FEW_KEYS &&
+              error_from(ErrorCode::not_finite) == SINEW_NOT_FINITE &&
               error_from(ErrorCode::unsupported) == SINEW_UNSUPPORTED &&
               error_from(ErrorCode::coincident_poses) == SINEW_COINCIDENT_POSES &&
-              error_from(ErrorCode::rank_deficient) == SINEW_RANK_DEFICIENT && error_from(ErrorCode::busy) == SINEW_BUSY);
+              error_from(ErrorCode::rank_deficient) == SINEW_RANK_DEFICIENT &&
+              error_from(ErrorCode::busy) == SINEW_BUSY);
 static_assert(sizeof(sinew_affine) == sizeof(Affine) && sizeof(sinew_joint_matrix) == sizeof(JointMatrix));
 static_assert(SINEW_VERSION_MAJOR == SINEW_PROJECT_MAJOR && SINEW_VERSION_MINOR == SINEW_PROJECT_MINOR &&
-              SINEW_VERSION_PATCH == SINEW_PROJECT_PATCH, "runtime/c/types.h and CMakeLists.txt name different versions");
+                  SINEW_VERSION_PATCH == SINEW_PROJECT_PATCH,
+              "runtime/c/types.h and CMakeLists.txt name different versions");
 
 }  // namespace sinew::c
 

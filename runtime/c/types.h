@@ -5,14 +5,14 @@
 
 // What all of the C interface agrees on.
 //
-// Handles are opaque. Who calls sinew_X_create owns the handle and gives it back with sinew_X_destroy, which takes NULL too.
-// Spans and strings are views: they belong to the handle that they were asked from, and live as long as it, or as the function
-// says. No function keeps a pointer that it was given, unless it says so.
-// Structs that may grow begin with struct_size, which the caller sets to sizeof: an older program then runs with a newer library,
-// and a newer one with an older library as long as it leaves the additions zero.
-// No exception leaves a function. Different handles may be used by different threads; scenes and plans never change after
-// they were made, and any number of threads may read them.
-// Right-handed, +Y up, metres, seconds, radians; matrices are three rows of four, column vectors, the translation last.
+// Handles are opaque. Who calls sinew_X_create owns the handle and gives it back with sinew_X_destroy, which takes NULL
+// too. Spans and strings are views: they belong to the handle that they were asked from, and live as long as it, or as
+// the function says. No function keeps a pointer that it was given, unless it says so. Structs that may grow begin with
+// struct_size, which the caller sets to sizeof: an older program then runs with a newer library, and a newer one with
+// an older library as long as it leaves the additions zero. No exception leaves a function. Different handles may be
+// used by different threads; scenes and plans never change after they were made, and any number of threads may read
+// them. Right-handed, +Y up, metres, seconds, radians; matrices are three rows of four, column vectors, the translation
+// last.
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,22 +31,22 @@ uint32_t sinew_version(void);
 /// Numbers stay what they are from version to version.
 typedef enum sinew_error {
   SINEW_OK = 0,
-  SINEW_SIZE_MISMATCH = 1,           ///< a buffer is too short, or two parallel ones differ in length
+  SINEW_SIZE_MISMATCH = 1,  ///< a buffer is too short, or two parallel ones differ in length
   SINEW_OVERLAPPING_BUFFERS = 2,
   SINEW_INDEX_OUT_OF_RANGE = 3,
   SINEW_PARENTS_NOT_FIRST = 4,
   SINEW_TIMES_NOT_INCREASING = 5,
   SINEW_TOO_FEW_KEYS = 6,
   SINEW_NOT_FINITE = 7,
-  SINEW_UNSUPPORTED = 8,             ///< the combination asked for does not exist
+  SINEW_UNSUPPORTED = 8,  ///< the combination asked for does not exist
   SINEW_COINCIDENT_POSES = 9,
   SINEW_RANK_DEFICIENT = 10,
-  SINEW_BUSY = 11,                   ///< a frame waits already
-  SINEW_NULL_ARGUMENT = 100,         ///< a pointer that must not be null is
-  SINEW_WRONG_STRUCT_SIZE = 101,     ///< struct_size is smaller than the first version of the struct, or newer than this library
-                                     ///< with something in the newer part
+  SINEW_BUSY = 11,                ///< a frame waits already
+  SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is
+  SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
+                                  ///< library with something in the newer part
   SINEW_OUT_OF_MEMORY = 102,
-  SINEW_BAD_FILE = 103               ///< the message says where and why
+  SINEW_BAD_FILE = 103  ///< the message says where and why
 } sinew_error;
 
 /// One sentence, ended by a zero; lives for ever.
@@ -57,27 +57,64 @@ typedef struct sinew_string {
   size_t length;
 } sinew_string;
 
-typedef struct sinew_vec2 { float x, y; } sinew_vec2;
-typedef struct sinew_vec3 { float x, y, z; } sinew_vec3;
-typedef struct sinew_vec4 { float x, y, z, w; } sinew_vec4;
-typedef struct sinew_affine { float row[3][4]; } sinew_affine;         ///< the fourth row (0 0 0 1) is implied
-typedef struct sinew_joint_matrix { float column[4][4]; } sinew_joint_matrix;
-typedef struct sinew_box { sinew_vec3 lower, upper; } sinew_box;       ///< empty while lower > upper
+typedef struct sinew_vec2 {
+  float x, y;
+} sinew_vec2;
+typedef struct sinew_vec3 {
+  float x, y, z;
+} sinew_vec3;
+typedef struct sinew_vec4 {
+  float x, y, z, w;
+} sinew_vec4;
+typedef struct sinew_affine {
+  float row[3][4];
+} sinew_affine;  ///< the fourth row (0 0 0 1) is implied
+typedef struct sinew_joint_matrix {
+  float column[4][4];
+} sinew_joint_matrix;
+typedef struct sinew_box {
+  sinew_vec3 lower, upper;
+} sinew_box;  ///< empty while lower > upper
 
-typedef struct sinew_floats { const float* data; size_t count; } sinew_floats;
-typedef struct sinew_indices { const uint32_t* data; size_t count; } sinew_indices;
-typedef struct sinew_flags { const unsigned char* data; size_t count; } sinew_flags;
-typedef struct sinew_vec2s { const sinew_vec2* data; size_t count; } sinew_vec2s;
-typedef struct sinew_vec3s { const sinew_vec3* data; size_t count; } sinew_vec3s;
-typedef struct sinew_vec4s { const sinew_vec4* data; size_t count; } sinew_vec4s;
-typedef struct sinew_affines { const sinew_affine* data; size_t count; } sinew_affines;
-typedef struct sinew_joint_matrices { const sinew_joint_matrix* data; size_t count; } sinew_joint_matrices;
+typedef struct sinew_floats {
+  const float* data;
+  size_t count;
+} sinew_floats;
+typedef struct sinew_indices {
+  const uint32_t* data;
+  size_t count;
+} sinew_indices;
+typedef struct sinew_flags {
+  const unsigned char* data;
+  size_t count;
+} sinew_flags;
+typedef struct sinew_vec2s {
+  const sinew_vec2* data;
+  size_t count;
+} sinew_vec2s;
+typedef struct sinew_vec3s {
+  const sinew_vec3* data;
+  size_t count;
+} sinew_vec3s;
+typedef struct sinew_vec4s {
+  const sinew_vec4* data;
+  size_t count;
+} sinew_vec4s;
+typedef struct sinew_affines {
+  const sinew_affine* data;
+  size_t count;
+} sinew_affines;
+typedef struct sinew_joint_matrices {
+  const sinew_joint_matrix* data;
+  size_t count;
+} sinew_joint_matrices;
 
 /// Where frame memory comes from. Called while frame buffers are made and destroyed, never by a frame.
 typedef struct sinew_allocator {
   void* context;
-  void* (*allocate)(void* context, size_t byte_count, size_t alignment);               ///< null = out of memory
-  void (*release)(void* context, void* block, size_t byte_count, size_t alignment);   ///< with the numbers of the allocation
+  void* (*allocate)(void* context, size_t byte_count, size_t alignment);  ///< null = out of memory
+  void (*release)(void* context, void* block, size_t byte_count,
+                  size_t alignment);  ///< with the numbers of the allocation
 } sinew_allocator;
 
 #ifdef __cplusplus

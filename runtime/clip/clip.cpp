@@ -30,12 +30,14 @@ Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
 Clip clip_of(ClipLayout layout) { return Clip(std::move(layout)); }
 
 std::size_t Clip::byte_size() const noexcept {
-  std::size_t bytes = (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
-                      sizeof(float);
+  std::size_t bytes =
+      (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
+      sizeof(float);
   for (const TimeGroup& group : layout_->groups) {
     bytes += group.times.byte_size();
     for (const TrackBlock& block : group.blocks)
-      bytes += block.rows.size() * sizeof(float) + block.packed.byte_size() + block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
+      bytes += block.rows.size() * sizeof(float) + block.packed.byte_size() +
+               block.targets.size() * sizeof(std::uint32_t) + block.places.byte_size();
   }
   return bytes;
 }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/animation/skeleton.h"
 #include "runtime/clip/clip_certificate.h"
 #include "runtime/clip/key_tolerances.h"
-#include "runtime/animation/skeleton.h"
 
 namespace sinew {
 
@@ -30,9 +30,9 @@ class Clip {
   const std::string& name() const noexcept;
   double duration_s() const noexcept;
   std::size_t joint_count() const noexcept;
-  std::size_t weight_count() const noexcept;      ///< all morph weights of the scene, one instance after another
-  std::size_t property_count() const noexcept;    ///< numbers of all animated properties of the scene
-  std::size_t byte_size() const noexcept;         ///< of key data and tables
+  std::size_t weight_count() const noexcept;    ///< all morph weights of the scene, one instance after another
+  std::size_t property_count() const noexcept;  ///< numbers of all animated properties of the scene
+  std::size_t byte_size() const noexcept;       ///< of key data and tables
 
   /// Tracks evaluated per sample, by kind; folded tracks do not count.
   struct Counts {

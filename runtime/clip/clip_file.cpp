@@ -7,11 +7,11 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/all_finite.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_layout.h"
 #include "runtime/clip/varint.h"
-#include "runtime/base/all_finite.h"
-#include "runtime/base/same_bits.h"
 
 namespace sinew {
 namespace {
@@ -70,7 +70,8 @@ std::vector<std::uint32_t> resting_joints(const ClipLayout& clip, Property prope
   std::vector<bool> moved(clip.joint_count, false);
   for (const TimeGroup& group : clip.groups)
     for (const TrackBlock& block : group.blocks)
-      for (const std::uint32_t joint : block.targets) if (block.property == property) moved[joint] = true;
+      for (const std::uint32_t joint : block.targets)
+        if (block.property == property) moved[joint] = true;
   std::vector<std::uint32_t> resting;
   for (std::uint32_t j = 0; j < moved.size(); ++j)
     if (!moved[j]) resting.push_back(j);
@@ -124,7 +125,8 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
 /// Reads clips until one breaks a rule; the first broken rule is kept.
 class Loader {
  public:
-  explicit Loader(std::span<const std::byte> block) : in_(block, kClipFileHead), left_(kMadeBytes + kMadeTimes * block.size()) {}
+  explicit Loader(std::span<const std::byte> block)
+      : in_(block, kClipFileHead), left_(kMadeBytes + kMadeTimes * block.size()) {}
 
   ClipLayout clip() {
     ClipLayout clip;
@@ -188,36 +190,46 @@ class Loader {
     for (const Property property : kOfJoints) {
       const std::vector<std::uint32_t> joints = resting_joints(clip, property);
       const auto count = in_.number<std::uint32_t>();
-      require(count == 0 || count == joints.size() * (property == Property::rotation ? 4 : 3), "the base pose is not of the clip's size");
+      require(count == 0 || count == joints.size() * (property == Property::rotation ? 4 : 3),
+              "the base pose is not of the clip's size");
       if (!ok() || count == 0) continue;
       bool finite = true;
-      each_base(clip.base_pose, property, joints, [&](float& x) { finite = std::isfinite(x = read_near(x, in_)) && finite; });
+      each_base(clip.base_pose, property, joints,
+                [&](float& x) { finite = std::isfinite(x = read_near(x, in_)) && finite; });
       require(finite, "a base value is not finite");
     }
   }
 
   void add_group(ClipLayout& clip) {
     std::vector<float> times = read_times(in_);
-    require(!times.empty() && all_finite(times) && std::is_sorted(times.begin(), times.end()), "key times are not finite, rising numbers");
+    require(!times.empty() && all_finite(times) && std::is_sorted(times.begin(), times.end()),
+            "key times are not finite, rising numbers");
     if (!ok()) return;
     TimeGroup group{KeyTimes(std::move(times)), {}};
-    for (auto left = in_.number<std::uint32_t>(); left > 0 && ok(); --left) group.blocks.push_back(block(clip, group.times.key_count()));
+    for (auto left = in_.number<std::uint32_t>(); left > 0 && ok(); --left)
+      group.blocks.push_back(block(clip, group.times.key_count()));
     clip.groups.push_back(std::move(group));
   }
 
   TrackBlock block(ClipLayout& clip, std::size_t keys) {
-    const auto property = in_.number<std::uint8_t>(), interpolation = in_.number<std::uint8_t>(), packed = in_.number<std::uint8_t>();
+    const auto property = in_.number<std::uint8_t>(), interpolation = in_.number<std::uint8_t>(),
+               packed = in_.number<std::uint8_t>();
     std::vector<std::uint32_t> targets = read_rising(in_);
-    require(property <= static_cast<std::uint8_t>(Property::number) && interpolation <= static_cast<std::uint8_t>(Interpolation::squad) && packed <= 1,
+    require(property <= static_cast<std::uint8_t>(Property::number) &&
+                interpolation <= static_cast<std::uint8_t>(Interpolation::squad) && packed <= 1,
             "a block of tracks is of no known kind");
     if (!ok()) return {};
-    TrackBlock block = block_of(static_cast<Property>(property), static_cast<Interpolation>(interpolation), targets.size());
+    TrackBlock block =
+        block_of(static_cast<Property>(property), static_cast<Interpolation>(interpolation), targets.size());
     block.targets = std::move(targets);
-    require(block.interpolation != Interpolation::squad || block.property == Property::rotation, "squad is for rotations");
+    require(block.interpolation != Interpolation::squad || block.property == Property::rotation,
+            "squad is for rotations");
     add_targets(clip, block);
     if (!ok()) return {};
-    if (packed == 1) read_packed(block, keys);
-    else read_rows(block, keys);
+    if (packed == 1)
+      read_packed(block, keys);
+    else
+      read_rows(block, keys);
     count_tracks(block, clip.counts);
     return block;
   }
@@ -225,7 +237,9 @@ class Loader {
   void add_targets(const ClipLayout& clip, TrackBlock& block) {
     const auto& t = block.targets;
     const bool joints = block.property < Property::weight;
-    const std::size_t count = joints ? clip.joint_count : block.property == Property::weight ? clip.base_weights.size() : clip.base_properties.size();
+    const std::size_t count = joints                               ? clip.joint_count
+                              : block.property == Property::weight ? clip.base_weights.size()
+                                                                   : clip.base_properties.size();
     const auto out_of_order = [&](std::uint32_t a, std::uint32_t b) { return joints ? b <= a : b != a + 1; };
     require(!t.empty() && t.back() < count && std::adjacent_find(t.begin(), t.end(), out_of_order) == t.end(),
             "the targets of a block are not rising numbers of the clip");
@@ -237,22 +251,30 @@ class Loader {
   void read_rows(TrackBlock& block, std::size_t keys) {
     block.rows = in_.numbers<float>();
     const std::uint64_t row = std::uint64_t{block.plane_count} * block.lane_count;
-    require(block.rows.size() / row == keys && block.rows.size() % row == 0, "a block does not have a row for each key");
+    require(block.rows.size() / row == keys && block.rows.size() % row == 0,
+            "a block does not have a row for each key");
     require(all_finite(block.rows), "a key is not finite");
     block.rows.resize(block.rows.size() + kLanePadding, 0.0f);
   }
 
   void read_packed(TrackBlock& block, std::size_t keys) {
     PackedRows& p = block.packed;
-    const std::size_t lanes = block.lane_count, components = block.property == Property::rotation ? 4 : block.plane_count, table = lanes * components;
-    require(block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear, "only step and linear keys are packed");
+    const std::size_t lanes = block.lane_count,
+                      components = block.property == Property::rotation ? 4 : block.plane_count,
+                      table = lanes * components;
+    require(block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear,
+            "only step and linear keys are packed");
     p.width = in_.numbers<std::uint8_t>();
     p.derived = in_.numbers<std::uint8_t>();
     const std::vector<std::uint16_t> ranges = in_.numbers<std::uint16_t>();
     p.bits = in_.numbers<std::uint8_t>();
-    require(lanes <= kMostPackedLanes && p.width.size() == table && p.derived.size() == (components == 4 ? lanes : 0), "the tables of a packed block are not of its size");
-    require(std::all_of(p.derived.begin(), p.derived.end(), [](std::uint8_t c) { return c <= PackedTrack::kNoneDerived; }), "no such component");
-    require(std::all_of(p.width.begin(), p.width.end(), [](std::uint8_t w) { return w <= PackedTrack::kMostBits; }), "a packed number is too wide");
+    require(lanes <= kMostPackedLanes && p.width.size() == table && p.derived.size() == (components == 4 ? lanes : 0),
+            "the tables of a packed block are not of its size");
+    require(
+        std::all_of(p.derived.begin(), p.derived.end(), [](std::uint8_t c) { return c <= PackedTrack::kNoneDerived; }),
+        "no such component");
+    require(std::all_of(p.width.begin(), p.width.end(), [](std::uint8_t w) { return w <= PackedTrack::kMostBits; }),
+            "a packed number is too wide");
     if (ok()) read_ranges(p, lanes, components, ranges);
     if (!ok()) return;
     for (std::vector<std::uint8_t>* entries : {&p.width, &p.derived})
@@ -313,14 +335,19 @@ bool looks_like_clips(std::span<const std::byte> block) noexcept {
 }
 
 tl::expected<std::vector<Clip>, ClipFileError> load_clips(std::span<const std::byte> block) {
-  const auto refuse = [](const char* rule, std::uint64_t offset, const char* detail) { return tl::unexpected(ClipFileError{rule, offset, detail}); };
+  const auto refuse = [](const char* rule, std::uint64_t offset, const char* detail) {
+    return tl::unexpected(ClipFileError{rule, offset, detail});
+  };
   if (!looks_like_clips(block)) return refuse("clip-magic", 0, "these are no compiled clips");
   if (block.size() < kClipFileHead) return refuse("clip-size", block.size(), "the block ends inside of its head");
   ByteReader head(block, sizeof(kMagic));
-  if (head.number<std::uint32_t>() != kClipFileVersion) return refuse("clip-version", 8, "compiled by another version: compile the clips again");
+  if (head.number<std::uint32_t>() != kClipFileVersion)
+    return refuse("clip-version", 8, "compiled by another version: compile the clips again");
   if (head.number<std::uint32_t>() != 0) return refuse("clip-value", 12, "reserved bytes are not 0");
-  if (head.number<std::uint64_t>() != block.size()) return refuse("clip-size", 16, "the block is longer or shorter than it says");
-  if (head.number<std::uint64_t>() != checksum(block.subspan(kClipFileHead))) return refuse("clip-checksum", 24, "the block has changed since it was written");
+  if (head.number<std::uint64_t>() != block.size())
+    return refuse("clip-size", 16, "the block is longer or shorter than it says");
+  if (head.number<std::uint64_t>() != checksum(block.subspan(kClipFileHead)))
+    return refuse("clip-checksum", 24, "the block has changed since it was written");
   Loader loader(block);
   std::vector<Clip> clips;
   for (std::uint32_t left = loader.count(); left > 0 && loader.ok(); --left) {

@@ -25,7 +25,9 @@ TrackBlock block_of(Property property, Interpolation interpolation, std::size_t 
   block.interpolation = interpolation;
   block.lane_count = static_cast<std::uint32_t>(lane_count);
   block.value_plane = cubic ? components : 0;
-  block.plane_count = property == Property::rotation ? rotation_planes(interpolation) : cubic ? 3 * components : components;
+  block.plane_count = property == Property::rotation ? rotation_planes(interpolation)
+                      : cubic                        ? 3 * components
+                                                     : components;
   return block;
 }
 

@@ -23,22 +23,24 @@ constexpr std::size_t first_plane(Property p) noexcept {
   return p == Property::translation ? 0 : p == Property::rotation ? 3 : p == Property::scale ? 7 : 0;
 }
 
-/// Components of rotations below this are 0, unless a key is returned as it is stored: they turn by less than 1e-18, their squares
-/// are no normal numbers, and real clips have them. Some processors take a hundred times as long for such a product (N26).
+/// Components of rotations below this are 0, unless a key is returned as it is stored: they turn by less than 1e-18,
+/// their squares are no normal numbers, and real clips have them. Some processors take a hundred times as long for such
+/// a product (N26).
 inline constexpr float kLeastComponent = 1e-18f;
 inline glm::quat without_tiny(const glm::quat& q) noexcept {
   const auto flushed = [](float x) { return std::abs(x) < kLeastComponent ? 0.0f : x; };
   return quat_xyzw(flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w));
 }
 
-/// The pose that a sample starts from, in the planes of PoseSpan (pose/pose.h), so that it is copied as one block. Lanes
-/// beyond the last joint hold the identity.
+/// The pose that a sample starts from, in the planes of PoseSpan (pose/pose.h), so that it is copied as one block.
+/// Lanes beyond the last joint hold the identity.
 struct BasePose {
   std::size_t stride = 0;
   std::vector<float> planes;
 
   BasePose() = default;
-  explicit BasePose(const std::vector<Transform>& rest) : stride((rest.size() + 15) / 16 * 16), planes(10 * stride, 0.0f) {
+  explicit BasePose(const std::vector<Transform>& rest)
+      : stride((rest.size() + 15) / 16 * 16), planes(10 * stride, 0.0f) {
     for (std::size_t j = 0; j < stride; ++j) {
       const Transform t = j < rest.size() ? rest[j] : Transform{};
       set(0, j, {t.translation.x, t.translation.y, t.translation.z});
@@ -74,8 +76,8 @@ struct TrackBlock {
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight or number; increasing
   JointPlaces places;                  ///< of the targets that are joints: weights and numbers are neighbours
-  std::vector<float> rows;             ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
-  PackedRows packed;                   ///< of step and linear tracks in place of `rows`, where keys are rounded
+  std::vector<float> rows;  ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
+  PackedRows packed;        ///< of step and linear tracks in place of `rows`, where keys are rounded
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {
     return rows.data() + (key * plane_count + p) * lane_count;

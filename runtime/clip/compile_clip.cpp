@@ -7,10 +7,10 @@
 #include <map>
 #include <numeric>
 
-#include "runtime/clip/clip_layout.h"
-#include "runtime/clip/track_rows.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/clip_layout.h"
+#include "runtime/clip/track_rows.h"
 
 namespace sinew {
 namespace {
@@ -19,13 +19,13 @@ template <class TrackType>
 struct Lane {
   std::uint32_t target;
   const TrackType* track;
-  double tolerance = 0.0;   ///< of its keys; 0 = full float
+  double tolerance = 0.0;  ///< of its keys; 0 = full float
 };
 
 /// A track of weights or numbers: its targets are neighbours.
 template <>
 struct Lane<WeightTrack> {
-  std::uint32_t target;     ///< the first
+  std::uint32_t target;  ///< the first
   const WeightTrack* track;
   std::span<const double> tolerances = {};  ///< of each target, or empty
 };
@@ -112,12 +112,13 @@ void add_full_block(TimeGroup& group, Property property, std::span<const Lane<Tr
 }
 
 /// Blocks of no more lanes than packed rows can have.
-void add_packed_blocks(TimeGroup& group, Property property, Interpolation interpolation, std::span<const std::uint32_t> targets,
-                       std::span<const PackedTrack> tracks) {
+void add_packed_blocks(TimeGroup& group, Property property, Interpolation interpolation,
+                       std::span<const std::uint32_t> targets, std::span<const PackedTrack> tracks) {
   for (std::size_t first = 0; first < tracks.size(); first += kMostPackedLanes) {
     const std::size_t count = std::min(kMostPackedLanes, tracks.size() - first);
     TrackBlock block = block_of(property, interpolation, count);
-    block.targets.assign(targets.begin() + static_cast<std::ptrdiff_t>(first), targets.begin() + static_cast<std::ptrdiff_t>(first + count));
+    block.targets.assign(targets.begin() + static_cast<std::ptrdiff_t>(first),
+                         targets.begin() + static_cast<std::ptrdiff_t>(first + count));
     block.packed = packed_rows(tracks.subspan(first, count), group.times.key_count());
     if (property < Property::weight) block.places = JointPlaces(block.targets);
     group.blocks.push_back(std::move(block));
@@ -173,7 +174,8 @@ void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lan
 /// One compilation: constant tracks go to the base pose, the others to drafts by key times.
 class Compiler {
  public:
-  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights, const PropertyTable& properties)
+  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights,
+           const PropertyTable& properties)
       : layout_(layout), properties_(properties) {
     layout.joint_count = skeleton.joint_count();
     layout.base_pose = BasePose(skeleton.rest);
@@ -219,7 +221,8 @@ class Compiler {
   void add_rotation(const Lane<QuatTrack>& lane) {
     if (lane.track == nullptr) return;
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
-    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q)) && same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
+    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q)) &&
+        same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
       layout_.base_pose.set_rotation(lane.target, q);
       ++layout_.counts.folded;
       return;
@@ -227,7 +230,8 @@ class Compiler {
     drafts_.with_times(lane.track->times_s).rotations.push_back(lane);
   }
 
-  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
+  void add_weights(const Animation& animation, std::span<const std::uint32_t> first_weight,
+                   const KeyTolerances& rounding) {
     // One track per set of weights: when an animation has several, the last one counts.
     std::map<std::uint32_t, Lane<WeightTrack>> tracks;
     for (std::size_t i = 0; i < animation.weights.size(); ++i) {
@@ -239,7 +243,8 @@ class Compiler {
       tracks[first] = {first, &a.weights, rounding.weights.empty() ? std::span<const double>() : rounding.weights[i]};
     }
     for (const auto& [first, lane] : tracks)
-      if (!fold(*lane.track, layout_.base_weights, first)) drafts_.with_times(lane.track->times_s).weights.push_back(lane);
+      if (!fold(*lane.track, layout_.base_weights, first))
+        drafts_.with_times(lane.track->times_s).weights.push_back(lane);
   }
 
   void add_properties(const Animation& animation) {
@@ -280,7 +285,8 @@ class Compiler {
 }  // namespace
 
 Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties, const KeyTolerances& rounding) {
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties,
+                  const KeyTolerances& rounding) {
   CONTRACT(rounding.bones.empty() || rounding.bones.size() == animation.bones.size());
   CONTRACT(rounding.weights.empty() || rounding.weights.size() == animation.weights.size());
   CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());

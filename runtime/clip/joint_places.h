@@ -7,14 +7,15 @@
 
 namespace sinew {
 
-/// Where the lanes of a block of tracks belong in a pose, seen from the pose: whole vectors of joints are put together from
-/// neighbouring lanes, so that nothing is scattered.
+/// Where the lanes of a block of tracks belong in a pose, seen from the pose: whole vectors of joints are put together
+/// from neighbouring lanes, so that nothing is scattered.
 struct JointPlaces {
   static constexpr std::size_t kStep = 16, kPart = 4;  ///< joints of the widest and of the narrowest vector
 
-  std::uint32_t first_joint = 0;           ///< a multiple of kStep
-  std::vector<std::int32_t> lane_of;       ///< [multiple of kStep] lane of joint first_joint + i, -1 = none
-  std::vector<std::uint32_t> lanes_before; ///< [lane_of.size() / kPart + 1] lanes of all joints before first_joint + i * kPart
+  std::uint32_t first_joint = 0;      ///< a multiple of kStep
+  std::vector<std::int32_t> lane_of;  ///< [multiple of kStep] lane of joint first_joint + i, -1 = none
+  std::vector<std::uint32_t>
+      lanes_before;  ///< [lane_of.size() / kPart + 1] lanes of all joints before first_joint + i * kPart
 
   JointPlaces() = default;
   /// in   joints  of the lanes, increasing, at least one
@@ -29,7 +30,9 @@ struct JointPlaces {
     for (std::size_t i = 1; i < lanes_before.size(); ++i) lanes_before[i] += lanes_before[i - 1];
   }
 
-  std::size_t byte_size() const noexcept { return lane_of.size() * sizeof(std::int32_t) + lanes_before.size() * sizeof(std::uint32_t); }
+  std::size_t byte_size() const noexcept {
+    return lane_of.size() * sizeof(std::int32_t) + lanes_before.size() * sizeof(std::uint32_t);
+  }
 };
 
 }  // namespace sinew

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/clip/clip_layout.h"
 #include "runtime/base/contract.h"
+#include "runtime/clip/clip_layout.h"
 
 namespace sinew {
 namespace {
@@ -17,7 +17,9 @@ std::vector<std::uint32_t> new_numbers(std::size_t joint_count, std::span<const 
   return numbers;
 }
 
-bool is_of_joints(const TrackBlock& block) noexcept { return block.property != Property::weight && block.property != Property::number; }
+bool is_of_joints(const TrackBlock& block) noexcept {
+  return block.property != Property::weight && block.property != Property::number;
+}
 
 /// [key][plane][lane] of some lanes alone.
 std::vector<float> keep_rows(const TrackBlock& block, std::span<const std::uint32_t> lanes) {
@@ -54,7 +56,8 @@ TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> nu
 BasePose keep_pose(const BasePose& pose, std::span<const std::uint32_t> joints) {
   BasePose kept(std::vector<Transform>(joints.size()));
   for (std::size_t k = 0; k < joints.size(); ++k)
-    for (std::size_t plane = 0; plane * pose.stride < pose.planes.size(); ++plane) kept.set(plane, k, {pose.planes[plane * pose.stride + joints[k]]});
+    for (std::size_t plane = 0; plane * pose.stride < pose.planes.size(); ++plane)
+      kept.set(plane, k, {pose.planes[plane * pose.stride + joints[k]]});
   return kept;
 }
 

@@ -12,10 +12,9 @@ namespace sinew {
 /// cost O(J), allocates
 Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> joints);
 
-/// The clip without the tracks of other joints, for that skeleton. What is left has the same bits at every time; morph weights
-/// and properties stay as they are. Exact, packed and loaded clips alike.
-/// in   joints  rising
-/// cost O(keys), allocates the clip
+/// The clip without the tracks of other joints, for that skeleton. What is left has the same bits at every time; morph
+/// weights and properties stay as they are. Exact, packed and loaded clips alike. in   joints  rising cost O(keys),
+/// allocates the clip
 Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints);
 
 }  // namespace sinew

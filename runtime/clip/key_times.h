@@ -20,7 +20,8 @@ class KeyTimes {
     buckets_per_s_ = span > 0.0 ? static_cast<double>(buckets) / span : 0.0;
     first_key_.assign(buckets + 1, 0);
     for (const float t : times_s_) ++first_key_[bucket_of(static_cast<double>(t)) + 1];
-    for (const std::uint32_t keys : first_key_) search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));
+    for (const std::uint32_t keys : first_key_)
+      search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));
     for (std::size_t b = 1; b <= buckets; ++b) first_key_[b] += first_key_[b - 1];
   }
 
@@ -44,7 +45,9 @@ class KeyTimes {
 
   std::span<const float> times_s() const noexcept { return times_s_; }
   std::size_t key_count() const noexcept { return times_s_.size(); }
-  std::size_t byte_size() const noexcept { return (times_s_.size() * sizeof(float)) + first_key_.size() * sizeof(std::uint32_t); }
+  std::size_t byte_size() const noexcept {
+    return (times_s_.size() * sizeof(float)) + first_key_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   std::size_t bucket_of(double time_s) const noexcept {
@@ -55,7 +58,7 @@ class KeyTimes {
   std::vector<float> times_s_;
   std::vector<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
   double buckets_per_s_ = 0.0;
-  std::size_t search_steps_ = 0;          ///< of a binary search in the fullest bucket
+  std::size_t search_steps_ = 0;  ///< of a binary search in the fullest bucket
 };
 
 }  // namespace sinew

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "runtime/clip/clip_layout.h"
 #include "runtime/base/contract.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
@@ -38,27 +38,31 @@ void quantise(std::span<const float> values, const Range& range, std::size_t c, 
   const double most = static_cast<double>((std::uint32_t{1} << out.width[c]) - 1);
   if (out.width[c] == 0) {
     out.step[c] = 0.0f;
-    out.low[c] = range.low < range.high ? static_cast<float>(0.5 * (static_cast<double>(range.low) + static_cast<double>(range.high))) : range.low;
+    out.low[c] = range.low < range.high
+                     ? static_cast<float>(0.5 * (static_cast<double>(range.low) + static_cast<double>(range.high)))
+                     : range.low;
     return;
   }
   out.low[c] = range.low;
   out.step[c] = coarse_above(range.length() / most);
   for (std::size_t k = 0; k < keys; ++k) {
-    const double number = std::round((static_cast<double>(values[k * n + c]) - static_cast<double>(out.low[c])) / static_cast<double>(out.step[c]));
+    const double number = std::round((static_cast<double>(values[k * n + c]) - static_cast<double>(out.low[c])) /
+                                     static_cast<double>(out.step[c]));
     out.numbers[k * n + c] = static_cast<std::uint32_t>(std::clamp(number, 0.0, most));
   }
 }
 
-/// Finds few bits at which `error(packed, key)` is never above the tolerance: first all components as coarse as each other,
-/// then one bit less wherever that still holds.
-/// in   values[key][components]
+/// Finds few bits at which `error(packed, key)` is never above the tolerance: first all components as coarse as each
+/// other, then one bit less wherever that still holds. in   values[key][components]
 template <class Error>
-std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> values, double tolerance, const Error& error) {
+std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> values, double tolerance,
+                                       const Error& error) {
   const std::size_t n = out.components, keys = values.size() / n;
   std::array<Range, 4> ranges{};
   for (std::size_t c = 0; c < n; ++c) {
     ranges[c] = {values[c], values[c]};
-    for (std::size_t k = 1; k < keys; ++k) ranges[c] = {std::min(ranges[c].low, values[k * n + c]), std::max(ranges[c].high, values[k * n + c])};
+    for (std::size_t k = 1; k < keys; ++k)
+      ranges[c] = {std::min(ranges[c].low, values[k * n + c]), std::max(ranges[c].high, values[k * n + c])};
   }
   out.numbers.assign(values.size(), 0);
   const auto holds = [&] {
@@ -71,7 +75,9 @@ std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> v
       if (c == out.derived) continue;
       const double steps = ranges[c].length() / step;
       if (!(steps < (1u << PackedTrack::kMostBits) - 1)) return std::nullopt;
-      out.width[c] = steps <= 1.0 ? std::uint8_t{0} : static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(std::ceil(steps))));
+      out.width[c] = steps <= 1.0
+                         ? std::uint8_t{0}
+                         : static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(std::ceil(steps))));
       quantise(values, ranges[c], c, out);
     }
     if (out.bits_per_key() > PackedTrack::kMostKeyBits) return std::nullopt;
@@ -95,10 +101,12 @@ std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
   smallest.fill(2.0);
   for (const glm::quat& key : track.values) {
     const Quat<double> q = normalised(quat_cast<double>(key));
-    for (int c = 0; c < 4; ++c) smallest[static_cast<std::size_t>(c)] = std::min(smallest[static_cast<std::size_t>(c)], std::abs(q[c]));
+    for (int c = 0; c < 4; ++c)
+      smallest[static_cast<std::size_t>(c)] = std::min(smallest[static_cast<std::size_t>(c)], std::abs(q[c]));
   }
   const auto largest = std::max_element(smallest.begin(), smallest.end());
-  derived = *largest < kSmallestDerived ? PackedTrack::kNoneDerived : static_cast<std::uint8_t>(largest - smallest.begin());
+  derived =
+      *largest < kSmallestDerived ? PackedTrack::kNoneDerived : static_cast<std::uint8_t>(largest - smallest.begin());
   std::vector<float> values;
   Quat<double> before = quat_identity<double>();
   for (const glm::quat& key : track.values) {
@@ -121,7 +129,8 @@ std::uint32_t bits_at(const PackedRows& rows, std::size_t bit, std::uint32_t cou
 std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept {
   std::array<float, 4> v{};
   for (std::uint32_t c = 0; c < track.components; ++c)
-    if (c != track.derived) v[c] = static_cast<float>(track.numbers[key * track.components + c]) * track.step[c] + track.low[c];
+    if (c != track.derived)
+      v[c] = static_cast<float>(track.numbers[key * track.components + c]) * track.step[c] + track.low[c];
   if (track.derived < track.components) {
     const float rest = 1.0f - ((v[0] * v[0] + v[1] * v[1]) + (v[2] * v[2] + v[3] * v[3]));
     v[track.derived] = std::sqrt(std::max(rest, 0.0f));
@@ -180,7 +189,8 @@ void place_bits(PackedRows& rows, std::size_t lanes, std::size_t components) {
 
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count) {
   CONTRACT(!tracks.empty() && tracks.size() <= kMostPackedLanes);
-  const std::size_t lanes = tracks.size(), components = tracks.front().components, table = lanes * components + kLanePadding;
+  const std::size_t lanes = tracks.size(), components = tracks.front().components,
+                    table = lanes * components + kLanePadding;
   PackedRows rows;
   rows.width.assign(table, 0);
   rows.low.assign(table, 0.0f), rows.step.assign(table, 0.0f);
@@ -200,7 +210,8 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_coun
     for (const PackedTrack& track : tracks)
       for (std::size_t c = 0; c < components; ++c)
         for (std::uint32_t i = 0; i < track.width[c]; ++i, ++at)
-          rows.bits[at / 8] = static_cast<std::uint8_t>(rows.bits[at / 8] | ((track.numbers[key * components + c] >> i & 1u) << at % 8));
+          rows.bits[at / 8] = static_cast<std::uint8_t>(rows.bits[at / 8] |
+                                                        ((track.numbers[key * components + c] >> i & 1u) << at % 8));
   }
   return rows;
 }
@@ -215,7 +226,8 @@ PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t l
   }
   for (std::size_t key = 0; key < key_count; ++key) {
     std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];
-    for (std::size_t c = 0; c < track.components; bit += track.width[c++]) track.numbers.push_back(bits_at(rows, bit, track.width[c]));
+    for (std::size_t c = 0; c < track.components; bit += track.width[c++])
+      track.numbers.push_back(bits_at(rows, bit, track.width[c]));
   }
   return track;
 }

@@ -10,11 +10,11 @@
 
 namespace sinew {
 
-/// The keys of one track in whole numbers: component c of a key is low[c] + step[c] * number, and takes width[c] bits, just
-/// enough for the track's own range; none where the component does not change.
+/// The keys of one track in whole numbers: component c of a key is low[c] + step[c] * number, and takes width[c] bits,
+/// just enough for the track's own range; none where the component does not change.
 ///
-/// Rotations may leave out the component that stays farthest from 0: it follows from the others, since keys are unit and q
-/// and -q are the same, so that it can be made positive throughout.
+/// Rotations may leave out the component that stays farthest from 0: it follows from the others, since keys are unit
+/// and q and -q are the same, so that it can be made positive throughout.
 struct PackedTrack {
   static constexpr std::uint32_t kMostBits = 24;     ///< of a component: whole numbers that float holds
   static constexpr std::uint32_t kMostKeyBits = 56;  ///< of a key: found in eight bytes from any bit on
@@ -24,7 +24,7 @@ struct PackedTrack {
   std::uint8_t derived = kNoneDerived;
   std::array<float, 4> low{}, step{};
   std::array<std::uint8_t, 4> width{};
-  std::vector<std::uint32_t> numbers;             ///< [key][component]
+  std::vector<std::uint32_t> numbers;  ///< [key][component]
 
   std::uint32_t bits_per_key() const noexcept { return std::uint32_t{width[0]} + width[1] + width[2] + width[3]; }
 };
@@ -39,8 +39,8 @@ std::optional<PackedTrack> pack_keys(const WeightTrack& track, std::uint32_t wei
 /// What is left of a key, by the arithmetic that lanes do: single multiplications and additions in float.
 std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept;
 
-/// Packed tracks side by side. A key is a row of bits, each track's components one after another in the order of lanes, the
-/// lowest bit first, and ends on a byte. Tables have kLanePadding more entries: lanes may read past the end.
+/// Packed tracks side by side. A key is a row of bits, each track's components one after another in the order of lanes,
+/// the lowest bit first, and ends on a byte. Tables have kLanePadding more entries: lanes may read past the end.
 struct PackedRows {
   std::uint32_t row_bytes = 0;
   std::vector<std::uint16_t> first_bit;  ///< [lane] in the row
@@ -51,7 +51,8 @@ struct PackedRows {
 
   bool empty() const noexcept { return width.empty(); }
   std::size_t byte_size() const noexcept {
-    return first_bit.size() * sizeof(std::uint16_t) + width.size() + (low.size() + step.size()) * sizeof(float) + derived.size() + bits.size();
+    return first_bit.size() * sizeof(std::uint16_t) + width.size() + (low.size() + step.size()) * sizeof(float) +
+           derived.size() + bits.size();
   }
 };
 

@@ -45,16 +45,20 @@ void put_squad_segment(TrackBlock& block, const QuatTrack& track, std::size_t ke
 
 void fill_lane(TrackBlock& block, const Vec3Track& track, std::size_t lane) {
   const std::size_t per_key = block.plane_count / 3;
-  for (std::size_t i = 0; i < track.values.size(); ++i) put(block, i / per_key, 3 * (i % per_key), lane, track.values[i]);
+  for (std::size_t i = 0; i < track.values.size(); ++i)
+    put(block, i / per_key, 3 * (i % per_key), lane, track.values[i]);
 }
 
 void fill_lane(TrackBlock& block, const QuatTrack& track, std::size_t lane) {
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
   for (std::size_t i = 0; i < track.values.size(); ++i) {
-    if (track.interpolation == Interpolation::squad) put_squad_segment(block, track, i, lane);
-    else put(block, cubic ? i / 3 : i, cubic ? 4 * (i % 3) : 0, lane, track.values[i]);
+    if (track.interpolation == Interpolation::squad)
+      put_squad_segment(block, track, i, lane);
+    else
+      put(block, cubic ? i / 3 : i, cubic ? 4 * (i % 3) : 0, lane, track.values[i]);
     if (track.interpolation == Interpolation::linear)
-      put(block, i, 4, lane, i + 1 < track.values.size() ? signed_arc(track.values[i], track.values[i + 1]) : kSmallestArc);
+      put(block, i, 4, lane,
+          i + 1 < track.values.size() ? signed_arc(track.values[i], track.values[i + 1]) : kSmallestArc);
   }
 }
 

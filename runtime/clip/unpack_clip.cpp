@@ -23,7 +23,8 @@ void fill_rotations(TrackBlock& block, const PackedTrack& track, std::size_t lan
 void fill_components(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
   for (std::size_t k = 0; k < key_count; ++k) {
     const std::array<float, 4> v = unpack_key(track, k);
-    for (std::size_t c = 0; c < track.components; ++c) block.rows[(k * block.plane_count + c) * block.lane_count + lane] = v[c];
+    for (std::size_t c = 0; c < track.components; ++c)
+      block.rows[(k * block.plane_count + c) * block.lane_count + lane] = v[c];
   }
 }
 
@@ -33,8 +34,10 @@ TrackBlock unpacked(const TrackBlock& block, std::size_t key_count) {
   make_room(out, key_count);
   for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
     const PackedTrack track = packed_lane(block.packed, block.lane_count, lane, key_count);
-    if (block.property == Property::rotation) fill_rotations(out, track, lane, key_count);
-    else fill_components(out, track, lane, key_count);
+    if (block.property == Property::rotation)
+      fill_rotations(out, track, lane, key_count);
+    else
+      fill_components(out, track, lane, key_count);
   }
   return out;
 }

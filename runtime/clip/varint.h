@@ -10,8 +10,8 @@
 
 namespace sinew {
 
-/// Numbers that are mostly small or mostly known beforehand, in as few bytes as they need, without loss: groups of seven bits, the
-/// lowest first, all but the last with the eighth bit set (LEB128).
+/// Numbers that are mostly small or mostly known beforehand, in as few bytes as they need, without loss: groups of
+/// seven bits, the lowest first, all but the last with the eighth bit set (LEB128).
 inline void write_varint(std::uint32_t number, ByteWriter& out) {
   for (std::uint32_t more = 1; more != 0; number >>= 7) {
     more = number > 0x7f ? 0x80 : 0;
@@ -39,7 +39,8 @@ inline void write_rising(std::span<const std::uint32_t> numbers, ByteWriter& out
 inline std::vector<std::uint32_t> read_rising(ByteReader& in) {
   std::vector<std::uint32_t> numbers;
   std::uint32_t before = 0;
-  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left) numbers.push_back(before += read_varint(in));
+  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
+    numbers.push_back(before += read_varint(in));
   return numbers;
 }
 
@@ -67,7 +68,8 @@ inline void write_times(std::span<const float> times_s, ByteWriter& out) {
 
 inline std::vector<float> read_times(ByteReader& in) {
   std::vector<float> times_s;
-  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left) times_s.push_back(read_near(next_time(times_s), in));
+  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
+    times_s.push_back(read_near(next_time(times_s), in));
   return times_s;
 }
 

@@ -8,15 +8,16 @@
 #include <numeric>
 
 #include "runtime/animation/track_sample.h"
+#include "runtime/animation/truth_pose.h"
+#include "runtime/math/stretch.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/math/stretch.h"
-#include "runtime/animation/truth_pose.h"
 
 namespace sinew {
 namespace {
 
-/// A parabola over the interval, as cubics differ, is at its top within 1/12 of one of these: 3 percent above what is seen there.
+/// A parabola over the interval, as cubics differ, is at its top within 1/12 of one of these: 3 percent above what is
+/// seen there.
 constexpr double kBetween[] = {1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6, 5.0 / 6};
 
 /// Calls `visit(track)` for each track of joints and weights.
@@ -36,7 +37,8 @@ std::vector<float> jump_times(const Animation& truth) {
   std::vector<float> times;
   each_track(truth, [&](const auto& track) {
     for (std::size_t k = 1; k < track.times_s.size(); ++k)
-      if (track.interpolation == Interpolation::step || track.times_s[k] == track.times_s[k - 1]) times.push_back(track.times_s[k]);
+      if (track.interpolation == Interpolation::step || track.times_s[k] == track.times_s[k - 1])
+        times.push_back(track.times_s[k]);
   });
   sort_out(times);
   return times;
@@ -45,8 +47,13 @@ std::vector<float> jump_times(const Animation& truth) {
 class Meter {
  public:
   Meter(const Scene& scene, const Animation& truth, const VirtualVertices& vertices)
-      : scene_(scene), truth_(truth), vertices_(vertices), memory_(scene.skeleton.joint_count()),
-        local_(scene.skeleton.joint_count()), model_(local_.size()), weights_(truth.weights.empty() ? 0 : scene.weight_count()) {
+      : scene_(scene),
+        truth_(truth),
+        vertices_(vertices),
+        memory_(scene.skeleton.joint_count()),
+        local_(scene.skeleton.joint_count()),
+        model_(local_.size()),
+        weights_(truth.weights.empty() ? 0 : scene.weight_count()) {
     error_.of_joint_m.assign(local_.size(), 0.0);
   }
 
@@ -100,7 +107,8 @@ class Meter {
       const std::size_t first = scene_.first_weight[animated.instance] + animated.first_target;
       double& sum = displaced_m[animated.instance];
       for (std::size_t i = 0; i < value.size(); ++i)
-        sum += std::abs(static_cast<double>(weights_[first + i]) - value[i]) * static_cast<double>(vertices_.metres_per_weight[first + i]);
+        sum += std::abs(static_cast<double>(weights_[first + i]) - value[i]) *
+               static_cast<double>(vertices_.metres_per_weight[first + i]);
     }
     double worst = 0.0;
     for (std::size_t i = 0; i < displaced_m.size(); ++i)
@@ -113,12 +121,14 @@ class Meter {
     double stretch = 0.0;
     if (instance.skin == kNone) {
       stretch = instance.copies.empty() ? 1.0 : 0.0;
-      for (const Transform& copy : instance.copies) stretch = std::max(stretch, largest_stretch(affine_cast<double>(affine_from_transform(copy))));
+      for (const Transform& copy : instance.copies)
+        stretch = std::max(stretch, largest_stretch(affine_cast<double>(affine_from_transform(copy))));
       return stretch * largest_stretch(pose_.model[instance.joint]);
     }
     const Skin& skin = scene_.skins[instance.skin];
     for (std::size_t i = 0; i < skin.joints.size(); ++i)
-      stretch = std::max(stretch, largest_stretch(pose_.model[skin.joints[i]] * affine_cast<double>(skin.inverse_bind[i])));
+      stretch =
+          std::max(stretch, largest_stretch(pose_.model[skin.joints[i]] * affine_cast<double>(skin.inverse_bind[i])));
     return stretch;
   }
 
@@ -147,21 +157,23 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
   const std::vector<float> keys = key_times(truth), jumps = jump_times(truth);
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const double key = static_cast<double>(keys[k]);
-    if (std::binary_search(jumps.begin(), jumps.end(), keys[k])) times.push_back(static_cast<double>(std::nextafter(keys[k], -std::numeric_limits<float>::infinity())));
+    if (std::binary_search(jumps.begin(), jumps.end(), keys[k]))
+      times.push_back(static_cast<double>(std::nextafter(keys[k], -std::numeric_limits<float>::infinity())));
     times.push_back(key);
     if (k + 1 == keys.size()) break;
     for (const double f : kBetween) times.push_back(key + f * (static_cast<double>(keys[k + 1]) - key));
   }
   std::size_t step = times.size() * std::max<std::size_t>(joint_count, 1) / kMostJointTimes + 1;
   if (step == 1) return times;
-  while (std::gcd(step, std::size(kBetween) + 1) > 1) ++step;  // else it would never meet some of the places between keys, or none
+  while (std::gcd(step, std::size(kBetween) + 1) > 1)
+    ++step;  // else it would never meet some of the places between keys, or none
   std::vector<double> some;
   for (std::size_t i = 0; i < times.size(); i += step) some.push_back(times[i]);
   return some;
 }
 
-ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, std::span<const Clip* const> forms,
-                       std::span<const double> times_s) {
+ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
+                       std::span<const Clip* const> forms, std::span<const double> times_s) {
   Meter meter(scene, truth, vertices);
   for (const double time_s : times_s) meter.look_at(time_s, forms);
   return meter.take();

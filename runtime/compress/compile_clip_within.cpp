@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "runtime/base/contract.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/unpack_clip.h"
-#include "runtime/base/contract.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/joint_reach.h"
 #include "runtime/compress/split_by_need.h"
@@ -34,7 +34,8 @@ Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances
 
 std::uint64_t key_count(const Animation& animation) {
   std::uint64_t keys = 0;
-  for (const BoneAnimation& bone : animation.bones) keys += bone.translation.key_count() + bone.rotation.key_count() + bone.scale.key_count();
+  for (const BoneAnimation& bone : animation.bones)
+    keys += bone.translation.key_count() + bone.rotation.key_count() + bone.scale.key_count();
   for (const WeightAnimation& animated : animation.weights) keys += animated.weights.key_count();
   for (const PropertyTrack& track : animation.properties) keys += track.values.key_count();
   return keys;
@@ -51,7 +52,8 @@ std::uint32_t animated_joints(const Animation& animation) {
 /// What each joint, and the weights together, may take of the budget.
 class Shares {
  public:
-  Shares(const Scene& scene, double budget_m) : parents_(scene.skeleton.parents), budget_m_(budget_m), of_joint_(parents_.size(), 1.0) {}
+  Shares(const Scene& scene, double budget_m)
+      : parents_(scene.skeleton.parents), budget_m_(budget_m), of_joint_(parents_.size(), 1.0) {}
 
   double joint_m(std::uint32_t joint) const { return of_joint_[joint] * kUsed * budget_m_; }
   double weights_m() const { return of_weights_ * kOfWeights * budget_m_; }
@@ -62,7 +64,8 @@ class Shares {
     const double weights_m = error.weights_m, left_m = std::max(kUsed * budget_m_ - weights_m, 0.25 * budget_m_);
     std::vector<double> factor(of_joint_.size(), 1.0);
     for (std::size_t j = factor.size(); j-- > 0;) {
-      if (error.of_joint_m[j] > left_m) factor[j] = std::min(factor[j], std::clamp(left_m / error.of_joint_m[j], 0.2, 0.9));
+      if (error.of_joint_m[j] > left_m)
+        factor[j] = std::min(factor[j], std::clamp(left_m / error.of_joint_m[j], 0.2, 0.9));
       if (parents_[j] != kNone) factor[parents_[j]] = std::min(factor[parents_[j]], factor[j]);
       of_joint_[j] *= factor[j];
     }
@@ -96,7 +99,8 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
                                       const std::vector<JointReach>& reach, const Shares& shares) {
   std::vector<LooseTrack> tracks;
   const auto add = [&](auto& track, double tolerance) {
-    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0})) tracks.push_back({&track, tolerance});
+    if (track.key_count() > 1 && track.interpolation != Interpolation::squad && !hold_still(LooseTrack{&track, 0.0}))
+      tracks.push_back({&track, tolerance});
   };
   for (BoneAnimation& bone : animation.bones) {
     const std::size_t first = tracks.size();
@@ -105,12 +109,14 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
     add(bone.translation, per_unit(metres, r.translation));
     add(bone.rotation, per_unit(metres, r.rotation));
     add(bone.scale, per_unit(metres, r.scale));
-    for (std::size_t i = first; i < tracks.size(); ++i) tracks[i].tolerance /= static_cast<double>(tracks.size() - first);
+    for (std::size_t i = first; i < tracks.size(); ++i)
+      tracks[i].tolerance /= static_cast<double>(tracks.size() - first);
   }
   for (WeightAnimation& animated : animation.weights) {
     if (animated.weights.key_count() < 2) continue;
     const std::size_t at = scene.first_weight[animated.instance] + animated.first_target;
-    tracks.push_back({&animated.weights, shares.weights_m(), std::span(vertices.metres_per_weight).subspan(at, animated.weights.target_count)});
+    tracks.push_back({&animated.weights, shares.weights_m(),
+                      std::span(vertices.metres_per_weight).subspan(at, animated.weights.target_count)});
   }
   return tracks;
 }
@@ -118,7 +124,8 @@ std::vector<LooseTrack> moving_tracks(Animation& animation, const Scene& scene, 
 /// How far the keys of each track may be rounded, as a part of its tolerance.
 KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> tracks, double part) {
   std::map<const void*, const LooseTrack*> loose;
-  for (const LooseTrack& track : tracks) loose[std::visit([](const auto* t) -> const void* { return t; }, track.track)] = &track;
+  for (const LooseTrack& track : tracks)
+    loose[std::visit([](const auto* t) -> const void* { return t; }, track.track)] = &track;
   const auto tolerance_of = [&](const auto& track) {
     const auto found = loose.find(&track);
     return found == loose.end() ? 0.0 : part * found->second->tolerance;
@@ -129,7 +136,8 @@ KeyTolerances roundings(const Animation& animation, std::span<const LooseTrack> 
   for (const WeightAnimation& animated : animation.weights) {
     std::vector<double>& targets = out.weights.emplace_back();
     if (const double metres = tolerance_of(animated.weights) / animated.weights.target_count; metres > 0.0)
-      for (const float per_weight : loose[&animated.weights]->metres_per_weight) targets.push_back(metres / static_cast<double>(per_weight));
+      for (const float per_weight : loose[&animated.weights]->metres_per_weight)
+        targets.push_back(metres / static_cast<double>(per_weight));
   }
   return out;
 }
@@ -145,8 +153,8 @@ void reduce(std::vector<LooseTrack> tracks) {
     }
 }
 
-ClipCertificate certificate_of(const Animation& truth, const Animation& keys, const Clip& clip, std::uint64_t source_bytes, const ClipError& error,
-                               std::size_t times, double asked_m) {
+ClipCertificate certificate_of(const Animation& truth, const Animation& keys, const Clip& clip,
+                               std::uint64_t source_bytes, const ClipError& error, std::size_t times, double asked_m) {
   return {.asked_m = asked_m,
           .measured_m = error.worst_m,
           .weights_m = error.weights_m,
@@ -168,7 +176,7 @@ struct Task {
   double budget_m;
   std::vector<double> times;
   std::vector<JointReach> reach;
-  std::uint64_t source_bytes;   // with every key
+  std::uint64_t source_bytes;  // with every key
 };
 
 struct Attempt {
@@ -187,15 +195,18 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   const Clip full = unpacked(clip);
   const Clip* const forms[] = {&clip, &full};
   out.error = measure_clip(task.scene, task.truth, task.vertices, forms, task.times);
-  const ClipCertificate certificate = certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
+  const ClipCertificate certificate =
+      certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
   out.within.clip = with_certificate(std::move(clip), certificate);
   return out;
 }
 
-bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) { return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes; }
+bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) {
+  return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes;
+}
 
-/// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too much; nothing if
-/// it never holds in kMostRounds.
+/// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too
+/// much; nothing if it never holds in kMostRounds.
 std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
   std::optional<ClipWithin> smallest;
@@ -210,20 +221,28 @@ std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
 
 }  // namespace
 
-Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth, const VirtualVertices& vertices, double asked_m) {
+Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,
+                         const VirtualVertices& vertices, double asked_m) {
   Clip clip = compile(scene, keys);
   const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
   const Clip* const forms[] = {&clip};
   const ClipError error = measure_clip(scene, truth, vertices, forms, times);
-  const ClipCertificate certificate = certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
+  const ClipCertificate certificate =
+      certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
   return with_certificate(std::move(clip), certificate);
 }
 
-ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m) {
+ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
+                               double budget_m) {
   CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
   std::optional<ClipWithin> smallest;
   if (budget_m > 0.0) {
-    const Task task{scene, truth, vertices, budget_m, times_to_check(truth, scene.skeleton.joint_count()), joint_reach(truth, scene.skeleton, vertices),
+    const Task task{scene,
+                    truth,
+                    vertices,
+                    budget_m,
+                    times_to_check(truth, scene.skeleton.joint_count()),
+                    joint_reach(truth, scene.skeleton, vertices),
                     saved_bytes(compile(scene, truth))};
     for (const double of_rounding : kOfRounding) {
       std::optional<ClipWithin> found = fit(task, of_rounding);

@@ -7,26 +7,28 @@ namespace sinew {
 /// A clip within a budget, and the keys that it kept in authoring form, not rounded, to be written to a file.
 struct ClipWithin {
   Animation keys;
-  Clip clip;      ///< with its certificate
+  Clip clip;  ///< with its certificate
 };
 
-/// Compiles an animation as small as it can be while no virtual vertex, in model space, is farther than `budget_m` from where
-/// the truth has it, at keys and between them: tracks that hardly move become constant, and keys are left out where the
-/// track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared out along the
-/// skeleton by what an error of each joint does to all below it (joint_reach.h); the compiled clip is then measured
-/// (clip_error.h): joints above vertices that are off get less, and where all vertices below have room, more. The smallest clip
-/// that holds is taken; after kMostRounds without one every key is kept.
+/// Compiles an animation as small as it can be while no virtual vertex, in model space, is farther than `budget_m` from
+/// where the truth has it, at keys and between them: tracks that hardly move become constant, and keys are left out
+/// where the track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared
+/// out along the skeleton by what an error of each joint does to all below it (joint_reach.h); the compiled clip is
+/// then measured (clip_error.h): joints above vertices that are off get less, and where all vertices below have room,
+/// more. The smallest clip that holds is taken; after kMostRounds without one every key is kept.
 ///
-/// Morph weights share the budget through what they displace vertices by. Properties keep every key: a length says nothing of
-/// colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
-/// in   scene    the one that the animation belongs to, finished (scene.h), passed its checks
+/// Morph weights share the budget through what they displace vertices by. Properties keep every key: a length says
+/// nothing of colours. A budget of 0 keeps everything, bit for bit. Same input, same clip. in   scene    the one that
+/// the animation belongs to, finished (scene.h), passed its checks
 ///      vertices of that scene
 ///      budget_m in the file's units, >= 0
 /// cost seconds for ten thousand joints or an hour; allocates
-ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m);
+ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
+                               double budget_m);
 inline constexpr int kMostRounds = 32;
 
 /// Compiles the animation as it is and measures it: what compile_clip_within answers for a budget of 0.
-Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth, const VirtualVertices& vertices, double asked_m);
+Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,
+                         const VirtualVertices& vertices, double asked_m);
 
 }  // namespace sinew

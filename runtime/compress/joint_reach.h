@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// What an error of a joint's own transform does to the virtual vertices of the joint and of all below it, at worst over an
-/// animation: metres in model space per unit of error. A first guess for sharing out a budget; what holds is measured.
+/// What an error of a joint's own transform does to the virtual vertices of the joint and of all below it, at worst
+/// over an animation: metres in model space per unit of error. A first guess for sharing out a budget; what holds is
+/// measured.
 struct JointReach {
   double translation = 0.0;  ///< per unit of length in the parent's space
   double rotation = 0.0;     ///< per radian
@@ -16,6 +17,7 @@ struct JointReach {
 
 /// eq   from the tips to the roots: radius[j] = max(|M[j] c - o[j]|, |o[child] - o[j]| + radius[child])
 /// cost O(J), allocates
-std::vector<JointReach> joint_reach(const Animation& animation, const Skeleton& skeleton, const VirtualVertices& vertices);
+std::vector<JointReach> joint_reach(const Animation& animation, const Skeleton& skeleton,
+                                    const VirtualVertices& vertices);
 
 }  // namespace sinew

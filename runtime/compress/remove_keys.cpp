@@ -55,7 +55,8 @@ auto value_at(const Track<V>& track, const Place& at) noexcept {
 }
 
 double value_at(const WeightTrack& track, const Place& at, std::size_t weight) noexcept {
-  if (at.fraction == 0.0) return static_cast<double>(track.values[value_row(track.interpolation, at.key) * track.target_count + weight]);
+  if (at.fraction == 0.0)
+    return static_cast<double>(track.values[value_row(track.interpolation, at.key) * track.target_count + weight]);
   const double interval_s = time_of(track.times_s, at.key + 1) - time_of(track.times_s, at.key);
   return between_keys<double>(track, at.key, at.key + 1, at.fraction, interval_s, weight);
 }
@@ -80,13 +81,16 @@ bool can_skip(const TrackType& track, const LooseTrack& loose, std::size_t first
   const double begin = time_of(track.times_s, first), interval_s = time_of(track.times_s, last) - begin;
   return all_between(track.interpolation, first, last, [&](const Place& place) {
     const auto skipping = [&](const Place& at, auto... weight) {
-      return between_keys<double>(track, first, last, (time_of(track.times_s, at) - begin) / interval_s, interval_s, weight...);
+      return between_keys<double>(track, first, last, (time_of(track.times_s, at) - begin) / interval_s, interval_s,
+                                  weight...);
     };
     return deviation(track, loose.metres_per_weight, place, skipping) <= loose.tolerance;
   });
 }
 
-bool is_jump(const std::vector<float>& times, std::size_t key) noexcept { return key + 1 < times.size() && !(times[key + 1] > times[key]); }
+bool is_jump(const std::vector<float>& times, std::size_t key) noexcept {
+  return key + 1 < times.size() && !(times[key + 1] > times[key]);
+}
 
 /// The middle of all keys; of rotations their mean direction, near enough where all are near each other.
 glm::vec3 middle_of(const Vec3Track& track) {
@@ -122,7 +126,9 @@ std::vector<float> middle_of(const WeightTrack& track) {
 /// Whether the track is never farther than its tolerance from `other(place[, weight])`.
 template <class TrackType, class Other>
 bool is_near(const TrackType& track, const LooseTrack& loose, const Other& other) {
-  const auto near = [&](const Place& at) { return deviation(track, loose.metres_per_weight, at, other) <= loose.tolerance; };
+  const auto near = [&](const Place& at) {
+    return deviation(track, loose.metres_per_weight, at, other) <= loose.tolerance;
+  };
   const std::size_t last = track.key_count() - 1;
   return near({0, 0.0}) && near({last, 0.0}) && all_between(track.interpolation, 0, last, near);
 }
@@ -150,7 +156,8 @@ std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key
   std::vector<Value> kept;
   kept.reserve(keys.size() * per_key);
   for (const std::uint32_t key : keys)
-    kept.insert(kept.end(), values.begin() + static_cast<std::ptrdiff_t>(key * per_key), values.begin() + static_cast<std::ptrdiff_t>((key + 1) * per_key));
+    kept.insert(kept.end(), values.begin() + static_cast<std::ptrdiff_t>(key * per_key),
+                values.begin() + static_cast<std::ptrdiff_t>((key + 1) * per_key));
   return kept;
 }
 
@@ -166,7 +173,8 @@ std::vector<std::uint32_t> keys_needed(std::span<const LooseTrack> tracks, std::
   const auto all_can_skip = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       const std::size_t t = (strictest + i) % tracks.size();
-      if (std::visit([&](const auto* track) { return can_skip(*track, tracks[t], first, last); }, tracks[t].track)) continue;
+      if (std::visit([&](const auto* track) { return can_skip(*track, tracks[t], first, last); }, tracks[t].track))
+        continue;
       strictest = t;
       return false;
     }
@@ -176,7 +184,9 @@ std::vector<std::uint32_t> keys_needed(std::span<const LooseTrack> tracks, std::
   for (std::size_t key = 0; key + 1 < key_count;) {
     std::size_t next = key + 1;
     const bool before_jump = is_jump(times, key);
-    while (!before_jump && next + 1 < key_count && next - key < kLongestStep && !is_jump(times, next) && all_can_skip(key, next + 1)) ++next;
+    while (!before_jump && next + 1 < key_count && next - key < kLongestStep && !is_jump(times, next) &&
+           all_can_skip(key, next + 1))
+      ++next;
     keys.push_back(static_cast<std::uint32_t>(next));
     key = next;
   }

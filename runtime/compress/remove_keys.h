@@ -10,7 +10,8 @@
 namespace sinew {
 
 /// A track that may change as long as it stays within a tolerance of what it is: lengths for translations, for
-/// rotations the distance by which a point one unit from the axis moves (radians, for small ones), factors for scales, and for weights the metres by which they displace vertices together.
+/// rotations the distance by which a point one unit from the axis moves (radians, for small ones), factors for scales,
+/// and for weights the metres by which they displace vertices together.
 struct LooseTrack {
   std::variant<Vec3Track*, QuatTrack*, WeightTrack*> track;
   double tolerance = 0.0;
@@ -19,12 +20,11 @@ struct LooseTrack {
   const std::vector<float>& times_s() const;
 };
 
-/// Numbers of the keys that are enough for all of the tracks, which share their key times: from each key the longest step
-/// that leaves every track, played by its own interpolation, within its tolerance at all keys that are left out, and between
-/// them where curves are bent. First and last key and both sides of a jump (G13) stay.
-/// Not for squad, whose curves lean on the keys around.
-/// in   key_count  of the first keys only, for estimates
-/// cost O(tracks x keys x longest step), which is at most kLongestStep keys
+/// Numbers of the keys that are enough for all of the tracks, which share their key times: from each key the longest
+/// step that leaves every track, played by its own interpolation, within its tolerance at all keys that are left out,
+/// and between them where curves are bent. First and last key and both sides of a jump (G13) stay. Not for squad, whose
+/// curves lean on the keys around. in   key_count  of the first keys only, for estimates cost O(tracks x keys x longest
+/// step), which is at most kLongestStep keys
 std::vector<std::uint32_t> keys_needed(std::span<const LooseTrack> tracks, std::size_t key_count);
 inline constexpr std::size_t kLongestStep = 64;
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kKeysLookedAt = 2048;  ///< enough to tell tracks apart
 constexpr int kDepth = 2;
-constexpr std::size_t kPlaces = 8;           ///< a list is tried cut at each eighth
+constexpr std::size_t kPlaces = 8;  ///< a list is tried cut at each eighth
 
 std::size_t keys_of(std::span<const LooseTrack> tracks) {
   return keys_needed(tracks, std::min(tracks.front().times_s().size(), kKeysLookedAt)).size();
@@ -18,7 +18,8 @@ std::size_t keys_of(std::span<const LooseTrack> tracks) {
 
 /// Packed keys take about a third of full ones.
 std::size_t bytes_per_key(const LooseTrack& track) {
-  return std::visit([](const auto* t) { return (t->values.size() / t->key_count() * sizeof(t->values[0]) + 2) / 3; }, track.track);
+  return std::visit([](const auto* t) { return (t->values.size() / t->key_count() * sizeof(t->values[0]) + 2) / 3; },
+                    track.track);
 }
 
 std::size_t cost_of(std::span<const LooseTrack> tracks) {
@@ -48,7 +49,8 @@ std::vector<std::vector<LooseTrack>> split_by_need(std::vector<LooseTrack> track
   for (std::size_t i = 0; i < tracks.size(); ++i) order.emplace_back(keys_of({&tracks[i], 1}), i);
   std::sort(order.begin(), order.end());
   std::vector<LooseTrack> by_need;
-  std::transform(order.begin(), order.end(), std::back_inserter(by_need), [&](const auto& o) { return tracks[o.second]; });
+  std::transform(order.begin(), order.end(), std::back_inserter(by_need),
+                 [&](const auto& o) { return tracks[o.second]; });
   std::vector<std::vector<LooseTrack>> parts;
   cut(by_need, kDepth, parts);
   return parts;

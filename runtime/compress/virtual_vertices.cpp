@@ -50,7 +50,8 @@ void add_skinned(const Skin& skin, const Primitive& primitive, std::vector<Aabb>
   });
 }
 
-/// Longest displacement of any vertex by each target; those that change only colours or normals count as if they moved some.
+/// Longest displacement of any vertex by each target; those that change only colours or normals count as if they moved
+/// some.
 void add_weights(const Mesh& mesh, std::vector<float>& metres) {
   const std::size_t first = metres.size();
   metres.resize(first + mesh.target_count(), 0.0f);
@@ -66,7 +67,8 @@ void add_weights(const Mesh& mesh, std::vector<float>& metres) {
 
 VirtualVertices virtual_vertices(const Skeleton& skeleton) {
   VirtualVertices out;
-  out.boxes.assign(skeleton.joint_count(), Aabb{glm::vec3(-VirtualVertices::kShell), glm::vec3(VirtualVertices::kShell)});
+  out.boxes.assign(skeleton.joint_count(),
+                   Aabb{glm::vec3(-VirtualVertices::kShell), glm::vec3(VirtualVertices::kShell)});
   out.moves_vertices.assign(skeleton.joint_count(), false);
   return out;
 }
@@ -77,8 +79,10 @@ VirtualVertices virtual_vertices(const Scene& scene) {
   for (const MeshInstance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     for (const Primitive& primitive : mesh.primitives)
-      if (instance.skin != kNone && !primitive.influences.empty()) add_skinned(scene.skins[instance.skin], primitive, boxes);
-      else add_rigid(instance, primitive, boxes[instance.joint]);
+      if (instance.skin != kNone && !primitive.influences.empty())
+        add_skinned(scene.skins[instance.skin], primitive, boxes);
+      else
+        add_rigid(instance, primitive, boxes[instance.joint]);
     add_weights(mesh, out.metres_per_weight);
   }
   for (std::size_t j = 0; j < boxes.size(); ++j) {
@@ -91,7 +95,8 @@ VirtualVertices virtual_vertices(const Scene& scene) {
 std::array<Vec3<double>, 8> corners_of(const Aabb& box) noexcept {
   std::array<Vec3<double>, 8> corners;
   for (unsigned i = 0; i < 8; ++i)
-    for (int axis = 0; axis < 3; ++axis) corners[i][axis] = static_cast<double>((i >> axis & 1u) != 0 ? box.upper[axis] : box.lower[axis]);
+    for (int axis = 0; axis < 3; ++axis)
+      corners[i][axis] = static_cast<double>((i >> axis & 1u) != 0 ? box.upper[axis] : box.lower[axis]);
   return corners;
 }
 

@@ -7,17 +7,17 @@
 
 namespace sinew {
 
-/// Where the error of a pose is measured: the corners of a box around each joint, in the joint's space. A joint that moves
-/// vertices has the box of all of them, each also where its morph targets put it, so that by convexity no vertex can be
-/// farther off than the worst corner; any other joint has a cube that reaches kShell in each direction. Three axes are never
-/// missed, whatever the pose (C13).
+/// Where the error of a pose is measured: the corners of a box around each joint, in the joint's space. A joint that
+/// moves vertices has the box of all of them, each also where its morph targets put it, so that by convexity no vertex
+/// can be farther off than the worst corner; any other joint has a cube that reaches kShell in each direction. Three
+/// axes are never missed, whatever the pose (C13).
 struct VirtualVertices {
   static constexpr float kShell = 0.03f;  ///< in the file's units
 
-  std::vector<Aabb> boxes;                ///< [J] never empty
-  std::vector<bool> moves_vertices;       ///< [J] the box is of vertices
-  std::vector<float> metres_per_weight;   ///< [W] longest displacement by each morph weight of the scene, mesh space;
-                                          ///< kShell for targets that displace nothing
+  std::vector<Aabb> boxes;               ///< [J] never empty
+  std::vector<bool> moves_vertices;      ///< [J] the box is of vertices
+  std::vector<float> metres_per_weight;  ///< [W] longest displacement by each morph weight of the scene, mesh space;
+                                         ///< kShell for targets that displace nothing
 };
 
 /// in   a scene that passed its checks      cost O(vertices x influences), allocates

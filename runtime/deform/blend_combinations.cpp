@@ -16,12 +16,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// In the order of blend_parts-inl.h: fused from the second on.
 template <int kCount>
-void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group, JointMatrix* out) {
+void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group,
+                 JointMatrix* out) {
   const hn::CappedTag<float, 16> d;
   for (std::size_t k = 0; k < group.vertex_count; ++k) {
     const VertexJoints<kCount> joints = joints_of<kCount>(influences, group, k);
     for (std::size_t at = 0; at < 16; at += hn::Lanes(d)) {
-      const auto column = [&](std::size_t i) HWY_ATTR { return hn::Load(d, &palette[joints.joints[i]].column[0].x + at); };
+      const auto column = [&](std::size_t i)
+                              HWY_ATTR { return hn::Load(d, &palette[joints.joints[i]].column[0].x + at); };
       auto sum = column(0);
       if (joints.count() > 1) sum = hn::Mul(sum, hn::Set(d, joints.weights[0]));
       for (std::size_t i = 1; i < joints.count(); ++i) sum = hn::MulAdd(column(i), hn::Set(d, joints.weights[i]), sum);

@@ -7,26 +7,33 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/base/same_bits.h"
 #include "runtime/base/bit_hash.h"
+#include "runtime/base/same_bits.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t kMostMatrices = 8192;  ///< in half a second-level cache: with more of them combining lost up to a half
+constexpr std::size_t kMostMatrices =
+    8192;  ///< in half a second-level cache: with more of them combining lost up to a half
 
-/// What a matrix costs that a combination reads, in matrices that a vertex spares. Measured on surfaces of 200 to 10,000 vertices of 2, 3 and 4
-/// influences that share 1.5 to 16 vertices a combination, in random order: combining wins from here on.
+/// What a matrix costs that a combination reads, in matrices that a vertex spares. Measured on surfaces of 200 to
+/// 10,000 vertices of 2, 3 and 4 influences that share 1.5 to 16 vertices a combination, in random order: combining
+/// wins from here on.
 constexpr std::size_t kCostOfBlend = 3;
 
 /// The joints and weights of the vertices of a group.
 class GroupVertices {
  public:
-  GroupVertices(const VertexInfluences& influences, const InfluenceGroup& group) : influences_(influences), group_(group) {}
+  GroupVertices(const VertexInfluences& influences, const InfluenceGroup& group)
+      : influences_(influences), group_(group) {}
 
-  std::span<const std::uint16_t> joints(std::size_t v) const { return {&influences_.joints[at(v)], group_.influence_count}; }
+  std::span<const std::uint16_t> joints(std::size_t v) const {
+    return {&influences_.joints[at(v)], group_.influence_count};
+  }
   std::span<const float> weights(std::size_t v) const { return {&influences_.weights[at(v)], group_.influence_count}; }
-  bool same(std::size_t a, std::size_t b) const { return same_bits(joints(a), joints(b)) && same_bits(weights(a), weights(b)); }
+  bool same(std::size_t a, std::size_t b) const {
+    return same_bits(joints(a), joints(b)) && same_bits(weights(a), weights(b));
+  }
   std::uint64_t hash(std::size_t v) const {
     BitHash hash;
     for (const std::uint16_t joint : joints(v)) hash.add(std::span<const std::uint32_t, 1>({joint}));
@@ -39,7 +46,8 @@ class GroupVertices {
   const InfluenceGroup& group_;
 };
 
-/// For each vertex the first one of its combination. Two combinations of one hash may stand for more: each is only blended more often.
+/// For each vertex the first one of its combination. Two combinations of one hash may stand for more: each is only
+/// blended more often.
 std::vector<std::uint32_t> first_of_combination(const GroupVertices& vertices, std::size_t count) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash;
   for (std::uint32_t v = 0; v < count; ++v) by_hash.emplace_back(vertices.hash(v), v);
@@ -58,7 +66,8 @@ void combine_group(const VertexInfluences& influences, const InfluenceGroup& gro
   const GroupVertices vertices(influences, group);
   const std::vector<std::uint32_t> first_of = first_of_combination(vertices, group.vertex_count);
   VertexInfluences& all = combined.combinations;
-  InfluenceGroup blends{combined.combination_count, 0, group.influence_count, static_cast<std::uint32_t>(all.joints.size())};
+  InfluenceGroup blends{combined.combination_count, 0, group.influence_count,
+                        static_cast<std::uint32_t>(all.joints.size())};
   std::vector<std::uint32_t> combination_of(group.vertex_count);
   for (std::uint32_t v = 0; v < group.vertex_count; ++v) {
     if (first_of[v] == v) {
@@ -79,8 +88,10 @@ CombinedInfluences combine_influences(const VertexInfluences& influences, std::s
   combined.first_matrix = first_matrix;
   for (const InfluenceGroup& group : influences.groups) {
     const auto at = influences.joints.begin() + group.first_influence;
-    if (group.influence_count == 1) combined.vertices.joints.insert(combined.vertices.joints.end(), at, at + group.vertex_count);
-    else combine_group(influences, group, combined);
+    if (group.influence_count == 1)
+      combined.vertices.joints.insert(combined.vertices.joints.end(), at, at + group.vertex_count);
+    else
+      combine_group(influences, group, combined);
   }
   const std::size_t vertex_count = combined.vertices.joints.size(), spared = influences.joints.size() - vertex_count;
   const bool wins = spared > 0 && spared >= kCostOfBlend * combined.combinations.joints.size();

@@ -2,8 +2,8 @@
 #pragma once
 #include <span>
 
-#include "runtime/model/mesh.h"
 #include "runtime/math/affine.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "runtime/model/skin.h"
 #include "runtime/deform/vertex_checks.h"
+#include "runtime/model/skin.h"
 
 namespace sinew {
 
@@ -17,13 +17,15 @@ struct VertexJoints {
   std::size_t runtime_count;
 
   constexpr std::size_t count() const noexcept {
-    if constexpr (kCount > 0) return static_cast<std::size_t>(kCount);
-    else return runtime_count;
+    if constexpr (kCount > 0)
+      return static_cast<std::size_t>(kCount);
+    else
+      return runtime_count;
   }
 };
 
-/// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for others, so that the inner
-/// loop over influences is unrolled (P11).
+/// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for others, so that the
+/// inner loop over influences is unrolled (P11).
 template <class Body>
 void with_influence_count(std::uint32_t count, const Body& body) noexcept {
   switch (count) {
@@ -38,7 +40,8 @@ void with_influence_count(std::uint32_t count, const Body& body) noexcept {
 
 /// Influences of vertex `v` of a group.
 template <int kCount>
-VertexJoints<kCount> joints_of(const VertexInfluences& influences, const InfluenceGroup& group, std::size_t v) noexcept {
+VertexJoints<kCount> joints_of(const VertexInfluences& influences, const InfluenceGroup& group,
+                               std::size_t v) noexcept {
   const std::size_t at = group.first_influence + v * group.influence_count;
   return {&influences.joints[at], &influences.weights[at], group.influence_count};
 }
@@ -53,14 +56,18 @@ void for_each_vertex(const VertexInfluences& influences, const Body& body) noexc
     });
 }
 
-/// Calls `body(normals, tangents)` with std::true_type or std::false_type for each, so that an attribute that is not wanted
-/// costs nothing per vertex (P13).
+/// Calls `body(normals, tangents)` with std::true_type or std::false_type for each, so that an attribute that is not
+/// wanted costs nothing per vertex (P13).
 template <class Body>
 void with_attributes(AttributesPresent wanted, const Body& body) noexcept {
-  if (wanted.normals && wanted.tangents) body(std::true_type{}, std::true_type{});
-  else if (wanted.normals) body(std::true_type{}, std::false_type{});
-  else if (wanted.tangents) body(std::false_type{}, std::true_type{});
-  else body(std::false_type{}, std::false_type{});
+  if (wanted.normals && wanted.tangents)
+    body(std::true_type{}, std::true_type{});
+  else if (wanted.normals)
+    body(std::true_type{}, std::false_type{});
+  else if (wanted.tangents)
+    body(std::false_type{}, std::true_type{});
+  else
+    body(std::false_type{}, std::false_type{});
 }
 
 /// Calls `body(group, influence count)` for each group, the latter being a constant of the type.
@@ -70,13 +77,15 @@ void for_each_group(const InfluenceStreams& influences, const Body& body) noexce
     with_influence_count(group.influence_count, [&](auto count) { body(group, count); });
 }
 
-/// Calls `body(group, influence count, stretched)`, both being constants of the type, so that joints that are rigid cost nothing
-/// per vertex (P12).
+/// Calls `body(group, influence count, stretched)`, both being constants of the type, so that joints that are rigid
+/// cost nothing per vertex (P12).
 template <class Body>
 void for_each_group(const InfluenceStreams& influences, bool any_stretch, const Body& body) noexcept {
   for_each_group(influences, [&](const InfluenceGroup& group, auto count) {
-    if (any_stretch) body(group, count, std::true_type{});
-    else body(group, count, std::false_type{});
+    if (any_stretch)
+      body(group, count, std::true_type{});
+    else
+      body(group, count, std::false_type{});
   });
 }
 

@@ -35,9 +35,10 @@ HWY_INLINE void add_products(const float* deltas, Lanes weight, std::size_t coun
     hn::StoreU(hn::Add(hn::LoadU(d, sums + i), hn::Mul(hn::LoadU(d, deltas + i), weight)), d, sums + i);
 }
 
-/// Adds the displacements of one target to the sums of the vertices from `first` on. Targets move patches: entries mostly
-/// follow each other, and then sixteen are added as one run of floats.
-HWY_INLINE void add_deltas(const SparseDeltas<glm::vec3>& sparse, SparseRange range, float weight, std::size_t first, glm::vec3* sums) {
+/// Adds the displacements of one target to the sums of the vertices from `first` on. Targets move patches: entries
+/// mostly follow each other, and then sixteen are added as one run of floats.
+HWY_INLINE void add_deltas(const SparseDeltas<glm::vec3>& sparse, SparseRange range, float weight, std::size_t first,
+                           glm::vec3* sums) {
   const std::uint32_t* vertices = sparse.vertices.data();
   const Lanes weights = hn::Set(Floats(), weight);
   std::size_t i = range.begin;
@@ -54,12 +55,14 @@ HWY_INLINE void add_deltas(const SparseDeltas<glm::vec3>& sparse, SparseRange ra
 HWY_INLINE void add_base(const float* base, const float* sums, std::size_t count, float* out) {
   const Floats d;
   std::size_t i = 0;
-  for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) hn::StoreU(hn::Add(hn::LoadU(d, base + i), hn::LoadU(d, sums + i)), d, out + i);
+  for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d))
+    hn::StoreU(hn::Add(hn::LoadU(d, base + i), hn::LoadU(d, sums + i)), d, out + i);
   for (; i < count; ++i) out[i] = base[i] + sums[i];
 }
 
 /// Directions of one vector of vertices after their displacements, in place; those that none moves keep their bits.
-HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bool normalise, hn::Mask<Floats>& careful) {
+HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bool normalise,
+                                hn::Mask<Floats>& careful) {
   const Floats d;
   const Lanes zero = hn::Zero(d);
   const auto still = hn::And(hn::Eq(sum[0], zero), hn::And(hn::Eq(sum[1], zero), hn::Eq(sum[2], zero)));
@@ -76,19 +79,23 @@ HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bo
   direction[2] = hn::IfThenElse(still, direction[2], hn::Mul(z, scale));
 }
 
-/// The same for as many vertices as a vector has lanes. Vertices whose direction leaves the range in which float keeps its
-/// digits, or cancels, are done again alone.
+/// The same for as many vertices as a vector has lanes. Vertices whose direction leaves the range in which float keeps
+/// its digits, or cancels, are done again alone.
 template <class V>
 HWY_INLINE void move_vector(const V* base, const glm::vec3* sums, bool normalise, V* out) {
   const Floats d;
   Lanes sum[3], direction[3], handedness;
   hn::LoadInterleaved3(d, &sums->x, sum[0], sum[1], sum[2]);
-  if constexpr (sizeof(V) == sizeof(glm::vec4)) hn::LoadInterleaved4(d, &base->x, direction[0], direction[1], direction[2], handedness);
-  else hn::LoadInterleaved3(d, &base->x, direction[0], direction[1], direction[2]);
+  if constexpr (sizeof(V) == sizeof(glm::vec4))
+    hn::LoadInterleaved4(d, &base->x, direction[0], direction[1], direction[2], handedness);
+  else
+    hn::LoadInterleaved3(d, &base->x, direction[0], direction[1], direction[2]);
   auto careful = hn::Lt(hn::Zero(d), hn::Zero(d));
   move_directions(sum, direction, normalise, careful);
-  if constexpr (sizeof(V) == sizeof(glm::vec4)) hn::StoreInterleaved4(direction[0], direction[1], direction[2], handedness, d, &out->x);
-  else hn::StoreInterleaved3(direction[0], direction[1], direction[2], d, &out->x);
+  if constexpr (sizeof(V) == sizeof(glm::vec4))
+    hn::StoreInterleaved4(direction[0], direction[1], direction[2], handedness, d, &out->x);
+  else
+    hn::StoreInterleaved3(direction[0], direction[1], direction[2], d, &out->x);
   if (HWY_LIKELY(hn::AllFalse(d, careful))) return;
   HWY_ALIGN float flags[kRun];
   hn::Store(hn::IfThenElseZero(careful, hn::Set(d, 1.0f)), d, flags);
@@ -113,12 +120,15 @@ HWY_INLINE void move_all(const V* base, const glm::vec3* sums, std::size_t count
   std::copy_n(moved, count - v, out + v);
 }
 
-/// Sums one attribute chunk by chunk and calls `finish(first, count)` for each. Answers false, with nothing done, when no active
-/// target moves it.
+/// Sums one attribute chunk by chunk and calls `finish(first, count)` for each. Answers false, with nothing done, when
+/// no active target moves it.
 template <class Finish>
-bool for_each_chunk(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget::*attribute, const Finish& finish) {
+bool for_each_chunk(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget::*attribute,
+                    const Finish& finish) {
   const auto& targets = job.morphs->targets;
-  const auto moves = [&](std::size_t t) { return !(targets[t].*attribute).empty() && is_active_weight(job.weights[t]); };
+  const auto moves = [&](std::size_t t) {
+    return !(targets[t].*attribute).empty() && is_active_weight(job.weights[t]);
+  };
   bool any = false;
   for (std::size_t t = 0; t < targets.size(); ++t) any |= moves(t);
   if (!any) return false;
@@ -127,7 +137,9 @@ bool for_each_chunk(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTa
     const std::size_t count = std::min(kChunk, vertices - first);
     std::fill_n(job.scratch.begin(), count, glm::vec3(0.0f));
     for (std::size_t t = 0; t < targets.size(); ++t)
-      if (moves(t)) add_deltas(targets[t].*attribute, sparse_range((targets[t].*attribute).vertices, first, count), job.weights[t], first, job.scratch.data());
+      if (moves(t))
+        add_deltas(targets[t].*attribute, sparse_range((targets[t].*attribute).vertices, first, count), job.weights[t],
+                   first, job.scratch.data());
     finish(first, count);
   }
   return true;
@@ -137,13 +149,19 @@ void morph_vertices(const MorphVerticesJob& job) {
   const VertexInput& in = job.vertices;
   const VertexOutput& out = job.out;
   const glm::vec3* sums = job.scratch.data();
-  const auto positions = [&](std::size_t v, std::size_t count) HWY_ATTR { add_base(&in.positions[v].x, &sums->x, 3 * count, &out.positions[v].x); };
-  const auto normals = [&](std::size_t v, std::size_t count) HWY_ATTR { move_all(&in.normals[v], sums, count, job.normalise, &out.normals[v]); };
-  const auto tangents = [&](std::size_t v, std::size_t count) HWY_ATTR { move_all(&in.tangents[v], sums, count, job.normalise, &out.tangents[v]); };
+  const auto positions = [&](std::size_t v, std::size_t count)
+                             HWY_ATTR { add_base(&in.positions[v].x, &sums->x, 3 * count, &out.positions[v].x); };
+  const auto normals = [&](std::size_t v, std::size_t count)
+                           HWY_ATTR { move_all(&in.normals[v], sums, count, job.normalise, &out.normals[v]); };
+  const auto tangents = [&](std::size_t v, std::size_t count)
+                            HWY_ATTR { move_all(&in.tangents[v], sums, count, job.normalise, &out.tangents[v]); };
   const auto wanted = present(in, out);
-  if (!for_each_chunk(job, &MorphTarget::positions, positions)) std::copy(in.positions.begin(), in.positions.end(), out.positions.begin());
-  if (wanted.normals && !for_each_chunk(job, &MorphTarget::normals, normals)) std::copy(in.normals.begin(), in.normals.end(), out.normals.begin());
-  if (wanted.tangents && !for_each_chunk(job, &MorphTarget::tangents, tangents)) std::copy(in.tangents.begin(), in.tangents.end(), out.tangents.begin());
+  if (!for_each_chunk(job, &MorphTarget::positions, positions))
+    std::copy(in.positions.begin(), in.positions.end(), out.positions.begin());
+  if (wanted.normals && !for_each_chunk(job, &MorphTarget::normals, normals))
+    std::copy(in.normals.begin(), in.normals.end(), out.normals.begin());
+  if (wanted.tangents && !for_each_chunk(job, &MorphTarget::tangents, tangents))
+    std::copy(in.tangents.begin(), in.tangents.end(), out.tangents.begin());
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace {
 
 /// One vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
-void skin_vertex(const SkinCenterOfRotationJob& job, const VertexJoints<kCount>& joints, const glm::vec3& center, const In& in, const Out& out,
-                 std::size_t v) noexcept {
+void skin_vertex(const SkinCenterOfRotationJob& job, const VertexJoints<kCount>& joints, const glm::vec3& center,
+                 const In& in, const Out& out, std::size_t v) noexcept {
   const Quat<float> rotation = blend_motion(job.split, joints).real;
   const glm::vec3 moved_center = transform_point(blend_matrix(job.palette, joints), center);
   glm::vec3 arm = in.positions[v] - center;
@@ -41,12 +41,15 @@ namespace {
 
 /// eq   M c of a tile, M the blended matrices
 template <int kCount>
-HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints, const glm::vec3* centers) {
+HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
+                                const glm::vec3* centers) {
 #if HWY_TARGET == HWY_SCALAR
   return transform_points(blend_one_matrix(palette, joints), load3(centers));
 #else
   Wide quarters[4];
-  for_each_quarter([&](auto q) HWY_ATTR { quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread<q>(centers)); });
+  for_each_quarter([&](auto q) HWY_ATTR {
+    quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread<q>(centers));
+  });
   const Lanes4 moved = transpose(quarters[0], quarters[1], quarters[2], quarters[3]);
   return {moved.x, moved.y, moved.z};
 #endif
@@ -68,7 +71,8 @@ struct SkinTile {
   const SkinCenterOfRotationJob& job;
   CenterCopies& copies;
 
-  HWY_INLINE void operator()(const TilePlace& place, const TileInfluences<kCount>& joints, const TileInput& in, const TileOutput& out) const {
+  HWY_INLINE void operator()(const TilePlace& place, const TileInfluences<kCount>& joints, const TileInput& in,
+                             const TileOutput& out) const {
     const glm::vec3* centers = job.centers.data() + place.first_vertex;
     if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);
     const MotionLanes motion = blend_motions(job.split.data(), joints, false);

@@ -21,7 +21,8 @@ namespace {
 
 /// One vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
-void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const In& in, const Out& out, std::size_t v) noexcept {
+void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>& joints, const In& in, const Out& out,
+                 std::size_t v) noexcept {
   const DualQuat motion = blend_motion(split, joints);
   glm::vec3 p = in.positions[v];
   Mat3<float> stretch(1.0f);
@@ -47,8 +48,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Skins rows of tiles. Motions are blended some tiles ahead: blends wait for memory and what follows for arithmetic, and a
-/// processor does not look so far ahead that it would fill the time of one with the other of the next tile.
+/// Skins rows of tiles. Motions are blended some tiles ahead: blends wait for memory and what follows for arithmetic,
+/// and a processor does not look so far ahead that it would fill the time of one with the other of the next tile.
 template <int kCount, bool kStretch>
 struct SkinRow {
   using Row = TileRow<kCount>;

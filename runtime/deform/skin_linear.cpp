@@ -14,19 +14,22 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// The normal of vertex `v` of a tile where squares leave float's range, or the blend has none. Its matrix is the one that moves
-/// its position, to the last bit.
+/// The normal of vertex `v` of a tile where squares leave float's range, or the blend has none. Its matrix is the one
+/// that moves its position, to the last bit.
 template <int kCount>
-glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v, const glm::vec3& n, bool cofactor) {
+glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v,
+                         const glm::vec3& n, bool cofactor) {
   const MatrixParts parts = blend_parts(palette, tile, v);
   JointMatrix blended;
-  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
+  for (std::size_t p = 0; p < MatrixParts::kCount; ++p)
+    hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
   const Affine m = affine_from(blended);
   return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
 }
 
-/// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long as
-/// the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's work.
+/// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long
+/// as the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's
+/// work.
 template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
 struct SkinRow {
   using Row = TileRow<kCount>;
@@ -65,7 +68,8 @@ struct SkinRow {
     KeptQuarters normals[kNormals ? kKept : 1], tangents[kTangents ? kKept : 1];
     for (std::size_t first = 0; first < row.tile_count; first += kKept) {
       const std::size_t end = std::min(row.tile_count, first + kKept);
-      for (std::size_t t = first; t < end; ++t) move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
+      for (std::size_t t = first; t < end; ++t)
+        move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
       auto sound = hn::FirstN(TileTag(), kTileSize);
       for (std::size_t t = first; t < end; ++t) {
         if constexpr (kNormals) sound = hn::And(sound, write_normals(normals[t - first], row, t));
@@ -73,12 +77,14 @@ struct SkinRow {
       }
       if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
         for (std::size_t t = first; t < end; ++t)
-          SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row), t);
+          SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row),
+                                       t);
     }
   }
 
  private:
-  static constexpr std::size_t kKept = kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
+  static constexpr std::size_t kKept =
+      kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
 
   HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
     const TileInput in = row.in(t);
@@ -88,7 +94,8 @@ struct SkinRow {
       const Columns m = blend_columns(palette, joints, q);
       positions[q] = transform_points(m, load_spread<q>(in.positions));
       if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
-      if constexpr (kTangents) tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
+      if constexpr (kTangents)
+        tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
     });
     store_packed(positions, row.out(t).positions, row.past_caches);
   }
@@ -112,19 +119,24 @@ struct SkinRow {
       const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
       const Wide tangent = hn::IfThenElse(handedness, source, tangents[q]);
       float* to = &row.out(t).tangents[q * kBlocks].x;
-      if (row.past_caches) hn::Stream(tangent, d, to);
-      else hn::StoreU(tangent, d, to);
+      if (row.past_caches)
+        hn::Stream(tangent, d, to);
+      else
+        hn::StoreU(tangent, d, to);
     });
     return sound;
   }
 
-  /// What is not sound of a tile. Apart from the loops over tiles, and called with copies of what they have in registers, which
-  /// would otherwise not stay there across a call.
-  HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row, std::size_t t) const {
+  /// What is not sound of a tile. Apart from the loops over tiles, and called with copies of what they have in
+  /// registers, which would otherwise not stay there across a call.
+  HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row,
+                                  std::size_t t) const {
     if constexpr (kNormals)
-      for_each_lane_not_in(soundness(normals), [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
+      for_each_lane_not_in(soundness(normals),
+                           [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
     if constexpr (kTangents)
-      for_each_lane_not_in(soundness(tangents), [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+      for_each_lane_not_in(soundness(tangents),
+                           [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
   }
   static hn::Mask<TileTag> soundness(const KeptQuarters& kept) {
     Wide quarters[4];
@@ -148,12 +160,15 @@ void skin_linear(const SkinLinearJob& job) {
   const StreamedOutput streamed(job.out, wanted);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
-      for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, normals, tangents, cofactor>{job.palette.data()}, streamed);
+      for_each_row<count>(job.influences, group, job.vertices, job.out,
+                          SkinRow<count, normals, tangents, cofactor>{job.palette.data()}, streamed);
     });
   };
   with_attributes(wanted, [&](auto normals, auto tangents) {
-    if (normals && job.normal_rule == NormalRule::cofactor) skin(normals, tangents, normals);
-    else skin(normals, tangents, std::false_type{});
+    if (normals && job.normal_rule == NormalRule::cofactor)
+      skin(normals, tangents, normals);
+    else
+      skin(normals, tangents, std::false_type{});
   });
 }
 

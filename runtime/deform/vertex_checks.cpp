@@ -6,7 +6,8 @@
 namespace sinew {
 
 AttributesPresent present(const VertexInput& in, const VertexOutput& out) noexcept {
-  return {.normals = !in.normals.empty() && !out.normals.empty(), .tangents = !in.tangents.empty() && !out.tangents.empty()};
+  return {.normals = !in.normals.empty() && !out.normals.empty(),
+          .tangents = !in.tangents.empty() && !out.tangents.empty()};
 }
 
 ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept {
@@ -15,12 +16,14 @@ ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept
     if (optional && (input == 0 || output == 0)) return true;
     return input == count && output >= count;
   };
-  const bool ok = fits(in.positions.size(), out.positions.size(), false) && fits(in.normals.size(), out.normals.size(), true) &&
+  const bool ok = fits(in.positions.size(), out.positions.size(), false) &&
+                  fits(in.normals.size(), out.normals.size(), true) &&
                   fits(in.tangents.size(), out.tangents.size(), true);
   return ok ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
-ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count, std::size_t joint_count) noexcept {
+ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count,
+                           std::size_t joint_count) noexcept {
   if (influences.joint_count() != influences.weight_count()) return ErrorCode::size_mismatch;
   std::size_t next_vertex = 0;
   for (const auto& group : influences.groups) {
@@ -31,11 +34,14 @@ ErrorCode check_influences(const InfluenceStreams& influences, std::size_t verte
     next_vertex += group.vertex_count;
   }
   if (next_vertex != vertex_count) return ErrorCode::size_mismatch;
-  const auto all_below_count = [&](auto joints) { return std::all_of(joints.begin(), joints.end(), [&](auto joint) { return joint < joint_count; }); };
+  const auto all_below_count = [&](auto joints) {
+    return std::all_of(joints.begin(), joints.end(), [&](auto joint) { return joint < joint_count; });
+  };
   return std::visit(all_below_count, influences.joints) ? ErrorCode::ok : ErrorCode::index_out_of_range;
 }
 
-ErrorCode check_skinning(const InfluenceStreams& influences, const VertexInput& in, const VertexOutput& out, std::size_t joint_count) noexcept {
+ErrorCode check_skinning(const InfluenceStreams& influences, const VertexInput& in, const VertexOutput& out,
+                         std::size_t joint_count) noexcept {
   if (const ErrorCode error = check_streams(in, out); error != ErrorCode::ok) return error;
   return check_influences(influences, in.positions.size(), joint_count);
 }

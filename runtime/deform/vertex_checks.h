@@ -18,10 +18,13 @@ AttributesPresent present(const VertexInput& in, const VertexOutput& out) noexce
 ErrorCode check_streams(const VertexInput& in, const VertexOutput& out) noexcept;
 
 /// Groups cover [0, vertex_count) in order, their joints and weights exist, and every joint is below `joint_count`.
-/// err  size_mismatch, index_out_of_range, unsupported (more than kMostWidened that have to be widened)     cost O(influences)
-ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count, std::size_t joint_count) noexcept;
+/// err  size_mismatch, index_out_of_range, unsupported (more than kMostWidened that have to be widened)     cost
+/// O(influences)
+ErrorCode check_influences(const InfluenceStreams& influences, std::size_t vertex_count,
+                           std::size_t joint_count) noexcept;
 
 /// Both of them.
-ErrorCode check_skinning(const InfluenceStreams& influences, const VertexInput& in, const VertexOutput& out, std::size_t joint_count) noexcept;
+ErrorCode check_skinning(const InfluenceStreams& influences, const VertexInput& in, const VertexOutput& out,
+                         std::size_t joint_count) noexcept;
 
 }  // namespace sinew

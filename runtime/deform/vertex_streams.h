@@ -10,14 +10,14 @@ namespace sinew {
 struct VertexInput {
   std::span<const glm::vec3> positions;
   std::span<const glm::vec3> normals;
-  std::span<const glm::vec4> tangents;   ///< w = handedness, copied through
+  std::span<const glm::vec4> tangents;  ///< w = handedness, copied through
 };
 
 /// Where deformation writes. An attribute is written when it is present in the input *and* not empty here.
 struct VertexOutput {
   std::span<glm::vec3> positions;
-  std::span<glm::vec3> normals;          ///< unit
-  std::span<glm::vec4> tangents;         ///< unit xyz
+  std::span<glm::vec3> normals;   ///< unit
+  std::span<glm::vec4> tangents;  ///< unit xyz
 };
 
 }  // namespace sinew

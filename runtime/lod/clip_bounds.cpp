@@ -5,23 +5,23 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/math/quaternion.h"
-#include "runtime/math/stretch.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/lod/pose_drift.h"
+#include "runtime/math/quaternion.h"
+#include "runtime/math/stretch.h"
 #include "runtime/plan/rig.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t kPieces = 8;            // of a key interval, fewer where there are many
+constexpr std::size_t kPieces = 8;  // of a key interval, fewer where there are many
 constexpr std::size_t kPosesPerPiece = 5;
-constexpr double kRounding = 3e-5;            // of floats, against the box's size and its distance
+constexpr double kRounding = 3e-5;  // of floats, against the box's size and its distance
 
 /// Vertices that follow one joint.
 struct Part {
   std::uint32_t joint = 0;
-  Aabb box;               // in the joint's space
+  Aabb box;                 // in the joint's space
   double farthest_m = 0.0;  // of its corners from the joint
 };
 
@@ -32,7 +32,8 @@ void grow(Aabb& box, double by_m) {
 
 double diagonal(const Aabb& box) { return safe_length(Vec3<double>(box.upper) - Vec3<double>(box.lower)); }
 
-/// Largest magnitude that each weight of a track reaches: of its keys, for cubics of their control points, which enclose them.
+/// Largest magnitude that each weight of a track reaches: of its keys, for cubics of their control points, which
+/// enclose them.
 void raise(const WeightTrack& track, std::span<double> largest) {
   const std::size_t targets = track.target_count, keys = track.key_count();
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
@@ -44,7 +45,9 @@ void raise(const WeightTrack& track, std::span<double> largest) {
       const double at_key = value(k, 1, t);
       largest[t] = std::max(largest[t], std::abs(at_key));
       if (!cubic) continue;
-      const auto third = [&](std::size_t from, std::size_t to) { return static_cast<double>(track.times_s[to] - track.times_s[from]) / 3.0; };
+      const auto third = [&](std::size_t from, std::size_t to) {
+        return static_cast<double>(track.times_s[to] - track.times_s[from]) / 3.0;
+      };
       if (k > 0) largest[t] = std::max(largest[t], std::abs(at_key - third(k - 1, k) * value(k, 0, t)));
       if (k + 1 < keys) largest[t] = std::max(largest[t], std::abs(at_key + third(k, k + 1) * value(k, 2, t)));
     }
@@ -63,7 +66,8 @@ double morph_reach(const Scene& scene, const Animation* animation, std::uint32_t
     double reach = 0.0;
     for (std::size_t t = 0; t < primitive.morphs.targets.size(); ++t) {
       double longest = 0.0;
-      for (const glm::vec3& delta : primitive.morphs.targets[t].positions.deltas) longest = std::max(longest, safe_length(Vec3<double>(delta)));
+      for (const glm::vec3& delta : primitive.morphs.targets[t].positions.deltas)
+        longest = std::max(longest, safe_length(Vec3<double>(delta)));
       reach += largest[t] * longest;
     }
     most = std::max(most, reach);
@@ -100,7 +104,8 @@ void add_skinned_parts(const Scene& scene, const MeshInstance& instance, double 
     for (const InfluenceGroup& group : primitive.influences.groups)
       for (std::uint32_t v = 0; v < group.vertex_count; ++v)
         for (std::uint32_t i = 0; i < group.influence_count; ++i) {
-          const std::uint16_t joint = primitive.influences.joints[group.first_influence + v * group.influence_count + i];
+          const std::uint16_t joint =
+              primitive.influences.joints[group.first_influence + v * group.influence_count + i];
           boxes[joint].add(transform_point(skin.inverse_bind[joint], primitive.positions[group.first_vertex + v]));
         }
   for (std::size_t j = 0; j < boxes.size(); ++j)
@@ -113,7 +118,8 @@ void hang(std::span<const JointPlace> places, std::vector<Part>& parts) {
   for (const Part& part : parts) {
     const JointPlace& place = places[part.joint];
     Aabb there;
-    for (const Vec3<double>& corner : corners_of(part.box)) there.add(glm::vec3(transform_point(place.from_joint, corner)));
+    for (const Vec3<double>& corner : corners_of(part.box))
+      there.add(glm::vec3(transform_point(place.from_joint, corner)));
     add_part(hung, place.joint, place.is_kept ? part.box : there, 0.0);
   }
   parts = std::move(hung);
@@ -123,20 +129,25 @@ void hang(std::span<const JointPlace> places, std::vector<Part>& parts) {
 std::vector<Part> parts_of(const Scene& scene, const Animation* animation, std::uint32_t i) {
   const MeshInstance& instance = scene.instances[i];
   const std::vector<Primitive>& primitives = scene.meshes[instance.mesh].primitives;
-  const auto skinned = std::count_if(primitives.begin(), primitives.end(), [&](const Primitive& p) { return instance.skin != kNone && !p.influences.empty(); });
+  const auto skinned = std::count_if(primitives.begin(), primitives.end(), [&](const Primitive& p) {
+    return instance.skin != kNone && !p.influences.empty();
+  });
   std::vector<Part> parts;
   if (skinned != 0 && static_cast<std::size_t>(skinned) != primitives.size()) return parts;
   if (!scene.correctives.empty() && !instance.rest_weights.empty()) return parts;
   const double morphed_m = morph_reach(scene, animation, i);
-  if (skinned != 0) add_skinned_parts(scene, instance, morphed_m, parts);
-  else add_rigid_parts(scene, instance, morphed_m, parts);
+  if (skinned != 0)
+    add_skinned_parts(scene, instance, morphed_m, parts);
+  else
+    add_rigid_parts(scene, instance, morphed_m, parts);
   return parts;
 }
 
 void add_piece(const PoseDrift& drift, std::span<const Part> parts, Aabb& box) {
   for (const Part& part : parts) {
     Aabb there;
-    for (const Vec3<double>& corner : corners_of(part.box)) there.add(glm::vec3(transform_point(drift.middle()[part.joint], corner)));
+    for (const Vec3<double>& corner : corners_of(part.box))
+      there.add(glm::vec3(transform_point(drift.middle()[part.joint], corner)));
     const Drift& stray = drift.drifts()[part.joint];
     grow(there, stray.fixed_m + stray.per_metre * part.farthest_m);
     box.add(there.lower), box.add(there.upper);
@@ -173,15 +184,19 @@ std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint3
     for (std::size_t i = 0; i < boxes.size(); ++i) add_piece(drift, parts[i], boxes[i]);
   };
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
-    const double begin_s = static_cast<double>(keys[k]), end_s = std::nextafter(static_cast<double>(keys[k + 1]), begin_s);   // a jump at the next key is not yet
+    const double begin_s = static_cast<double>(keys[k]),
+                 end_s =
+                     std::nextafter(static_cast<double>(keys[k + 1]), begin_s);  // a jump at the next key is not yet
     for (std::size_t p = 0; p < pieces; ++p) {
       const double step_s = (end_s - begin_s) / static_cast<double>(pieces);
-      look_at(begin_s + static_cast<double>(p) * step_s, p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
+      look_at(begin_s + static_cast<double>(p) * step_s,
+              p + 1 == pieces ? end_s : begin_s + static_cast<double>(p + 1) * step_s);
     }
   }
   look_at(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    add_margins(animation != nullptr ? &scene.clips[clip] : nullptr, needs.skinning_of(i), scene.instances[i].skin != kNone, boxes[i]);
+    add_margins(animation != nullptr ? &scene.clips[clip] : nullptr, needs.skinning_of(i),
+                scene.instances[i].skin != kNone, boxes[i]);
   return boxes;
 }
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "runtime/animation/truth_pose.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/compress/clip_error.h"
+#include "runtime/compress/virtual_vertices.h"
+#include "runtime/plan/run_plan.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/compress/clip_error.h"
-#include "runtime/plan/run_plan.h"
-#include "runtime/animation/truth_pose.h"
-#include "runtime/compress/virtual_vertices.h"
 
 namespace sinew {
 namespace {
@@ -29,9 +29,11 @@ std::vector<Moment> moments_of(const Scene& scene, std::span<const std::uint32_t
   std::vector<Moment> moments;
   for (const std::uint32_t clip : played) {
     CONTRACT(clip == kNone || clip < scene.clips.size());
-    if (clip == kNone) moments.push_back({});
+    if (clip == kNone)
+      moments.push_back({});
     else
-      for (const double time_s : times_to_check(scene.animations[clip], scene.skeleton.joint_count())) moments.push_back({clip, time_s});
+      for (const double time_s : times_to_check(scene.animations[clip], scene.skeleton.joint_count()))
+        moments.push_back({clip, time_s});
   }
   const std::size_t step = moments.size() * scene.skeleton.joint_count() / kMaxLodPoses + 1;
   std::vector<Moment> some;
@@ -42,17 +44,20 @@ std::vector<Moment> moments_of(const Scene& scene, std::span<const std::uint32_t
 /// The scene's poses as frames have them, in double from the local transforms on.
 class Poses {
  public:
-  explicit Poses(const Scene& scene) : local(scene.skeleton.joint_count()), model(local.size()), scene_(scene), memory_(local.size()) {}
+  explicit Poses(const Scene& scene)
+      : local(scene.skeleton.joint_count()), model(local.size()), scene_(scene), memory_(local.size()) {}
 
   void look_at(const Moment& moment) {
     const PoseSpan pose = memory_.span();
-    if (moment.clip != kNone) run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
-    for (std::size_t j = 0; j < local.size(); ++j) local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
+    if (moment.clip != kNone)
+      run(SampleClipJob{.clip = &scene_.clips[moment.clip], .time_s = moment.time_s, .pose = pose, .weights = {}});
+    for (std::size_t j = 0; j < local.size(); ++j)
+      local[j] = in_double(moment.clip == kNone ? scene_.skeleton.rest[j] : pose.get(j));
     model_from_local(scene_.skeleton, local, model);
   }
 
-  std::vector<Transformd> local;   // [J]
-  std::vector<Affined> model;      // [J]
+  std::vector<Transformd> local;  // [J]
+  std::vector<Affined> model;     // [J]
 
  private:
   const Scene& scene_;
@@ -79,7 +84,9 @@ std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> m
   std::vector<Transform> means;
   for (std::size_t j = 0; j < sum.size(); ++j) {
     const double share = 1.0 / static_cast<double>(moments.size());
-    const Transformd mean = changes[j] ? Transformd{share * sum[j].translation, normalised(sum[j].rotation), share * sum[j].scale} : first[j];
+    const Transformd mean =
+        changes[j] ? Transformd{share * sum[j].translation, normalised(sum[j].rotation), share * sum[j].scale}
+                   : first[j];
     means.push_back({glm::vec3(mean.translation), quat_cast<float>(mean.rotation), glm::vec3(mean.scale)});
   }
   return means;
@@ -87,8 +94,8 @@ std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> m
 
 /// A joint that may go, with all below it.
 struct Branch {
-  std::vector<std::uint32_t> joints;   // parents first
-  std::size_t moments = 0;             // at which it was seen to be within the tolerance
+  std::vector<std::uint32_t> joints;  // parents first
+  std::size_t moments = 0;            // at which it was seen to be within the tolerance
   double worst_m = 0.0;
   std::uint32_t worst_joint = kNone;
 };
@@ -96,9 +103,18 @@ struct Branch {
 class Pruner {
  public:
   Pruner(const Scene& scene, std::span<const Moment> moments)
-      : scene_(scene), moments_(moments), vertices_(virtual_vertices(scene)), poses_(scene), children_(scene.skeleton.joint_count()),
-        needed_(children_.size(), false), held_(mean_locals(scene, moments, poses_)), held_affines_(affines_of(held_)), held_model_(children_.size()) {
-    const auto need = [&](std::uint32_t joint) { if (joint != kNone) needed_[joint] = true; };
+      : scene_(scene),
+        moments_(moments),
+        vertices_(virtual_vertices(scene)),
+        poses_(scene),
+        children_(scene.skeleton.joint_count()),
+        needed_(children_.size(), false),
+        held_(mean_locals(scene, moments, poses_)),
+        held_affines_(affines_of(held_)),
+        held_model_(children_.size()) {
+    const auto need = [&](std::uint32_t joint) {
+      if (joint != kNone) needed_[joint] = true;
+    };
     for (const Camera& camera : scene.cameras) need(camera.joint);
     for (const Light& light : scene.lights) need(light.joint);
     for (const PoseCorrective& corrective : scene.correctives)
@@ -129,7 +145,8 @@ class Pruner {
     std::vector<Affined> affines;
     for (std::size_t j = 0; j < held.size(); ++j) {
       const std::uint32_t fixed = scene_.skeleton.fixed_matrix_of[j];
-      affines.push_back(fixed == kNone ? affine_from_transform(in_double(held[j])) : affine_cast<double>(scene_.skeleton.fixed_matrices[fixed]));
+      affines.push_back(fixed == kNone ? affine_from_transform(in_double(held[j]))
+                                       : affine_cast<double>(scene_.skeleton.fixed_matrices[fixed]));
     }
     return affines;
   }
@@ -149,9 +166,12 @@ class Pruner {
         const std::vector<std::uint32_t>& more = children_[branch.joints[i]];
         branch.joints.insert(branch.joints.end(), more.begin(), more.end());
       }
-      const bool is_needed = std::any_of(branch.joints.begin(), branch.joints.end(), [&](std::uint32_t j) { return needed_[j]; });
-      if (is_needed) open_below(child);
-      else open_.push_back(std::move(branch));
+      const bool is_needed =
+          std::any_of(branch.joints.begin(), branch.joints.end(), [&](std::uint32_t j) { return needed_[j]; });
+      if (is_needed)
+        open_below(child);
+      else
+        open_.push_back(std::move(branch));
     }
   }
 
@@ -161,9 +181,12 @@ class Pruner {
     open_.clear();
     for (Branch& branch : looked_at) {
       measure(branch);
-      if (branch.worst_m > tolerance_m_) open_below(branch.joints.front());   // to be seen at all moments from the next one on
-      else if (++branch.moments == moments_.size()) accepted_.push_back(std::move(branch));
-      else open_.push_back(std::move(branch));
+      if (branch.worst_m > tolerance_m_)
+        open_below(branch.joints.front());  // to be seen at all moments from the next one on
+      else if (++branch.moments == moments_.size())
+        accepted_.push_back(std::move(branch));
+      else
+        open_.push_back(std::move(branch));
     }
   }
 
@@ -173,7 +196,8 @@ class Pruner {
       held_model_[j] = (j == branch.joints.front() ? poses_.model[parent] : held_model_[parent]) * held_affines_[j];
       if (!scene_.instances.empty() && !vertices_.moves_vertices[j]) continue;
       for (const Vec3<double>& corner : corners_of(vertices_.boxes[j])) {
-        const double off_m = safe_length(transform_point(held_model_[j], corner) - transform_point(poses_.model[j], corner));
+        const double off_m =
+            safe_length(transform_point(held_model_[j], corner) - transform_point(poses_.model[j], corner));
         if (!(off_m <= branch.worst_m)) branch.worst_m = off_m, branch.worst_joint = j;
       }
       if (branch.worst_m > tolerance_m_) return;
@@ -185,16 +209,16 @@ class Pruner {
   double tolerance_m_ = 0.0;
   VirtualVertices vertices_;
   Poses poses_;
-  std::vector<std::vector<std::uint32_t>> children_;   // [J]
-  std::vector<bool> needed_;                           // [J] by a camera, a light or a corrective
-  std::vector<Transform> held_;                        // [J]
-  std::vector<Affined> held_affines_, held_model_;     // [J]
+  std::vector<std::vector<std::uint32_t>> children_;  // [J]
+  std::vector<bool> needed_;                          // [J] by a camera, a light or a corrective
+  std::vector<Transform> held_;                       // [J]
+  std::vector<Affined> held_affines_, held_model_;    // [J]
   std::vector<Branch> open_, accepted_;
 };
 
 /// Of the tolerance, tried one after the other where linear blending says too little of what vertices do.
 constexpr double kShares[] = {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03, 0.01, 0.0};
-constexpr double kRounding = 3e-6;   // of floats, against the distance from the origin
+constexpr double kRounding = 3e-6;  // of floats, against the distance from the origin
 
 bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -203,12 +227,13 @@ bool bends_otherwise(const Scene& scene, const Needs& needs) noexcept {
 }
 
 struct FramesApart {
-  double worst_m = 0.0;      // from a vertex to where it is with all joints
-  double farthest_m = 0.0;   // of a vertex from the origin
+  double worst_m = 0.0;     // from a vertex to where it is with all joints
+  double farthest_m = 0.0;  // of a vertex from the origin
 };
 
 /// Skinned vertices of frames with and without the joints that a detail leaves out; these are in world space.
-FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& detail, std::span<const Moment> moments) {
+FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& detail,
+                           std::span<const Moment> moments) {
   needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
   needs.positions = true, needs.skeleton_lod = {};
   const Plan full = compile_plan(scene, needs);
@@ -216,7 +241,8 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
   const Plan lean = compile_plan(scene, needs);
   FrameBuffer all(full), some(lean);
   std::size_t vertices = 0;
-  for (const PrimitivePlan& planned : full.primitives) vertices += planned.skin.any() ? primitive_of(full, planned).vertex_count() : 0;
+  for (const PrimitivePlan& planned : full.primitives)
+    vertices += planned.skin.any() ? primitive_of(full, planned).vertex_count() : 0;
   FramesApart apart;
   for (std::size_t i = 0; i < moments.size(); i += moments.size() * vertices / kMaxLodVertices + 1) {
     const ClipLayer layer{moments[i].clip, moments[i].time_s};
@@ -225,7 +251,8 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
     CONTRACT(run_plan(full, input, all) == ErrorCode::ok && run_plan(lean, input, some) == ErrorCode::ok);
     for (std::size_t p = 0; p < full.primitives.size(); ++p) {
       if (!full.primitives[p].skin.any()) continue;
-      const std::span<const glm::vec3> a = all.result().primitives[p].positions, b = some.result().primitives[p].positions;
+      const std::span<const glm::vec3> a = all.result().primitives[p].positions,
+                                       b = some.result().primitives[p].positions;
       for (std::size_t v = 0; v < a.size(); ++v) {
         apart.worst_m = std::max(apart.worst_m, safe_length(Vec3<double>(a[v]) - Vec3<double>(b[v])));
         apart.farthest_m = std::max(apart.farthest_m, safe_length(Vec3<double>(a[v])));
@@ -237,7 +264,8 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
 
 }  // namespace
 
-CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips, const Needs& needs) {
+CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips,
+                                         const Needs& needs) {
   CONTRACT(tolerance_m >= 0.0);
   if (scene.skeleton.joint_count() == 0) return {};
   const std::vector<Moment> moments = moments_of(scene, clips);

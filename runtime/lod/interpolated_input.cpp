@@ -17,14 +17,16 @@ InterpolatedInput::InterpolatedInput(const Plan& plan) {
   from_.reserve(plan.tables.input_layer_count), to_.reserve(plan.tables.input_layer_count);
 }
 
-FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level, std::uint64_t frame,
-                                   std::uint32_t turn) {
+FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level,
+                                   std::uint64_t frame, std::uint32_t turn) {
   if (now.asleep || frame < start_ || frame > end_) moves_ = false;
   if (now.asleep) return now;
   if (!moves_ || frame == end_) {
     if (level == UpdateLevel::every) return moves_ = false, now;
-    if (moves_) std::swap(from_, to_);
-    else from_.assign(now.layers.begin(), now.layers.end());
+    if (moves_)
+      std::swap(from_, to_);
+    else
+      from_.assign(now.layers.begin(), now.layers.end());
     to_.assign(ahead.begin(), ahead.end());
     start_ = frame, end_ = frame + frames_to_update(level, frame, turn), moves_ = true;
   }

@@ -10,9 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr double kCubic = 1.64;          // Lebesgue constant of four even places is 1.631
+constexpr double kCubic = 1.64;  // Lebesgue constant of four even places is 1.631
 constexpr double kBent = 2.0, kMuch = 0.5;
-constexpr double kAnyRotation = 2.0;     // of a unit vector
+constexpr double kAnyRotation = 2.0;  // of a unit vector
 
 double largest(const Vec3<double>& v) noexcept { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -20,16 +20,21 @@ double largest(const Vec3<double>& v) noexcept { return std::max({std::abs(v.x),
 double rotation_between_m(const Quat<double>& q, const Quat<double>& r) noexcept {
   const double side = quat_dot(q, r) < 0.0 ? -1.0 : 1.0;
   const double x = q.x - side * r.x, y = q.y - side * r.y, z = q.z - side * r.z, w = q.w - side * r.w;
-  const double chord = std::sqrt(x * x + y * y + z * z + w * w);            // 2 sin(angle / 4)
+  const double chord = std::sqrt(x * x + y * y + z * z + w * w);             // 2 sin(angle / 4)
   return 2.0 * chord * std::sqrt(std::max(0.0, 1.0 - chord * chord / 4.0));  // 2 * 2 sin(angle / 4) cos(angle / 4)
 }
 
 }  // namespace
 
 PoseDrift::PoseDrift(const Skeleton& skeleton, const Animation& animation)
-    : skeleton_(skeleton), animation_(animation), cubic_vectors_(skeleton.joint_count()), bent_rotations_(skeleton.joint_count()),
+    : skeleton_(skeleton),
+      animation_(animation),
+      cubic_vectors_(skeleton.joint_count()),
+      bent_rotations_(skeleton.joint_count()),
       drifts_(skeleton.joint_count()) {
-  const auto is_bent = [](Interpolation kind) { return kind == Interpolation::cubic_spline || kind == Interpolation::squad; };
+  const auto is_bent = [](Interpolation kind) {
+    return kind == Interpolation::cubic_spline || kind == Interpolation::squad;
+  };
   for (const BoneAnimation& bone : animation.bones) {
     if (is_bent(bone.translation.interpolation) || is_bent(bone.scale.interpolation)) cubic_vectors_[bone.joint] = true;
     if (is_bent(bone.rotation.interpolation)) bent_rotations_[bone.joint] = true;
@@ -53,19 +58,22 @@ PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
 void PoseDrift::look_at(double begin_s, double end_s) {
   const double length_s = end_s - begin_s;
   evaluate_truth(animation_, skeleton_, begin_s + 0.5 * length_s, middle_);
-  for (int i = 0; i < 4; ++i) evaluate_truth(animation_, skeleton_, i == 3 ? end_s : begin_s + length_s * i / 3.0, places_[i]);
+  for (int i = 0; i < 4; ++i)
+    evaluate_truth(animation_, skeleton_, i == 3 ? end_s : begin_s + length_s * i / 3.0, places_[i]);
   for (std::size_t j = 0; j < drifts_.size(); ++j) {
     const std::uint32_t parent = skeleton_.parents[j], fixed = skeleton_.fixed_matrix_of[j];
     const Drift above = parent == kNone ? Drift{} : drifts_[parent];
     const double stretch = parent == kNone ? 1.0 : largest_stretch(middle_.model[parent]);
     if (fixed != kNone) {
       const Affined matrix = affine_cast<double>(skeleton_.fixed_matrices[fixed]);
-      drifts_[j] = {above.fixed_m + above.per_metre * safe_length(translation_of(matrix)), above.per_metre * largest_stretch(matrix)};
+      drifts_[j] = {above.fixed_m + above.per_metre * safe_length(translation_of(matrix)),
+                    above.per_metre * largest_stretch(matrix)};
       continue;
     }
     const Stray stray = stray_of(j);
     const Transformd& middle = middle_.local[j];
-    const double farthest = safe_length(middle.translation) + stray.translation, scale = largest(middle.scale) + stray.scale;
+    const double farthest = safe_length(middle.translation) + stray.translation,
+                 scale = largest(middle.scale) + stray.scale;
     drifts_[j] = {above.fixed_m + above.per_metre * farthest + stretch * stray.translation,
                   above.per_metre * scale + stretch * (stray.rotation * scale + stray.scale)};
   }

@@ -13,10 +13,11 @@ enum class UpdateLevel : std::uint8_t { every, every_second, every_fourth };
 
 /// Where levels change, as parts of the picture's height.
 struct UpdateRates {
-  double second_below = 0.2;    ///< smaller characters are evaluated in every second frame ...
-  double fourth_below = 0.07;   ///< ... and these in every fourth
-  double hysteresis = 0.25;     ///< a character has to be larger by this part to come back, so that none flickers at a border
-  double longest_s = 0.1;       ///< between updates, whatever the size: where frames are slow, few or none are left out
+  double second_below = 0.2;   ///< smaller characters are evaluated in every second frame ...
+  double fourth_below = 0.07;  ///< ... and these in every fourth
+  double hysteresis =
+      0.25;  ///< a character has to be larger by this part to come back, so that none flickers at a border
+  double longest_s = 0.1;  ///< between updates, whatever the size: where frames are slow, few or none are left out
 };
 
 /// Height of a ball in the picture of a perspective camera, as part of the picture's height; infinite from within.
@@ -30,19 +31,20 @@ UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRat
 /// in   frame_s  from one frame to the next
 UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates = {}) noexcept;
 
-/// Holds a character's input over the frames that its level leaves out: run_plan is given the same input again and does nothing
-/// (P19), neither for joints nor for vertices, and nothing is uploaded. Between poses that are not evaluated nothing is interpolated:
-/// skinning what was interpolated would cost what is saved.
-/// err  what is shown is up to 2^k - 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times. What moves
+/// Holds a character's input over the frames that its level leaves out: run_plan is given the same input again and does
+/// nothing (P19), neither for joints nor for vertices, and nothing is uploaded. Between poses that are not evaluated
+/// nothing is interpolated: skinning what was interpolated would cost what is saved. err  what is shown is up to 2^k -
+/// 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times. What moves
 ///      the whole character is held as well: whoever draws it can put root_now * inverse(input.root) on top
 class HeldInput {
  public:
   explicit HeldInput(const Plan& plan);
 
-  /// The input to run in this frame: `now` in the frames of the level and of this character, and where there is nothing to hold,
-  /// otherwise the last one of these. What is out of view or asleep is always of this frame; who wakes up is evaluated.
-  /// in   turn  of the character, any number: characters that count up share their work out over frames
-  /// out  views of this object, valid until the next call.    cost O(layers + weights), no allocation for layers that the plan has room for
+  /// The input to run in this frame: `now` in the frames of the level and of this character, and where there is nothing
+  /// to hold, otherwise the last one of these. What is out of view or asleep is always of this frame; who wakes up is
+  /// evaluated. in   turn  of the character, any number: characters that count up share their work out over frames out
+  /// views of this object, valid until the next call.    cost O(layers + weights), no allocation for layers that the
+  /// plan has room for
   FrameInput next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t turn);
 
  private:

@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// Weights and displacements below this are zero: nobody can see them, but their products are denormal numbers, which some
-/// processors handle a hundred times slower (N26).
+/// Weights and displacements below this are zero: nobody can see them, but their products are denormal numbers, which
+/// some processors handle a hundred times slower (N26).
 inline constexpr float kNegligible = 1e-20f;
 
 /// x, or 0 where |x| < 1e-20

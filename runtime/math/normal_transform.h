@@ -45,7 +45,8 @@ template <class T>
 inline constexpr T kFlatDeterminant = T(4) * std::numeric_limits<T>::epsilon();
 
 /// As transform_normal, but pointing to the outside of a solid also when M mirrors (conventions.h; hard case G48).
-/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists; a flat M counts as
+/// eq   normalise(sign(det M) cof(M) n): the direction of the inverse transpose wherever that exists; a flat M counts
+/// as
 ///      not mirroring, whatever sign rounding gave its determinant
 template <class T>
 Vec3<T> transform_normal_outward(const Mat3<T>& m, const Vec3<T>& n) noexcept {

@@ -7,7 +7,8 @@
 namespace sinew {
 
 /// How much longer a vector can become, at most; exact for rotations with uniform scale.
-/// eq   sqrt(m + sqrt 2 s), m the mean and s the deviation of the eigenvalues of A^T A, from its trace and Frobenius norm
+/// eq   sqrt(m + sqrt 2 s), m the mean and s the deviation of the eigenvalues of A^T A, from its trace and Frobenius
+/// norm
 ///      (Wolkowicz and Styan 1980)
 template <class T>
 T largest_stretch(const AffineT<T>& a) noexcept {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "runtime/model/scene.h"
-#include "runtime/base/index.h"
 #include "runtime/base/all_finite.h"
+#include "runtime/base/index.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 namespace {
@@ -14,11 +14,15 @@ class Findings {
   void require(bool holds, ErrorCode otherwise) noexcept {
     if (!holds && code_ == ErrorCode::ok) code_ = otherwise;
   }
-  void require_index(std::uint32_t index, std::size_t count) noexcept { require(index < count, ErrorCode::index_out_of_range); }
+  void require_index(std::uint32_t index, std::size_t count) noexcept {
+    require(index < count, ErrorCode::index_out_of_range);
+  }
   void require_optional_index(std::uint32_t index, std::size_t count) noexcept {
     require(index == kNone || index < count, ErrorCode::index_out_of_range);
   }
-  void require_size(std::size_t found, std::size_t expected) noexcept { require(found == expected, ErrorCode::size_mismatch); }
+  void require_size(std::size_t found, std::size_t expected) noexcept {
+    require(found == expected, ErrorCode::size_mismatch);
+  }
   void require_size_or_none(std::size_t found, std::size_t expected) noexcept {
     require(found == 0 || found == expected, ErrorCode::size_mismatch);
   }
@@ -41,10 +45,12 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
   const std::size_t joints = s.joint_count();
   f.require_size(s.rest.size(), joints);
   f.require_size(s.fixed_matrix_of.size(), joints);
-  for (const std::size_t size : {s.names.size(), s.node_of_joint.size(), s.joint_of_node.size()}) f.require_size_or_none(size, joints);
+  for (const std::size_t size : {s.names.size(), s.node_of_joint.size(), s.joint_of_node.size()})
+    f.require_size_or_none(size, joints);
   f.require_finite(s.rest);
   f.require_finite(s.fixed_matrices);
-  for (std::size_t j = 0; j < joints; ++j) f.require(s.parents[j] == kNone || s.parents[j] < j, ErrorCode::parents_not_first);
+  for (std::size_t j = 0; j < joints; ++j)
+    f.require(s.parents[j] == kNone || s.parents[j] < j, ErrorCode::parents_not_first);
   for (const std::uint32_t i : s.fixed_matrix_of) f.require_optional_index(i, s.fixed_matrices.size());
   for (const std::uint32_t i : s.node_of_joint) f.require_index(i, joints);
   for (const std::uint32_t i : s.joint_of_node) f.require_index(i, joints);
@@ -166,8 +172,8 @@ void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t 
 
 void check_primitive(const Primitive& p, std::size_t target_count, std::size_t material_count, Findings& f) noexcept {
   const std::size_t vertices = p.vertex_count();
-  for (const std::size_t size : {p.normals.size(), p.tangents.size(), p.colors.size(), p.centers_of_rotation.size(),
-                                 p.source_vertex.size()})
+  for (const std::size_t size :
+       {p.normals.size(), p.tangents.size(), p.colors.size(), p.centers_of_rotation.size(), p.source_vertex.size()})
     f.require_size_or_none(size, vertices);
   f.require_finite(p.positions);
   f.require_finite(p.normals);
@@ -206,8 +212,7 @@ void check_meshes(const Scene& scene, Findings& f) noexcept {
 
 /// Every joint index of the mesh exists in this skin: one mesh may hang on several skins (G36).
 void check_binding(const Mesh& mesh, const Skin& skin, Findings& f) noexcept {
-  for (const Primitive& p : mesh.primitives)
-    f.require_indices(p.influences.joints, skin.joints.size());
+  for (const Primitive& p : mesh.primitives) f.require_indices(p.influences.joints, skin.joints.size());
 }
 
 void check_instances(const Scene& scene, Findings& f) noexcept {
@@ -236,12 +241,13 @@ void check_texture_use(const TextureUse& use, const Scene& scene, Findings& f) n
 
 void check_appearance(const Scene& scene, Findings& f) noexcept {
   for (const Material& m : scene.materials)
-    for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.occlusion_texture,
-                                  &m.emissive_texture})
+    for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                  &m.occlusion_texture, &m.emissive_texture})
       check_texture_use(*use, scene, f);
   for (const Texture& t : scene.textures) f.require_optional_index(t.image, scene.images.size());
   for (const Image& i : scene.images)
-    if (!i.rgba.empty()) f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // else only its header has been read
+    if (!i.rgba.empty())
+      f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // else only its header has been read
   for (const Camera& c : scene.cameras) f.require_optional_index(c.joint, scene.skeleton.joint_count());
   for (const Light& l : scene.lights) f.require_optional_index(l.joint, scene.skeleton.joint_count());
   for (const SceneRoots& roots : scene.scenes)

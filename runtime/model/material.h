@@ -27,11 +27,11 @@ struct Sampler {
 struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;              ///< [4 * width * height] rows from the top; empty where only the header was read
-  std::string missing_reason;                  ///< not empty = draw the placeholder
-  std::string mime_type;                       ///< what the file holds, by content, such as "image/png"; empty when missing
-  std::uint64_t encoded_size = 0;              ///< bytes of it in the file
-  std::vector<std::byte> encoded;              ///< these bytes, kept only where the importer was asked to
+  std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty where only the header was read
+  std::string missing_reason;      ///< not empty = draw the placeholder
+  std::string mime_type;           ///< what the file holds, by content, such as "image/png"; empty when missing
+  std::uint64_t encoded_size = 0;  ///< bytes of it in the file
+  std::vector<std::byte> encoded;  ///< these bytes, kept only where the importer was asked to
 };
 
 struct Texture {
@@ -57,18 +57,18 @@ struct Material {
   TextureUse base_color_texture;
   float metallic = 1.0f;
   float roughness = 1.0f;
-  TextureUse metallic_roughness_texture;       ///< G roughness, B metallic, linear
+  TextureUse metallic_roughness_texture;  ///< G roughness, B metallic, linear
   TextureUse normal_texture;
   float normal_scale = 1.0f;
-  TextureUse occlusion_texture;                ///< R, linear
+  TextureUse occlusion_texture;  ///< R, linear
   float occlusion_strength = 1.0f;
-  glm::vec3 emissive{0.0f};                    ///< 0 to 1, times the strength
-  float emissive_strength = 1.0f;              ///< KHR_materials_emissive_strength
+  glm::vec3 emissive{0.0f};        ///< 0 to 1, times the strength
+  float emissive_strength = 1.0f;  ///< KHR_materials_emissive_strength
   TextureUse emissive_texture;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;                          ///< KHR_materials_unlit
+  bool unlit = false;  ///< KHR_materials_unlit
 };
 
 }  // namespace sinew

@@ -32,21 +32,22 @@ struct VariantMaterial {
 /// material. Vertices may be reordered at import (grouped by influence count): `source_vertex` tells the file's order.
 struct Primitive {
   Topology topology = Topology::triangles;
-  std::vector<std::uint32_t> indices;          ///< 1, 2 or 3 per element, always present, always < V
-  std::vector<glm::vec3> positions;            ///< [V] metres, mesh space
-  std::vector<glm::vec3> normals;              ///< [V] unit; made at import for triangles that have none
-  std::vector<glm::vec4> tangents;             ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
+  std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per element, always present, always < V
+  std::vector<glm::vec3> positions;    ///< [V] metres, mesh space
+  std::vector<glm::vec3> normals;      ///< [V] unit; made at import for triangles that have none
+  std::vector<glm::vec4> tangents;     ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
   std::vector<std::vector<glm::vec2>> texcoords;
-  std::vector<glm::vec4> colors;               ///< [V] COLOR_0, linear
-  VertexInfluences influences;                 ///< empty = not skinned
-  std::vector<glm::vec3> centers_of_rotation;  ///< [V] rest space, what Skinning::center_of_rotation turns about; empty =
-                                               ///< none, made only when asked for (importer/add_centers_of_rotation.h)
+  std::vector<glm::vec4> colors;  ///< [V] COLOR_0, linear
+  VertexInfluences influences;    ///< empty = not skinned
+  std::vector<glm::vec3>
+      centers_of_rotation;  ///< [V] rest space, what Skinning::center_of_rotation turns about; empty =
+                            ///< none, made only when asked for (importer/add_centers_of_rotation.h)
   MorphSet morphs;
   std::uint32_t material = kNone;
   std::vector<VariantMaterial> variant_materials;  ///< rising variants; in those left out `material` stays
-  std::vector<std::uint32_t> source_vertex;    ///< [V] vertex index in the file; empty = unchanged
-  bool flat_normals = false;                   ///< the file has no normals: faces are flat, also when morphed (G46)
-  Aabb bounds;                                 ///< of `positions`
+  std::vector<std::uint32_t> source_vertex;        ///< [V] vertex index in the file; empty = unchanged
+  bool flat_normals = false;                       ///< the file has no normals: faces are flat, also when morphed (G46)
+  Aabb bounds;                                     ///< of `positions`
 
   std::size_t vertex_count() const noexcept { return positions.size(); }
 };
@@ -61,8 +62,8 @@ inline std::uint32_t material_of(const Primitive& primitive, std::uint32_t varia
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<float> default_weights;          ///< [T] mesh.weights, zeros where the file has none
-  std::vector<std::string> target_names;       ///< [T] or empty; extras.targetNames by common practice
+  std::vector<float> default_weights;     ///< [T] mesh.weights, zeros where the file has none
+  std::vector<std::string> target_names;  ///< [T] or empty; extras.targetNames by common practice
 
   std::size_t target_count() const noexcept { return default_weights.size(); }
 };

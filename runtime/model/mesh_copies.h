@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/model/scene.h"
 #include "runtime/math/quaternion.h"
 #include "runtime/math/transform.h"
+#include "runtime/model/scene.h"
 
 namespace sinew {
 
@@ -12,7 +12,8 @@ template <class T, class Use>
 void for_each_copy(const MeshInstance& instance, const AffineT<T>& world_from_mesh, Use&& use) {
   if (instance.copies.empty()) return use(world_from_mesh);
   for (const Transform& copy : instance.copies)
-    use(world_from_mesh * affine_from_transform(TransformT<T>{Vec3<T>(copy.translation), quat_cast<T>(copy.rotation), Vec3<T>(copy.scale)}));
+    use(world_from_mesh * affine_from_transform(TransformT<T>{Vec3<T>(copy.translation), quat_cast<T>(copy.rotation),
+                                                              Vec3<T>(copy.scale)}));
 }
 
 }  // namespace sinew

@@ -12,7 +12,7 @@ namespace sinew {
 template <class V>
 struct SparseDeltas {
   std::vector<std::uint32_t> vertices;
-  std::vector<V> deltas;               ///< parallel to `vertices`, never the zero vector
+  std::vector<V> deltas;  ///< parallel to `vertices`, never the zero vector
 
   bool empty() const noexcept { return vertices.empty(); }
 };
@@ -21,8 +21,8 @@ struct SparseDeltas {
 /// Tangents change in x, y, z only (G45); colours are clamped to [0, 1] after the sum (G47).
 struct MorphTarget {
   SparseDeltas<glm::vec3> positions, normals, tangents;
-  SparseDeltas<glm::vec4> colors;                        ///< COLOR_0
-  std::vector<SparseDeltas<glm::vec2>> texcoords;        ///< TEXCOORD_n
+  SparseDeltas<glm::vec4> colors;                  ///< COLOR_0
+  std::vector<SparseDeltas<glm::vec2>> texcoords;  ///< TEXCOORD_n
 };
 
 /// The morph targets of one primitive; all primitives of a mesh have the same number of targets.

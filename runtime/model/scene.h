@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
+#include "runtime/animation/skeleton.h"
 #include "runtime/clip/clip.h"
 #include "runtime/model/material.h"
 #include "runtime/model/mesh.h"
 #include "runtime/model/pose_corrective.h"
-#include "runtime/animation/skeleton.h"
 #include "runtime/model/skin.h"
 
 namespace sinew {
@@ -20,19 +20,19 @@ struct MeshInstance {
   std::uint32_t mesh = 0;
   std::uint32_t skin = kNone;
   std::vector<float> rest_weights;     ///< [T] node.weights, else mesh.weights, else zeros
-  std::vector<Transform> copies = {};  ///< where the mesh is shown, in the joint's space; empty = once, at the joint itself.
-                                       ///< Never with a skin (EXT_mesh_gpu_instancing)
+  std::vector<Transform> copies = {};  ///< where the mesh is shown, in the joint's space; empty = once, at the joint
+                                       ///< itself. Never with a skin (EXT_mesh_gpu_instancing)
 };
 
 struct Camera {
   std::string name;
-  std::uint32_t joint = kNone;         ///< kNone = not placed by any node
+  std::uint32_t joint = kNone;  ///< kNone = not placed by any node
   bool perspective = true;
-  float fov_y_rad = 0.8f;              ///< perspective
-  float aspect = 0.0f;                 ///< 0 = use the window's
+  float fov_y_rad = 0.8f;                       ///< perspective
+  float aspect = 0.0f;                          ///< 0 = use the window's
   float half_width = 1.0f, half_height = 1.0f;  ///< orthographic
   float near_m = 0.1f;
-  float far_m = 0.0f;                  ///< 0 = infinite
+  float far_m = 0.0f;  ///< 0 = infinite
 };
 
 /// KHR_lights_punctual.
@@ -43,7 +43,7 @@ struct Light {
   std::uint32_t joint = kNone;
   glm::vec3 color{1.0f};
   float intensity = 1.0f;
-  float range_m = 0.0f;                ///< 0 = infinite
+  float range_m = 0.0f;  ///< 0 = infinite
   float inner_cone_rad = 0.0f, outer_cone_rad = 0.785398163f;
 };
 
@@ -53,31 +53,33 @@ struct SceneRoots {
   std::vector<std::uint32_t> joints;
 };
 
-/// Everything of one file. Assets are immutable after import; each character's state lies in its FrameBuffer (plan/frame_buffer.h).
+/// Everything of one file. Assets are immutable after import; each character's state lies in its FrameBuffer
+/// (plan/frame_buffer.h).
 struct Scene {
   Skeleton skeleton;
-  std::vector<Animation> animations;   ///< authoring form, the truth
-  std::vector<Clip> clips;             ///< compiled, parallel to `animations`
+  std::vector<Animation> animations;  ///< authoring form, the truth
+  std::vector<Clip> clips;            ///< compiled, parallel to `animations`
   std::vector<Skin> skins;
   std::vector<Mesh> meshes;
   std::vector<MeshInstance> instances;
-  std::vector<std::uint32_t> first_weight;  ///< [instances + 1] into the scene's flat array of morph weights
-  std::vector<PoseCorrective> correctives;  ///< add to morph weights what joint rotations call for
-  PropertyTable properties;            ///< what clips move beside joints and weights
-  std::vector<std::uint32_t> hidden_joints; ///< not shown at rest, with all below them (KHR_node_visibility)
+  std::vector<std::uint32_t> first_weight;   ///< [instances + 1] into the scene's flat array of morph weights
+  std::vector<PoseCorrective> correctives;   ///< add to morph weights what joint rotations call for
+  PropertyTable properties;                  ///< what clips move beside joints and weights
+  std::vector<std::uint32_t> hidden_joints;  ///< not shown at rest, with all below them (KHR_node_visibility)
   std::vector<Material> materials;
-  std::vector<std::string> variants;   ///< names; each may give a primitive another material (KHR_materials_variants)
+  std::vector<std::string> variants;  ///< names; each may give a primitive another material (KHR_materials_variants)
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<SceneRoots> scenes;
-  std::uint32_t default_scene = kNone; ///< the scene to show; kNone = all roots (G56)
+  std::uint32_t default_scene = kNone;  ///< the scene to show; kNone = all roots (G56)
 
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
-/// Fills `first_weight` and `properties`, and compiles every animation into `clips`. Call once when the rest of the scene is complete.
+/// Fills `first_weight` and `properties`, and compiles every animation into `clips`. Call once when the rest of the
+/// scene is complete.
 void finish_scene(Scene& scene);
 
 /// Proves once what the jobs rely on: finite numbers, parents before children, indices in range, parallel arrays of

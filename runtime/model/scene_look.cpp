@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "runtime/model/texture_slot.h"
 #include "runtime/base/contract.h"
+#include "runtime/model/texture_slot.h"
 
 namespace sinew {
 namespace {

@@ -9,20 +9,21 @@
 namespace sinew {
 
 /// The joints that deform a mesh. A vertex's joint index points into `joints`, never at a node (G36).
-/// eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the mesh node's transform is ignored, G29)
+/// eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the mesh node's transform is ignored,
+/// G29)
 struct Skin {
   std::string name;
-  std::vector<std::uint32_t> joints;        ///< [N] skeleton joints, in any order
-  std::vector<Affine> inverse_bind;         ///< [N] identity where the file has none (G31)
-  std::uint32_t skeleton_root = kNone;      ///< the file's hint, no effect on the maths (G30)
+  std::vector<std::uint32_t> joints;    ///< [N] skeleton joints, in any order
+  std::vector<Affine> inverse_bind;     ///< [N] identity where the file has none (G31)
+  std::uint32_t skeleton_root = kNone;  ///< the file's hint, no effect on the maths (G30)
 };
 
 /// A run of vertices with the same number of influences.
 struct InfluenceGroup {
   std::uint32_t first_vertex = 0;
   std::uint32_t vertex_count = 0;
-  std::uint32_t influence_count = 0;   ///< exact count per vertex, >= 1
-  std::uint32_t first_influence = 0;   ///< into joints / weights of VertexInfluences
+  std::uint32_t influence_count = 0;  ///< exact count per vertex, >= 1
+  std::uint32_t first_influence = 0;  ///< into joints / weights of VertexInfluences
 };
 
 /// Which joints move each vertex of a primitive, and how much. Vertices are grouped by influence count at import, the
@@ -30,8 +31,8 @@ struct InfluenceGroup {
 /// zero weights and repeated joints are gone, weights sum to 1 (G38, G39, G41).
 struct VertexInfluences {
   std::vector<InfluenceGroup> groups;
-  std::vector<std::uint16_t> joints;   ///< index into Skin::joints, influence_count per vertex, vertex after vertex
-  std::vector<float> weights;          ///< parallel to `joints`
+  std::vector<std::uint16_t> joints;  ///< index into Skin::joints, influence_count per vertex, vertex after vertex
+  std::vector<float> weights;         ///< parallel to `joints`
 
   bool empty() const noexcept { return groups.empty(); }
 };

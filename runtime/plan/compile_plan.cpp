@@ -7,19 +7,19 @@
 #include <memory>
 #include <utility>
 
-#include "runtime/clip/clip_layout.h"
+#include "runtime/base/bit_hash.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
-#include "runtime/pose/blend_poses.h"
-#include "runtime/pose/correct_pose.h"
-#include "runtime/pose/joint_palette.h"
-#include "runtime/pose/pose.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/plan/find_hidden.h"
-#include "runtime/base/bit_hash.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/frame_work.h"
 #include "runtime/plan/plan_stages.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/correct_pose.h"
 #include "runtime/pose/hemisphere_pairs.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew {
 namespace {
@@ -117,13 +117,15 @@ class CombinationsOfPlan {
   std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
 };
 
-/// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of joints.
+/// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of
+/// joints.
 bool has_uneven_normals(const Plan& plan, const Primitive& primitive, const Skin& skin) {
   const auto uneven_joint = [&](std::uint32_t joint) { return plan.joint_scales[joint].kind == ScaleKind::uneven; };
   const auto uneven_bind = [](const Affine& bind) { return scale_kind(bind) == ScaleKind::uneven; };
   const auto blends = [](const InfluenceGroup& group) { return group.influence_count > 1; };
   const std::vector<InfluenceGroup>& groups = primitive.influences.groups;
-  return std::any_of(groups.begin(), groups.end(), blends) || std::any_of(skin.joints.begin(), skin.joints.end(), uneven_joint) ||
+  return std::any_of(groups.begin(), groups.end(), blends) ||
+         std::any_of(skin.joints.begin(), skin.joints.end(), uneven_joint) ||
          std::any_of(skin.inverse_bind.begin(), skin.inverse_bind.end(), uneven_bind);
 }
 
@@ -200,7 +202,8 @@ void place_primitives(Plan& plan, BlockLayout& block) {
 }
 
 bool is_mask(const std::vector<float>& mask, std::size_t joint_count) {
-  return mask.size() == joint_count && std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
+  return mask.size() == joint_count &&
+         std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
 }
 
 /// Room for that many layers that add: frames with more are evaluated even where nothing changes.
@@ -278,8 +281,9 @@ void place(Plan& plan) {
 
 std::uint64_t fingerprint_of(const Needs& needs) {
   std::vector<std::uint32_t> numbers;
-  for (const bool flag : {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
-                          needs.hidden_meshes, needs.additive, needs.palettes, needs.stage_times, needs.between_updates})
+  for (const bool flag :
+       {needs.joints, needs.positions, needs.normals, needs.tangents, needs.weights, needs.bounds, needs.properties,
+        needs.hidden_meshes, needs.additive, needs.palettes, needs.stage_times, needs.between_updates})
     numbers.push_back(flag);
   numbers.push_back(needs.max_layers);
   numbers.push_back(static_cast<std::uint32_t>(needs.skinning));
@@ -333,7 +337,8 @@ bool any_morphs(const Plan& plan) noexcept {
 
 Plan compile_plan(const Scene& scene, const Needs& needs) {
   CONTRACT(needs.max_layers > 0);
-  CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(), [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
+  CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
+                       [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
   CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
   Plan plan;
   plan.scene = &scene;
@@ -350,8 +355,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
     const std::uint32_t joint_tracks = counts.translations + counts.rotations + counts.scales;
     plan.clip_tracks.push_back({joint_tracks, counts.weights, counts.properties, joint_tracks + counts.folded > 0});
   }
-  plan.local_to_model =
-      scene.skeleton.joint_count() > 0 && (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
+  plan.local_to_model = scene.skeleton.joint_count() > 0 &&
+                        (needs.joints || ((needs.vertices() || needs.palettes) && !scene.instances.empty()));
   plan.moved_joints = moved_joints(plan.rig);
   const auto& entries = scene.properties.entries;
   const bool flags = std::any_of(entries.begin(), entries.end(), [](const PropertyTable::Entry& entry) {
@@ -369,7 +374,8 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   plan_primitives(plan);
   plan.correctives = !scene.correctives.empty() && (needs.weights || any_morphs(plan));
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s]) : std::vector<JointPair>{});
+    plan.hemisphere_edges.push_back(plan.split[s] ? hemisphere_edges(scene.skeleton, scene.skins[s])
+                                                  : std::vector<JointPair>{});
   place(plan);
   plan.fingerprint = fingerprint_of(needs);
   plan.stages = describe_stages(plan);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "runtime/deform/flat_normals.h"
+#include "runtime/deform/morph_colors.h"
 #include "runtime/deform/morph_vertices.h"
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
-#include "runtime/deform/flat_normals.h"
-#include "runtime/deform/morph_colors.h"
 
 namespace sinew {
 namespace {
@@ -75,7 +75,9 @@ struct Deformation {
     const VertexOutput out = output_at(memory, planned.skin, planned.positions_at, planned.normals_at,
                                        planned.tangents_at, primitive.vertex_count());
     switch (planned.skinning) {
-      case Skinning::linear: skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor)); break;
+      case Skinning::linear:
+        skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor));
+        break;
       case Skinning::dual_quaternion: skin_dual_quaternion(out); break;
       case Skinning::center_of_rotation: skin_center_of_rotation(out); break;
     }
@@ -111,11 +113,12 @@ struct Deformation {
 
   void skin_linear(const VertexOutput& out, bool cofactors) noexcept {
     const bool combined = planned.combined != kNone;
-    const SkinLinearJob job{.influences = combined ? &plan.combined[skin_index()][planned.combined].vertices : &primitive.influences,
-                            .palette = palette(),
-                            .vertices = now,
-                            .out = out,
-                            .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear};
+    const SkinLinearJob job{
+        .influences = combined ? &plan.combined[skin_index()][planned.combined].vertices : &primitive.influences,
+        .palette = palette(),
+        .vertices = now,
+        .out = out,
+        .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear};
     if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
     run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
   }

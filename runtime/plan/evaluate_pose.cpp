@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "runtime/pose/add_pose.h"
-#include "runtime/pose/sample_clip.h"
 #include "runtime/math/negligible.h"
+#include "runtime/pose/add_pose.h"
 #include "runtime/pose/blend_weights.h"
+#include "runtime/pose/sample_clip.h"
 
 namespace sinew {
 namespace {
@@ -57,8 +57,8 @@ bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
 }
 
 /// The mean of the layers that blend, and of their weights when these are the frame's own.
-PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers, bool own_weights,
-               bool holds_clip, FrameWork& work) noexcept {
+PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
+               bool own_weights, bool holds_clip, FrameWork& work) noexcept {
   const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
   const LayerPlace first = place_of_layer(plan, memory, 0);
   std::size_t count = 0;
@@ -70,7 +70,8 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
   }
   if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
   const std::span<const float> rest_properties = plan.scene->properties.rest;
-  if (plan.properties && count == 0) std::copy(rest_properties.begin(), rest_properties.end(), first.properties.begin());
+  if (plan.properties && count == 0)
+    std::copy(rest_properties.begin(), rest_properties.end(), first.properties.begin());
   if (count == 0) return rest;
   if (count == 1 && layers[0].weight >= 1.0f && layers[0].joint_weights.empty()) return first.pose;
 
@@ -92,21 +93,28 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
 void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, FrameWork& work) noexcept {
   const std::size_t joints = plan.rig.joint_count(), weights = plan.rest_weights.size();
   const LayerPlace own = place_of_layer(plan, memory, 0);
-  const LayerPlace added{memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
+  const LayerPlace added{
+      memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
   LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}, {}};
   std::span<const float> reference_weights = plan.rest_weights;
   sample(plan, layer, added, own_weights, false, work);
   if (layer.kind == LayerKind::add_to_start) {
-    reference = {memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights), {}};
+    reference = {
+        memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights), {}};
     reference_weights = reference.weights;
     sample(plan, {.clip = layer.clip}, reference, own_weights, false, work);
   }
-  const AddPoseJob job{.layer = added.pose, .reference = reference.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer), .pose = own.pose};
+  const AddPoseJob job{.layer = added.pose,
+                       .reference = reference.pose,
+                       .weight = layer.weight,
+                       .joint_weights = mask_of(plan, layer),
+                       .pose = own.pose};
   assert(check(job) == ErrorCode::ok);
   run(job);
   work.poses_added += 1;
   if (own_weights)
-    for (std::size_t i = 0; i < weights; ++i) own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference_weights[i]));
+    for (std::size_t i = 0; i < weights; ++i)
+      own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference_weights[i]));
   work.spent_on(Stage::add);
 }
 
@@ -120,7 +128,8 @@ PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory me
   PoseSpan pose = blend(plan, input, memory, layers, own_weights, holds_clip, work);
   for (const ClipLayer& layer : input.layers) {
     if (!takes_part(plan, layer, true)) continue;
-    if (pose.planes != own.pose.planes) std::copy_n(pose.planes, PoseSpan::floats_for(pose.joint_count), own.pose.planes);
+    if (pose.planes != own.pose.planes)
+      std::copy_n(pose.planes, PoseSpan::floats_for(pose.joint_count), own.pose.planes);
     pose = own.pose;
     add(plan, layer, memory, own_weights, work);
   }

@@ -10,7 +10,8 @@ void find_hidden(const Scene& scene, std::span<const float> properties, std::spa
   for (const std::uint32_t joint : scene.hidden_joints) hidden[joint] = true;
   if (!properties.empty())
     for (const PropertyTable::Entry& entry : scene.properties.entries)
-      if (entry.target.kind == PropertyKind::node_visible) hidden[entry.target.index] = !(properties[entry.first] >= 0.5f);
+      if (entry.target.kind == PropertyKind::node_visible)
+        hidden[entry.target.index] = !(properties[entry.first] >= 0.5f);
   const auto& parents = scene.skeleton.parents;
   for (std::size_t j = 0; j < hidden.size(); ++j)
     if (parents[j] != kNone && hidden[parents[j]]) hidden[j] = true;

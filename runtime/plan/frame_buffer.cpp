@@ -5,13 +5,13 @@
 #include <cstring>
 #include <memory>
 
-#include "runtime/clip/clip_layout.h"
 #include "runtime/base/contract.h"
+#include "runtime/base/prefetch.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/plan/find_hidden.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/plan/plays_alone.h"
-#include "runtime/base/prefetch.h"
 #include "runtime/plan/same_layers.h"
 
 namespace sinew {
@@ -29,7 +29,8 @@ std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept
 
 /// The clip that plays; kNone: none does.
 std::uint32_t clip_of(std::span<const ClipLayer> layers) noexcept {
-  const auto playing = std::find_if(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.weight != 0.0f; });
+  const auto playing =
+      std::find_if(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.weight != 0.0f; });
   return playing != layers.end() ? playing->clip : kNone;
 }
 
@@ -47,8 +48,9 @@ void FrameBuffer::GiveBack::operator()(std::byte* block) const noexcept {
 }
 
 FrameBuffer::FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory)
-    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(static_cast<std::byte*>(memory.allocate(plan.frame_bytes, kAlignment)),
-                                                             GiveBack{&memory, plan.frame_bytes})) {}
+    : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(
+                            static_cast<std::byte*>(memory.allocate(plan.frame_bytes, kAlignment)),
+                            GiveBack{&memory, plan.frame_bytes})) {}
 
 FrameBuffer::FrameBuffer(const Plan& plan, std::span<std::byte> block)
     : FrameBuffer(plan, std::unique_ptr<std::byte, GiveBack>(block.data(), GiveBack{})) {
@@ -62,7 +64,8 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   std::memset(memory.block, 0, plan.frame_bytes);
   const FrameTables tables(plan, memory);
   std::uninitialized_value_construct(tables.instances.begin(), tables.instances.end());
-  for (std::size_t p = 0; p < plan.primitives.size(); ++p) std::construct_at(&tables.primitives[p], nothing_deformed(plan.primitives[p]));
+  for (std::size_t p = 0; p < plan.primitives.size(); ++p)
+    std::construct_at(&tables.primitives[p], nothing_deformed(plan.primitives[p]));
   std::uninitialized_value_construct(tables.palettes.begin(), tables.palettes.end());
   std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
   std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
@@ -78,14 +81,15 @@ FrameBuffer::FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> 
   const PoseSpan rest = memory.pose(plan.rest_pose_at, skeleton.joint_count());
   for (std::size_t j = 0; j < rest.stride; ++j) {
     Transform local = j < rest.joint_count ? skeleton.rest[j] : Transform{};
-    local.rotation = without_tiny(local.rotation);  // as clips have it: a joint that rests has the same bits with any clip and without
+    local.rotation = without_tiny(
+        local.rotation);  // as clips have it: a joint that rests has the same bits with any clip and without
     rest.set(j, local);
   }
   if (plan.hide) find_hidden(*plan.scene, {}, memory.array<bool>(plan.hidden_at, plan.rig.places.size()));
 }
 
 void FrameBuffer::prefetch(const Plan& plan) const noexcept {
-  constexpr std::size_t kMostBytes = 24 * 1024;   // of the nearest cache the character that runs needs some
+  constexpr std::size_t kMostBytes = 24 * 1024;  // of the nearest cache the character that runs needs some
   sinew::prefetch(block_.get(), std::min(plan.front_bytes, kMostBytes));
 }
 
@@ -97,25 +101,30 @@ bool FrameBuffer::holds_result_of(const FrameTables& tables, const FrameInput& i
   if (!keeps_input_ || input.asleep != asleep_) return false;
   if (input.asleep) return true;  // whatever it would do
   if (input.layers.size() != layer_count_ || input.weights.size() != weight_count_) return false;
-  if (!same_bits(input.interpolation_factor, interpolation_factor_) || ahead_of(input).size() != ahead_count_) return false;
+  if (!same_bits(input.interpolation_factor, interpolation_factor_) || ahead_of(input).size() != ahead_count_)
+    return false;
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i)
     if (out_of_view(input, i) != tables.input_out_of_view[i]) return false;
-  return same_layers(input.layers, tables.input_layers.first(layer_count_)) && same_layers(ahead_of(input), tables.input_ahead.first(ahead_count_)) &&
+  return same_layers(input.layers, tables.input_layers.first(layer_count_)) &&
+         same_layers(ahead_of(input), tables.input_ahead.first(ahead_count_)) &&
          same_bits<float>(input.weights, tables.input_weights.first(weight_count_)) && same_bits(input.root, root_);
 }
 
-StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept {
+StandingJoints FrameBuffer::standing(const Plan& plan, const FrameTables& tables,
+                                     const FrameInput& input) const noexcept {
   if (!keeps_input_ || asleep_ || !same_bits(input.root, root_)) return StandingJoints::none;
   const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
   const bool between = input.interpolation_factor != 0.0f || interpolation_factor_ != 0.0f;
-  const bool at_rest = !between && plays_alone(input.layers) && plays_alone(last) && leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
+  const bool at_rest = !between && plays_alone(input.layers) && plays_alone(last) &&
+                       leave_joints_at_rest(plan, input.layers) && leave_joints_at_rest(plan, last);
   return at_rest || plan.moved_joints.empty() ? StandingJoints::all : StandingJoints::unmoved;
 }
 
 bool FrameBuffer::holds_clip(const FrameTables& tables, const FrameInput& input) const noexcept {
   if (!keeps_input_ || asleep_) return false;
   const std::span<const ClipLayer> last = tables.input_layers.first(layer_count_);
-  return plays_alone(input.layers) && plays_alone(last) && clip_of(input.layers) != kNone && clip_of(input.layers) == clip_of(last);
+  return plays_alone(input.layers) && plays_alone(last) && clip_of(input.layers) != kNone &&
+         clip_of(input.layers) == clip_of(last);
 }
 
 /// More layers than there is room for are not kept: then the next frame is taken for a new one.

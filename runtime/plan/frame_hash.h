@@ -13,11 +13,12 @@ inline std::uint64_t hash_pose(const FrameResult& frame) noexcept {
   return BitHash().add(frame.model).add(frame.weights).value();
 }
 
-/// Bits of all deformed vertices. The same for every thread count, on all instruction sets with fused multiply-add, and on all
-/// without (conventions.h).     cost O(V), no allocation
+/// Bits of all deformed vertices. The same for every thread count, on all instruction sets with fused multiply-add, and
+/// on all without (conventions.h).     cost O(V), no allocation
 inline std::uint64_t hash_vertices(const FrameResult& frame) noexcept {
   BitHash hash;
-  for (const DeformedPrimitive& p : frame.primitives) hash.add(p.positions).add(p.normals).add(p.tangents).add(p.colors);
+  for (const DeformedPrimitive& p : frame.primitives)
+    hash.add(p.positions).add(p.normals).add(p.tangents).add(p.colors);
   return hash.value();
 }
 

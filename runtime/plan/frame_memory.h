@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "runtime/pose/pose.h"
 #include "runtime/plan/compile_plan.h"
+#include "runtime/pose/pose.h"
 
 namespace sinew {
 

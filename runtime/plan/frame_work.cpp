@@ -13,7 +13,8 @@ FrameWork::FrameWork(std::span<std::uint64_t> stage_ns) noexcept : stage_ns_(sta
 
 void FrameWork::add_time(Stage stage) noexcept {
   const auto now = std::chrono::steady_clock::now();
-  stage_ns_[static_cast<std::size_t>(stage)] += static_cast<std::uint64_t>(std::chrono::nanoseconds(now - last_).count());
+  stage_ns_[static_cast<std::size_t>(stage)] +=
+      static_cast<std::uint64_t>(std::chrono::nanoseconds(now - last_).count());
   last_ = now;
 }
 

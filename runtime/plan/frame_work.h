@@ -11,8 +11,23 @@ namespace sinew {
 
 /// The stages of a plan, in the order of Plan::stages and of FrameResult::stage_ns.
 enum class Stage : std::uint8_t {
-  sample, blend, add, interpolate, correctives, properties, local_to_model, palette, split_palette, combinations, winding,
-  morph, skin_linear, skin_dual_quaternion, skin_center_of_rotation, flat_normals, bounds
+  sample,
+  blend,
+  add,
+  interpolate,
+  correctives,
+  properties,
+  local_to_model,
+  palette,
+  split_palette,
+  combinations,
+  winding,
+  morph,
+  skin_linear,
+  skin_dual_quaternion,
+  skin_center_of_rotation,
+  flat_normals,
+  bounds
 };
 inline constexpr std::size_t kStageCount = 17;
 

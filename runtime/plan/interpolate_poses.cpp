@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cassert>
 
-#include "runtime/pose/blend_poses.h"
-#include "runtime/pose/blend_weights.h"
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/plan/same_layers.h"
+#include "runtime/pose/blend_poses.h"
+#include "runtime/pose/blend_weights.h"
 
 namespace sinew {
 namespace {
@@ -20,7 +20,8 @@ struct PoseAndNumbers {
   PoseAndNumbers(const Plan& plan, const PosePlaces& places, FrameMemory memory) noexcept
       : pose(memory.pose(places.pose_at, plan.rig.joint_count())),
         weights(memory.array<float>(places.weights_at, plan.rest_weights.size())),
-        properties(memory.array<float>(places.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0)) {}
+        properties(
+            memory.array<float>(places.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0)) {}
 
   void take(const PoseAndNumbers& from) const noexcept {
     std::copy_n(from.pose.planes, PoseSpan::floats_for(pose.joint_count), pose.planes);
@@ -39,7 +40,8 @@ std::span<ClipLayer> layers_of_end(const Plan& plan, FrameMemory memory, std::si
 /// Takes the pose of these layers from wherever a frame has it already; false where none does.
 bool take_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step) noexcept {
   const auto has = [&](const FrameTables& tables, FrameMemory memory, std::size_t e) {
-    return tables.ends[e].is_there && same_layers(layers, layers_of_end(plan, memory, e).first(tables.ends[e].layer_count));
+    return tables.ends[e].is_there &&
+           same_layers(layers, layers_of_end(plan, memory, e).first(tables.ends[e].layer_count));
   };
   if (has(step.tables, step.memory, end)) return true;
   const PoseAndNumbers own(plan, plan.ends[end], step.memory);
@@ -51,10 +53,12 @@ bool take_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t e
 }
 
 /// Makes the pose of these layers the frame's end of that number.
-void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step, FrameWork& work) noexcept {
+void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step,
+              FrameWork& work) noexcept {
   if (!take_end(plan, layers, end, step)) {
     PoseAndNumbers made(plan, {plan.pose_at, plan.weights_at, plan.properties_at}, step.memory);
-    made.pose = evaluate_pose(plan, {.layers = layers, .weights = {}, .root = {}}, step.memory, step.tables.blend_layers, false, work);
+    made.pose = evaluate_pose(plan, {.layers = layers, .weights = {}, .root = {}}, step.memory,
+                              step.tables.blend_layers, false, work);
     PoseAndNumbers(plan, plan.ends[end], step.memory).take(made);
   }
   UpdateEnd& kept = step.tables.ends[end];
@@ -66,7 +70,8 @@ void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t e
 
 /// eq   out = (1 - interpolation_factor) first + interpolation_factor second
 /// in   out   has the numbers of `first` already
-void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float interpolation_factor, const PoseAndNumbers& out) noexcept {
+void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float interpolation_factor,
+         const PoseAndNumbers& out) noexcept {
   const BlendLayer shares[2] = {{first.pose, 1.0f - interpolation_factor, {}}, {second.pose, interpolation_factor, {}}};
   const BlendPosesJob job{.layers = shares, .rest = first.pose, .pose = out.pose};
   assert(check(job) == ErrorCode::ok);

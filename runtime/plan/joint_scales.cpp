@@ -38,12 +38,14 @@ class SeenScales {
 };
 
 void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenScales>& scales) {
-  const bool keeps_range = block.packed.empty() && (block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear);
+  const bool keeps_range = block.packed.empty() &&
+                           (block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear);
   for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
     SeenScales& seen = scales[block.targets[lane]];
     if (!keeps_range) seen.add_anything();
     for (std::size_t key = 0; key < key_count && keeps_range; ++key)
-      seen.add({block.plane(key, block.value_plane)[lane], block.plane(key, block.value_plane + 1)[lane], block.plane(key, block.value_plane + 2)[lane]});
+      seen.add({block.plane(key, block.value_plane)[lane], block.plane(key, block.value_plane + 1)[lane],
+                block.plane(key, block.value_plane + 2)[lane]});
   }
 }
 
@@ -57,7 +59,9 @@ std::vector<SeenScales> own_scales(const Rig& rig) {
   for (const Clip* clip : rig.clips) {
     const ClipLayout& layout = clip->layout();
     const BasePose& base = layout.base_pose;
-    const auto constant = [&](std::size_t component, std::size_t j) { return base.planes[(first_plane(Property::scale) + component) * base.stride + j]; };
+    const auto constant = [&](std::size_t component, std::size_t j) {
+      return base.planes[(first_plane(Property::scale) + component) * base.stride + j];
+    };
     for (std::size_t j = 0; j < scales.size(); ++j) scales[j].add({constant(0, j), constant(1, j), constant(2, j)});
     for (const TimeGroup& group : layout.groups)
       for (const TrackBlock& block : group.blocks)

@@ -22,9 +22,9 @@ struct JointScale {
   bool may_change = false;  ///< the sign
 };
 
-/// From rest pose, constants and keys of all clips. Tracks that may leave the range of their keys (cubic, rounded) may do anything.
-/// in   additive   layers may add: where scale is not always the same, it may get any sign
-/// out  [joints of the rig]      cost O(J + keys of scale tracks), allocates
+/// From rest pose, constants and keys of all clips. Tracks that may leave the range of their keys (cubic, rounded) may
+/// do anything. in   additive   layers may add: where scale is not always the same, it may get any sign out  [joints of
+/// the rig]      cost O(J + keys of scale tracks), allocates
 std::vector<JointScale> joint_scales(const Rig& rig, bool additive);
 
 /// Of a matrix as it stands; what rounding leaves of an even one (1e-5 of its size) is even.

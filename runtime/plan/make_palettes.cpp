@@ -11,7 +11,8 @@
 namespace sinew {
 namespace {
 
-void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, FrameWork& work) noexcept {
+void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
+           FrameWork& work) noexcept {
   const SplitPaletteJob job{.palette = palette,
                             .split = memory.array<RigidStretch>(plan.split_at[skin], palette.size()),
                             .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
@@ -23,11 +24,14 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
 }
 
 /// The matrices that vertices share, behind those of the joints (C06).
-void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory, FrameWork& work) noexcept {
+void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
+             FrameWork& work) noexcept {
   for (const CombinedInfluences& combined : plan.combined[skin]) {
     if (!combined.used()) continue;
-    const std::span<JointMatrix> all = memory.array<JointMatrix>(plan.palette_at[skin], combined.first_matrix + combined.combination_count);
-    const BlendCombinationsJob job{.combinations = &combined.combinations, .palette = palette, .blended = all.subspan(combined.first_matrix)};
+    const std::span<JointMatrix> all =
+        memory.array<JointMatrix>(plan.palette_at[skin], combined.first_matrix + combined.combination_count);
+    const BlendCombinationsJob job{
+        .combinations = &combined.combinations, .palette = palette, .blended = all.subspan(combined.first_matrix)};
     assert(check(job) == ErrorCode::ok);
     run(job);
     work.combinations_blended += combined.combination_count;
@@ -36,8 +40,8 @@ void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pa
 }
 
 /// Palette of a skin from the model matrices, in memory that all skins share.
-std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::span<const Affine> model, FrameMemory memory,
-                                     FrameWork& work) noexcept {
+std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::span<const Affine> model,
+                                     FrameMemory memory, FrameWork& work) noexcept {
   const std::span<JointMatrix> made = memory.array<JointMatrix>(plan.new_palette_at, skin.joints.size());
   const JointPaletteJob job{.skin = &skin, .model = model, .palette = made};
   assert(check(job) == ErrorCode::ok);
@@ -47,7 +51,8 @@ std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::sp
   return made;
 }
 
-void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step, FrameWork& work) noexcept {
+void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step,
+                  FrameWork& work) noexcept {
   const Skin& skin = *plan.rig.skins[s];
   const std::size_t count = skin.joints.size();
   const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
@@ -72,8 +77,10 @@ void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<co
                    FrameWork& work) noexcept {
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     if (!plan.palette[s]) continue;
-    if (wanted.empty() || wanted[s]) make_palette(plan, s, model, step, work);
-    else step.tables.palettes[s] = {};
+    if (wanted.empty() || wanted[s])
+      make_palette(plan, s, model, step, work);
+    else
+      step.tables.palettes[s] = {};
   }
 }
 

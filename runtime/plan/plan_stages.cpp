@@ -46,18 +46,20 @@ PlanStage describe_sample(const Plan& plan) {
   if (clips == 0) return {"sample", false, "no clips: the rest pose is written once", 0, 0};
   if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
   const auto tracks_of = [](const ClipTracks& clip) { return clip.joints + clip.weights; };
-  const auto most = std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
-                                     [&](const ClipTracks& a, const ClipTracks& b) { return tracks_of(a) < tracks_of(b); });
+  const auto most =
+      std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
+                       [&](const ClipTracks& a, const ClipTracks& b) { return tracks_of(a) < tracks_of(b); });
   const Clip& clip = *plan.rig.clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
-  return {"sample", true, counted(clips, "clip", "clips") + "; the one with most tracks has " + describe_tracks(clip), tracks_of(*most),
-          pose_bytes(plan)};
+  return {"sample", true, counted(clips, "clip", "clips") + "; the one with most tracks has " + describe_tracks(clip),
+          tracks_of(*most), pose_bytes(plan)};
 }
 
 PlanStage describe_blend(const Plan& plan) {
   const std::uint64_t layers = plan.needs.max_layers;
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
   if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
-  const std::string limit = layers == 1 ? "one layer, which a mask may limit" : "up to " + std::to_string(layers) + " layers";
+  const std::string limit =
+      layers == 1 ? "one layer, which a mask may limit" : "up to " + std::to_string(layers) + " layers";
   return {"blend", true, limit + "; a single one of full weight skips the stage", plan.rig.joint_count(),
           pose_bytes(plan) * std::max<std::uint64_t>(layers - 1, 1)};
 }
@@ -65,19 +67,22 @@ PlanStage describe_blend(const Plan& plan) {
 PlanStage describe_add(const Plan& plan) {
   if (!plan.sample) return {"add", false, "nothing is sampled", 0, 0};
   if (!plan.add) return {"add", false, "no layers that add are asked for", 0, 0};
-  return {"add", true, "layers that add are asked for, one after another", plan.rig.joint_count(), 2 * pose_bytes(plan)};
+  return {"add", true, "layers that add are asked for, one after another", plan.rig.joint_count(),
+          2 * pose_bytes(plan)};
 }
 
 PlanStage describe_interpolate(const Plan& plan) {
   if (!plan.sample) return {"interpolate", false, "nothing is sampled", 0, 0};
   if (!plan.interpolate) return {"interpolate", false, "no frames between updates are asked for", 0, 0};
-  return {"interpolate", true, "frames between updates are asked for; both poses are kept", plan.rig.joint_count(), 2 * pose_bytes(plan)};
+  return {"interpolate", true, "frames between updates are asked for; both poses are kept", plan.rig.joint_count(),
+          2 * pose_bytes(plan)};
 }
 
 PlanStage describe_correctives(const Plan& plan) {
   const std::span<const PoseCorrective> correctives = plan.rig.correctives;
   if (correctives.empty()) return {"correctives", false, "the scene has no corrective shapes", 0, 0};
-  if (!plan.correctives) return {"correctives", false, "neither morph weights nor morphed vertices are asked for", 0, 0};
+  if (!plan.correctives)
+    return {"correctives", false, "neither morph weights nor morphed vertices are asked for", 0, 0};
   std::uint64_t samples = 0;
   for (const PoseCorrective& corrective : correctives) samples += corrective.samples.sample_count();
   return {"correctives", true, counted(correctives.size(), "corrective adds", "correctives add") + " to morph weights",
@@ -86,7 +91,8 @@ PlanStage describe_correctives(const Plan& plan) {
 
 PlanStage describe_properties(const Plan& plan) {
   const PropertyTable& table = plan.scene->properties;
-  if (table.entries.empty()) return {"properties", false, "no clip moves a material, a light, a camera or a flag", 0, 0};
+  if (table.entries.empty())
+    return {"properties", false, "no clip moves a material, a light, a camera or a flag", 0, 0};
   if (!plan.properties) return {"properties", false, "properties are not asked for", 0, 0};
   return {"properties", true,
           counted(table.entries.size(), "property is", "properties are") + " moved by clips" +
@@ -97,9 +103,11 @@ PlanStage describe_properties(const Plan& plan) {
 /// What kinds of scale reach joints (P07).
 std::string describe_scale(const Plan& plan) {
   const auto of_kind = [&](ScaleKind kind) {
-    return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(), [&](const JointScale& s) { return s.kind == kind; });
+    return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(),
+                         [&](const JointScale& s) { return s.kind == kind; });
   };
-  if (const auto uneven = of_kind(ScaleKind::uneven); uneven > 0) return "uneven scale can reach " + counted(static_cast<std::uint64_t>(uneven), "joint", "joints");
+  if (const auto uneven = of_kind(ScaleKind::uneven); uneven > 0)
+    return "uneven scale can reach " + counted(static_cast<std::uint64_t>(uneven), "joint", "joints");
   return of_kind(ScaleKind::even) > 0 ? "scale is even" : "no scale";
 }
 
@@ -109,9 +117,14 @@ PlanStage describe_local_to_model(const Plan& plan) {
   if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
   const std::size_t moved = plan.moved_joints.size();
   std::string reason = plan.needs.joints ? "joints are asked for" : "mesh instances hang on joints";
-  if (left_out > 0) reason += "; " + std::to_string(left_out) + " of " + counted(joints + left_out, "joint is", "joints are") + " left out as asked, they follow the joints above";
-  if (moved == 0) reason += "; no clip moves any, they are composed once";
-  else if (moved < joints) reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) + " are moved by no clip: composed once";
+  if (left_out > 0)
+    reason += "; " + std::to_string(left_out) + " of " + counted(joints + left_out, "joint is", "joints are") +
+              " left out as asked, they follow the joints above";
+  if (moved == 0)
+    reason += "; no clip moves any, they are composed once";
+  else if (moved < joints)
+    reason += "; " + std::to_string(joints - moved) + " of " + std::to_string(joints) +
+              " are moved by no clip: composed once";
   reason += "; " + describe_scale(plan);
   return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
 }
@@ -133,11 +146,16 @@ PlanStage describe_combinations(const Plan& plan) {
   std::uint64_t used = 0, combinations = 0, vertices = 0, unused = 0, unused_combinations = 0, unused_vertices = 0;
   for (const std::vector<CombinedInfluences>& of_skin : plan.combined)
     for (const CombinedInfluences& c : of_skin) {
-      if (c.used()) ++used, combinations += c.combination_count, vertices += c.blended_vertices;
-      else if (c.blended_vertices > 0) ++unused, unused_combinations += c.combination_count, unused_vertices += c.blended_vertices;
+      if (c.used())
+        ++used, combinations += c.combination_count, vertices += c.blended_vertices;
+      else if (c.blended_vertices > 0)
+        ++unused, unused_combinations += c.combination_count, unused_vertices += c.blended_vertices;
     }
-  const auto those = [](std::uint64_t c, std::uint64_t v) { return counted(c, "combination", "combinations") + " of joints and weights for " + counted(v, "vertex", "vertices"); };
-  const std::string left_out = "too little is shared in " + primitives(unused) + ": " + those(unused_combinations, unused_vertices);
+  const auto those = [](std::uint64_t c, std::uint64_t v) {
+    return counted(c, "combination", "combinations") + " of joints and weights for " + counted(v, "vertex", "vertices");
+  };
+  const std::string left_out =
+      "too little is shared in " + primitives(unused) + ": " + those(unused_combinations, unused_vertices);
   if (used > 0) {
     std::string reason = primitives(used) + " with " + those(combinations, vertices) + ": each is blended once";
     if (unused > 0) reason += "; " + left_out;
@@ -151,11 +169,14 @@ PlanStage describe_winding(const Plan& plan) {
   const std::size_t instances = plan.instance_scales.size();
   if (instances == 0) return {"winding", false, "the scene shows no meshes", 0, 0};
   if (!plan.local_to_model) return {"winding", false, "neither joints nor vertices are asked for", 0, 0};
-  const auto tested = std::count_if(plan.instance_scales.begin(), plan.instance_scales.end(), [](const JointScale& s) { return s.may_change; });
+  const auto tested = std::count_if(plan.instance_scales.begin(), plan.instance_scales.end(),
+                                    [](const JointScale& s) { return s.may_change; });
   if (tested == 0) return {"winding", false, "no scale can change its sign: known beforehand", 0, 0};
   const auto count = static_cast<std::uint64_t>(tested);
-  return {"winding", true, "of " + std::to_string(count) + " of " + counted(instances, "mesh instance", "mesh instances") + ", whose scale can change its sign", count,
-          count * sizeof(bool)};
+  return {"winding", true,
+          "of " + std::to_string(count) + " of " + counted(instances, "mesh instance", "mesh instances") +
+              ", whose scale can change its sign",
+          count, count * sizeof(bool)};
 }
 
 std::string why_no_skinning(const Plan& plan) {
@@ -214,7 +235,8 @@ std::string describe_cofactors(const Plan& plan) {
     if (p.skinning == Skinning::linear && p.skin.normals) ++(p.cofactors ? by_cofactors : by_matrices);
   std::string text;
   if (by_cofactors > 0) text += "; normals of " + primitives(by_cofactors) + " by cofactors";
-  if (by_matrices > 0) text += "; normals of " + primitives(by_matrices) + " without: neither scale nor blends are uneven";
+  if (by_matrices > 0)
+    text += "; normals of " + primitives(by_matrices) + " without: neither scale nor blends are uneven";
   return text;
 }
 
@@ -238,7 +260,8 @@ PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
     stage.reason = why_other_skinning(plan, kind);
   else
     stage.reason = why_no_skinning(plan);
-  if (stage.runs && kind == Skinning::linear && plan.needs.normal_rule == NormalRule::cofactor) stage.reason += describe_cofactors(plan);
+  if (stage.runs && kind == Skinning::linear && plan.needs.normal_rule == NormalRule::cofactor)
+    stage.reason += describe_cofactors(plan);
   if (const std::uint64_t lacking = without_centers(plan); stage.runs && kind == Skinning::linear && lacking > 0)
     stage.reason += "; " + std::to_string(lacking) + " for want of centers of rotation";
   return stage;
@@ -275,24 +298,25 @@ PlanStage describe_bounds(const Plan& plan) {
 
 std::vector<PlanStage> describe_stages(const Plan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
-  return {describe_sample(plan),
-          describe_blend(plan),
-          describe_add(plan),
-          describe_interpolate(plan),
-          describe_correctives(plan),
-          describe_properties(plan),
-          describe_local_to_model(plan),
-          describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix),
-                         plan.needs.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
-          describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
-          describe_combinations(plan),
-          describe_winding(plan),
-          describe_morph(plan),
-          describe_skin(plan, "skin_linear", Skinning::linear),
-          describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
-          describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
-          describe_flat_normals(plan),
-          describe_bounds(plan)};
+  return {
+      describe_sample(plan),
+      describe_blend(plan),
+      describe_add(plan),
+      describe_interpolate(plan),
+      describe_correctives(plan),
+      describe_properties(plan),
+      describe_local_to_model(plan),
+      describe_skins(plan, "palette", plan.palette, sizeof(JointMatrix),
+                     plan.needs.palettes ? "no mesh instance that is ever shown is skinned" : why_no_skinning(plan)),
+      describe_skins(plan, "split_palette", plan.split, sizeof(RigidStretch), no_split),
+      describe_combinations(plan),
+      describe_winding(plan),
+      describe_morph(plan),
+      describe_skin(plan, "skin_linear", Skinning::linear),
+      describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
+      describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
+      describe_flat_normals(plan),
+      describe_bounds(plan)};
 }
 
 }  // namespace sinew

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/plan/rig.h"
 
-#include "runtime/clip/keep_joints.h"
-#include "runtime/base/contract.h"
 #include "runtime/animation/truth_pose.h"
+#include "runtime/base/contract.h"
+#include "runtime/clip/keep_joints.h"
 
 namespace sinew {
 namespace {
@@ -14,8 +14,10 @@ std::vector<bool> kept_joints(const Scene& scene, const SkeletonLod& detail) {
     for (const PoseDriver& driver : corrective.samples.drivers) kept[driver.joint] = true;
   const std::vector<std::uint32_t>& parents = scene.skeleton.parents;
   for (std::size_t j = kept.size(); j-- > 0;)
-    if (parents[j] == kNone) kept[j] = true;
-    else if (kept[j]) kept[parents[j]] = true;
+    if (parents[j] == kNone)
+      kept[j] = true;
+    else if (kept[j])
+      kept[parents[j]] = true;
   return kept;
 }
 
@@ -43,15 +45,16 @@ Copies copy_parts(const Scene& scene, const std::vector<JointPlace>& places) {
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
       const JointPlace& place = places[skin.joints[i]];
       skin.joints[i] = place.at;
-      if (!place.is_kept) skin.inverse_bind[i] = affine_cast<float>(place.from_joint * affine_cast<double>(skin.inverse_bind[i]));
+      if (!place.is_kept)
+        skin.inverse_bind[i] = affine_cast<float>(place.from_joint * affine_cast<double>(skin.inverse_bind[i]));
     }
   for (PoseCorrective& corrective : copies.correctives)
     for (PoseDriver& driver : corrective.samples.drivers) driver.joint = places[driver.joint].at;
   return copies;
 }
 
-void point_at(const Skeleton& skeleton, const std::vector<Clip>& clips, const std::vector<Skin>& skins, std::span<const PoseCorrective> correctives,
-              Rig& rig) {
+void point_at(const Skeleton& skeleton, const std::vector<Clip>& clips, const std::vector<Skin>& skins,
+              std::span<const PoseCorrective> correctives, Rig& rig) {
   rig.skeleton = &skeleton;
   for (const Clip& clip : clips) rig.clips.push_back(&clip);
   for (const Skin& skin : skins) rig.skins.push_back(&skin);
@@ -64,7 +67,8 @@ std::vector<JointPlace> place_joints(const Scene& scene, const SkeletonLod& deta
   const Skeleton& skeleton = scene.skeleton;
   CONTRACT(detail.kept.empty() || detail.kept.size() == skeleton.joint_count());
   CONTRACT(detail.held.empty() || detail.held.size() == skeleton.joint_count());
-  const std::vector<bool> kept = detail.kept.empty() ? std::vector<bool>(skeleton.joint_count(), true) : kept_joints(scene, detail);
+  const std::vector<bool> kept =
+      detail.kept.empty() ? std::vector<bool>(skeleton.joint_count(), true) : kept_joints(scene, detail);
   std::vector<JointPlace> places(skeleton.joint_count());
   std::uint32_t count = 0;
   for (std::uint32_t j = 0; j < places.size(); ++j) {

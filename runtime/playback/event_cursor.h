@@ -25,15 +25,19 @@ class EventCursor {
   std::optional<std::size_t> next() noexcept;
 
  private:
-  struct Stop { std::size_t event; double phase_s; bool real; };
+  struct Stop {
+    std::size_t event;
+    double phase_s;
+    bool real;
+  };
   Stop stop_at(std::size_t slot) const noexcept;
   bool crosses(const Stop& stop) const noexcept;
 
   PlaybackStep step_;
   std::span<const double> times_s_;
   bool forward_ = true;
-  std::size_t slots_ = 0, slot_ = 0;    // stops of one round, in the order of forward play
-  std::size_t first_on_seam_ = 0;       // events from here on lie at the last key's time
+  std::size_t slots_ = 0, slot_ = 0;  // stops of one round, in the order of forward play
+  std::size_t first_on_seam_ = 0;     // events from here on lie at the last key's time
   double turn_ = 0.0;
   std::uint64_t rounds_left_ = 0;
 };

@@ -6,9 +6,9 @@ namespace sinew {
 
 /// What a clock does at the ends of its clip.
 enum class PlayMode : std::uint8_t {
-  loop,       ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once (G12);
-              ///< no interpolation across the seam: who wants that closes the clip first (animation/close_loop.h)
-  clamp,      ///< holds the end; turns back at once when the direction changes
+  loop,   ///< time runs in [0, duration): the last key's time is the first one's of the next round, shown once (G12);
+          ///< no interpolation across the seam: who wants that closes the clip first (animation/close_loop.h)
+  clamp,  ///< holds the end; turns back at once when the direction changes
   ping_pong,  ///< forth and back, each end shown once
   once,       ///< as clamp, and the clock is finished there until it is sought or turned back
 };
@@ -21,7 +21,7 @@ struct PlaybackStep {
   double duration_s = 0.0;
   double from_turns = 0.0, from_s = 0.0;
   double to_turns = 0.0, to_s = 0.0;
-  bool from_included = false;   ///< the first step after a start or seek also owns the place where it starts
+  bool from_included = false;  ///< the first step after a start or seek also owns the place where it starts
 };
 
 /// The clock of one clip of one character, in double seconds (N24).
@@ -39,7 +39,7 @@ class PlaybackClock {
   void seek(double time_s) noexcept;
   void set_speed(double speed) noexcept;
 
-  double time_s() const noexcept;                       ///< clip time in [0, duration], for ClipLayer::time_s
+  double time_s() const noexcept;  ///< clip time in [0, duration], for ClipLayer::time_s
   double duration_s() const noexcept { return duration_s_; }
   double speed() const noexcept { return speed_; }
   PlayMode mode() const noexcept { return mode_; }
@@ -54,7 +54,7 @@ class PlaybackClock {
 
   double duration_s_ = 0.0, speed_ = 1.0;
   double turns_ = 0.0;
-  double phase_s_ = 0.0, phase_rest_s_ = 0.0;           // the rest is what rounding took from the phase
+  double phase_s_ = 0.0, phase_rest_s_ = 0.0;  // the rest is what rounding took from the phase
   PlayMode mode_ = PlayMode::loop;
   bool finished_ = false, fresh_ = true;
 };

@@ -22,20 +22,26 @@ struct Rotations {
 HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
   const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
   const auto m = [](Lanes p, Lanes q) HWY_ATTR { return hn::Mul(p, q); };
-  return {sum(m(a.w, b.x), m(a.x, b.w), m(a.y, b.z), hn::Neg(m(a.z, b.y))), sum(m(a.w, b.y), m(a.y, b.w), m(a.z, b.x), hn::Neg(m(a.x, b.z))),
-          sum(m(a.w, b.z), m(a.z, b.w), m(a.x, b.y), hn::Neg(m(a.y, b.x))), sum(m(a.w, b.w), hn::Neg(m(a.x, b.x)), hn::Neg(m(a.y, b.y)), hn::Neg(m(a.z, b.z)))};
+  return {sum(m(a.w, b.x), m(a.x, b.w), m(a.y, b.z), hn::Neg(m(a.z, b.y))),
+          sum(m(a.w, b.y), m(a.y, b.w), m(a.z, b.x), hn::Neg(m(a.x, b.z))),
+          sum(m(a.w, b.z), m(a.z, b.w), m(a.x, b.y), hn::Neg(m(a.y, b.x))),
+          sum(m(a.w, b.w), hn::Neg(m(a.x, b.x)), hn::Neg(m(a.y, b.y)), hn::Neg(m(a.z, b.z)))};
 }
 
-HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, const TransformLanes& reference, Lanes weight) {
+HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, const TransformLanes& reference,
+                             Lanes weight) {
   const Floats d;
   const Lanes one = hn::Set(d, 1.0f);
-  const Rotations delta = product({layer.rx, layer.ry, layer.rz, layer.rw}, {hn::Neg(reference.rx), hn::Neg(reference.ry), hn::Neg(reference.rz), reference.rw});
+  const Rotations delta = product({layer.rx, layer.ry, layer.rz, layer.rw},
+                                  {hn::Neg(reference.rx), hn::Neg(reference.ry), hn::Neg(reference.rz), reference.rw});
   const Lanes side = hn::IfThenElse(hn::Lt(delta.w, hn::Zero(d)), hn::Neg(weight), weight);
-  const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z), hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
+  const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z),
+                       hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
   const Rotations q = product(part, {pose.rx, pose.ry, pose.rz, pose.rw});
   pose.rx = q.x, pose.ry = q.y, pose.rz = q.z, pose.rw = q.w;
   const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(pose, pose)));
-  pose.rx = hn::Mul(q.x, by_length), pose.ry = hn::Mul(q.y, by_length), pose.rz = hn::Mul(q.z, by_length), pose.rw = hn::Mul(q.w, by_length);
+  pose.rx = hn::Mul(q.x, by_length), pose.ry = hn::Mul(q.y, by_length), pose.rz = hn::Mul(q.z, by_length),
+  pose.rw = hn::Mul(q.w, by_length);
 }
 
 HWY_INLINE Lanes added_scale(Lanes scale, Lanes layer, Lanes reference, Lanes weight) {

@@ -12,8 +12,8 @@ namespace sinew {
 ///      s' = s (1 + w (s_l / s_r - 1)), per component, s_l / s_r = 1 where s_r = 0
 /// in   layer, reference  of the same joints as `pose`;   weight  finite, >= 0: 1 adds all of it
 ///      joint_weights[J]  multiply `weight` per joint; empty = all ones
-/// out  pose              in place; joints of weight 0 keep their bits, as do all when layer = reference bit for bit in them
-/// err  size_mismatch, not_finite     cost O(J), no allocation
+/// out  pose              in place; joints of weight 0 keep their bits, as do all when layer = reference bit for bit in
+/// them err  size_mismatch, not_finite     cost O(J), no allocation
 struct AddPoseJob {
   PoseSpan layer, reference;
   float weight = 1.0f;

@@ -18,21 +18,25 @@ namespace {
 HWY_INLINE void add(TransformLanes& sum, const TransformLanes& t, Lanes weight, const TransformLanes& pivot) {
   const Floats d;
   const Lanes turned = hn::IfThenElse(hn::Lt(dot4(pivot, t), hn::Zero(d)), hn::Neg(weight), weight);
-  sum.tx = add_product(sum.tx, t.tx, weight), sum.ty = add_product(sum.ty, t.ty, weight), sum.tz = add_product(sum.tz, t.tz, weight);
+  sum.tx = add_product(sum.tx, t.tx, weight), sum.ty = add_product(sum.ty, t.ty, weight),
+  sum.tz = add_product(sum.tz, t.tz, weight);
   sum.rx = add_product(sum.rx, t.rx, turned), sum.ry = add_product(sum.ry, t.ry, turned);
   sum.rz = add_product(sum.rz, t.rz, turned), sum.rw = add_product(sum.rw, t.rw, turned);
-  sum.sx = add_product(sum.sx, t.sx, weight), sum.sy = add_product(sum.sy, t.sy, weight), sum.sz = add_product(sum.sz, t.sz, weight);
+  sum.sx = add_product(sum.sx, t.sx, weight), sum.sy = add_product(sum.sy, t.sy, weight),
+  sum.sz = add_product(sum.sz, t.sz, weight);
 }
 
-/// Means from sums: divided by the total weight, the rotation by its length. The aligned sum has at least the pivot's share
-/// of the total as length, so there is always a direction.
+/// Means from sums: divided by the total weight, the rotation by its length. The aligned sum has at least the pivot's
+/// share of the total as length, so there is always a direction.
 HWY_INLINE TransformLanes mean(const TransformLanes& sum, Lanes total) {
   const Floats d;
   const Lanes one = hn::Set(d, 1.0f), by_total = hn::Div(one, total);
   TransformLanes m = sum;
-  m.rx = hn::Mul(m.rx, by_total), m.ry = hn::Mul(m.ry, by_total), m.rz = hn::Mul(m.rz, by_total), m.rw = hn::Mul(m.rw, by_total);
+  m.rx = hn::Mul(m.rx, by_total), m.ry = hn::Mul(m.ry, by_total), m.rz = hn::Mul(m.rz, by_total),
+  m.rw = hn::Mul(m.rw, by_total);
   const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(m, m)));
-  m.rx = hn::Mul(m.rx, by_length), m.ry = hn::Mul(m.ry, by_length), m.rz = hn::Mul(m.rz, by_length), m.rw = hn::Mul(m.rw, by_length);
+  m.rx = hn::Mul(m.rx, by_length), m.ry = hn::Mul(m.ry, by_length), m.rz = hn::Mul(m.rz, by_length),
+  m.rw = hn::Mul(m.rw, by_length);
   m.tx = hn::Mul(m.tx, by_total), m.ty = hn::Mul(m.ty, by_total), m.tz = hn::Mul(m.tz, by_total);
   m.sx = hn::Mul(m.sx, by_total), m.sy = hn::Mul(m.sy, by_total), m.sz = hn::Mul(m.sz, by_total);
   return m;
@@ -58,8 +62,10 @@ HWY_INLINE void blend_lanes(const BlendPosesJob& job, std::size_t j) {
   for (const BlendLayer& layer : job.layers) add(sum, load(layer.pose, j), weight_of(layer, j), pivot);
   add(sum, rest, rest_weight, pivot);
   const TransformLanes blended = mean(sum, hn::Add(weight_sum, rest_weight));
-  // Where nothing is to be blended, the one transform that counts comes out bit for bit; without any layer that is rest.
-  const auto alone = hn::Or(hn::Eq(contributors, zero), hn::And(hn::Eq(contributors, one), hn::Lt(rest_weight, hn::Set(d, kNegligible))));
+  // Where nothing is to be blended, the one transform that counts comes out bit for bit; without any layer that is
+  // rest.
+  const auto alone = hn::Or(hn::Eq(contributors, zero),
+                            hn::And(hn::Eq(contributors, one), hn::Lt(rest_weight, hn::Set(d, kNegligible))));
   store(choose(alone, heaviest, blended), job.pose, j);
 }
 
@@ -107,7 +113,8 @@ void blend_without_masks(const BlendPosesJob& job) {
 }
 
 void blend_all(const BlendPosesJob& job) {
-  if (std::none_of(job.layers.begin(), job.layers.end(), [](const BlendLayer& layer) { return !layer.joint_weights.empty(); }))
+  if (std::none_of(job.layers.begin(), job.layers.end(),
+                   [](const BlendLayer& layer) { return !layer.joint_weights.empty(); }))
     return blend_without_masks(job);
   for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) blend_lanes(job, j);
 }

@@ -15,7 +15,8 @@ struct BlendLayer {
 };
 
 /// Weighted mean of poses; where the weights of a joint sum to less than 1 the rest pose fills up.
-/// eq   t = sum(w t) / sum(w), s likewise; q = normalise(sum(w sign(dot(q, q_pivot)) q)), the pivot being the layer with
+/// eq   t = sum(w t) / sum(w), s likewise; q = normalise(sum(w sign(dot(q, q_pivot)) q)), the pivot being the layer
+/// with
 ///      the largest weight (first on a tie), so that the order of layers does not matter   (Kavan et al. 2008, sec. 3)
 /// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
 /// out  pose       may be one of the inputs

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "runtime/model/pose_basis.h"
 #include "runtime/math/negligible.h"
+#include "runtime/model/pose_basis.h"
 
 namespace sinew {
 namespace {

@@ -17,7 +17,8 @@ std::vector<JointPair> hemisphere_edges(const Skeleton& skeleton, const Skin& sk
   std::vector<std::uint32_t> entry_of(skeleton.joint_count(), kNone);
   std::vector<std::uint16_t> order(skin.joints.size());
   std::iota(order.begin(), order.end(), std::uint16_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::uint16_t a, std::uint16_t b) { return skin.joints[a] < skin.joints[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint16_t a, std::uint16_t b) { return skin.joints[a] < skin.joints[b]; });
   std::vector<JointPair> edges;
   for (const std::uint16_t entry : order) {
     const std::uint32_t joint = skin.joints[entry];

@@ -8,8 +8,8 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/joint_palette.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/pose/simd/affine_lanes-inl.h"
 #include "runtime/math/decompose.h"
+#include "runtime/pose/simd/affine_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -40,7 +40,8 @@ HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
 
 void skinning_matrices(const JointPaletteJob& job) {
   const std::span<const std::uint32_t> joints = job.skin->joints;
-  for (std::size_t i = 0; i < joints.size(); ++i) store_columns(product(job.model[joints[i]], rows_at(job.skin->inverse_bind[i])), job.palette[i]);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    store_columns(product(job.model[joints[i]], rows_at(job.skin->inverse_bind[i])), job.palette[i]);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #pragma once
 #include <span>
 
-#include "runtime/model/skin.h"
 #include "runtime/base/result.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/joint_matrix.h"
+#include "runtime/model/skin.h"
 
 namespace sinew {
 
@@ -38,10 +38,12 @@ struct JointPair {
 };
 
 /// Splits every palette matrix.
-/// in   follow[any]  in this order, the quaternion of `second` takes the sign that is on the side of `first`; empty: signs as
+/// in   follow[any]  in this order, the quaternion of `second` takes the sign that is on the side of `first`; empty:
+/// signs as
 ///                   they come
-/// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase is needed (P12)
-/// err  size_mismatch, index_out_of_range     cost O(N), no allocation; a singular matrix gives some rotation with R * S = J
+/// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase
+/// is needed (P12) err  size_mismatch, index_out_of_range     cost O(N), no allocation; a singular matrix gives some
+/// rotation with R * S = J
 struct SplitPaletteJob {
   std::span<const JointMatrix> palette;
   std::span<RigidStretch> split;

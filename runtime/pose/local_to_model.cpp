@@ -65,19 +65,23 @@ HWY_INLINE void store_matrices(const PoseSpan& pose, std::size_t j, float* x_row
   const Lanes xy = hn::Mul(x, y), xz = hn::Mul(x, z), yz = hn::Mul(y, z);
   const Lanes wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
   store_row(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
-                        hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), x_row);
+            hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), x_row);
   store_row(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
-                        hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), x_row + 4 * kChunk);
+            hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), x_row + 4 * kChunk);
   store_row(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
-                        hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j), x_row + 8 * kChunk);
+            hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j),
+            x_row + 8 * kChunk);
 }
 
-/// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read back at once.
+/// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read
+/// back at once.
 HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
   const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
   for (std::size_t i = 0, count = HWY_MIN(kChunk, skeleton.joint_count() - begin); i < count; ++i) {
     if (HWY_LIKELY(fixed[i] == kNone)) continue;
-    for (int r = 0; r < 3; ++r) std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r], sizeof(glm::vec4));
+    for (int r = 0; r < 3; ++r)
+      std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r],
+                  sizeof(glm::vec4));
   }
 }
 
@@ -96,7 +100,8 @@ HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen cho
 template <bool kSome>
 class Composer {
  public:
-  explicit Composer(const LocalToModelJob& job) : root_(job.root), model_(job.model.data()), parents_(job.skeleton->parents.data()) {}
+  explicit Composer(const LocalToModelJob& job)
+      : root_(job.root), model_(job.model.data()), parents_(job.skeleton->parents.data()) {}
 
   HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) const {
     for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4) {
@@ -124,13 +129,16 @@ class Composer {
 
 #else
 
-/// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump, which is
-/// foreseen: a joint would wait for its parent's matrix to come back from memory nearly as long as for the product.
+/// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump,
+/// which is foreseen: a joint would wait for its parent's matrix to come back from memory nearly as long as for the
+/// product.
 template <bool kSome>
 class Composer {
  public:
   HWY_INLINE explicit Composer(const LocalToModelJob& job)
-      : parents_(job.skeleton->parents.data()), model_(job.model.data()), root_(load_rows(job.root)),
+      : parents_(job.skeleton->parents.data()),
+        model_(job.model.data()),
+        root_(load_rows(job.root)),
         last_{root_, root_, root_, root_, root_, root_, root_, root_} {}  // the parent kNone is one step before joint 0
 
   HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) {
@@ -151,7 +159,8 @@ class Composer {
       const float* x_row = local.x + LocalMatrices::place(k);
       const std::uint32_t parent = parents[k], steps = static_cast<std::uint32_t>(joint + k) - parent;
       const bool has_passed = !kSome || (composed >> parent % kChunk & 1) != 0;
-      last_[k] = product(has_passed ? rows_before(k, steps, parent) : stored_rows(parent), {x_row, x_row + 4 * kChunk, x_row + 8 * kChunk});
+      last_[k] = product(has_passed ? rows_before(k, steps, parent) : stored_rows(parent),
+                         {x_row, x_row + 4 * kChunk, x_row + 8 * kChunk});
       hn::BlendedStore(last_[k], within_rows(), Floats(), &model[k].row[0].x);
     }
   }
@@ -169,7 +178,9 @@ class Composer {
       default: return stored_rows(parent);
     }
   }
-  HWY_INLINE Rows stored_rows(std::uint32_t parent) const { return parent == kNone ? root_ : load_rows(model_[parent]); }
+  HWY_INLINE Rows stored_rows(std::uint32_t parent) const {
+    return parent == kNone ? root_ : load_rows(model_[parent]);
+  }
 
   const std::uint32_t* parents_;
   Affine* model_;
@@ -181,9 +192,12 @@ class Composer {
 
 /// The bits of the joints from only[next] on that come before `end`, which are of one chunk; `next` passes them.
 Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::size_t& next) {
-  const auto last = only.back() < end ? only.end() : std::lower_bound(only.begin() + static_cast<std::ptrdiff_t>(next), only.end(), end);
+  const auto last = only.back() < end
+                        ? only.end()
+                        : std::lower_bound(only.begin() + static_cast<std::ptrdiff_t>(next), only.end(), end);
   Chosen chosen = 0;
-  for (const auto passed = static_cast<std::size_t>(last - only.begin()); next < passed; ++next) chosen |= Chosen{1} << only[next] % kChunk;
+  for (const auto passed = static_cast<std::size_t>(last - only.begin()); next < passed; ++next)
+    chosen |= Chosen{1} << only[next] % kChunk;
   return chosen;
 }
 
@@ -202,7 +216,9 @@ HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
   }
 }
 
-void model_matrices(const LocalToModelJob& job) { return job.only.empty() ? compose_joints<false>(job) : compose_joints<true>(job); }
+void model_matrices(const LocalToModelJob& job) {
+  return job.only.empty() ? compose_joints<false>(job) : compose_joints<true>(job);
+}
 
 }  // namespace
 }  // namespace sinew::HWY_NAMESPACE

@@ -10,9 +10,12 @@ namespace sinew {
 /// Memory of one pose, for code that is no frame, and the view over it.
 class PoseMemory {
  public:
-  explicit PoseMemory(std::size_t joint_count) : joint_count_(joint_count), lines_(PoseSpan::floats_for(joint_count) / 16 + 1) {}
+  explicit PoseMemory(std::size_t joint_count)
+      : joint_count_(joint_count), lines_(PoseSpan::floats_for(joint_count) / 16 + 1) {}
 
-  PoseSpan span() noexcept { return pose_over({lines_.front().floats, PoseSpan::floats_for(joint_count_)}, joint_count_); }
+  PoseSpan span() noexcept {
+    return pose_over({lines_.front().floats, PoseSpan::floats_for(joint_count_)}, joint_count_);
+  }
 
  private:
   struct alignas(64) Line {

@@ -12,7 +12,8 @@
 namespace sinew {
 namespace {
 
-/// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need an
+/// eq   Shoemake 1987; corners and signs were decided when the clip was compiled. Not in lanes: arcs between arcs need
+/// an
 ///      arc tangent, and squad is asked for by hand only.
 void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) noexcept;
 
@@ -35,12 +36,16 @@ bool wanted(const TrackBlock& block, const SampleClipJob& job) {
   return true;
 }
 
-void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at, const TrackOutput& out) {
+void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at,
+                   const TrackOutput& out) {
   const bool on_key = position.on_key || block.interpolation == Interpolation::step;
   const std::uint8_t* begin = block.packed.bits.data() + at.key * block.packed.row_bytes;
-  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s, on_key ? 1.0f : at.r};
-  if (block.property == Property::rotation) slerp_packed(block, keys, out);
-  else lerp_packed(block, keys, out);
+  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s,
+                        on_key ? 1.0f : at.r};
+  if (block.property == Property::rotation)
+    slerp_packed(block, keys, out);
+  else
+    lerp_packed(block, keys, out);
 }
 
 void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
@@ -48,12 +53,16 @@ void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOut
   switch (block.interpolation) {
     case Interpolation::step: copy_key(block, at.key, out); break;
     case Interpolation::linear:
-      if (rotation) slerp_block(block, at, out);
-      else lerp_block(block, at, out);
+      if (rotation)
+        slerp_block(block, at, out);
+      else
+        lerp_block(block, at, out);
       break;
     case Interpolation::cubic_spline:
-      if (rotation) hermite_rotation_block(block, at, out);
-      else hermite_block(block, at, out);
+      if (rotation)
+        hermite_rotation_block(block, at, out);
+      else
+        hermite_block(block, at, out);
       break;
     case Interpolation::squad: squad_block(block, at, out); break;
   }
@@ -66,9 +75,12 @@ void sample_groups(const SampleClipJob& job) {
     for (const TrackBlock& block : group.blocks) {
       if (!wanted(block, job)) continue;
       const TrackOutput out = output_of(block, job);
-      if (!block.packed.empty()) sample_packed(block, position, at, out);
-      else if (position.on_key) copy_key(block, position.key, out);
-      else sample_block(block, at, out);
+      if (!block.packed.empty())
+        sample_packed(block, position, at, out);
+      else if (position.on_key)
+        copy_key(block, position.key, out);
+      else
+        sample_block(block, at, out);
     }
   }
 }
@@ -106,10 +118,14 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
 ErrorCode check(const SampleClipJob& job) noexcept {
   if (job.clip == nullptr) return ErrorCode::size_mismatch;
   const std::size_t joints = job.clip->joint_count();
-  if (job.pose.joint_count != joints || job.pose.stride != PoseSpan::stride_for(joints)) return ErrorCode::size_mismatch;
+  if (job.pose.joint_count != joints || job.pose.stride != PoseSpan::stride_for(joints))
+    return ErrorCode::size_mismatch;
   if (joints > 0 && job.pose.planes == nullptr) return ErrorCode::size_mismatch;
-  const auto fits = [](std::span<float> numbers, std::size_t count) { return numbers.empty() || numbers.size() == count; };
-  const bool numbers_fit = fits(job.weights, job.clip->weight_count()) && fits(job.properties, job.clip->property_count());
+  const auto fits = [](std::span<float> numbers, std::size_t count) {
+    return numbers.empty() || numbers.size() == count;
+  };
+  const bool numbers_fit =
+      fits(job.weights, job.clip->weight_count()) && fits(job.properties, job.clip->property_count());
   return numbers_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
@@ -117,7 +133,8 @@ void run(const SampleClipJob& job) noexcept {
   const ClipLayout& clip = job.clip->layout();
   if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
   if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
-  if (!job.properties.empty()) std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
+  if (!job.properties.empty())
+    std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
   HWY_DYNAMIC_DISPATCH(sample_groups)(job);
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <span>
 
-#include "runtime/clip/clip.h"
 #include "runtime/base/result.h"
+#include "runtime/clip/clip.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {

@@ -26,7 +26,8 @@ struct OwnInput {
   float interpolation_factor = 0.0f;
   bool asleep = false;
 
-  OwnInput(const Plan& plan, std::pmr::memory_resource* memory) : layers(memory), next_layers(memory), weights(memory), out_of_view(memory) {
+  OwnInput(const Plan& plan, std::pmr::memory_resource* memory)
+      : layers(memory), next_layers(memory), weights(memory), out_of_view(memory) {
     layers.reserve(plan.needs.max_layers);
     if (plan.interpolate) next_layers.reserve(plan.needs.max_layers);
     weights.reserve(plan.rest_weights.size());
@@ -39,7 +40,15 @@ struct OwnInput {
     next_layers.assign(input.next_layers.begin(), input.next_layers.end());
     root = input.root, interpolation_factor = input.interpolation_factor, asleep = input.asleep;
   }
-  FrameInput view() const noexcept { return {.layers = layers, .weights = weights, .root = root, .next_layers = next_layers, .interpolation_factor = interpolation_factor, .out_of_view = out_of_view, .asleep = asleep}; }
+  FrameInput view() const noexcept {
+    return {.layers = layers,
+            .weights = weights,
+            .root = root,
+            .next_layers = next_layers,
+            .interpolation_factor = interpolation_factor,
+            .out_of_view = out_of_view,
+            .asleep = asleep};
+  }
 };
 
 struct Batch {
@@ -47,7 +56,7 @@ struct Batch {
   Ticket ticket = 0;
 };
 
-constexpr std::size_t kLooksAhead = 4;   // characters, whose state arrives while as many inputs are looked at
+constexpr std::size_t kLooksAhead = 4;  // characters, whose state arrives while as many inputs are looked at
 
 struct CharacterState {
   CharacterState(const Plan& shown, std::pmr::memory_resource& memory)
@@ -85,8 +94,8 @@ struct JobThread::State {
   JobThreadOptions options;
   std::function<void(std::size_t)> run_one;
   std::vector<std::unique_ptr<CharacterState>> characters;
-  std::vector<std::size_t> part_end;              // characters of part p: from the end of the one before to part_end[p]
-  std::size_t bytes = 0, last_part_bytes = 0;     // of the frames of all characters, and of those in the last part
+  std::vector<std::size_t> part_end;           // characters of part p: from the end of the one before to part_end[p]
+  std::size_t bytes = 0, last_part_bytes = 0;  // of the frames of all characters, and of those in the last part
 
   mutable std::mutex mutex;
   mutable std::condition_variable changed;  // a frame was queued or finished, or the thread shall stop
@@ -97,8 +106,8 @@ struct JobThread::State {
   Batch running;  // the worker's while in_flight
   // What one thread writes before the executor and other threads after it must be visible whatever the executor does to
   // order them, and an executor that leaves out or repeats a character must be noticed.
-  alignas(64) std::atomic<Ticket> started{0};           // read by all
-  alignas(64) std::atomic<std::size_t> parts_run{0};    // written by all
+  alignas(64) std::atomic<Ticket> started{0};         // read by all
+  alignas(64) std::atomic<std::size_t> parts_run{0};  // written by all
   alignas(64) std::atomic<Ticket> finished{0};
   std::atomic<ErrorCode> error{ErrorCode::ok};
   std::thread worker;
@@ -131,8 +140,8 @@ void JobThread::State::run_batch() {
   publish();
 }
 
-/// Memory of a crowd has left the caches when its turn comes. Looking at all inputs of a part first lets their characters
-/// arrive together, and tells whose frame to ask for while the one before it runs.
+/// Memory of a crowd has left the caches when its turn comes. Looking at all inputs of a part first lets their
+/// characters arrive together, and tells whose frame to ask for while the one before it runs.
 void JobThread::State::run_part(std::size_t p) noexcept {
   const Ticket ticket = started.load(std::memory_order_acquire);
   const std::size_t first = p == 0 ? 0 : part_end[p - 1], end = part_end[p];
@@ -154,7 +163,8 @@ void JobThread::State::run_part(std::size_t p) noexcept {
 
 void JobThread::State::look_at_input(std::size_t c) noexcept {
   CharacterState& character = *characters[c];
-  character.is_to_run = character.last_good == nullptr || !character.last_good->holds_result_of(*character.plan, running.inputs[c].view());
+  character.is_to_run = character.last_good == nullptr ||
+                        !character.last_good->holds_result_of(*character.plan, running.inputs[c].view());
   character.error = ErrorCode::ok;
 }
 
@@ -202,7 +212,8 @@ JobThread::Character JobThread::add_character(const Plan& plan) {
   std::unique_lock lock(state_->mutex);
   state_->changed.wait(lock, [this] { return state_->idle(); });
   const std::size_t count = state_->characters.size() + 1;
-  state_->characters.reserve(count), state_->part_end.reserve(count), state_->queued.inputs.reserve(count), state_->running.inputs.reserve(count);
+  state_->characters.reserve(count), state_->part_end.reserve(count), state_->queued.inputs.reserve(count),
+      state_->running.inputs.reserve(count);
   state_->characters.push_back(std::move(character));  // from here on nothing throws
   state_->queued.inputs.push_back(std::move(input));
   state_->running.inputs.push_back(std::move(other_input));

@@ -3,9 +3,9 @@
 
 #include <tbb/parallel_for.h>
 
-// The thread sanitizer cannot see inside the system's libtbb. Its build leaves this file uninstrumented, so that TBB's own
-// templates do not look like races, and is told here the one thing that TBB guarantees: what the caller wrote is visible to
-// the bodies, and what they wrote is visible to the caller afterwards.
+// The thread sanitizer cannot see inside the system's libtbb. Its build leaves this file uninstrumented, so that TBB's
+// own templates do not look like races, and is told here the one thing that TBB guarantees: what the caller wrote is
+// visible to the bodies, and what they wrote is visible to the caller afterwards.
 #ifdef SINEW_TELL_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif

@@ -16,7 +16,8 @@ static int play(const sinew_scene* scene, sinew_frame* frame) {
   sinew_clock clock;
   sinew_clock_init(&clock, sinew_clip_duration_s(scene, 0), SINEW_PLAY_CLAMP, 1.0);
   for (int step = 0; step <= 4; ++step) {
-    const sinew_layer layer = {.time_s = sinew_clock_time_s(&clock), .clip = 0, .mask = SINEW_NONE, .weight = 1.0f, .kind = SINEW_LAYER_BLEND};
+    const sinew_layer layer = {
+        .time_s = sinew_clock_time_s(&clock), .clip = 0, .mask = SINEW_NONE, .weight = 1.0f, .kind = SINEW_LAYER_BLEND};
     sinew_frame_input input = sinew_default_input();
     if (sinew_clip_count(scene) > 0) input.layers = &layer, input.layer_count = 1;
     const sinew_error error = sinew_run(frame, &input);
@@ -40,14 +41,16 @@ int main(int argc, char** argv) {
   sinew_scene* scene = NULL;
   sinew_messages* messages = NULL;
   sinew_error error = sinew_import_file(argv[1], NULL, &scene, &messages);
-  for (size_t i = 0; messages != NULL && i < sinew_message_count(messages); ++i) fprintf(stderr, "%s\n", sinew_message(messages, i));
+  for (size_t i = 0; messages != NULL && i < sinew_message_count(messages); ++i)
+    fprintf(stderr, "%s\n", sinew_message(messages, i));
   sinew_messages_destroy(messages);
   if (error != SINEW_OK) return fail(argv[1], error);
 
   sinew_plan* plan = NULL;
   error = sinew_plan_create(scene, NULL, &plan);
   if (error != SINEW_OK) return fail("sinew_plan_create", error);
-  const size_t size = (sinew_plan_frame_bytes(plan) + SINEW_FRAME_ALIGNMENT - 1) / SINEW_FRAME_ALIGNMENT * SINEW_FRAME_ALIGNMENT;
+  const size_t size =
+      (sinew_plan_frame_bytes(plan) + SINEW_FRAME_ALIGNMENT - 1) / SINEW_FRAME_ALIGNMENT * SINEW_FRAME_ALIGNMENT;
   void* block = aligned_alloc(SINEW_FRAME_ALIGNMENT, size);  // from the engine's own memory
   sinew_frame* frame = NULL;
   error = block != NULL ? sinew_frame_create_in(plan, block, size, &frame) : SINEW_OUT_OF_MEMORY;

@@ -21,7 +21,8 @@ int main(int argc, char** argv) {
       if (c == ' ') c = '-';
     const auto written = sinew::export_glb(scene.scene, folder / name);
     if (!written) {
-      std::fprintf(stderr, "sinew-showcase: %s\n", sinew::describe((folder / name).string(), written.error().issue).c_str());
+      std::fprintf(stderr, "sinew-showcase: %s\n",
+                   sinew::describe((folder / name).string(), written.error().issue).c_str());
       return 1;
     }
     std::printf("%s  %zu bytes  %s\n", (folder / name).c_str(), *written, scene.what_to_look_at.c_str());

@@ -22,13 +22,13 @@ float near_point(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& w
 glm::vec3 neutral_face(const glm::vec3& direction) {
   glm::vec3 p = direction * glm::vec3(0.84f, 1.08f, 0.92f);
   const glm::vec3 half(std::abs(p.x), p.y, p.z);
-  p.x *= 1.0f - 0.22f * glm::smoothstep(-0.1f, -1.0f, p.y);                                    // chin
-  p.z += 0.24f * near_point(half, {0.0f, -0.08f, 0.95f}, {0.13f, 0.20f, 0.5f});                // nose
-  p.z -= 0.20f * near_point(half, {0.31f, 0.18f, 0.85f}, {0.17f, 0.11f, 0.5f});                // eye sockets
-  p.z += 0.05f * near_point(half, {0.30f, 0.36f, 0.80f}, {0.24f, 0.08f, 0.5f});                // brows
-  p.z += 0.07f * near_point(half, {0.0f, -0.44f, 0.90f}, {0.24f, 0.05f, 0.5f});                // upper lip
-  p.z += 0.06f * near_point(half, {0.0f, -0.60f, 0.85f}, {0.20f, 0.05f, 0.5f});                // lower lip
-  p.z -= 0.10f * near_point(half, {0.0f, -0.52f, 0.90f}, {0.27f, 0.022f, 0.5f});               // mouth line
+  p.x *= 1.0f - 0.22f * glm::smoothstep(-0.1f, -1.0f, p.y);                                          // chin
+  p.z += 0.24f * near_point(half, {0.0f, -0.08f, 0.95f}, {0.13f, 0.20f, 0.5f});                      // nose
+  p.z -= 0.20f * near_point(half, {0.31f, 0.18f, 0.85f}, {0.17f, 0.11f, 0.5f});                      // eye sockets
+  p.z += 0.05f * near_point(half, {0.30f, 0.36f, 0.80f}, {0.24f, 0.08f, 0.5f});                      // brows
+  p.z += 0.07f * near_point(half, {0.0f, -0.44f, 0.90f}, {0.24f, 0.05f, 0.5f});                      // upper lip
+  p.z += 0.06f * near_point(half, {0.0f, -0.60f, 0.85f}, {0.20f, 0.05f, 0.5f});                      // lower lip
+  p.z -= 0.10f * near_point(half, {0.0f, -0.52f, 0.90f}, {0.27f, 0.022f, 0.5f});                     // mouth line
   p.x += (p.x > 0 ? 0.14f : -0.14f) * near_point(half, {0.84f, 0.05f, 0.0f}, {0.3f, 0.18f, 0.11f});  // ears
   return p;
 }
@@ -59,7 +59,8 @@ std::vector<Expression> expressions() {
        }},
       {"puff",
        [=](const glm::vec3& p) {
-         return near_point(half(p), {0.48f, -0.36f, 0.62f}, {0.22f, 0.22f, 0.4f}) * glm::vec3(0.15f * side(p), 0.0f, 0.10f);
+         return near_point(half(p), {0.48f, -0.36f, 0.62f}, {0.22f, 0.22f, 0.4f}) *
+                glm::vec3(0.15f * side(p), 0.0f, 0.10f);
        }},
   };
 }
@@ -113,14 +114,14 @@ WeightAnimation play_of_features(std::uint32_t instance) {
   out.weights.target_count = 4;
   out.weights.times_s = {0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f};
   out.weights.values = {
-      0.0f,  0.0f,  0.0f,  0.0f,    // neutral
-      1.5f,  0.0f,  0.6f,  0.0f,    // grin, beyond 1
-      1.0f,  1.0f,  1.3f,  0.0f,    // laugh
-      0.0f,  0.0f,  0.0f,  0.0f,    //
-      -1.0f, 0.0f,  -0.8f, 0.0f,    // frown, below 0
-      0.0f,  -0.1f, 0.8f,  1.4f,    // puffed cheeks
-      -0.4f, 0.0f,  1.0f,  -0.7f,   // sucked in
-      0.2f,  1.3f,  1.4f,  -0.3f,   // surprise
+      0.0f,  0.0f,  0.0f,  0.0f,   // neutral
+      1.5f,  0.0f,  0.6f,  0.0f,   // grin, beyond 1
+      1.0f,  1.0f,  1.3f,  0.0f,   // laugh
+      0.0f,  0.0f,  0.0f,  0.0f,   //
+      -1.0f, 0.0f,  -0.8f, 0.0f,   // frown, below 0
+      0.0f,  -0.1f, 0.8f,  1.4f,   // puffed cheeks
+      -0.4f, 0.0f,  1.0f,  -0.7f,  // sucked in
+      0.2f,  1.3f,  1.4f,  -0.3f,  // surprise
       0.0f,  0.0f,  0.0f,  0.0f,
   };
   return out;
@@ -144,7 +145,9 @@ ShowcaseScene morphed_face() {
     rest.translation += glm::vec3(0.0f, 0.0f, 0.125f);
     builder.add_prop(x < 0.0f ? "right pupil" : "left pupil", sphere(glm::vec3(0.0f), 0.065f), pupil, rest);
   }
-  builder.add_prop("wall", grid([](float u, float v) { return glm::vec3(9.0f * (u - 0.5f), 6.0f * (v - 0.5f), -1.1f); }, 2, 2), wall);
+  builder.add_prop("wall",
+                   grid([](float u, float v) { return glm::vec3(9.0f * (u - 0.5f), 6.0f * (v - 0.5f), -1.1f); }, 2, 2),
+                   wall);
 
   Animation animation;
   animation.name = "expressions";

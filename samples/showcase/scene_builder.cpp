@@ -7,7 +7,8 @@
 
 namespace sinew::showcase {
 
-std::uint32_t SceneBuilder::add_material(std::string name, const glm::vec3& base_color, float roughness, float metallic) {
+std::uint32_t SceneBuilder::add_material(std::string name, const glm::vec3& base_color, float roughness,
+                                         float metallic) {
   Material material;
   material.name = std::move(name);
   material.base_color = {base_color, 1.0f};

@@ -17,7 +17,8 @@ class SceneBuilder {
   void add_animation(Animation animation);
 
   /// A mesh of one primitive on a root joint of its own, for things that just stand there. Returns the joint.
-  std::uint32_t add_prop(const std::string& name, Primitive primitive, std::uint32_t material, const Transform& rest = {});
+  std::uint32_t add_prop(const std::string& name, Primitive primitive, std::uint32_t material,
+                         const Transform& rest = {});
 
   /// Completes the scene and proves it: breaking check(Scene) here is a bug.
   Scene finish();

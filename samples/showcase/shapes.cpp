@@ -54,7 +54,8 @@ Primitive grid(const Surface& surface, std::uint32_t columns, std::uint32_t rows
   Primitive out;
   for (std::uint32_t r = 0; r <= rows; ++r)
     for (std::uint32_t c = 0; c <= columns; ++c)
-      out.positions.push_back(surface(static_cast<float>(c) / static_cast<float>(columns), static_cast<float>(r) / static_cast<float>(rows)));
+      out.positions.push_back(surface(static_cast<float>(c) / static_cast<float>(columns),
+                                      static_cast<float>(r) / static_cast<float>(rows)));
   const std::uint32_t stride = columns + 1;
   for (std::uint32_t r = 0; r < rows; ++r)
     for (std::uint32_t c = 0; c < columns; ++c) {

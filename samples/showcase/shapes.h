@@ -10,8 +10,9 @@ namespace sinew::showcase {
 /// A surface over (u, v) in [0, 1]^2, for example a point on a sphere by longitude and latitude.
 using Surface = std::function<glm::vec3(float u, float v)>;
 
-/// A grid of (columns + 1) x (rows + 1) vertices on the surface, two triangles a cell, counter-clockwise when u x v points
-/// outwards. Normals are area-weighted; vertices that coincide share theirs, so that seams and poles stay smooth.
+/// A grid of (columns + 1) x (rows + 1) vertices on the surface, two triangles a cell, counter-clockwise when u x v
+/// points outwards. Normals are area-weighted; vertices that coincide share theirs, so that seams and poles stay
+/// smooth.
 Primitive grid(const Surface& surface, std::uint32_t columns, std::uint32_t rows);
 
 /// Axis-aligned box with flat faces.

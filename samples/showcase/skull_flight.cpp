@@ -93,7 +93,8 @@ Primitive columns() {
     return 0.6f + 0.35f * (foot + head);
   };
   for (const float x : {-11.0f, 11.0f})
-    for (int i = -2; i <= 2; ++i) append(all, lathe({x, kFloorY - 0.05f, 6.0f * static_cast<float>(i)}, 4.05f, profile, 24, 30));
+    for (int i = -2; i <= 2; ++i)
+      append(all, lathe({x, kFloorY - 0.05f, 6.0f * static_cast<float>(i)}, 4.05f, profile, 24, 30));
   return all;
 }
 
@@ -116,7 +117,9 @@ ShowcaseScene skull_flight() {
   const std::uint32_t enamel = builder.add_material("enamel", {0.93f, 0.91f, 0.84f}, 0.3f);
   const std::uint32_t dark = builder.add_material("eyes", {0.10f, 0.02f, 0.02f}, 0.2f);
 
-  builder.add_prop("floor", grid([](float u, float v) { return glm::vec3(40.0f * (u - 0.5f), kFloorY, 40.0f * (0.5f - v)); }, 8, 8), stone);
+  builder.add_prop(
+      "floor", grid([](float u, float v) { return glm::vec3(40.0f * (u - 0.5f), kFloorY, 40.0f * (0.5f - v)); }, 8, 8),
+      stone);
   builder.add_prop("box", box({0.0f, kFloorY + 1.25f, 0.0f}, glm::vec3(1.6f, 1.25f, 1.6f)), wood);
   builder.add_prop("columns", columns(), marble);
   builder.add_prop("spheres", spheres_on_columns(), copper);
@@ -131,7 +134,8 @@ ShowcaseScene skull_flight() {
 
   ShowcaseScene out;
   out.name = "skull flight";
-  out.what_to_look_at = "Five keyframes carry the skull; ambient occlusion grounds the columns, the box and the eye sockets.";
+  out.what_to_look_at =
+      "Five keyframes carry the skull; ambient occlusion grounds the columns, the box and the eye sockets.";
   out.scene = builder.finish();
   out.eye = {15.0f, 8.0f, 24.0f};
   out.target = {0.0f, -1.0f, 0.0f};

@@ -13,15 +13,16 @@
 namespace sinew::showcase {
 namespace {
 
-constexpr float kLength = 4.0f;       // shoulder to finger tips
+constexpr float kLength = 4.0f;  // shoulder to finger tips
 constexpr float kElbow = 1.4f, kWrist = 3.0f;
 constexpr int kArms = 3;
-constexpr float kSpacing = 2.2f;      // between neighbouring arms
-constexpr float kFloorY = 0.08f;      // the arms stand a little in the floor, which hides their lower rim
+constexpr float kSpacing = 2.2f;  // between neighbouring arms
+constexpr float kFloorY = 0.08f;  // the arms stand a little in the floor, which hides their lower rim
 
 /// Radius of the arm along its length, v in [0, 1]: upper arm, elbow, forearm, wrist, fist.
 float arm_radius(float v) {
-  const float muscle = 0.10f * std::exp(-std::pow((v - 0.18f) / 0.12f, 2.0f)) + 0.08f * std::exp(-std::pow((v - 0.47f) / 0.11f, 2.0f));
+  const float muscle =
+      0.10f * std::exp(-std::pow((v - 0.18f) / 0.12f, 2.0f)) + 0.08f * std::exp(-std::pow((v - 0.47f) / 0.11f, 2.0f));
   const float fist = 0.17f * std::exp(-std::pow((v - 0.88f) / 0.075f, 2.0f));
   const float shoulder = 0.10f * std::exp(-std::pow(v / 0.07f, 2.0f));
   const float tip = std::sqrt(std::max(0.0f, 1.0f - std::pow(std::max(0.0f, v - 0.86f) / 0.14f, 4.0f)));
@@ -90,7 +91,10 @@ BoneAnimation twist(std::uint32_t joint) {
   const float degrees[] = {0.0f, 90.0f, 180.0f, 180.0f, 90.0f, 0.0f};
   const double times_s[] = {0.0, 1.5, 3.0, 4.0, 5.5, 7.0};
   for (int i = 0; i < 6; ++i)
-    keys.push_back({times_s[i], {0.0f, kWrist, 0.0f}, glm::angleAxis(glm::radians(degrees[i]), glm::vec3(0.0f, 1.0f, 0.0f)), glm::vec3(1.0f)});
+    keys.push_back({times_s[i],
+                    {0.0f, kWrist, 0.0f},
+                    glm::angleAxis(glm::radians(degrees[i]), glm::vec3(0.0f, 1.0f, 0.0f)),
+                    glm::vec3(1.0f)});
   auto animation = BoneAnimation::from_keyframes(joint, keys);
   CONTRACT(animation.has_value());
   return *std::move(animation);
@@ -108,7 +112,9 @@ ShowcaseScene twisted_arms() {
   SceneBuilder builder;
   const std::uint32_t skin_paint = builder.add_material("skin", glm::vec3(1.0f), 0.55f);
   const std::uint32_t stone = builder.add_material("stone", {0.55f, 0.56f, 0.60f}, 0.9f);
-  builder.add_prop("floor", grid([](float u, float v) { return glm::vec3(14.0f * (u - 0.5f), kFloorY, 14.0f * (0.5f - v)); }, 4, 4), stone);
+  builder.add_prop(
+      "floor", grid([](float u, float v) { return glm::vec3(14.0f * (u - 0.5f), kFloorY, 14.0f * (0.5f - v)); }, 4, 4),
+      stone);
 
   const char* const names[kArms] = {"linear blend", "dual quaternion", "center of rotation"};
   std::uint32_t shoulders[kArms], wrists[kArms], holders[kArms];
@@ -141,7 +147,8 @@ ShowcaseScene twisted_arms() {
       "Left: linear-blend skinning loses the forearm's volume as the wrist turns. "
       "Dual quaternions in the middle and centers of rotation on the right keep it.";
   out.scene = builder.finish();
-  out.needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation};
+  out.needs.instance_skinning = {Skinning::linear, Skinning::linear, Skinning::dual_quaternion,
+                                 Skinning::center_of_rotation};
   out.eye = {1.5f, 3.2f, 10.5f};
   out.target = {0.0f, 2.0f, 0.0f};
   out.fov_y_rad = 0.60f;

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-#include "runtime/pose/joint_palette.h"
-#include "runtime/pose/local_to_model.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/local_to_model.h"
 
 namespace {
 

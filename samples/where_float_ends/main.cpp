@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
     if (row.part != part) std::printf("\n%s\n", part = row.part.c_str());
     const bool holds = row.error <= row.bound;
     beyond += !holds;
-    std::printf("%-38s %-36s %10.2g %-4s %9.2g %9.2g%s\n", row.kernel.c_str(), row.sweep.c_str(), row.error, row.unit, row.ulp,
-                row.bound, holds ? "" : "  BEYOND");
+    std::printf("%-38s %-36s %10.2g %-4s %9.2g %9.2g%s\n", row.kernel.c_str(), row.sweep.c_str(), row.error, row.unit,
+                row.ulp, row.bound, holds ? "" : "  BEYOND");
   }
   return beyond == 0 ? 0 : 1;
 }

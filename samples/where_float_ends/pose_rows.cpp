@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <string>
 
-#include "runtime/pose/local_to_model.h"
 #include "runtime/playback/playback_clock.h"
+#include "runtime/pose/local_to_model.h"
 #include "samples/where_float_ends/rows.h"
 
 namespace sinew::sample {
@@ -35,7 +35,8 @@ Row chain_row(std::uint32_t joints, double bound) {
       const Quat<float> q = quat_cast<float>(sweep.turn(sweep.in(0, 20) * kDegree));
       const Transform local{{0, 0.1f, 0}, q, {1, 1, 1}};
       pose.set(j, local);
-      tip = tip * affine_from_transform(Transformd{Vec3<double>(local.translation), normalised(quat_cast<double>(q)), Vec3<double>(1)});
+      tip = tip * affine_from_transform(
+                      Transformd{Vec3<double>(local.translation), normalised(quat_cast<double>(q)), Vec3<double>(1)});
     }
     run(LocalToModelJob{&skeleton, pose, {}, model});
     largest.add_place(translation_of(model.back()), translation_of(tip));
@@ -43,7 +44,8 @@ Row chain_row(std::uint32_t joints, double bound) {
   return largest.row(kPart, "tip of a chain of 10 cm joints", std::to_string(joints) + " joints", "m", bound);
 }
 
-/// A point of a character that stands far out: its world matrix in float, or relative to a root that is added in double.
+/// A point of a character that stands far out: its world matrix in float, or relative to a root that is added in
+/// double.
 Row far_row(double distance, bool relative, double bound) {
   Sweep sweep;
   Largest largest;
@@ -73,8 +75,10 @@ Row clock_row(bool in_float, int hours, double bound) {
   PlaybackClock clock(duration_s, PlayMode::once);
   double shown_s = 0.0;
   for (long i = 0; i < frames; ++i) {
-    if (in_float) sum_s += static_cast<float>(dt_s);
-    else shown_s = clock.advance(dt_s).to_s;
+    if (in_float)
+      sum_s += static_cast<float>(dt_s);
+    else
+      shown_s = clock.advance(dt_s).to_s;
   }
   Largest largest;
   const double found = in_float ? static_cast<double>(sum_s) : shown_s;
@@ -92,7 +96,8 @@ Row time_row(int hours, double bound) {
   for (int i = 0; i < 2000; ++i) {
     const double t = 3600.0 * hours + sweep.in(0, 10);
     const float stored = static_cast<float>(t);
-    largest.add(std::abs(static_cast<double>(stored) - t), static_cast<double>(std::nextafter(stored, INFINITY) - stored));
+    largest.add(std::abs(static_cast<double>(stored) - t),
+                static_cast<double>(std::nextafter(stored, INFINITY) - stored));
   }
   return largest.row(kPart, "one time held in float", "after " + std::to_string(hours) + " h", "s", bound);
 }

@@ -24,7 +24,8 @@ std::string degrees(double angle) {
   return std::string(text) + " degrees";
 }
 
-/// eq   sin((1 - t) a) / sin a q + sin(t a) / sin a r in long double, a from chord lengths   (Real-Time Rendering, eq. 4.53)
+/// eq   sin((1 - t) a) / sin a q + sin(t a) / sin a r in long double, a from chord lengths   (Real-Time Rendering,
+/// eq. 4.53)
 Quat<double> true_slerp(const Quat<double>& from, const Quat<double>& to, double t) {
   using L = long double;
   const Quat<L> q = normalised(quat_cast<L>(from)), r = aligned_with(q, normalised(quat_cast<L>(to)));
@@ -51,7 +52,8 @@ void add_interpolation(Rows& rows) {
   const auto nlerp = [](auto q, auto r, float t) { return nlerp_short_arc(q, r, t); };
   const auto corrected = [](auto q, auto r, float t) { return corrected_nlerp(q, r, t); };
   const auto polynomial = [](auto q, auto r, float t) { return polynomial_slerp(q, r, t); };
-  for (const double apart : {0.0001, 1.0, 90.0, 179.0, 179.999}) rows.push_back(between_keys("slerp", slerp, apart, 4e-7));
+  for (const double apart : {0.0001, 1.0, 90.0, 179.0, 179.999})
+    rows.push_back(between_keys("slerp", slerp, apart, 4e-7));
   rows.push_back(between_keys("nlerp for slerp", nlerp, 5, 3e-6));
   rows.push_back(between_keys("nlerp for slerp", nlerp, 20, 1.8e-4));
   rows.push_back(between_keys("nlerp for slerp", nlerp, 90, 0.0162));
@@ -96,8 +98,9 @@ Row angle_row(const char* name, Measure measure, double angle, double bound) {
   Largest largest;
   for (int i = 0; i < kCount; ++i) {
     const Quat<double> q = as_stored(sweep.rotation()), r = as_stored(sweep.turn(angle * kDegree) * q);
-    largest.add(std::abs(static_cast<double>(measure(quat_cast<float>(q), quat_cast<float>(r))) - rotation_angle_between(q, r)),
-                2 * 0x1p-24);
+    largest.add(
+        std::abs(static_cast<double>(measure(quat_cast<float>(q), quat_cast<float>(r))) - rotation_angle_between(q, r)),
+        2 * 0x1p-24);
   }
   return largest.row(kPart, name, "turns of " + degrees(angle), "rad", bound);
 }

@@ -12,9 +12,9 @@ namespace sinew::sample {
 
 /// The largest error of one kernel over one sweep, against double or long double.
 struct Row {
-  std::string part;       ///< "rotations", "poses", "vertices"
-  std::string kernel;     ///< what ran in float
-  std::string sweep;      ///< over which inputs
+  std::string part;    ///< "rotations", "poses", "vertices"
+  std::string kernel;  ///< what ran in float
+  std::string sweep;   ///< over which inputs
   double error = 0.0;
   const char* unit = "";  ///< "rad", "m", "s"
   double ulp = 0.0;       ///< the same in steps of float at the result's size (rotations: of their half angle, at 1)

@@ -32,7 +32,8 @@ struct Crowd {
       for (const float weight : {0.4f, 0.3f, 0.2f, 0.1f}) {
         influences.joints.push_back(static_cast<std::uint16_t>(split.size()));
         influences.weights.push_back(weight);
-        const DualQuat motion = dual_quat_from(quat_cast<float>(sweep.turn(sweep.in(0, most_degrees) * kDegree)), glm::vec3(sweep.direction()));
+        const DualQuat motion = dual_quat_from(quat_cast<float>(sweep.turn(sweep.in(0, most_degrees) * kDegree)),
+                                               glm::vec3(sweep.direction()));
         split.push_back({motion, {1, 1, 1, 0, 0, 0}});
         palette.push_back(joint_matrix_from(affine_from_dual_quat(motion)));
       }
@@ -87,7 +88,8 @@ void add_skinning(Rows& rows, double most_degrees, double bound) {
   run(SkinCenterOfRotationJob{&c.influences, c.palette, c.split, false, c.centers, c.in(), c.out()});
   for (std::size_t v = 0; v < kVertices; ++v) {
     const Vec3<double> from_center = Vec3<double>(c.positions[v]) - Vec3<double>(c.centers[v]);
-    center.add_place(c.out_positions[v], rotate_vector(c.true_motion(v).real, from_center) + c.true_linear(v, c.centers[v]));
+    center.add_place(c.out_positions[v],
+                     rotate_vector(c.true_motion(v).real, from_center) + c.true_linear(v, c.centers[v]));
   }
   char sweep[48];
   std::snprintf(sweep, sizeof sweep, "4 joints, turned up to %g degrees", most_degrees);

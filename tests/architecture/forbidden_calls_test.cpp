@@ -55,7 +55,18 @@ TEST(forbidden_calls, comments_and_strings_do_not_count_but_code_does) {
   EXPECT_THAT(places({"runtime/x.cpp", "/* glm::slerp(a, b, t) */ puts(\"acos(1)\");\n"}, unstable_calls()),
               testing::IsEmpty());
   EXPECT_THAT(places({"runtime/x.cpp", "auto q = glm::slerp(a, b, t);\n"}, unstable_calls()), testing::SizeIs(1));
-  for (const std::string line : {"_" "_m128 v;", "v = _" "mm_add_ps(a, b);", "v = _" "mm512_add_ps(a, b);", "v = v" "ld1q_f32(p);", "#include <im" "mintrin.h>", "#include <arm" "_neon.h>"})
+  for (const std::string line : {"_"
+                                 "_m128 v;",
+                                 "v = _"
+                                 "mm_add_ps(a, b);",
+                                 "v = _"
+                                 "mm512_add_ps(a, b);",
+                                 "v = v"
+                                 "ld1q_f32(p);",
+                                 "#include <im"
+                                 "mintrin.h>",
+                                 "#include <arm"
+                                 "_neon.h>"})
     EXPECT_THAT(places({"runtime/x.cpp", line}, raw_intrinsics()), testing::SizeIs(1)) << line;
 }
 

@@ -3,7 +3,8 @@
 
 namespace sinew::test {
 
-/// One hard case of animation and skinning that the project answers for. A test that covers it carries the ID in its name.
+/// One hard case of animation and skinning that the project answers for. A test that covers it carries the ID in its
+/// name.
 struct HardCase {
   const char* id;
   const char* claim;  ///< what has to hold

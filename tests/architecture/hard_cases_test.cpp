@@ -30,8 +30,9 @@ constexpr Rows kMustBeCovered[] = {
 
 bool must_be_covered(std::string_view id) {
   const int number = std::atoi(id.data() + 1);
-  return std::any_of(std::begin(kMustBeCovered), std::end(kMustBeCovered),
-                     [&](const Rows& rows) { return rows.letter == id[0] && rows.first <= number && number <= rows.last; });
+  return std::any_of(std::begin(kMustBeCovered), std::end(kMustBeCovered), [&](const Rows& rows) {
+    return rows.letter == id[0] && rows.first <= number && number <= rows.last;
+  });
 }
 
 /// "suite.name" of every enabled test that a source defines.
@@ -41,7 +42,8 @@ std::vector<std::string> tests_of(const std::string& source) {
   std::vector<std::string> names;
   const std::string code = without_comments(source);
   for (std::sregex_iterator m(code.begin(), code.end(), definition), end; m != end; ++m)
-    if (const std::string suite = (*m)[1], name = (*m)[2]; !suite.starts_with("DISABLED_") && !name.starts_with("DISABLED_"))
+    if (const std::string suite = (*m)[1], name = (*m)[2];
+        !suite.starts_with("DISABLED_") && !name.starts_with("DISABLED_"))
       names.push_back(suite + "." + name);
   return names;
 }
@@ -92,13 +94,15 @@ TEST(hard_cases, no_test_carries_an_id_that_does_not_exist) {
 TEST(hard_cases, rows_that_must_be_covered_are_all_in_the_table) {
   std::size_t expected = 0;
   for (const Rows& rows : kMustBeCovered) expected += static_cast<std::size_t>(rows.last - rows.first + 1);
-  EXPECT_EQ(std::count_if(std::begin(kHardCases), std::end(kHardCases), [](const HardCase& row) { return must_be_covered(row.id); }),
+  EXPECT_EQ(std::count_if(std::begin(kHardCases), std::end(kHardCases),
+                          [](const HardCase& row) { return must_be_covered(row.id); }),
             static_cast<std::ptrdiff_t>(expected));
 }
 
 TEST(hard_cases, only_enabled_tests_and_whole_words_count) {
   const std::string source =
-      "TEST(a, G06_x) {}\n// TEST(a, G07_x)\nTEST_F(b,\n  y_N12_G13) {}\nTEST(a, DISABLED_G08_x) {}\nTEST(a, G09x_XG10) {}\n"
+      "TEST(a, G06_x) {}\n// TEST(a, G07_x)\nTEST_F(b,\n  y_N12_G13) {}\nTEST(a, DISABLED_G08_x) {}\nTEST(a, "
+      "G09x_XG10) {}\n"
       "RC_GTEST_PROP(p, T10_z, (int i)) {}\nEXPECT_EQ(TESTS(a, G11_x), 1);\n";
   EXPECT_THAT(tests_of(source), testing::ElementsAre("a.G06_x", "b.y_N12_G13", "a.G09x_XG10", "p.T10_z"));
   EXPECT_THAT(ids_in("b.y_N12_G13"), testing::ElementsAre("N12", "G13"));

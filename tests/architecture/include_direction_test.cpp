@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime as the table in
-// runtime/README.md says. A file that includes against the arrow fails here.
+// Data flows one way and so do includes: runtime <- importer, viewer <- the two programs; inside runtime as the table
+// in runtime/README.md says. A file that includes against the arrow fails here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@
 namespace sinew::test {
 namespace {
 
-/// What each folder of the runtime sees, read from the table in runtime/README.md: "runtime/pose" -> {"runtime/base", ...}.
+/// What each folder of the runtime sees, read from the table in runtime/README.md: "runtime/pose" -> {"runtime/base",
+/// ...}.
 const std::map<std::string, std::set<std::string>>& runtime_rows() {
   static const std::map<std::string, std::set<std::string>> rows = [] {
     std::map<std::string, std::set<std::string>> found;
@@ -40,15 +41,18 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
-  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "viewer/study", "importer", "viewer", "samples",
+                           "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
 
 bool sees(const std::string& from, const std::string& to) {
-  static const std::set<std::string> kAssets = {"runtime/base", "runtime/math", "runtime/animation", "runtime/clip", "runtime/model"};
+  static const std::set<std::string> kAssets = {"runtime/base", "runtime/math", "runtime/animation", "runtime/clip",
+                                                "runtime/model"};
   if (to == "tests") return from == "tests";
-  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study") return true;
+  if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study")
+    return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer") return to == "importer" || kAssets.contains(to);
   if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
@@ -104,7 +108,8 @@ TEST(include_direction, every_folder_of_the_runtime_has_a_row_and_no_two_see_eac
   for (const auto& [folder, seen] : rows)
     for (const std::string& other : seen) {
       ASSERT_TRUE(rows.contains(other)) << folder << " sees " << other << ", which has no row";
-      EXPECT_FALSE(other == folder || rows.at(other).contains(folder)) << folder << " and " << other << " see each other";
+      EXPECT_FALSE(other == folder || rows.at(other).contains(folder))
+          << folder << " and " << other << " see each other";
     }
 }
 
@@ -117,7 +122,8 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("runtime/clip/x.h", "\"runtime/model/scene.h\""), 1u);
   EXPECT_EQ(count("runtime/playback/x.h", "\"runtime/plan/compile_plan.h\""), 1u);
   for (const char* offline : {"\"runtime/compress/clip_error.h\"", "\"runtime/lod/clip_bounds.h\""})
-    for (const char* frame : {"runtime/pose/x.cpp", "runtime/deform/simd/x-inl.h", "runtime/plan/x.cpp", "runtime/threads/x.cpp"})
+    for (const char* frame :
+         {"runtime/pose/x.cpp", "runtime/deform/simd/x-inl.h", "runtime/plan/x.cpp", "runtime/threads/x.cpp"})
       EXPECT_EQ(count(frame, offline), 1u) << frame << offline;
   EXPECT_EQ(count("runtime/plan/x.cpp", "\"importer/import_gltf.h\""), 1u);
   EXPECT_EQ(count("importer/build/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The library has no state of its own: no variable that anything writes to, but what the solver of correctives keeps about cache
-// sizes. (Highway's choice of the instruction set is in libhwy; the tables of kernels are constants.)
+// The library has no state of its own: no variable that anything writes to, but what the solver of correctives keeps
+// about cache sizes. (Highway's choice of the instruction set is in libhwy; the tables of kernels are constants.)
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,13 +30,16 @@ std::vector<std::string> writable_variables(const std::string& table) {
   std::istringstream lines(table);
   for (std::string text; std::getline(lines, text);)
     if (std::smatch match; std::regex_match(text, match, line))
-      if (match[2].str().rfind(".rel.ro", 0) != 0 && !match[3].str().starts_with(".") && match[3].str().find("DW.ref.") == std::string::npos)
+      if (match[2].str().rfind(".rel.ro", 0) != 0 && !match[3].str().starts_with(".") &&
+          match[3].str().find("DW.ref.") == std::string::npos)
         names.push_back(match[3]);
   return names;
 }
 
 /// Sizes of caches, found at the first use, the same for every caller.
-bool is_allowed(const std::string& name) { return name.find("Eigen::internal::manage_caching_sizes") != std::string::npos; }
+bool is_allowed(const std::string& name) {
+  return name.find("Eigen::internal::manage_caching_sizes") != std::string::npos;
+}
 
 TEST(library_symbols, the_runtime_has_no_globals) {
   const std::string table = output_of("objdump -t -C " SINEW_RUNTIME_ARCHIVE);
@@ -47,8 +50,9 @@ TEST(library_symbols, the_runtime_has_no_globals) {
 TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_casting) {
   const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVE);
   ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // what it does ask for is seen
-  for (const char* name : {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate", "vkCreate",
-                           "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
+  for (const char* name :
+       {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate",
+        "vkCreate", "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
     EXPECT_THAT(table, testing::Not(testing::HasSubstr(name)));
 }
 

@@ -27,7 +27,8 @@ bool goes_on_after_discard(const std::string& text) {
 TEST(shader_quads, nothing_follows_a_discard) {
   std::vector<std::string> found;
   int discarding = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SINEW_SOURCE_DIR) / "viewer/shaders")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(SINEW_SOURCE_DIR) / "viewer/shaders")) {
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(in), {});
     discarding += text.find("discard;") != std::string::npos;

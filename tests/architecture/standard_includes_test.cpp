@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which standard header brings in which other differs between compilers: what a file uses, it includes, or one of our headers that
-// it includes does.
+// Which standard header brings in which other differs between compilers: what a file uses, it includes, or one of our
+// headers that it includes does.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,11 +14,13 @@
 namespace sinew::test {
 namespace {
 
-/// Names of namespace std, as a regular expression, by the header that declares them; those that every header brings (std::size_t,
-/// std::move) are left out.
+/// Names of namespace std, as a regular expression, by the header that declares them; those that every header brings
+/// (std::size_t, std::move) are left out.
 const std::map<std::string, std::string> kDeclares = {
-    {"algorithm", "(sort|min|max|clamp|any_of|all_of|none_of|find_if|transform|copy|fill|lower_bound|upper_bound|unique|minmax_element|max_element|"
-                  "min_element|stable_sort|reverse|rotate|equal|count_if|for_each)\\("},
+    {"algorithm",
+     "(sort|min|max|clamp|any_of|all_of|none_of|find_if|transform|copy|fill|lower_bound|upper_bound|unique|minmax_"
+     "element|max_element|"
+     "min_element|stable_sort|reverse|rotate|equal|count_if|for_each)\\("},
     {"array", "array<"},
     {"atomic", "atomic\\b"},
     {"bit", "(bit_cast|bit_width|popcount|countr_zero|has_single_bit)\\b"},
@@ -89,7 +91,8 @@ std::vector<std::string> missing_of(const std::string& text, const std::set<std:
   std::vector<std::string> missing;
   for (const std::string& name : standard_names(without_comments(text)))
     for (const auto& [header, names] : declared)
-      if (!included.contains(header) && std::regex_match(name, names)) missing.push_back("std::" + name + " without <" + header + ">");
+      if (!included.contains(header) && std::regex_match(name, names))
+        missing.push_back("std::" + name + " without <" + header + ">");
   return missing;
 }
 
@@ -97,11 +100,13 @@ TEST(standard_includes, what_a_file_uses_it_includes) {
   const std::vector<SourceFile> files = source_tree();
   Includes includes(files);
   for (const SourceFile& file : files)
-    for (const std::string& what : missing_of(file.text, includes.of(file.path))) ADD_FAILURE() << file.path << ": " << what;
+    for (const std::string& what : missing_of(file.text, includes.of(file.path)))
+      ADD_FAILURE() << file.path << ": " << what;
 }
 
 TEST(standard_includes, a_use_without_its_header_is_seen) {
-  EXPECT_EQ(missing_of("std::uint32_t n = 0; std::sort(a, b);", {"algorithm"}), std::vector<std::string>{"std::uint32_t  without <cstdint>"});
+  EXPECT_EQ(missing_of("std::uint32_t n = 0; std::sort(a, b);", {"algorithm"}),
+            std::vector<std::string>{"std::uint32_t  without <cstdint>"});
   EXPECT_TRUE(missing_of("// std::map<int, int>\nstd::size_t n;", {}).empty());
 }
 

@@ -13,7 +13,8 @@ using Limits = std::numeric_limits<float>;
 
 TEST(all_finite, holds_for_every_kind_of_finite_number) {
   EXPECT_TRUE(all_finite(std::span<const float>()));
-  const std::vector<float> numbers{0.0f, -0.0f, 1.0f, Limits::max(), Limits::lowest(), Limits::min(), Limits::denorm_min()};
+  const std::vector<float> numbers{
+      0.0f, -0.0f, 1.0f, Limits::max(), Limits::lowest(), Limits::min(), Limits::denorm_min()};
   EXPECT_TRUE(all_finite(std::span<const float>(numbers)));
 }
 

@@ -18,8 +18,8 @@ constexpr std::size_t kFewestJoints = 16, kMostClips = 3, kMostModels = 4;
 
 bool is_linear(const Animation& animation) {
   return std::all_of(animation.bones.begin(), animation.bones.end(), [](const BoneAnimation& bone) {
-    return bone.translation.interpolation == Interpolation::linear && bone.rotation.interpolation == Interpolation::linear &&
-           bone.scale.interpolation == Interpolation::linear;
+    return bone.translation.interpolation == Interpolation::linear &&
+           bone.rotation.interpolation == Interpolation::linear && bone.scale.interpolation == Interpolation::linear;
   });
 }
 
@@ -33,7 +33,8 @@ void add_clips(const std::string& name, const Scene& scene, std::vector<std::sha
   for (std::size_t c = 0; c < std::min(kMostClips, scene.animations.size()); ++c) {
     const Animation& animation = scene.animations[c];
     if (!is_linear(animation) || animation.bones.empty()) continue;
-    const auto character = std::make_shared<Character>(scene.animations.size() == 1 ? name : name + "-" + std::to_string(c), scene.skeleton, animation);
+    const auto character = std::make_shared<Character>(
+        scene.animations.size() == 1 ? name : name + "-" + std::to_string(c), scene.skeleton, animation);
     character->packed = compile_clip_within(scene, animation, vertices, kPackedBudgetM).clip;
     to.push_back(character);
   }
@@ -48,7 +49,10 @@ Animation joints_of(Animation animation) {
 }  // namespace
 
 Character::Character(std::string named, Skeleton s, Animation a)
-    : name(std::move(named)), skeleton(std::move(s)), animation(joints_of(std::move(a))), clip(test::clip_of(animation, skeleton)) {}
+    : name(std::move(named)),
+      skeleton(std::move(s)),
+      animation(joints_of(std::move(a))),
+      clip(test::clip_of(animation, skeleton)) {}
 
 const std::vector<NamedScene>& corpus_scenes() {
   static const std::vector<NamedScene> scenes = [] {
@@ -62,7 +66,9 @@ const std::vector<NamedScene>& corpus_scenes() {
       if (std::any_of(found.begin(), found.end(), [&](const NamedScene& s) { return s.name == name; })) continue;
       found.push_back({name, std::make_shared<const Scene>(std::move(file->scene))});
     }
-    std::stable_sort(found.begin(), found.end(), [](const NamedScene& a, const NamedScene& b) { return a.scene->skeleton.joint_count() < b.scene->skeleton.joint_count(); });
+    std::stable_sort(found.begin(), found.end(), [](const NamedScene& a, const NamedScene& b) {
+      return a.scene->skeleton.joint_count() < b.scene->skeleton.joint_count();
+    });
     if (found.size() > kMostModels) found.resize(kMostModels);
     return found;
   }();

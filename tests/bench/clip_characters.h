@@ -23,8 +23,8 @@ struct Character {
   std::size_t joint_count() const { return skeleton.joint_count(); }
 };
 
-/// Generated ones, those of the showcase, and those of the corpus when there is one: models of at least sixteen joints, up to
-/// three clips of each, of linear tracks, which is what the plain GLM version samples.
+/// Generated ones, those of the showcase, and those of the corpus when there is one: models of at least sixteen joints,
+/// up to three clips of each, of linear tracks, which is what the plain GLM version samples.
 const std::vector<std::shared_ptr<const Character>>& characters();
 
 /// Skinned and animated files of the corpus whose clips the plain GLM version can play.

@@ -13,17 +13,20 @@ Combinations::Combinations(const VertexInfluences& influences, std::size_t joint
   std::map<std::vector<std::pair<std::uint16_t, float>>, std::size_t> known;
   std::uint32_t vertex = 0, count = 0;
   for (const InfluenceGroup& group : influences.groups) {
-    combinations_.groups.push_back({count, 0, group.influence_count, static_cast<std::uint32_t>(combinations_.joints.size())});
+    combinations_.groups.push_back(
+        {count, 0, group.influence_count, static_cast<std::uint32_t>(combinations_.joints.size())});
     for (std::uint32_t v = 0; v < group.vertex_count; ++v, ++vertex) {
       const std::size_t first = group.first_influence + std::size_t{v} * group.influence_count;
       std::vector<std::pair<std::uint16_t, float>> combination;
-      for (std::size_t i = first; i < first + group.influence_count; ++i) combination.emplace_back(influences.joints[i], influences.weights[i]);
+      for (std::size_t i = first; i < first + group.influence_count; ++i)
+        combination.emplace_back(influences.joints[i], influences.weights[i]);
       std::size_t matrix = combination[0].first;
       if (group.influence_count > 1) {
         const auto [at, is_new] = known.try_emplace(combination, joint_count + count);
         if (is_new) {
           ++count, ++combinations_.groups.back().vertex_count;
-          for (const auto& [joint, weight] : combination) combinations_.joints.push_back(joint), combinations_.weights.push_back(weight);
+          for (const auto& [joint, weight] : combination)
+            combinations_.joints.push_back(joint), combinations_.weights.push_back(weight);
         }
         matrix = at->second;
       }

@@ -19,7 +19,8 @@ struct Corrected {
   std::vector<double> scratch;
   std::vector<float> weights;
 
-  Corrected(std::uint32_t drivers, std::size_t samples, std::uint32_t weight_count) : pose(drivers), weights(weight_count) {
+  Corrected(std::uint32_t drivers, std::size_t samples, std::uint32_t weight_count)
+      : pose(drivers), weights(weight_count) {
     test::FixedRandom random(drivers);
     PoseSamples given = test::random_samples(random, drivers, samples, weight_count);
     for (PoseDriver& driver : given.drivers) driver.measure = RotationMeasure::full;
@@ -47,11 +48,13 @@ struct Corrected {
       float squared = 0.0f;
       for (std::size_t d = 0; d < drivers; ++d) {
         const float cosine = std::abs(glm::dot(rotations[d], samples.rotations[s * drivers + d]));
-        const float distance = samples.drivers[d].weight * 2.0f * std::acos(std::min(cosine, 1.0f)) / samples.radius_rad;
+        const float distance =
+            samples.drivers[d].weight * 2.0f * std::acos(std::min(cosine, 1.0f)) / samples.radius_rad;
         squared += distance * distance;
       }
       const float basis = std::exp(-squared);
-      for (std::size_t w = 0; w < weights.size(); ++w) weights[w] += basis * static_cast<float>(corrective.coefficients[s * weights.size() + w]);
+      for (std::size_t w = 0; w < weights.size(); ++w)
+        weights[w] += basis * static_cast<float>(corrective.coefficients[s * weights.size() + w]);
     }
   }
 
@@ -61,8 +64,10 @@ struct Corrected {
     for (const glm::quat& rotation : rotations) turned.push_back(reference::rotation_of(rotation));
     const auto truth = reference::correct_pose(corrective.samples, turned);
     double worst = 0.0, largest = 0.0;
-    for (const float value : corrective.samples.values) largest = std::max(largest, std::abs(static_cast<double>(value)));
-    for (std::size_t w = 0; w < weights.size(); ++w) worst = std::max(worst, std::abs(static_cast<double>(weights[w]) - static_cast<double>(truth[w])));
+    for (const float value : corrective.samples.values)
+      largest = std::max(largest, std::abs(static_cast<double>(value)));
+    for (std::size_t w = 0; w < weights.size(); ++w)
+      worst = std::max(worst, std::abs(static_cast<double>(weights[w]) - static_cast<double>(truth[w])));
     return worst / largest;
   }
 };

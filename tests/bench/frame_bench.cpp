@@ -84,7 +84,8 @@ struct PlainFrames {
     for (const MeshInstance& instance : scene.instances)
       for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
         if (instance.skin != kNone && !primitive.influences.empty())
-          skinned.push_back({&primitive, instance.skin, std::vector<glm::vec3>(primitive.vertex_count()), std::vector<glm::vec3>(primitive.vertex_count())});
+          skinned.push_back({&primitive, instance.skin, std::vector<glm::vec3>(primitive.vertex_count()),
+                             std::vector<glm::vec3>(primitive.vertex_count())});
   }
 
   void sample(std::uint32_t clip, std::span<glm_pose::Joint> out) {
@@ -101,17 +102,21 @@ struct PlainFrames {
     }
     glm_pose::local_to_model(scene.skeleton, pose, model);
     for (std::size_t s = 0; s < palettes.size(); ++s)
-      for (std::size_t i = 0; i < palettes[s].size(); ++i) palettes[s][i] = model[scene.skins[s].joints[i]] * inverse_binds[s][i];
+      for (std::size_t i = 0; i < palettes[s].size(); ++i)
+        palettes[s][i] = model[scene.skins[s].joints[i]] * inverse_binds[s][i];
     for (Skinned& s : skinned) {
       const bool with_normals = normals && !s.primitive->normals.empty();
-      const std::span<const glm::vec3> in_normals = with_normals ? std::span<const glm::vec3>(s.primitive->normals) : std::span<const glm::vec3>();
-      glm_skin::skin_linear(s.primitive->influences, palettes[s.skin], {s.primitive->positions, in_normals, {}}, {s.positions, s.normals, {}}, {with_normals, false});
+      const std::span<const glm::vec3> in_normals =
+          with_normals ? std::span<const glm::vec3>(s.primitive->normals) : std::span<const glm::vec3>();
+      glm_skin::skin_linear(s.primitive->influences, palettes[s.skin], {s.primitive->positions, in_normals, {}},
+                            {s.positions, s.normals, {}}, {with_normals, false});
     }
     time_s += kStepS;
   }
 };
 
-/// Largest distance of a deformed vertex from the slow evaluation in double precision, metres over the size of the frame.
+/// Largest distance of a deformed vertex from the slow evaluation in double precision, metres over the size of the
+/// frame.
 double error_of(const FrameResult& frame, const test::SlowFrame& truth) {
   double worst = 0.0, size = 1e-9;
   for (std::size_t p = 0; p < frame.primitives.size(); ++p)
@@ -136,19 +141,21 @@ void require_same(const FrameResult& ours, const PlainFrames& plain) {
   }
 }
 
-void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std::uint32_t layer_count, const std::string& tail) {
+void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std::uint32_t layer_count,
+              const std::string& tail) {
   const auto planned = std::make_shared<PlannedFrames>(*scene, needs);
   const auto plain = std::make_shared<PlainFrames>(*scene, needs);
   const test::SlowFrame truth = test::evaluate_slowly(*scene, needs, planned->input(layer_count));
   planned->next(layer_count), plain->next(layer_count);
   require_same(planned->frame.result(), *plain);
   const Facts facts{error_of(planned->frame.result(), truth), 0};
-  add("frame/sinew/" + tail, 1, [scene, planned, layer_count] { planned->next(layer_count); }, facts);
+  add(
+      "frame/sinew/" + tail, 1, [scene, planned, layer_count] { planned->next(layer_count); }, facts);
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
 }
 
-/// Poses and palettes, as consumers take them that skin elsewhere: with all joints, without the deeper half of them, and between
-/// two poses that are there.
+/// Poses and palettes, as consumers take them that skin elsewhere: with all joints, without the deeper half of them,
+/// and between two poses that are there.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   Needs needs;
   needs.positions = needs.normals = needs.tangents = false;
@@ -160,14 +167,18 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   add_level("all", needs);
   Needs fewer = needs;
   const std::size_t joints = scene->skeleton.joint_count();
-  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);   // parents come first
+  for (std::size_t j = 0; j < joints; ++j) fewer.skeleton_lod.kept.push_back(2 * j < joints);  // parents come first
   add_level("half", fewer);
   needs.between_updates = true;
   const auto between = std::make_shared<PlannedFrames>(*scene, needs);
   add("pose/sinew/" + name + "/between", 1, [scene, between, step = 0]() mutable {
     const ClipLayer start{0, 0.1}, end{0, 0.2};
     step = (step + 1) % 1000;
-    const FrameInput input{.layers = {&start, 1}, .weights = {}, .root = {}, .next_layers = {&end, 1}, .interpolation_factor = 0.0005f + 0.001f * static_cast<float>(step)};
+    const FrameInput input{.layers = {&start, 1},
+                           .weights = {},
+                           .root = {},
+                           .next_layers = {&end, 1},
+                           .interpolation_factor = 0.0005f + 0.001f * static_cast<float>(step)};
     if (run_plan(between->plan, input, between->frame) != ErrorCode::ok) std::abort();
   });
 }
@@ -195,7 +206,8 @@ void add_frame(std::size_t most_vertices) {
   add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
   add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
   add_levels(biped, "biped");
-  if (most_vertices >= 100'000) add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), needs, 1, "biped/1layer/PN/4/100k");
+  if (most_vertices >= 100'000)
+    add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), needs, 1, "biped/1layer/PN/4/100k");
   for (const NamedScene& model : corpus_scenes()) {
     if (morphs(*model.scene)) continue;
     Needs file_needs = needs;

@@ -75,8 +75,9 @@ inline void blend(std::span<const std::vector<Joint>> layers, std::span<const fl
 inline void local_to_model(const Skeleton& skeleton, std::span<const Joint> local, std::span<glm::mat4> model) {
   for (std::size_t j = 0; j < local.size(); ++j) {
     glm::mat4 m = glm::translate(glm::mat4(1), local[j].translation) * glm::mat4_cast(local[j].rotation) *
-                        glm::scale(glm::mat4(1), local[j].scale);
-    if (skeleton.fixed_matrix_of[j] != kNone) m = mat4_from_affine(skeleton.fixed_matrices[skeleton.fixed_matrix_of[j]]);
+                  glm::scale(glm::mat4(1), local[j].scale);
+    if (skeleton.fixed_matrix_of[j] != kNone)
+      m = mat4_from_affine(skeleton.fixed_matrices[skeleton.fixed_matrix_of[j]]);
     model[j] = skeleton.parents[j] == kNone ? m : model[skeleton.parents[j]] * m;
   }
 }

@@ -6,14 +6,15 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "runtime/model/mesh.h"
 #include "runtime/deform/vertex_streams.h"
+#include "runtime/model/mesh.h"
 
 /// The vertex jobs as plain GLM code writes them.
 namespace sinew::bench::glm_skin {
 
 /// Adds all targets of non-zero weight to positions and normals.
-inline void morph(const MorphSet& morphs, std::span<const float> weights, const VertexInput& in, const VertexOutput& out) {
+inline void morph(const MorphSet& morphs, std::span<const float> weights, const VertexInput& in,
+                  const VertexOutput& out) {
   std::copy(in.positions.begin(), in.positions.end(), out.positions.begin());
   std::copy(in.normals.begin(), in.normals.end(), out.normals.begin());
   for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -36,12 +37,15 @@ inline void skin_linear(const VertexInfluences& influences, std::span<const glm:
                         const VertexOutput& out, Attributes wanted) {
   for (const InfluenceGroup& group : influences.groups)
     for (std::uint32_t i = 0; i < group.vertex_count; ++i) {
-      const std::size_t v = group.first_vertex + i, first = group.first_influence + std::size_t{i} * group.influence_count;
+      const std::size_t v = group.first_vertex + i,
+                        first = group.first_influence + std::size_t{i} * group.influence_count;
       glm::mat4 m = palette[influences.joints[first]] * influences.weights[first];
-      for (std::size_t k = first + 1; k < first + group.influence_count; ++k) m += palette[influences.joints[k]] * influences.weights[k];
+      for (std::size_t k = first + 1; k < first + group.influence_count; ++k)
+        m += palette[influences.joints[k]] * influences.weights[k];
       out.positions[v] = glm::vec3(m * glm::vec4(in.positions[v], 1));
       if (wanted.normals) out.normals[v] = glm::normalize(glm::mat3(m) * in.normals[v]);
-      if (wanted.tangents) out.tangents[v] = glm::vec4(glm::normalize(glm::mat3(m) * glm::vec3(in.tangents[v])), in.tangents[v].w);
+      if (wanted.tangents)
+        out.tangents[v] = glm::vec4(glm::normalize(glm::mat3(m) * glm::vec3(in.tangents[v])), in.tangents[v].w);
     }
 }
 
@@ -49,11 +53,12 @@ struct Rigid {
   glm::quat real, dual;
 };
 
-inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<const Rigid> palette, const VertexInput& in,
-                                 const VertexOutput& out, Attributes wanted) {
+inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<const Rigid> palette,
+                                 const VertexInput& in, const VertexOutput& out, Attributes wanted) {
   for (const InfluenceGroup& group : influences.groups)
     for (std::uint32_t i = 0; i < group.vertex_count; ++i) {
-      const std::size_t v = group.first_vertex + i, first = group.first_influence + std::size_t{i} * group.influence_count;
+      const std::size_t v = group.first_vertex + i,
+                        first = group.first_influence + std::size_t{i} * group.influence_count;
       const Rigid& pivot = palette[influences.joints[first]];
       glm::quat real = pivot.real * influences.weights[first], dual = pivot.dual * influences.weights[first];
       for (std::size_t k = first + 1; k < first + group.influence_count; ++k) {
@@ -72,11 +77,13 @@ inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<c
 }
 
 /// Rotation about each vertex's center, the center itself linearly blended.
-inline void skin_center_of_rotation(const VertexInfluences& influences, std::span<const glm::mat4> matrices, std::span<const Rigid> palette,
-                                    std::span<const glm::vec3> centers, const VertexInput& in, const VertexOutput& out) {
+inline void skin_center_of_rotation(const VertexInfluences& influences, std::span<const glm::mat4> matrices,
+                                    std::span<const Rigid> palette, std::span<const glm::vec3> centers,
+                                    const VertexInput& in, const VertexOutput& out) {
   for (const InfluenceGroup& group : influences.groups)
     for (std::uint32_t i = 0; i < group.vertex_count; ++i) {
-      const std::size_t v = group.first_vertex + i, first = group.first_influence + std::size_t{i} * group.influence_count;
+      const std::size_t v = group.first_vertex + i,
+                        first = group.first_influence + std::size_t{i} * group.influence_count;
       glm::mat4 m = matrices[influences.joints[first]] * influences.weights[first];
       const Rigid& pivot = palette[influences.joints[first]];
       glm::quat real = pivot.real * influences.weights[first];

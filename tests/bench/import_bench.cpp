@@ -25,7 +25,7 @@ namespace {
 struct Source {
   std::string name;
   std::variant<std::vector<std::byte>, std::filesystem::path> data;
-  std::size_t bytes = 0;    ///< with all buffers
+  std::size_t bytes = 0;  ///< with all buffers
 };
 
 /// Time spent in each stage of imports, as their progress names them.
@@ -57,7 +57,8 @@ class StageClock {
 };
 
 ImportResult<ImportedFile> import_source(const Source& source, const ImportOptions& options) {
-  if (const auto* bytes = std::get_if<std::vector<std::byte>>(&source.data)) return import_gltf(*bytes, source.name, options);
+  if (const auto* bytes = std::get_if<std::vector<std::byte>>(&source.data))
+    return import_gltf(*bytes, source.name, options);
   return import_gltf(std::get<std::filesystem::path>(source.data), options);
 }
 
@@ -78,17 +79,23 @@ void add_sources(const std::string& name, std::shared_ptr<const std::vector<Sour
   facts.bytes = bytes;
   facts.wall_time = true;  // what runs on other threads counts
   facts.report = [clock](benchmark::State& state) { clock->report(state); };
-  add("import/sinew/" + name, bytes, [sources, options, clock] {
-    for (const Source& source : *sources) {
-      if (!import_source(source, options)) std::abort();
-      clock->end();
-    }
-  }, facts);
+  add(
+      "import/sinew/" + name, bytes,
+      [sources, options, clock] {
+        for (const Source& source : *sources) {
+          if (!import_source(source, options)) std::abort();
+          clock->end();
+        }
+      },
+      facts);
   facts.report = nullptr;
-  add("import/tinygltf/" + name, bytes, [sources] {
-    for (const Source& source : *sources)
-      if (parse_source(source) < 0) std::abort();
-  }, facts);
+  add(
+      "import/tinygltf/" + name, bytes,
+      [sources] {
+        for (const Source& source : *sources)
+          if (parse_source(source) < 0) std::abort();
+      },
+      facts);
 }
 
 bool is_compressed(const ImportedFile& file) {

@@ -7,9 +7,9 @@
 
 namespace sinew::bench {
 
-/// Model matrices of many instances of one skeleton, an instance a lane. Lost: the products take no shuffles, but poses are joint
-/// after joint and matrices instance after instance, so that every number is gathered and scattered, which takes longer than all the
-/// rest of either way.
+/// Model matrices of many instances of one skeleton, an instance a lane. Lost: the products take no shuffles, but poses
+/// are joint after joint and matrices instance after instance, so that every number is gathered and scattered, which
+/// takes longer than all the rest of either way.
 class InstanceLanes {
  public:
   /// in   instance_count  a multiple of sixteen

@@ -20,11 +20,16 @@ Scene skeleton_alone(const Character& character) {
   return scene;
 }
 
-/// A crowd of poses on the job thread, each character at a time of its own, over as many threads as each frame asks for.
+/// A crowd of poses on the job thread, each character at a time of its own, over as many threads as each frame asks
+/// for.
 class Crowd {
  public:
   Crowd(const Character& character, std::size_t count, std::size_t part_bytes)
-      : scene_(skeleton_alone(character)), plan_(compile_plan(scene_, {})), jobs_({.executor = executor(), .inline_below_bytes = 0, .part_bytes = part_bytes}), layers_(count), inputs_(count) {
+      : scene_(skeleton_alone(character)),
+        plan_(compile_plan(scene_, {})),
+        jobs_({.executor = executor(), .inline_below_bytes = 0, .part_bytes = part_bytes}),
+        layers_(count),
+        inputs_(count) {
     for (std::size_t c = 0; c < count; ++c) jobs_.add_character(plan_);
   }
   /// in   arena  of the threads; null = the worker alone
@@ -48,7 +53,7 @@ class Crowd {
 
   Scene scene_;
   Plan plan_;
-  tbb::task_arena* arena_ = nullptr;   // of the frame in flight
+  tbb::task_arena* arena_ = nullptr;  // of the frame in flight
   JobThread jobs_;
   std::vector<ClipLayer> layers_;
   std::vector<FrameInput> inputs_;
@@ -61,15 +66,19 @@ class Crowd {
 void add_job_thread() {
   const Character& character = *characters().front();
   for (const std::size_t count : {std::size_t{16}, std::size_t{64}, std::size_t{1024}})
-    for (const auto& [way, part_bytes] : {std::pair("sinew", JobThreadOptions{}.part_bytes), std::pair("one_by_one", std::size_t{1})}) {
+    for (const auto& [way, part_bytes] :
+         {std::pair("sinew", JobThreadOptions{}.part_bytes), std::pair("one_by_one", std::size_t{1})}) {
       const auto crowd = std::make_shared<Crowd>(character, count, part_bytes);
       for (const bool held : {false, true})
         for (const std::size_t threads : thread_counts()) {
           const auto arena = threads > 1 ? std::make_shared<tbb::task_arena>(static_cast<int>(threads)) : nullptr;
-          const std::string tail = std::to_string(count) + (held ? "/held/" : "/moving/") + std::to_string(threads) + "threads";
+          const std::string tail =
+              std::to_string(count) + (held ? "/held/" : "/moving/") + std::to_string(threads) + "threads";
           Facts facts;
           facts.wall_time = true;
-          add(std::string("job_thread/") + way + "/" + character.name + "/" + tail, count * character.joint_count(), [crowd, held, arena] { crowd->next(held, arena.get()); }, facts);
+          add(
+              std::string("job_thread/") + way + "/" + character.name + "/" + tail, count * character.joint_count(),
+              [crowd, held, arena] { crowd->next(held, arena.get()); }, facts);
         }
     }
 }

@@ -32,7 +32,8 @@ void register_cases() {
       const auto runs = static_cast<double>(state.iterations());
       const double items = runs * static_cast<double>(c.item_count);
       state.SetItemsProcessed(static_cast<std::int64_t>(items));
-      if (c.facts.bytes > 0) state.SetBytesProcessed(static_cast<std::int64_t>(runs * static_cast<double>(c.facts.bytes)));
+      if (c.facts.bytes > 0)
+        state.SetBytesProcessed(static_cast<std::int64_t>(runs * static_cast<double>(c.facts.bytes)));
       state.counters["per_item"] = benchmark::Counter(items, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
       if (!std::isnan(c.facts.error)) state.counters["error"] = c.facts.error;
       if (c.facts.report) c.facts.report(state);

@@ -14,10 +14,11 @@ namespace sinew::bench {
 
 /// What is known of a case besides its time.
 struct Facts {
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< largest, against double precision: radians, metres, or relative
-  std::size_t bytes = 0;                                    ///< that one run reads and writes at least
-  bool wall_time = false;                                   ///< instead of the calling thread's own time
-  std::function<void(benchmark::State&)> report;            ///< adds counters after the runs; may be empty
+  double error =
+      std::numeric_limits<double>::quiet_NaN();   ///< largest, against double precision: radians, metres, or relative
+  std::size_t bytes = 0;                          ///< that one run reads and writes at least
+  bool wall_time = false;                         ///< instead of the calling thread's own time
+  std::function<void(benchmark::State&)> report;  ///< adds counters after the runs; may be empty
 };
 
 /// One case: `job/implementation/case`; `work()` is one run over `item_count` joints or vertices.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Linear-blend skinning of whole models, whose vertices repeat each other's joints and weights, and how much that is worth.
+// Linear-blend skinning of whole models, whose vertices repeat each other's joints and weights, and how much that is
+// worth.
 #include <cstdlib>
 #include <cstring>
 
+#include "runtime/deform/skin_linear.h"
 #include "runtime/pose/joint_palette.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/deform/skin_linear.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/combinations.h"
 #include "tests/bench/glm_skin.h"
@@ -24,7 +25,11 @@ struct Skinned {
   std::vector<glm::vec3> positions, normals;
 
   Skinned(const Primitive& p, std::uint32_t skin_index, std::size_t joint_count)
-      : primitive(&p), skin(skin_index), combinations(p.influences, joint_count), positions(p.vertex_count()), normals(p.vertex_count()) {}
+      : primitive(&p),
+        skin(skin_index),
+        combinations(p.influences, joint_count),
+        positions(p.vertex_count()),
+        normals(p.vertex_count()) {}
 };
 
 struct PosedModel {
@@ -39,7 +44,8 @@ struct PosedModel {
     const std::size_t joints = scene->skeleton.joint_count();
     test::PoseBuffer pose(joints);
     std::vector<Affine> model(joints);
-    run(SampleClipJob{.clip = &scene->clips[0], .time_s = 0.4 * scene->animations[0].duration_s, .pose = pose.span(), .weights = {}});
+    run(SampleClipJob{
+        .clip = &scene->clips[0], .time_s = 0.4 * scene->animations[0].duration_s, .pose = pose.span(), .weights = {}});
     run(LocalToModelJob{.skeleton = &scene->skeleton, .local = pose.span(), .root = {}, .model = model});
     for (const Skin& skin : scene->skins) {
       run(JointPaletteJob{&skin, model, palettes.emplace_back(skin.joints.size())});
@@ -49,23 +55,28 @@ struct PosedModel {
     for (const MeshInstance& instance : scene->instances)
       for (const Primitive& p : scene->meshes[instance.mesh].primitives) {
         if (instance.skin == kNone || p.influences.empty()) continue;
-        parts.emplace_back(p, instance.skin, scene->skins[instance.skin].joints.size()), vertex_count += p.vertex_count(), normals = normals && !p.flat_normals;
+        parts.emplace_back(p, instance.skin, scene->skins[instance.skin].joints.size()),
+            vertex_count += p.vertex_count(), normals = normals && !p.flat_normals;
       }
   }
 
   VertexInput in(const Skinned& s) const {
-    return {s.primitive->positions, normals ? std::span<const glm::vec3>(s.primitive->normals) : std::span<const glm::vec3>(), {}};
+    return {s.primitive->positions,
+            normals ? std::span<const glm::vec3>(s.primitive->normals) : std::span<const glm::vec3>(),
+            {}};
   }
   static VertexOutput out(Skinned& s) { return {s.positions, s.normals, {}}; }
 
   void skin() {
-    for (Skinned& s : parts) run(SkinLinearJob{&s.primitive->influences, palettes[s.skin], in(s), out(s), NormalRule::linear});
+    for (Skinned& s : parts)
+      run(SkinLinearJob{&s.primitive->influences, palettes[s.skin], in(s), out(s), NormalRule::linear});
   }
   void skin_by_combination() {
     for (Skinned& s : parts) s.combinations.skin(palettes[s.skin], in(s), out(s));
   }
   void skin_glm() {
-    for (Skinned& s : parts) glm_skin::skin_linear(s.primitive->influences, glm_palettes[s.skin], in(s), out(s), {normals, false});
+    for (Skinned& s : parts)
+      glm_skin::skin_linear(s.primitive->influences, glm_palettes[s.skin], in(s), out(s), {normals, false});
   }
 };
 
@@ -76,7 +87,8 @@ void require_same(PosedModel& model) {
   for (const Skinned& s : model.parts) expected.push_back(s.positions);
   model.skin_by_combination();
   for (std::size_t p = 0; p < expected.size(); ++p)
-    if (std::memcmp(expected[p].data(), model.parts[p].positions.data(), expected[p].size() * sizeof(glm::vec3)) != 0) std::abort();
+    if (std::memcmp(expected[p].data(), model.parts[p].positions.data(), expected[p].size() * sizeof(glm::vec3)) != 0)
+      std::abort();
 }
 
 }  // namespace

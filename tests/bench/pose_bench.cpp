@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "runtime/clip/unpack_clip.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/unpack_clip.h"
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/local_to_model.h"
 #include "runtime/pose/sample_clip.h"
@@ -29,13 +29,24 @@ struct Room {
   std::vector<Affine> model;
   std::vector<glm::mat4> glm_model;
 
-  explicit Room(const Shared& c) : of(c), pose(c->joint_count()), glm_joints(c->joint_count()), model(c->joint_count()), glm_model(c->joint_count()) {}
+  explicit Room(const Shared& c)
+      : of(c),
+        pose(c->joint_count()),
+        glm_joints(c->joint_count()),
+        model(c->joint_count()),
+        glm_model(c->joint_count()) {}
 
   void sample(double time_s) { sample(of->clip, time_s); }
-  void sample(const Clip& clip, double time_s) { run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}}); }
-  void sample_glm(double time_s) { glm_pose::sample(of->animation, of->skeleton.rest, static_cast<float>(time_s), glm_joints); }
+  void sample(const Clip& clip, double time_s) {
+    run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
+  }
+  void sample_glm(double time_s) {
+    glm_pose::sample(of->animation, of->skeleton.rest, static_cast<float>(time_s), glm_joints);
+  }
   Transform joint(std::size_t j) { return pose.span().get(j); }
-  Transform glm_joint(std::size_t j) const { return {glm_joints[j].translation, glm_joints[j].rotation, glm_joints[j].scale}; }
+  Transform glm_joint(std::size_t j) const {
+    return {glm_joints[j].translation, glm_joints[j].rotation, glm_joints[j].scale};
+  }
 };
 
 /// Times of steady play at 60 Hz, or of jumps all over the clip.
@@ -59,7 +70,8 @@ struct Layers {
   test::PoseBuffer rest, out;
   std::vector<glm_pose::Joint> glm_out;
 
-  Layers(const Shared& c, std::size_t layer_count) : rest(c->joint_count()), out(c->joint_count()), glm_out(c->joint_count()) {
+  Layers(const Shared& c, std::size_t layer_count)
+      : rest(c->joint_count()), out(c->joint_count()), glm_out(c->joint_count()) {
     weights.assign(layer_count, 1.0f / static_cast<float>(layer_count));
     Room room(c);
     for (std::size_t l = 0; l < layer_count; ++l) {
@@ -75,7 +87,8 @@ struct Layers {
 
 constexpr std::size_t kCrowd = 1024;
 
-/// Many characters that play one clip, each at a time of its own: their poses together are larger than the nearest caches.
+/// Many characters that play one clip, each at a time of its own: their poses together are larger than the nearest
+/// caches.
 struct Crowd {
   std::vector<std::unique_ptr<Room>> rooms;
   double time_s = 0.0;
@@ -87,7 +100,8 @@ struct Crowd {
   void each(const Step& step) {
     time_s += 1.0 / 60.0;
     const double duration_s = rooms[0]->of->animation.duration_s;
-    for (std::size_t i = 0; i < kCrowd; ++i) step(*rooms[i], std::fmod(time_s + 0.618 * static_cast<double>(i), duration_s));
+    for (std::size_t i = 0; i < kCrowd; ++i)
+      step(*rooms[i], std::fmod(time_s + 0.618 * static_cast<double>(i), duration_s));
   }
 };
 
@@ -130,8 +144,10 @@ struct Walkers {
         step(*all[i], now_s, std::fmod(now_s + 0.4, duration_s));
       }
     };
-    if (threads == 1) range(0);
-    else run_with_tbb(threads, range);
+    if (threads == 1)
+      range(0);
+    else
+      run_with_tbb(threads, range);
   }
 };
 
@@ -145,7 +161,10 @@ struct Instances {
   InstanceLanes lanes;
 
   explicit Instances(const Shared& c)
-      : of(c), poses(kCount * PoseSpan::stride_for(c->joint_count())), model(kCount * c->joint_count()), lanes(c->skeleton, kCount) {
+      : of(c),
+        poses(kCount * PoseSpan::stride_for(c->joint_count())),
+        model(kCount * c->joint_count()),
+        lanes(c->skeleton, kCount) {
     for (std::size_t i = 0; i < kCount; ++i) {
       rooms.push_back(std::make_unique<Room>(c));
       const double time_s = std::fmod(0.11 * static_cast<double>(i), c->animation.duration_s);
@@ -158,10 +177,16 @@ struct Instances {
     if (!same_bits<Affine>(model, expected)) std::abort();
   }
   std::size_t pitch() const { return PoseSpan::floats_for(of->joint_count()); }
-  PoseSpan pose(std::size_t i) { return {poses.span().planes + i * pitch(), of->joint_count(), PoseSpan::stride_for(of->joint_count())}; }
+  PoseSpan pose(std::size_t i) {
+    return {poses.span().planes + i * pitch(), of->joint_count(), PoseSpan::stride_for(of->joint_count())};
+  }
   void one_by_one() {
     const std::size_t joints = of->joint_count();
-    for (std::size_t i = 0; i < kCount; ++i) run(LocalToModelJob{.skeleton = &of->skeleton, .local = pose(i), .root = {}, .model = std::span(model).subspan(i * joints, joints)});
+    for (std::size_t i = 0; i < kCount; ++i)
+      run(LocalToModelJob{.skeleton = &of->skeleton,
+                          .local = pose(i),
+                          .root = {},
+                          .model = std::span(model).subspan(i * joints, joints)});
   }
   void in_lanes() { lanes.local_to_model(poses.span().planes, pitch(), model.data()); }
   void glm() {
@@ -174,21 +199,36 @@ struct Instances {
 void add_sample() {
   for (const Shared& c : characters()) {
     const auto room = std::make_shared<Room>(c);
-    const auto sampled = [&](double t) { return room->sample(t), [r = room.get()](std::size_t j) { return r->joint(j); }; };
-    const auto glm_sampled = [&](double t) { return room->sample_glm(t), [r = room.get()](std::size_t j) { return r->glm_joint(j); }; };
+    const auto sampled = [&](double t) {
+      return room->sample(t), [r = room.get()](std::size_t j) { return r->joint(j); };
+    };
+    const auto glm_sampled = [&](double t) {
+      return room->sample_glm(t), [r = room.get()](std::size_t j) { return r->glm_joint(j); };
+    };
     const Facts ours{sampling_error_rad(*c, sampled), 0}, plain{sampling_error_rad(*c, glm_sampled), 0};
     for (const bool forward : {true, false}) {
       const std::string tail = c->name + (forward ? "/forward" : "/seek");
       Times times{forward, c->animation.duration_s};
-      add("sample/sinew/" + tail, c->joint_count(), [room, times]() mutable { room->sample(times.next()); }, ours);
-      add("sample/glm/" + tail, c->joint_count(), [room, times]() mutable { room->sample_glm(times.next()); }, plain);
+      add(
+          "sample/sinew/" + tail, c->joint_count(), [room, times]() mutable { room->sample(times.next()); }, ours);
+      add(
+          "sample/glm/" + tail, c->joint_count(), [room, times]() mutable { room->sample_glm(times.next()); }, plain);
       if (!c->packed) continue;
       const auto full = std::make_shared<Clip>(unpacked(*c->packed));
       const auto error = [&](const Clip& clip) {
-        return Facts{sampling_error_rad(*c, [&](double t) { return room->sample(clip, t), [r = room.get()](std::size_t j) { return r->joint(j); }; }), 0};
+        return Facts{sampling_error_rad(*c,
+                                        [&](double t) {
+                                          return room->sample(clip, t),
+                                                 [r = room.get()](std::size_t j) { return r->joint(j); };
+                                        }),
+                     0};
       };
-      add("sample/packed/" + tail, c->joint_count(), [room, times]() mutable { room->sample(*room->of->packed, times.next()); }, error(*c->packed));
-      add("sample/unpacked/" + tail, c->joint_count(), [room, full, times]() mutable { room->sample(*full, times.next()); }, error(*full));
+      add(
+          "sample/packed/" + tail, c->joint_count(),
+          [room, times]() mutable { room->sample(*room->of->packed, times.next()); }, error(*c->packed));
+      add(
+          "sample/unpacked/" + tail, c->joint_count(),
+          [room, full, times]() mutable { room->sample(*full, times.next()); }, error(*full));
     }
   }
 }
@@ -200,11 +240,16 @@ void add_blend() {
       layers->blend();
       glm_pose::blend(layers->glm_layers, layers->weights, layers->glm_out);
       const auto inputs = [&](std::size_t l, std::size_t j) { return layers->poses[l].span().get(j); };
-      const Facts ours{blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->out.span().get(j).rotation; }), 0};
-      const Facts plain{blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->glm_out[j].rotation; }), 0};
+      const Facts ours{
+          blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->out.span().get(j).rotation; }), 0};
+      const Facts plain{
+          blending_error_rad(*c, count, inputs, [&](std::size_t j) { return layers->glm_out[j].rotation; }), 0};
       const std::string tail = c->name + "/" + std::to_string(count);
-      add("blend/sinew/" + tail, c->joint_count(), [layers] { layers->blend(); }, ours);
-      add("blend/glm/" + tail, c->joint_count(), [layers] { glm_pose::blend(layers->glm_layers, layers->weights, layers->glm_out); }, plain);
+      add(
+          "blend/sinew/" + tail, c->joint_count(), [layers] { layers->blend(); }, ours);
+      add(
+          "blend/glm/" + tail, c->joint_count(),
+          [layers] { glm_pose::blend(layers->glm_layers, layers->weights, layers->glm_out); }, plain);
     }
 }
 
@@ -215,8 +260,12 @@ void add_local_to_model() {
     const auto ours = [room] { run(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model}); };
     const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton, room->glm_joints, room->glm_model); };
     ours(), plain();
-    const double error = model_error(*c, [&](std::size_t j) { return room->joint(j); }, [&](std::size_t j) { return translation_of(room->model[j]); });
-    const double glm_error = model_error(*c, [&](std::size_t j) { return room->glm_joint(j); }, [&](std::size_t j) { return glm::vec3(room->glm_model[j][3]); });
+    const double error = model_error(
+        *c, [&](std::size_t j) { return room->joint(j); },
+        [&](std::size_t j) { return translation_of(room->model[j]); });
+    const double glm_error = model_error(
+        *c, [&](std::size_t j) { return room->glm_joint(j); },
+        [&](std::size_t j) { return glm::vec3(room->glm_model[j][3]); });
     add("local_to_model/sinew/" + c->name, c->joint_count(), ours, {error, 0});
     add("local_to_model/glm/" + c->name, c->joint_count(), plain, {glm_error, 0});
   }
@@ -237,7 +286,8 @@ void add_crowd() {
   add("sample/sinew/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample(t); }); });
   add("sample/glm/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample_glm(t); }); });
   const auto fewer_joints = [](const Shared& a, const Shared& b) { return a->joint_count() < b->joint_count(); };
-  for (const Shared& c : {characters().front(), *std::min_element(characters().begin(), characters().end(), fewer_joints)})
+  for (const Shared& c :
+       {characters().front(), *std::min_element(characters().begin(), characters().end(), fewer_joints)})
     for (const std::size_t count : {std::size_t{64}, kCrowd}) {
       const auto walkers = std::make_shared<Walkers>(c, count);
       for (const std::size_t threads : thread_counts()) {
@@ -245,8 +295,13 @@ void add_crowd() {
         const std::size_t all_joints = count * c->joint_count();
         Facts facts;
         facts.wall_time = true;  // what the other thread does counts
-        add("crowd/sinew/" + tail, all_joints, [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step(a, b); }); }, facts);
-        add("crowd/glm/" + tail, all_joints, [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step_glm(a, b); }); }, facts);
+        add(
+            "crowd/sinew/" + tail, all_joints,
+            [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step(a, b); }); }, facts);
+        add(
+            "crowd/glm/" + tail, all_joints,
+            [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step_glm(a, b); }); },
+            facts);
       }
     }
 }

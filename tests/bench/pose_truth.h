@@ -27,7 +27,9 @@ double sampling_error_rad(const Character& c, const Sample& sample) {
     const double time_s = static_cast<double>(static_cast<float>(c.animation.duration_s * (0.07 + 0.083 * i)));
     const auto joint = sample(time_s);
     for (const BoneAnimation& bone : c.animation.bones)
-      if (!bone.rotation.empty()) worst = std::max(worst, angle_between_rad(joint(bone.joint).rotation, bone.interpolate<double>(time_s).rotation));
+      if (!bone.rotation.empty())
+        worst =
+            std::max(worst, angle_between_rad(joint(bone.joint).rotation, bone.interpolate<double>(time_s).rotation));
   }
   return worst;
 }
@@ -56,8 +58,11 @@ double model_error(const Character& c, const Local& local, const Position& posit
   for (std::size_t j = 0; j < model.size(); ++j) {
     const Transform t = local(j);
     const std::uint32_t fixed = c.skeleton.fixed_matrix_of[j];
-    if (fixed != kNone) model[j] = affine_cast<double>(c.skeleton.fixed_matrices[fixed]);
-    else model[j] = affine_from_transform(Transformd{Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)});
+    if (fixed != kNone)
+      model[j] = affine_cast<double>(c.skeleton.fixed_matrices[fixed]);
+    else
+      model[j] = affine_from_transform(
+          Transformd{Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)});
     if (c.skeleton.parents[j] != kNone) model[j] = model[c.skeleton.parents[j]] * model[j];
     const Vec3<double> at = translation_of(model[j]), d = Vec3<double>(position(j)) - at;
     worst = std::max(worst, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));

@@ -9,8 +9,10 @@
 /// Ways of our own that lost, kept to be measured beside the winner.
 namespace sinew::bench {
 
-/// One vertex after the other, as the scalar target does. Lost: a compiler fills four lanes of sixteen, and divides once a normal.
-inline void vertexwise_linear(const VertexInfluences& influences, std::span<const JointMatrix> palette, const VertexInput& in, const VertexOutput& out) {
+/// One vertex after the other, as the scalar target does. Lost: a compiler fills four lanes of sixteen, and divides
+/// once a normal.
+inline void vertexwise_linear(const VertexInfluences& influences, std::span<const JointMatrix> palette,
+                              const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {
     const Affine m = blend_matrix(palette, joints);
     out.positions[v] = transform_point(m, in.positions[v]);
@@ -19,7 +21,8 @@ inline void vertexwise_linear(const VertexInfluences& influences, std::span<cons
 }
 
 /// The same with dual quaternions. Lost by as much: rotation and normalisation have no lanes to fill.
-inline void vertexwise_dual_quaternion(const VertexInfluences& influences, std::span<const RigidStretch> split, const VertexInput& in, const VertexOutput& out) {
+inline void vertexwise_dual_quaternion(const VertexInfluences& influences, std::span<const RigidStretch> split,
+                                       const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {
     const DualQuat motion = blend_motion(split, joints);
     out.positions[v] = transform_point(motion, in.positions[v]);

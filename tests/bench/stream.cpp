@@ -21,9 +21,12 @@ float stream(const float* in, std::size_t in_count, float* out, std::size_t out_
   auto sum = hn::Zero(d);
   std::size_t read = 0;
   for (std::size_t i = 0; i < steps; ++i) {
-    for (const std::size_t end = in_count / lanes * (i + 1) / steps * lanes; read < end; read += lanes) sum = hn::Add(sum, hn::Load(d, in + read));
-    if (past_caches) hn::Stream(sum, d, out + i * lanes);
-    else hn::Store(sum, d, out + i * lanes);
+    for (const std::size_t end = in_count / lanes * (i + 1) / steps * lanes; read < end; read += lanes)
+      sum = hn::Add(sum, hn::Load(d, in + read));
+    if (past_caches)
+      hn::Stream(sum, d, out + i * lanes);
+    else
+      hn::Store(sum, d, out + i * lanes);
   }
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }
@@ -44,7 +47,8 @@ StreamTraffic::StreamTraffic(std::size_t bytes_in, std::size_t bytes_out)
 
 void StreamTraffic::run() {
   const std::size_t floats = sizeof(Line) / sizeof(float);
-  float sum = HWY_DYNAMIC_DISPATCH(stream)(in_[0].floats, in_.size() * floats, out_[0].floats, out_.size() * floats, out_.size() * sizeof(Line) > kCaches);
+  float sum = HWY_DYNAMIC_DISPATCH(stream)(in_[0].floats, in_.size() * floats, out_[0].floats, out_.size() * floats,
+                                           out_.size() * sizeof(Line) > kCaches);
   benchmark::DoNotOptimize(sum);
 }
 

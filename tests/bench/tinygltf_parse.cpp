@@ -9,7 +9,9 @@
 namespace sinew::bench {
 namespace {
 
-bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; }
+bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
 
 template <class Load>
 int parse(Load load) {
@@ -24,13 +26,15 @@ int parse(Load load) {
 
 int parse_with_tinygltf(std::span<const std::byte> glb) {
   return parse([&](tinygltf::TinyGLTF& loader, auto... out) {
-    return loader.LoadBinaryFromMemory(out..., reinterpret_cast<const unsigned char*>(glb.data()), static_cast<unsigned int>(glb.size()));
+    return loader.LoadBinaryFromMemory(out..., reinterpret_cast<const unsigned char*>(glb.data()),
+                                       static_cast<unsigned int>(glb.size()));
   });
 }
 
 int parse_with_tinygltf(const std::filesystem::path& file) {
   return parse([&](tinygltf::TinyGLTF& loader, auto... out) {
-    return file.extension() == ".glb" ? loader.LoadBinaryFromFile(out..., file.string()) : loader.LoadASCIIFromFile(out..., file.string());
+    return file.extension() == ".glb" ? loader.LoadBinaryFromFile(out..., file.string())
+                                      : loader.LoadASCIIFromFile(out..., file.string());
   });
 }
 

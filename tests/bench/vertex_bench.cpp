@@ -2,15 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/pose/joint_palette.h"
-#include "runtime/pose/local_to_model.h"
 #include "runtime/deform/morph_vertices.h"
-#include "runtime/pose/sample_clip.h"
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"
 #include "runtime/deform/skin_linear.h"
 #include "runtime/plan/needs.h"
 #include "runtime/pose/hemisphere_pairs.h"
+#include "runtime/pose/joint_palette.h"
+#include "runtime/pose/local_to_model.h"
+#include "runtime/pose/sample_clip.h"
 #include "runtime/threads/tbb_executor.h"
 #include "tests/bench/glm_skin.h"
 #include "tests/bench/measure.h"
@@ -86,7 +86,8 @@ struct Surface {
 
   /// Largest distance in metres of the last output from double precision, over a thousandth of the vertices at least.
   double error_m(Skinning kind) const {
-    const std::vector<glm::vec3> around = kind == Skinning::center_of_rotation ? centers() : std::vector<glm::vec3>(primitive.vertex_count());
+    const std::vector<glm::vec3> around =
+        kind == Skinning::center_of_rotation ? centers() : std::vector<glm::vec3>(primitive.vertex_count());
     const InfluenceGroup& group = primitive.influences.groups[0];
     double worst = 0.0;
     for (std::size_t v = 0; v < primitive.vertex_count(); v += 1 + primitive.vertex_count() / 5000) {
@@ -103,10 +104,12 @@ struct Surface {
       const auto truth = [&]() -> Vec3<double> {
         switch (kind) {
           case Skinning::linear: return reference::skin_linear<double>(matrices, weights, p);
-          case Skinning::dual_quaternion: return reference::skin_dual_quaternion<double>(motions, {}, weights, p, n).position;
+          case Skinning::dual_quaternion:
+            return reference::skin_dual_quaternion<double>(motions, {}, weights, p, n).position;
           case Skinning::center_of_rotation: break;
         }
-        return reference::skin_center_of_rotation<double>(motions, matrices, weights, p, n, Vec3<double>(around[v])).position;
+        return reference::skin_center_of_rotation<double>(motions, matrices, weights, p, n, Vec3<double>(around[v]))
+            .position;
       };
       worst = std::max(worst, glm::length(Vec3<double>(out.positions[v]) - truth()));
     }
@@ -132,7 +135,8 @@ struct Kind {
 
 /// Adds one implementation with its error, measured here.
 template <class Work>
-void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted, Skinning kind, Work work) {
+void add_with_error(const std::string& name, const std::shared_ptr<Surface>& s, glm_skin::Attributes wanted,
+                    Skinning kind, Work work) {
   work();
   const std::size_t count = s->primitive.vertex_count();
   add(name, count, std::move(work), {s->error_m(kind), count * (s->bytes_in(wanted) + Surface::bytes_out(wanted))});
@@ -148,7 +152,8 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
   add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
-    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), s->pairs});
+    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(),
+                              s->pairs});
   });
   add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
@@ -163,9 +168,8 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   const auto traffic = std::make_shared<StreamTraffic>(count * s->bytes_in(wanted), count * Surface::bytes_out(wanted));
   add("skin_linear/stream/" + tail, count, [traffic] { traffic->run(); }, {Facts{}.error, traffic->bytes()});
   if (wanted.tangents || !wanted.normals) return;
-  add_with_error("skin_linear/vertexwise/" + tail, s, wanted, Skinning::linear, [s, wanted] {
-    vertexwise_linear(s->primitive.influences, s->palette, s->in(wanted), s->output());
-  });
+  add_with_error("skin_linear/vertexwise/" + tail, s, wanted, Skinning::linear,
+                 [s, wanted] { vertexwise_linear(s->primitive.influences, s->palette, s->in(wanted), s->output()); });
   add_with_error("skin_dual_quaternion/vertexwise/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     vertexwise_dual_quaternion(s->primitive.influences, s->split, s->in(wanted), s->output());
   });
@@ -175,29 +179,45 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
 void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::string& tail) {
   const auto centers = std::make_shared<std::vector<glm::vec3>>(s->centers());
   const glm_skin::Attributes wanted{true, false};
-  add_with_error("skin_center_of_rotation/sinew/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
-    run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers, s->in(wanted), s->output()});
-  });
+  add_with_error("skin_center_of_rotation/sinew/" + tail, s, wanted, Skinning::center_of_rotation,
+                 [s, centers, wanted] {
+                   run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers,
+                                               s->in(wanted), s->output()});
+                 });
   add_with_error("skin_center_of_rotation/glm/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
-    glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted), s->output());
+    glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted),
+                                      s->output());
   });
 }
 
 /// The same cut into `threads` ranges, one a thread: what the memory of two cores gives beside that of one.
 void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::size_t threads) {
   const auto parts = std::make_shared<std::vector<std::shared_ptr<Surface>>>();
-  for (std::size_t t = 0; t < threads; ++t) parts->push_back(std::make_shared<Surface>(vertex_count / static_cast<std::uint32_t>(threads), 4u));
+  for (std::size_t t = 0; t < threads; ++t)
+    parts->push_back(std::make_shared<Surface>(vertex_count / static_cast<std::uint32_t>(threads), 4u));
   const glm_skin::Attributes wanted{true, false};
-  const auto each = [parts, threads](const auto& skin) { run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); }); };
+  const auto each = [parts, threads](const auto& skin) {
+    run_with_tbb(threads, [&](std::size_t t) { skin(*(*parts)[t]); });
+  };
   const Surface& one = *parts->front();
   Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
   facts.wall_time = true;
-  add("skin_linear/sinew/" + tail, vertex_count, [each, wanted] {
-    each([&](Surface& s) { run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear}); });
-  }, facts);
-  add("skin_linear/glm/" + tail, vertex_count, [each, wanted] {
-    each([&](Surface& s) { glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted); });
-  }, facts);
+  add(
+      "skin_linear/sinew/" + tail, vertex_count,
+      [each, wanted] {
+        each([&](Surface& s) {
+          run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
+        });
+      },
+      facts);
+  add(
+      "skin_linear/glm/" + tail, vertex_count,
+      [each, wanted] {
+        each([&](Surface& s) {
+          glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted);
+        });
+      },
+      facts);
 }
 
 /// Characters that take turns, their vertices together larger than the caches: every one is cold when its turn comes.
@@ -213,14 +233,20 @@ void add_cold_case(const std::string& tail, std::uint32_t vertex_count) {
   const glm_skin::Attributes wanted{true, false};
   const Surface& one = turns->characters.front();
   const Facts facts{Facts{}.error, vertex_count * (one.bytes_in(wanted) + Surface::bytes_out(wanted))};
-  add("skin_linear/sinew/" + tail, vertex_count, [turns, wanted] {
-    Surface& s = turns->next();
-    run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
-  }, facts);
-  add("skin_linear/glm/" + tail, vertex_count, [turns, wanted] {
-    Surface& s = turns->next();
-    glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted);
-  }, facts);
+  add(
+      "skin_linear/sinew/" + tail, vertex_count,
+      [turns, wanted] {
+        Surface& s = turns->next();
+        run(SkinLinearJob{&s.primitive.influences, s.palette, s.in(wanted), s.output(), NormalRule::linear});
+      },
+      facts);
+  add(
+      "skin_linear/glm/" + tail, vertex_count,
+      [turns, wanted] {
+        Surface& s = turns->next();
+        glm_skin::skin_linear(s.primitive.influences, s.glm_palette, s.in(wanted), s.output(), wanted);
+      },
+      facts);
 }
 
 }  // namespace
@@ -230,7 +256,8 @@ void add_skin(std::size_t most_vertices) {
   for (const std::uint32_t influences : {1u, 2u, 4u, 8u}) {
     const auto surface = std::make_shared<Surface>(10'000, influences);
     if (influences == 4) add_center_of_rotation_case(surface, "PN/4/10k");
-    for (const Kind& kind : kinds) add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/10k");
+    for (const Kind& kind : kinds)
+      add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/10k");
   }
   // From the nearest cache to memory.
   for (const auto& [label, count] : {std::pair{"300", 300u}, {"1k", 1'000u}, {"100k", 100'000u}, {"1M", 1'000'000u}}) {
@@ -238,11 +265,13 @@ void add_skin(std::size_t most_vertices) {
     const auto surface = std::make_shared<Surface>(count, 4u);
     add_center_of_rotation_case(surface, "PN/4/" + std::string(label));
     for (const Kind& kind : kinds)
-      if (count == 1'000'000 || &kind == &kinds[1]) add_skin_case(surface, kind, std::string(kind.name) + "/4/" + label);
+      if (count == 1'000'000 || &kind == &kinds[1])
+        add_skin_case(surface, kind, std::string(kind.name) + "/4/" + label);
   }
   if (most_vertices >= 100'000) add_cold_case("PN/4/10k/cold", 10'000);
   for (const std::size_t threads : thread_counts())
-    if (most_vertices >= 1'000'000) add_threads_case("PN/4/1M/" + std::to_string(threads) + "threads", 1'000'000, threads);
+    if (most_vertices >= 1'000'000)
+      add_threads_case("PN/4/1M/" + std::to_string(threads) + "threads", 1'000'000, threads);
 }
 
 void add_morph() {
@@ -255,10 +284,12 @@ void add_morph() {
       std::vector<Vec3<double>> truth(primitive.positions.begin(), primitive.positions.end());
       for (std::size_t t = 0; t < weights.size(); ++t) {
         const SparseDeltas<glm::vec3>& moved = primitive.morphs.targets[t].positions;
-        for (std::size_t i = 0; i < moved.vertices.size(); ++i) truth[moved.vertices[i]] += static_cast<double>(weights[t]) * Vec3<double>(moved.deltas[i]);
+        for (std::size_t i = 0; i < moved.vertices.size(); ++i)
+          truth[moved.vertices[i]] += static_cast<double>(weights[t]) * Vec3<double>(moved.deltas[i]);
       }
       double worst = 0.0;
-      for (std::size_t v = 0; v < truth.size(); ++v) worst = std::max(worst, glm::length(Vec3<double>(out.positions[v]) - truth[v]));
+      for (std::size_t v = 0; v < truth.size(); ++v)
+        worst = std::max(worst, glm::length(Vec3<double>(out.positions[v]) - truth[v]));
       return worst;
     }
   };
@@ -273,7 +304,9 @@ void add_morph() {
       work();
       add(std::string("morph/") + implementation + "/" + tail, 10'000, work, {f->error_m(weights), 0});
     };
-    add_measured("sinew", [=] { run(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true}); });
+    add_measured("sinew", [=] {
+      run(MorphVerticesJob{&f->primitive.morphs, weights, in(), out(), f->out.scratch, true});
+    });
     add_measured("glm", [=] { glm_skin::morph(f->primitive.morphs, weights, in(), out()); });
   }
 }

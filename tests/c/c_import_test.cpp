@@ -36,9 +36,11 @@ TEST(c_import, a_file_in_memory_gives_the_scene_of_the_cpp_importer) {
 TEST(c_import, a_file_on_disk_is_read_by_its_utf8_path) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / u8"sinew_c_\u00e4rm.glb";
   const auto bytes = arm_file();
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   sinew_scene* scene = nullptr;
-  EXPECT_EQ(sinew_import_file(reinterpret_cast<const char*>(path.u8string().c_str()), nullptr, &scene, nullptr), SINEW_OK);
+  EXPECT_EQ(sinew_import_file(reinterpret_cast<const char*>(path.u8string().c_str()), nullptr, &scene, nullptr),
+            SINEW_OK);
   ASSERT_NE(scene, nullptr);
   EXPECT_EQ(sinew_joint_count(scene), 3u);
   sinew_scene_destroy(scene);
@@ -52,7 +54,8 @@ TEST(c_import, a_bad_file_says_where_and_why) {
   ASSERT_EQ(sinew_import_memory(text.data(), text.size(), "bad.gltf", nullptr, &scene, &messages), SINEW_BAD_FILE);
   EXPECT_EQ(scene, nullptr);
   ASSERT_GE(sinew_message_count(messages), 1u);
-  EXPECT_TRUE(std::string(sinew_message(messages, 0)).starts_with("bad.gltf: /nodes/0/mesh")) << sinew_message(messages, 0);
+  EXPECT_TRUE(std::string(sinew_message(messages, 0)).starts_with("bad.gltf: /nodes/0/mesh"))
+      << sinew_message(messages, 0);
   EXPECT_STREQ(sinew_message(messages, sinew_message_count(messages)), "");
   sinew_messages_destroy(messages);
   EXPECT_EQ(sinew_import_memory(text.data(), text.size(), "bad.gltf", nullptr, &scene, nullptr), SINEW_BAD_FILE);
@@ -65,7 +68,8 @@ TEST(c_import, limits_are_obeyed_and_bad_calls_refused) {
   options.max_file_bytes = 100;
   EXPECT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", &options, &scene, nullptr), SINEW_BAD_FILE);
   options.struct_size = 1;
-  EXPECT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", &options, &scene, nullptr), SINEW_WRONG_STRUCT_SIZE);
+  EXPECT_EQ(sinew_import_memory(bytes.data(), bytes.size(), "arm.glb", &options, &scene, nullptr),
+            SINEW_WRONG_STRUCT_SIZE);
   EXPECT_EQ(sinew_import_file(nullptr, nullptr, &scene, nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_EQ(scene, nullptr);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C interface gives the numbers of the C++ one, bit by bit, takes memory and threads from where it is told, and refuses what
-// it cannot do. The reading is done by C code (engine.c).
+// The C interface gives the numbers of the C++ one, bit by bit, takes memory and threads from where it is told, and
+// refuses what it cannot do. The reading is done by C code (engine.c).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/c/handles.h"
-#include "runtime/playback/event_cursor.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/playback/event_cursor.h"
 #include "tests/c/engine.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -140,8 +140,10 @@ TEST(c_interface, masks_weights_and_skinning_per_instance_reach_the_plan) {
   sinew_needs needs = sinew_default_needs();
   needs.masks = masks.data(), needs.mask_count = 2, needs.instance_skinning = skinning;
   Needs in_cpp;
-  in_cpp.masks = {{masks.begin(), masks.begin() + static_cast<std::ptrdiff_t>(joints)}, {masks.begin() + static_cast<std::ptrdiff_t>(joints), masks.end()}};
-  in_cpp.instance_skinning = {Skinning::dual_quaternion, Skinning::linear, Skinning::center_of_rotation, Skinning::linear};
+  in_cpp.masks = {{masks.begin(), masks.begin() + static_cast<std::ptrdiff_t>(joints)},
+                  {masks.begin() + static_cast<std::ptrdiff_t>(joints), masks.end()}};
+  in_cpp.instance_skinning = {Skinning::dual_quaternion, Skinning::linear, Skinning::center_of_rotation,
+                              Skinning::linear};
   const std::vector<float> weights(scene.scene.weight_count(), 0.25f);
 
   const sinew_layer layers[] = {{0.4, 0, SINEW_NONE, 1.0f, 0}, {0.8, 1, 1, 2.0f, 0}};
@@ -258,7 +260,7 @@ TEST(c_interface, jobs_run_on_the_engines_executor_and_memory_with_the_same_bits
   engine_executor_log log{};
   sinew_jobs_options options = sinew_default_jobs_options();
   options.allocator = engine_allocator(&memory), options.executor = engine_executor(&log);
-  options.inline_below_bytes = 0, options.part_bytes = 1;   // each character alone
+  options.inline_below_bytes = 0, options.part_bytes = 1;  // each character alone
   sinew_jobs* jobs = nullptr;
   ASSERT_EQ(sinew_jobs_create(&options, &jobs), SINEW_OK);
   for (std::uint32_t expected = 0; expected < 3; ++expected) {
@@ -306,7 +308,8 @@ TEST(c_interface, clocks_and_events_are_those_of_the_cpp_interface) {
         expected.push_back(static_cast<std::uint32_t>(*event));
     EXPECT_EQ(std::vector<std::uint32_t>(events, events + crossed), expected) << mode;
     EXPECT_EQ(end_s, clock.time_s());
-    EXPECT_EQ(engine_events(1.0, mode, 0.17, 20, times_s, 4, events, 3, &end_s), expected.size());  // counted beyond the room
+    EXPECT_EQ(engine_events(1.0, mode, 0.17, 20, times_s, 4, events, 3, &end_s),
+              expected.size());  // counted beyond the room
   }
 }
 

@@ -91,7 +91,8 @@ static int all_are(const unsigned char* bytes, size_t count, unsigned char value
   return 1;
 }
 
-sinew_error engine_play_in_block(const sinew_scene* scene, const sinew_needs* needs, const sinew_frame_input* input, engine_numbers* out) {
+sinew_error engine_play_in_block(const sinew_scene* scene, const sinew_needs* needs, const sinew_frame_input* input,
+                                 engine_numbers* out) {
   enum { guard = 256, guard_byte = 0xa5 };
   sinew_plan* plan = NULL;
   sinew_frame* frame = NULL;
@@ -111,7 +112,8 @@ sinew_error engine_play_in_block(const sinew_scene* scene, const sinew_needs* ne
   if (error == SINEW_OK) error = sinew_run(frame, input);
   if (error == SINEW_OK) error = engine_read(sinew_frame_result(frame), sinew_skin_count(scene), out);
   sinew_frame_destroy(frame);
-  if (!all_are(memory, (size_t)(block - memory), guard_byte) || !all_are(block + size, guard, guard_byte)) error = SINEW_OVERLAPPING_BUFFERS;
+  if (!all_are(memory, (size_t)(block - memory), guard_byte) || !all_are(block + size, guard, guard_byte))
+    error = SINEW_OVERLAPPING_BUFFERS;
   free(memory);
   sinew_plan_destroy(plan);
   return error;
@@ -151,8 +153,8 @@ sinew_executor engine_executor(engine_executor_log* log) {
   return executor;
 }
 
-size_t engine_events(double duration_s, uint32_t mode, double dt_s, int steps, const double* times_s, size_t count, uint32_t* events,
-                     size_t capacity, double* end_s) {
+size_t engine_events(double duration_s, uint32_t mode, double dt_s, int steps, const double* times_s, size_t count,
+                     uint32_t* events, size_t capacity, double* end_s) {
   sinew_clock clock;
   size_t crossed = 0;
   if (sinew_clock_init(&clock, duration_s, mode, 1.0) != SINEW_OK) abort();

@@ -14,14 +14,15 @@ namespace sinew::test {
 /// Writes size and checksum of what is there now: the head keeps nothing from the loader.
 inline void sign(std::vector<std::byte>& block) {
   std::uint64_t sum = 0xcbf29ce484222325u;
-  for (std::size_t i = kClipFileHead; i < block.size(); ++i) sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
+  for (std::size_t i = kClipFileHead; i < block.size(); ++i)
+    sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
   const std::uint64_t size = block.size();
   std::memcpy(block.data() + 16, &size, 8);
   std::memcpy(block.data() + 24, &sum, 8);
 }
 
-/// A block of one compiled clip, number by number, so that each can be wrong by itself. Written down from the form, with nothing
-/// of the code that saves clips.
+/// A block of one compiled clip, number by number, so that each can be wrong by itself. Written down from the form,
+/// with nothing of the code that saves clips.
 struct ClipFields {
   struct Tracks {
     std::uint8_t property, interpolation, packed;
@@ -59,8 +60,10 @@ struct ClipFields {
     const auto add_near = [&](float number, float expected) {
       std::int32_t bits = 0, expected_bits = 0;
       std::memcpy(&bits, &number, 4), std::memcpy(&expected_bits, &expected, 4);
-      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) - expected_bits);  // of 32 bits, whatever the distance
-      std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2) : static_cast<std::int64_t>(gap) * 2);
+      const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) -
+                                                 expected_bits);  // of 32 bits, whatever the distance
+      std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2)
+                                                                : static_cast<std::int64_t>(gap) * 2);
       for (; turned > 127; turned /= 128) add(static_cast<std::uint8_t>(turned % 128 + 128));
       add(static_cast<std::uint8_t>(turned));
     };
@@ -84,13 +87,16 @@ struct ClipFields {
     add_all(weights), add_all(properties), add(static_cast<std::uint32_t>(groups.size()));
     for (const Group& group : groups) {
       add(static_cast<std::uint32_t>(group.times_s.size()));
-      for (std::size_t k = 0; k < group.times_s.size(); ++k) add_near(group.times_s[k], k < 2 ? 0.0f : 2.0f * group.times_s[k - 1] - group.times_s[k - 2]);
+      for (std::size_t k = 0; k < group.times_s.size(); ++k)
+        add_near(group.times_s[k], k < 2 ? 0.0f : 2.0f * group.times_s[k - 1] - group.times_s[k - 2]);
       add(static_cast<std::uint32_t>(group.blocks.size()));
       for (const Tracks& t : group.blocks) {
         add(t.property), add(t.interpolation), add(t.packed), add(t.target_count);
         for (const std::uint8_t gap : t.target_gaps) add(gap);
-        if (t.packed == 0) add_all(t.rows);
-        else add_all(t.width), add_all(t.derived), add_all(t.ranges), add_all(t.bits);
+        if (t.packed == 0)
+          add_all(t.rows);
+        else
+          add_all(t.width), add_all(t.derived), add_all(t.ranges), add_all(t.bits);
       }
     }
     add_rest(translations, {0.0f}), add_rest(rotations, {0.0f, 0.0f, 0.0f, 1.0f}), add_rest(scales, {1.0f});

@@ -39,7 +39,16 @@ void add_range(std::vector<std::uint16_t>& ranges, std::uint8_t width) {
 
 /// Two rotations, one of them without its w: 9 and 8 bits, so that a key takes three bytes.
 Tracks packed_rotations(std::size_t keys) {
-  Tracks t{kRotation, kLinear, 1, 2, {0, 3}, {}, {3, 2, 3, 2, 3, 2, 0, 2}, {3, 4}, {}, std::vector<std::uint8_t>(3 * keys, 0x5a)};
+  Tracks t{kRotation,
+           kLinear,
+           1,
+           2,
+           {0, 3},
+           {},
+           {3, 2, 3, 2, 3, 2, 0, 2},
+           {3, 4},
+           {},
+           std::vector<std::uint8_t>(3 * keys, 0x5a)};
   for (std::size_t at = 0; at < 8; ++at)
     if (at != 6) add_range(t.ranges, t.width[at]);
   return t;
@@ -54,7 +63,9 @@ Tracks packed_vectors(std::size_t keys) {
 /// One joint left at rest in each property; blocks of each kind.
 ClipFields valid() {
   ClipFields f;
-  f.groups = {{{0.0f, 1.0f, 2.0f}, {full(kTranslation, kLinear, {0, 2}, 3 * 3 * 2), full(kRotation, kSquad, {1}, 3 * 13), full(kWeight, kLinear, {1, 1}, 3 * 2)}},
+  f.groups = {{{0.0f, 1.0f, 2.0f},
+               {full(kTranslation, kLinear, {0, 2}, 3 * 3 * 2), full(kRotation, kSquad, {1}, 3 * 13),
+                full(kWeight, kLinear, {1, 1}, 3 * 2)}},
               {{0.0f, 0.5f}, {packed_rotations(2), packed_vectors(2), full(kNumber, kStep, {0, 1}, 2 * 2)}}};
   f.translations = steps(3), f.rotations = {0, 0, 1, 0}, f.scales = steps(12);
   return f;
@@ -75,8 +86,9 @@ TEST(clip_fields, that_are_all_right_make_a_clip) {
   test::PoseBuffer pose(4);
   std::vector<float> weights(3), numbers(2);
   run(SampleClipJob{.clip = &clip, .time_s = 0.0, .pose = pose.span(), .weights = weights, .properties = numbers});
-  EXPECT_EQ(pose.span().get(3).translation, glm::vec3(0.125f, 0.25f, 0.375f));                    // at rest
-  EXPECT_EQ(pose.span().get(1).translation, glm::vec3(0.125f + 19 * 0.0078125f, 0.125f, 0.125f + 9 * 0.0078125f));  // 0x3333: 10011 and 1001
+  EXPECT_EQ(pose.span().get(3).translation, glm::vec3(0.125f, 0.25f, 0.375f));  // at rest
+  EXPECT_EQ(pose.span().get(1).translation,
+            glm::vec3(0.125f + 19 * 0.0078125f, 0.125f, 0.125f + 9 * 0.0078125f));  // 0x3333: 10011 and 1001
   EXPECT_EQ(weights, (std::vector<float>{0.1f, 0.125f, 0.25f}));
 }
 
@@ -91,54 +103,90 @@ Tracks& tracks(ClipFields& f, std::size_t group, std::size_t block) { return f.g
 constexpr std::uint16_t kNoNumber = 0x7fc0;
 
 const Damage kDamages[] = {
-    {"duration, no number", "the duration is not a time", [](ClipFields& f) { f.duration_s = std::numeric_limits<double>::quiet_NaN(); }},
-    {"duration, endless", "the duration is not a time", [](ClipFields& f) { f.duration_s = std::numeric_limits<double>::infinity(); }},
+    {"duration, no number", "the duration is not a time",
+     [](ClipFields& f) { f.duration_s = std::numeric_limits<double>::quiet_NaN(); }},
+    {"duration, endless", "the duration is not a time",
+     [](ClipFields& f) { f.duration_s = std::numeric_limits<double>::infinity(); }},
     {"duration, negative", "the duration is not a time", [](ClipFields& f) { f.duration_s = -0.5; }},
     {"certificate, neither", "the certificate is neither there nor missing", [](ClipFields& f) { f.certificate = 2; }},
-    {"certificate, asked", "a length of the certificate is not finite", [](ClipFields& f) { f.lengths[0] = std::numeric_limits<double>::infinity(); }},
-    {"certificate, worst time", "a length of the certificate is not finite", [](ClipFields& f) { f.lengths[3] = std::numeric_limits<double>::quiet_NaN(); }},
+    {"certificate, asked", "a length of the certificate is not finite",
+     [](ClipFields& f) { f.lengths[0] = std::numeric_limits<double>::infinity(); }},
+    {"certificate, worst time", "a length of the certificate is not finite",
+     [](ClipFields& f) { f.lengths[3] = std::numeric_limits<double>::quiet_NaN(); }},
     {"weights", "a base value is not finite", [](ClipFields& f) { f.weights[2] = kNan; }},
-    {"properties", "a base value is not finite", [](ClipFields& f) { f.properties[0] = std::numeric_limits<float>::infinity(); }},
+    {"properties", "a base value is not finite",
+     [](ClipFields& f) { f.properties[0] = std::numeric_limits<float>::infinity(); }},
     {"joint count, most", "too many joints", [](ClipFields& f) { f.joint_count = kNone; }},
-    {"joint count, of which bytes overflow", "too many joints", [](ClipFields& f) { f.joint_count = std::uint64_t{1} << 60; }},
-    {"joint count, of no tracks", "the clip has far more joints than its tracks account for", [](ClipFields& f) { f.joint_count = 1'000'000; }},
+    {"joint count, of which bytes overflow", "too many joints",
+     [](ClipFields& f) { f.joint_count = std::uint64_t{1} << 60; }},
+    {"joint count, of no tracks", "the clip has far more joints than its tracks account for",
+     [](ClipFields& f) { f.joint_count = 1'000'000; }},
     {"no key times", "key times are not finite, rising numbers", [](ClipFields& f) { f.groups[0].times_s.clear(); }},
-    {"key times, no number", "key times are not finite, rising numbers", [](ClipFields& f) { f.groups[0].times_s[2] = kNan; }},
-    {"key times, endless", "key times are not finite, rising numbers", [](ClipFields& f) { f.groups[0].times_s[2] = std::numeric_limits<float>::infinity(); }},
-    {"key times, falling", "key times are not finite, rising numbers", [](ClipFields& f) { f.groups[0].times_s[1] = 2.5f; }},
+    {"key times, no number", "key times are not finite, rising numbers",
+     [](ClipFields& f) { f.groups[0].times_s[2] = kNan; }},
+    {"key times, endless", "key times are not finite, rising numbers",
+     [](ClipFields& f) { f.groups[0].times_s[2] = std::numeric_limits<float>::infinity(); }},
+    {"key times, falling", "key times are not finite, rising numbers",
+     [](ClipFields& f) { f.groups[0].times_s[1] = 2.5f; }},
     {"property", "a block of tracks is of no known kind", [](ClipFields& f) { tracks(f, 0, 0).property = 5; }},
-    {"interpolation", "a block of tracks is of no known kind", [](ClipFields& f) { tracks(f, 0, 0).interpolation = 4; }},
+    {"interpolation", "a block of tracks is of no known kind",
+     [](ClipFields& f) { tracks(f, 0, 0).interpolation = 4; }},
     {"packing", "a block of tracks is of no known kind", [](ClipFields& f) { tracks(f, 1, 0).packed = 2; }},
     {"squad of vectors", "squad is for rotations", [](ClipFields& f) { tracks(f, 0, 0).interpolation = kSquad; }},
     {"no targets", "the targets of a block are not rising numbers of the clip",
-     [](ClipFields& f) { tracks(f, 0, 2).target_count = 0, tracks(f, 0, 2).target_gaps.clear(), tracks(f, 0, 2).rows.clear(); }},
-    {"joint, none such", "the targets of a block are not rising numbers of the clip", [](ClipFields& f) { tracks(f, 0, 0).target_gaps[1] = 4; }},
-    {"joint, twice", "the targets of a block are not rising numbers of the clip", [](ClipFields& f) { tracks(f, 0, 0).target_gaps[1] = 0; }},
-    {"weight, none such", "the targets of a block are not rising numbers of the clip", [](ClipFields& f) { tracks(f, 0, 2).target_gaps[0] = 2; }},
+     [](ClipFields& f) {
+       tracks(f, 0, 2).target_count = 0, tracks(f, 0, 2).target_gaps.clear(), tracks(f, 0, 2).rows.clear();
+     }},
+    {"joint, none such", "the targets of a block are not rising numbers of the clip",
+     [](ClipFields& f) { tracks(f, 0, 0).target_gaps[1] = 4; }},
+    {"joint, twice", "the targets of a block are not rising numbers of the clip",
+     [](ClipFields& f) { tracks(f, 0, 0).target_gaps[1] = 0; }},
+    {"weight, none such", "the targets of a block are not rising numbers of the clip",
+     [](ClipFields& f) { tracks(f, 0, 2).target_gaps[0] = 2; }},
     {"weights, not side by side", "the targets of a block are not rising numbers of the clip",
      [](ClipFields& f) { tracks(f, 0, 2).target_gaps[0] = 0, tracks(f, 0, 2).target_gaps[1] = 2; }},
-    {"number, none such", "the targets of a block are not rising numbers of the clip", [](ClipFields& f) { tracks(f, 1, 2).target_gaps[0] = 1; }},
-    {"rows, a key too few", "a block does not have a row for each key", [](ClipFields& f) { tracks(f, 0, 0).rows.resize(2 * 3 * 2); }},
-    {"rows, a number too many", "a block does not have a row for each key", [](ClipFields& f) { tracks(f, 0, 0).rows.push_back(0.0f); }},
-    {"rows, a number too few", "a block does not have a row for each key", [](ClipFields& f) { tracks(f, 0, 1).rows.pop_back(); }},
+    {"number, none such", "the targets of a block are not rising numbers of the clip",
+     [](ClipFields& f) { tracks(f, 1, 2).target_gaps[0] = 1; }},
+    {"rows, a key too few", "a block does not have a row for each key",
+     [](ClipFields& f) { tracks(f, 0, 0).rows.resize(2 * 3 * 2); }},
+    {"rows, a number too many", "a block does not have a row for each key",
+     [](ClipFields& f) { tracks(f, 0, 0).rows.push_back(0.0f); }},
+    {"rows, a number too few", "a block does not have a row for each key",
+     [](ClipFields& f) { tracks(f, 0, 1).rows.pop_back(); }},
     {"a key", "a key is not finite", [](ClipFields& f) { tracks(f, 0, 0).rows[17] = kNan; }},
-    {"a packed curve", "only step and linear keys are packed", [](ClipFields& f) { tracks(f, 1, 0).interpolation = kSquad; }},
-    {"widths, one too many", "the tables of a packed block are not of its size", [](ClipFields& f) { tracks(f, 1, 0).width.push_back(0); }},
-    {"widths, one too few", "the tables of a packed block are not of its size", [](ClipFields& f) { tracks(f, 1, 1).width.pop_back(); }},
-    {"left-out components, one too few", "the tables of a packed block are not of its size", [](ClipFields& f) { tracks(f, 1, 0).derived.pop_back(); }},
-    {"left-out components of vectors", "the tables of a packed block are not of its size", [](ClipFields& f) { tracks(f, 1, 1).derived.push_back(0); }},
+    {"a packed curve", "only step and linear keys are packed",
+     [](ClipFields& f) { tracks(f, 1, 0).interpolation = kSquad; }},
+    {"widths, one too many", "the tables of a packed block are not of its size",
+     [](ClipFields& f) { tracks(f, 1, 0).width.push_back(0); }},
+    {"widths, one too few", "the tables of a packed block are not of its size",
+     [](ClipFields& f) { tracks(f, 1, 1).width.pop_back(); }},
+    {"left-out components, one too few", "the tables of a packed block are not of its size",
+     [](ClipFields& f) { tracks(f, 1, 0).derived.pop_back(); }},
+    {"left-out components of vectors", "the tables of a packed block are not of its size",
+     [](ClipFields& f) { tracks(f, 1, 1).derived.push_back(0); }},
     {"left-out component, none such", "no such component", [](ClipFields& f) { tracks(f, 1, 0).derived[1] = 5; }},
     {"a width", "a packed number is too wide", [](ClipFields& f) { tracks(f, 1, 1).width[0] = 25; }},
-    {"widths of a key", "a packed key is too wide", [](ClipFields& f) { tracks(f, 1, 1).width = {19, 19, 19}; }},
-    {"a lowest value", "a range of packed keys is not finite", [](ClipFields& f) { tracks(f, 1, 1).ranges[0] = kNoNumber; }},
+    {"widths of a key", "a packed key is too wide",
+     [](ClipFields& f) {
+       tracks(f, 1, 1).width = {19, 19, 19};
+     }},
+    {"a lowest value", "a range of packed keys is not finite",
+     [](ClipFields& f) { tracks(f, 1, 1).ranges[0] = kNoNumber; }},
     {"a step", "a range of packed keys is not finite", [](ClipFields& f) { tracks(f, 1, 1).ranges[2] = kNoNumber; }},
-    {"ranges, one too many", "the ranges of packed keys are not as many as their components", [](ClipFields& f) { tracks(f, 1, 1).ranges.push_back(0); }},
-    {"ranges, one too few", "the ranges of packed keys are not as many as their components", [](ClipFields& f) { tracks(f, 1, 0).ranges.pop_back(); }},
-    {"bits, a byte too few", "packed keys are not of their size", [](ClipFields& f) { tracks(f, 1, 0).bits.pop_back(); }},
-    {"bits, a byte too many", "packed keys are not of their size", [](ClipFields& f) { tracks(f, 1, 1).bits.push_back(0); }},
-    {"base pose, too small", "the base pose is not of the clip's size", [](ClipFields& f) { f.translations.pop_back(); }},
-    {"base pose, rotations of three numbers", "the base pose is not of the clip's size", [](ClipFields& f) { f.rotations.resize(3); }},
-    {"base pose, too large", "the base pose is not of the clip's size", [](ClipFields& f) { f.scales.push_back(1.0f); }},
+    {"ranges, one too many", "the ranges of packed keys are not as many as their components",
+     [](ClipFields& f) { tracks(f, 1, 1).ranges.push_back(0); }},
+    {"ranges, one too few", "the ranges of packed keys are not as many as their components",
+     [](ClipFields& f) { tracks(f, 1, 0).ranges.pop_back(); }},
+    {"bits, a byte too few", "packed keys are not of their size",
+     [](ClipFields& f) { tracks(f, 1, 0).bits.pop_back(); }},
+    {"bits, a byte too many", "packed keys are not of their size",
+     [](ClipFields& f) { tracks(f, 1, 1).bits.push_back(0); }},
+    {"base pose, too small", "the base pose is not of the clip's size",
+     [](ClipFields& f) { f.translations.pop_back(); }},
+    {"base pose, rotations of three numbers", "the base pose is not of the clip's size",
+     [](ClipFields& f) { f.rotations.resize(3); }},
+    {"base pose, too large", "the base pose is not of the clip's size",
+     [](ClipFields& f) { f.scales.push_back(1.0f); }},
     {"base pose", "a base value is not finite", [](ClipFields& f) { f.scales[5] = kNan; }},
 };
 
@@ -159,10 +207,20 @@ TEST(clip_fields, a_block_of_more_lanes_than_bits_can_be_counted_for_is_refused)
     f.joint_count = 2000;
     f.groups.erase(f.groups.begin());
     Tracks& t = tracks(f, 0, 1);
-    t = {kScale, kStep, 1, lanes, std::vector<std::uint8_t>(lanes, 1), {}, std::vector<std::uint8_t>(3 * lanes, 0), {}, std::vector<std::uint16_t>(6 * lanes, 0), {}};
+    t = {kScale,
+         kStep,
+         1,
+         lanes,
+         std::vector<std::uint8_t>(lanes, 1),
+         {},
+         std::vector<std::uint8_t>(3 * lanes, 0),
+         {},
+         std::vector<std::uint16_t>(6 * lanes, 0),
+         {}};
     f.translations.clear(), f.rotations.clear(), f.scales.clear();
     const auto loaded = load_clips(f.block());
-    EXPECT_EQ(loaded ? "" : loaded.error().detail, lanes == 1024 ? "" : "the tables of a packed block are not of its size");
+    EXPECT_EQ(loaded ? "" : loaded.error().detail,
+              lanes == 1024 ? "" : "the tables of a packed block are not of its size");
   }
 }
 
@@ -185,7 +243,8 @@ TEST(clip_fields, few_bytes_make_little_memory) {
     ClipFields many;
     many.joint_count = 200'000;
     many.groups.push_back({{0.0f}, {}});
-    for (std::size_t i = 0; i < blocks; ++i) many.groups[0].blocks.push_back(full(kTranslation, kStep, {0, 0x80, 0x80, 0x0c}, 3 * 2));
+    for (std::size_t i = 0; i < blocks; ++i)
+      many.groups[0].blocks.push_back(full(kTranslation, kStep, {0, 0x80, 0x80, 0x0c}, 3 * 2));
     for (Tracks& t : many.groups[0].blocks) t.target_count = 2;
     EXPECT_EQ(load_clips(many.block()).has_value(), blocks == 1) << blocks;
   }

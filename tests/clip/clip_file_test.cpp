@@ -16,7 +16,9 @@ using test::samples_of;
 using test::sign;
 using test::varied_clip;
 
-std::vector<std::byte> saved(std::initializer_list<const Clip*> clips) { return save_clips(std::span(clips.begin(), clips.size())); }
+std::vector<std::byte> saved(std::initializer_list<const Clip*> clips) {
+  return save_clips(std::span(clips.begin(), clips.size()));
+}
 
 TEST(clip_file, loaded_clips_sample_the_same_bits) {
   const Clip a = varied_clip(1), b = varied_clip(2);
@@ -43,7 +45,8 @@ TEST(clip_file, G06_numbers_at_rest_keep_every_bit_and_are_short_where_they_are_
   Skeleton skeleton = test::chain_skeleton(40);
   const auto size_of = [](const Clip& clip) { return saved({&clip}).size(); };
   const std::size_t of_identities = size_of(test::clip_of({}, skeleton));
-  skeleton.rest[7].translation.y = -0.0f, skeleton.rest[9].scale.x = std::nextafter(1.0f, 2.0f), skeleton.rest[11].scale.z = -1e30f;
+  skeleton.rest[7].translation.y = -0.0f, skeleton.rest[9].scale.x = std::nextafter(1.0f, 2.0f),
+  skeleton.rest[11].scale.z = -1e30f;
   const Clip clip = test::clip_of({}, skeleton);
   EXPECT_LE(size_of(clip), of_identities + 2 * 3 * 40 + 8) << "a byte each, but for two numbers";
   const auto loaded = load_clips(saved({&clip}));
@@ -58,7 +61,9 @@ TEST(clip_file, key_times_at_even_steps_take_a_byte_each) {
     test::FixedRandom random(1);
     std::vector<float> times_s;
     for (std::size_t k = 0; k < keys; ++k) times_s.push_back(static_cast<float>(k) / 24.0f);
-    const Clip clip = test::clip_of(test::animation_of({{.joint = 0, .translation = test::random_vectors(random, Interpolation::step, times_s)}}), test::chain_skeleton(1));
+    const Clip clip = test::clip_of(
+        test::animation_of({{.joint = 0, .translation = test::random_vectors(random, Interpolation::step, times_s)}}),
+        test::chain_skeleton(1));
     sizes.push_back(saved({&clip}).size());
   }
   EXPECT_LE(sizes[1] - sizes[0], 300u * (3 * sizeof(float) + 1) + 8);
@@ -83,7 +88,12 @@ TEST(clip_file, every_changed_byte_is_noticed_and_every_cut_names_its_rule) {
     changed[i] ^= std::byte{0x10};
     const auto loaded = load_clips(changed);
     ASSERT_FALSE(loaded) << i;
-    EXPECT_EQ(loaded.error().rule, i < 8 ? "clip-magic" : i < 12 ? "clip-version" : i < 16 ? "clip-value" : i < 24 ? "clip-size" : "clip-checksum") << i;
+    EXPECT_EQ(loaded.error().rule, i < 8    ? "clip-magic"
+                                   : i < 12 ? "clip-version"
+                                   : i < 16 ? "clip-value"
+                                   : i < 24 ? "clip-size"
+                                            : "clip-checksum")
+        << i;
   }
   for (std::size_t size = 0; size < block.size(); ++size) {
     std::vector<std::byte> cut(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
@@ -108,7 +118,8 @@ TEST(clip_file, blocks_with_a_right_checksum_and_wrong_bytes_are_refused_or_samp
   test::FixedRandom random(6);
   std::size_t refused = 0, loaded_count = 0;
   for (std::size_t i = kClipFileHead; i < block.size(); ++i)
-    for (const std::uint8_t with : {std::uint8_t{0xff}, std::uint8_t{0x80}, static_cast<std::uint8_t>(1 + random.below(255))}) {
+    for (const std::uint8_t with :
+         {std::uint8_t{0xff}, std::uint8_t{0x80}, static_cast<std::uint8_t>(1 + random.below(255))}) {
       std::vector<std::byte> changed = block;
       changed[i] ^= std::byte{with};
       sign(changed);
@@ -121,7 +132,8 @@ TEST(clip_file, blocks_with_a_right_checksum_and_wrong_bytes_are_refused_or_samp
       for (const Clip& clip : *loaded) {
         ASSERT_LT(clip.joint_count(), 1'000'000u);
         test::PoseBuffer pose(clip.joint_count());
-        for (const double t : {-1.0, 0.0, 0.7, 1e9}) run(SampleClipJob{.clip = &clip, .time_s = t, .pose = pose.span(), .weights = {}});
+        for (const double t : {-1.0, 0.0, 0.7, 1e9})
+          run(SampleClipJob{.clip = &clip, .time_s = t, .pose = pose.span(), .weights = {}});
       }
     }
   EXPECT_GT(refused, 100u);

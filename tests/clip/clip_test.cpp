@@ -27,8 +27,9 @@ TEST(clip, P03_tracks_that_share_key_times_need_one_search) {
   other.back() += 0.5f;
   std::vector<BoneAnimation> bones;
   for (std::uint32_t j = 0; j < 8; ++j)
-    bones.push_back(bone_of(j, test::random_rotations(random, Interpolation::linear, j < 7 ? shared : other),
-                            test::random_vectors(random, j % 2 ? Interpolation::step : Interpolation::cubic_spline, shared)));
+    bones.push_back(
+        bone_of(j, test::random_rotations(random, Interpolation::linear, j < 7 ? shared : other),
+                test::random_vectors(random, j % 2 ? Interpolation::step : Interpolation::cubic_spline, shared)));
   const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(8));
   EXPECT_EQ(clip.counts().time_groups, 2u);
   EXPECT_EQ(clip.counts().rotations, 8u);
@@ -39,7 +40,8 @@ TEST(clip, P03_tracks_that_share_key_times_need_one_search) {
 TEST(clip, P02_constant_tracks_are_folded_into_the_base_pose) {
   const glm::quat q = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f), zero = quat_xyzw(0.0f, 0.0f, 0.0f, 0.0f);
   std::vector<BoneAnimation> bones;
-  bones.push_back(bone_of(0, {Interpolation::linear, {0, 1, 2}, {q, q, q}}, {Interpolation::step, {0, 5}, {{1, 2, 3}, {1, 2, 3}}}));
+  bones.push_back(
+      bone_of(0, {Interpolation::linear, {0, 1, 2}, {q, q, q}}, {Interpolation::step, {0, 5}, {{1, 2, 3}, {1, 2, 3}}}));
   bones.push_back(bone_of(1, {Interpolation::linear, {4}, {q}}));
   bones.push_back(bone_of(2, {Interpolation::cubic_spline, {0, 1}, {q, q, zero, zero, q, q}}));
   const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(3));
@@ -52,7 +54,8 @@ TEST(clip, P02_equal_keys_with_a_tangent_between_them_are_not_constant) {
   const glm::vec3 v(1, 2, 3), none(0), slope(0, 1, 0);
   for (const bool at_the_end : {false, true}) {
     BoneAnimation bone;
-    bone.translation = {Interpolation::cubic_spline, {0, 1}, {none, v, at_the_end ? none : slope, at_the_end ? slope : none, v, none}};
+    bone.translation = {
+        Interpolation::cubic_spline, {0, 1}, {none, v, at_the_end ? none : slope, at_the_end ? slope : none, v, none}};
     const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(1));
     EXPECT_EQ(clip.counts().folded, 0u);
     EXPECT_EQ(clip.counts().translations, 1u);
@@ -73,7 +76,8 @@ TEST(clip, bytes_are_close_to_those_of_the_keys) {
   std::vector<BoneAnimation> bones;
   std::size_t source = times.size() * sizeof(float);
   for (std::uint32_t j = 0; j < 50; ++j) {
-    bones.push_back(bone_of(j, test::random_rotations(random, Interpolation::linear, times), test::random_vectors(random, Interpolation::linear, times)));
+    bones.push_back(bone_of(j, test::random_rotations(random, Interpolation::linear, times),
+                            test::random_vectors(random, Interpolation::linear, times)));
     source += times.size() * 7 * sizeof(float);
   }
   const Clip clip = test::clip_of(animation_of(std::move(bones)), test::chain_skeleton(50));

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/clip/clip_layout.h"
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/pose/sample_clip.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/scenes/skeletons.h"
@@ -51,34 +51,39 @@ KeyTolerances coarse(const Animation& animation, std::size_t targets) {
   return rounding;
 }
 
-/// Compares what is kept of a clip with the whole at many times; answers how many blocks of joints are packed, and have several lanes.
+/// Compares what is kept of a clip with the whole at many times; answers how many blocks of joints are packed, and have
+/// several lanes.
 std::size_t expect_same_bits(const Clip& whole, std::span<const std::uint32_t> joints) {
   const Clip kept = keep_joints(whole, joints);
   EXPECT_EQ(kept.joint_count(), joints.size());
   EXPECT_EQ(kept.duration_s(), whole.duration_s());
   for (double time_s = -0.1; time_s < whole.duration_s() + 0.2; time_s += 0.037) {
     const Sample of_whole = sample(whole, time_s), of_kept = sample(kept, time_s);
-    for (std::size_t k = 0; k < joints.size(); ++k) EXPECT_TRUE(same_bits(of_kept.pose[k], of_whole.pose[joints[k]])) << "joint " << joints[k] << " at " << time_s;
+    for (std::size_t k = 0; k < joints.size(); ++k)
+      EXPECT_TRUE(same_bits(of_kept.pose[k], of_whole.pose[joints[k]])) << "joint " << joints[k] << " at " << time_s;
     EXPECT_TRUE(same_bits<float>(of_kept.weights, of_whole.weights));
   }
   std::size_t packed = 0;
   for (const TimeGroup& group : kept.layout().groups)
-    for (const TrackBlock& block : group.blocks) packed += !block.packed.empty() && block.property != Property::weight && block.lane_count > 1;
+    for (const TrackBlock& block : group.blocks)
+      packed += !block.packed.empty() && block.property != Property::weight && block.lane_count > 1;
   return packed;
 }
 
 TEST(keep_joints, N27_what_is_kept_has_the_bits_of_the_whole_clip) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.joints = 8 + seed * 7;   // several vectors of lanes
+    options.joints = 8 + seed * 7;  // several vectors of lanes
     const Scene scene = random_scene(seed, options);
     std::vector<float> rest_weights;
-    for (const MeshInstance& instance : scene.instances) rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+    for (const MeshInstance& instance : scene.instances)
+      rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
     FixedRandom random(seed);
     const std::vector<std::uint32_t> joints = some_joints(scene.skeleton, random);
     for (const bool rounded : {false, true}) {
       const KeyTolerances rounding = rounded ? coarse(scene.animations[0], options.targets) : KeyTolerances{};
-      expect_same_bits(compile_clip(scene.animations[0], scene.skeleton, rest_weights, scene.first_weight, {}, rounding), joints);
+      expect_same_bits(
+          compile_clip(scene.animations[0], scene.skeleton, rest_weights, scene.first_weight, {}, rounding), joints);
     }
   }
 }

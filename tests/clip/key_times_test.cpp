@@ -39,9 +39,11 @@ TEST(key_times, bucketed_search_answers_as_the_plain_one_on_beside_and_between_k
   test::FixedRandom random(3);
   for (int kind = 0; kind <= 6; ++kind) {
     const auto times = spread(kind, random);
-    std::vector<double> asked{-1, 0, 1e12, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    std::vector<double> asked{-1, 0, 1e12, std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
     for (const float t : times)
-      for (const double x : {double(t), std::nextafter(double(t), -1.0), std::nextafter(double(t), 1e9)}) asked.push_back(x);
+      for (const double x : {double(t), std::nextafter(double(t), -1.0), std::nextafter(double(t), 1e9)})
+        asked.push_back(x);
     for (int i = 0; i < 200; ++i) asked.push_back(random.in(double(times.front()), double(times.back())));
     for (const double t : asked) expect_same_as_plain_search(times, t);
   }

@@ -36,7 +36,8 @@ TEST(large_clips, ten_thousand_joints_are_sampled_and_composed) {
   std::vector<Affined> truth(kJoints);
   for (std::uint32_t j = 0; j < kJoints; ++j) {
     const Transform& rest = skeleton.rest[j];
-    const Transformd at_rest{Vec3<double>(rest.translation), quat_cast<double>(rest.rotation), Vec3<double>(rest.scale)};
+    const Transformd at_rest{Vec3<double>(rest.translation), quat_cast<double>(rest.rotation),
+                             Vec3<double>(rest.scale)};
     const Transformd local = animation.bones[j].interpolate<double>(time_s, at_rest);
     ASSERT_LT(angle_rad(pose.span().get(j).rotation, local.rotation), 4e-7) << j;
     truth[j] = affine_from_transform(local);
@@ -57,7 +58,8 @@ TEST(large_clips, an_hour_of_keys_is_as_exact_at_its_end_as_at_its_begin) {
     const double time_s = i == 0 ? clip.duration_s() : i % 2 ? random.in(3500, 3600) : random.in(0, 3600);
     run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}});
     for (std::uint32_t j = 0; j < 2; ++j)
-      ASSERT_LT(angle_rad(pose.span().get(j).rotation, animation.bones[j].interpolate<double>(time_s).rotation), 4e-7) << time_s;
+      ASSERT_LT(angle_rad(pose.span().get(j).rotation, animation.bones[j].interpolate<double>(time_s).rotation), 4e-7)
+          << time_s;
   }
 }
 

@@ -37,7 +37,8 @@ TEST(packed_keys, rotations_are_within_the_tolerance_and_coarser_ones_take_fewer
       before = packed->bits_per_key();
       for (std::size_t k = 0; k < track.key_count(); ++k) {
         const auto v = unpack_key(*packed, k);
-        EXPECT_LE(2 * std::sin(test::angle_between(quat_xyzw(v[0], v[1], v[2], v[3]), track.values[k]) / 2), tolerance * (1 + 1e-6));
+        EXPECT_LE(2 * std::sin(test::angle_between(quat_xyzw(v[0], v[1], v[2], v[3]), track.values[k]) / 2),
+                  tolerance * (1 + 1e-6));
       }
     }
   }
@@ -73,7 +74,8 @@ TEST(packed_keys, what_takes_too_many_bits_or_is_a_curve_is_not_packed) {
 TEST(packed_keys, rows_hold_the_numbers_of_every_lane_one_after_another) {
   test::FixedRandom random(4);
   std::vector<PackedTrack> tracks;
-  for (int i = 0; i < 21; ++i) tracks.push_back(*pack_keys(wandering(random, 9, random.in(0.01, 2)), std::pow(10.0, random.in(-4, -1))));
+  for (int i = 0; i < 21; ++i)
+    tracks.push_back(*pack_keys(wandering(random, 9, random.in(0.01, 2)), std::pow(10.0, random.in(-4, -1))));
   const PackedRows rows = packed_rows(tracks, 9);
   for (std::size_t key = 0; key < 9; ++key) {
     std::size_t bit = key * rows.row_bytes * 8;
@@ -81,7 +83,8 @@ TEST(packed_keys, rows_hold_the_numbers_of_every_lane_one_after_another) {
       EXPECT_EQ(rows.first_bit[lane], bit - key * rows.row_bytes * 8);
       for (std::uint32_t c = 0; c < 4; ++c) {
         std::uint32_t number = 0;
-        for (std::uint32_t i = 0; i < tracks[lane].width[c]; ++i, ++bit) number |= static_cast<std::uint32_t>(rows.bits[bit / 8] >> bit % 8 & 1) << i;
+        for (std::uint32_t i = 0; i < tracks[lane].width[c]; ++i, ++bit)
+          number |= static_cast<std::uint32_t>(rows.bits[bit / 8] >> bit % 8 & 1) << i;
         EXPECT_EQ(number, tracks[lane].numbers[key * 4 + c]);
       }
     }

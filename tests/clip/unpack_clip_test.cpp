@@ -22,7 +22,8 @@ constexpr double kOfTolerance = 0.25;  ///< what lengths that were rounded apart
 std::size_t packed_blocks(const Clip& clip) {
   std::size_t count = 0;
   for (const TimeGroup& group : clip.layout().groups)
-    count += static_cast<std::size_t>(std::count_if(group.blocks.begin(), group.blocks.end(), [](const TrackBlock& block) { return !block.packed.empty(); }));
+    count += static_cast<std::size_t>(std::count_if(group.blocks.begin(), group.blocks.end(),
+                                                    [](const TrackBlock& block) { return !block.packed.empty(); }));
   return count;
 }
 
@@ -39,9 +40,11 @@ void expect_same_pose(const Clip& clip, const Clip& full, double time_s, double 
   Sample expected(clip, time_s), found(full, time_s);
   for (std::size_t j = 0; j < clip.joint_count(); ++j) {
     const Transform e = expected.pose.span().get(j), f = found.pose.span().get(j);
-    EXPECT_TRUE(is_near(Vec3<double>(f.translation), Vec3<double>(e.translation), kRoundingOfPoses)) << j << " at " << time_s;
+    EXPECT_TRUE(is_near(Vec3<double>(f.translation), Vec3<double>(e.translation), kRoundingOfPoses))
+        << j << " at " << time_s;
     EXPECT_TRUE(is_near(Vec3<double>(f.scale), Vec3<double>(e.scale), kRoundingOfPoses)) << j << " at " << time_s;
-    EXPECT_TRUE(same_rotation(f.rotation, quat_cast<double>(e.rotation), rotations_within_rad)) << j << " at " << time_s;
+    EXPECT_TRUE(same_rotation(f.rotation, quat_cast<double>(e.rotation), rotations_within_rad))
+        << j << " at " << time_s;
   }
   for (std::size_t w = 0; w < found.weights.size(); ++w) EXPECT_NEAR(found.weights[w], expected.weights[w], 1e-6f);
 }
@@ -51,12 +54,14 @@ void expect_same_motion(const Clip& clip, double from_s, double to_s, FixedRando
   EXPECT_GT(packed_blocks(clip), 0u);
   EXPECT_EQ(packed_blocks(full), 0u);
   EXPECT_EQ(full.counts().rotations, clip.counts().rotations);
-  for (int i = 0; i < 60; ++i) expect_same_pose(clip, full, random.in(from_s - 0.1, to_s + 0.1), kOfTolerance * kTolerance);
+  for (int i = 0; i < 60; ++i)
+    expect_same_pose(clip, full, random.in(from_s - 0.1, to_s + 0.1), kOfTolerance * kTolerance);
 }
 
 /// Swinging joints in key times of their own, steps among them, with signs as they come (G01).
 Animation swings(FixedRandom& random, std::uint32_t joints, bool shared_times = false) {
-  const std::vector<float> first = random_times(random, 20), times[] = {first, shared_times ? first : random_times(random, 11)};
+  const std::vector<float> first = random_times(random, 20),
+                           times[] = {first, shared_times ? first : random_times(random, 11)};
   std::vector<BoneAnimation> bones;
   for (std::uint32_t j = 0; j < joints; j += 1 + random.below(2)) {
     BoneAnimation bone;
@@ -77,7 +82,8 @@ Animation swings(FixedRandom& random, std::uint32_t joints, bool shared_times = 
 KeyTolerances coarse(const Animation& animation) {
   KeyTolerances rounding;
   rounding.bones.assign(animation.bones.size(), {kTolerance, kTolerance, kTolerance});
-  for (const WeightAnimation& animated : animation.weights) rounding.weights.emplace_back(animated.weights.target_count, kTolerance);
+  for (const WeightAnimation& animated : animation.weights)
+    rounding.weights.emplace_back(animated.weights.target_count, kTolerance);
   return rounding;
 }
 
@@ -88,7 +94,8 @@ TEST(unpack_clip, G01_moves_as_before_on_the_short_arc) {
     const std::vector<float> rest(7, 0.0f);
     const std::vector<std::uint32_t> first{0, 7};
     animation.weights.push_back({0, random_weights(random, Interpolation::linear, random_times(random, 9), 7), 0});
-    expect_same_motion(compile_clip(animation, chain_skeleton(joints), rest, first, {}, coarse(animation)), 0.0, animation.duration_s, random);
+    expect_same_motion(compile_clip(animation, chain_skeleton(joints), rest, first, {}, coarse(animation)), 0.0,
+                       animation.duration_s, random);
   }
 }
 
@@ -97,7 +104,8 @@ TEST(unpack_clip, G06_has_the_packed_keys_at_their_times) {
   const Animation animation = swings(random, 30, true);
   const Clip clip = compile_clip(animation, chain_skeleton(30), {}, {}, {}, coarse(animation)), full = unpacked(clip);
   ASSERT_EQ(clip.counts().time_groups, 1u);
-  for (const float key_s : clip.layout().groups[0].times.times_s()) expect_same_pose(clip, full, static_cast<double>(key_s), kRoundingOfPoses);
+  for (const float key_s : clip.layout().groups[0].times.times_s())
+    expect_same_pose(clip, full, static_cast<double>(key_s), kRoundingOfPoses);
 }
 
 TEST(unpack_clip, more_lanes_than_packed_rows_have_fit) {
@@ -117,7 +125,8 @@ TEST(unpack_clip, keeps_what_was_never_rounded_to_the_last_bit) {
 TEST(unpack_clip, keeps_the_certificate_and_takes_the_memory_of_floats) {
   FixedRandom random(26);
   const Animation animation = swings(random, 12);
-  const Clip clip = with_certificate(compile_clip(animation, chain_skeleton(12), {}, {}, {}, coarse(animation)), {.asked_m = 0.5, .measured_m = 0.25});
+  const Clip clip = with_certificate(compile_clip(animation, chain_skeleton(12), {}, {}, {}, coarse(animation)),
+                                     {.asked_m = 0.5, .measured_m = 0.25});
   const Clip full = unpacked(clip);
   EXPECT_EQ(full.certificate(), clip.certificate());
   EXPECT_EQ(full.byte_size(), compile_clip(animation, chain_skeleton(12), {}, {}).byte_size());

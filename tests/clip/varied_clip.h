@@ -11,7 +11,8 @@ namespace sinew::test {
 inline Clip varied_clip(std::uint64_t seed) {
   constexpr std::uint32_t kJoints = 21;
   FixedRandom random(seed);
-  const Interpolation kinds[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline, Interpolation::squad};
+  const Interpolation kinds[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
+                                 Interpolation::squad};
   const auto times = random_times(random, 7), other = random_times(random, 5, 1);
   Animation animation;
   KeyTolerances rounding;
@@ -44,7 +45,8 @@ inline std::vector<float> samples_of(const Clip& clip) {
   for (double t = -0.5; t < 5; t += 0.037) {
     run(SampleClipJob{.clip = &clip, .time_s = t, .pose = pose.span(), .weights = weights});
     for (std::size_t p = 0; p < PoseSpan::plane_count; ++p)
-      numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(p)), pose.span().plane(PoseSpan::Plane(p)) + clip.joint_count());
+      numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(p)),
+                     pose.span().plane(PoseSpan::Plane(p)) + clip.joint_count());
     numbers.insert(numbers.end(), weights.begin(), weights.end());
   }
   return numbers;

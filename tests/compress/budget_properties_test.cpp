@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a budget promises for any valid animation: looked at on a grid of its own, at keys, right before and after them and
-// between them, by an evaluation that shares nothing with the compiler's.
+// What a budget promises for any valid animation: looked at on a grid of its own, at keys, right before and after them
+// and between them, by an evaluation that shares nothing with the compiler's.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -22,20 +22,24 @@ std::vector<float> keys_of(test::FixedRandom& random, std::size_t count, bool ev
   return times_s;
 }
 
-QuatTrack turning(test::FixedRandom& random, Interpolation interpolation, const std::vector<float>& times_s, double step_rad) {
+QuatTrack turning(test::FixedRandom& random, Interpolation interpolation, const std::vector<float>& times_s,
+                  double step_rad) {
   QuatTrack track{interpolation, times_s, {}};
   Quat<double> q = random.rotation<double>();
   for (std::size_t k = 0; k < times_s.size(); ++k) {
     q = normalised(q * random.rotation_by<double>(random.in(0, step_rad)));
-    const Quat<float> tangent = quat_cast<float>(quat_xyzw(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)) * 0.1);
+    const Quat<float> tangent =
+        quat_cast<float>(quat_xyzw(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)) * 0.1);
     if (interpolation == Interpolation::cubic_spline) track.values.push_back(tangent);
-    track.values.push_back(quat_cast<float>(random.below(4) == 0 && interpolation != Interpolation::cubic_spline ? -q : q));
+    track.values.push_back(
+        quat_cast<float>(random.below(4) == 0 && interpolation != Interpolation::cubic_spline ? -q : q));
     if (interpolation == Interpolation::cubic_spline) track.values.push_back(tangent);
   }
   return track;
 }
 
-Vec3Track moving(test::FixedRandom& random, Interpolation interpolation, const std::vector<float>& times_s, double step, glm::vec3 from) {
+Vec3Track moving(test::FixedRandom& random, Interpolation interpolation, const std::vector<float>& times_s, double step,
+                 glm::vec3 from) {
   Vec3Track track{interpolation, times_s, {}};
   for (std::size_t k = 0; k < times_s.size(); ++k) {
     from += random.vec3(-step, step);
@@ -50,7 +54,8 @@ Scene any_scene(test::FixedRandom& random) {
   Scene scene;
   const std::uint32_t joints = 1 + random.below(9);
   std::vector<std::uint32_t> parents{kNone};
-  for (std::uint32_t j = 1; j < joints; ++j) parents.push_back(parents.back() == kNone ? 0 : std::min(j - 1, parents.back() + random.below(2)));
+  for (std::uint32_t j = 1; j < joints; ++j)
+    parents.push_back(parents.back() == kNone ? 0 : std::min(j - 1, parents.back() + random.below(2)));
   scene.skeleton = test::skeleton_of(std::move(parents));
   for (Transform& rest : scene.skeleton.rest) rest = {random.vec3(-0.4, 0.4), random.rotation(), random.vec3(0.5, 1.5)};
   std::vector<BoneAnimation> bones;
@@ -60,8 +65,11 @@ Scene any_scene(test::FixedRandom& random) {
     const auto times_s = keys_of(random, 1 + random.below(40), random.below(2) == 0);
     const double lively = std::pow(10.0, random.in(-4, 0));
     if (random.below(4) != 0) bone.rotation = turning(random, kPlayed[random.below(3)], times_s, lively);
-    if (random.below(2) != 0) bone.translation = moving(random, kPlayed[random.below(3)], times_s, 0.3 * lively, scene.skeleton.rest[j].translation);
-    if (random.below(4) == 0) bone.scale = moving(random, kPlayed[random.below(3)], times_s, 0.1 * lively, glm::vec3(1));
+    if (random.below(2) != 0)
+      bone.translation =
+          moving(random, kPlayed[random.below(3)], times_s, 0.3 * lively, scene.skeleton.rest[j].translation);
+    if (random.below(4) == 0)
+      bone.scale = moving(random, kPlayed[random.below(3)], times_s, 0.1 * lively, glm::vec3(1));
   }
   scene.animations.push_back(test::animation_of(std::move(bones)));
   finish_scene(scene);
@@ -94,8 +102,8 @@ RC_GTEST_PROP(budget_properties, no_virtual_vertex_is_ever_farther_off_than_the_
   for (const double time_s : fine_grid(truth))
     for (const auto error : reference::joint_errors(scene.skeleton, truth, vertices.boxes, within.clip, time_s))
       if (static_cast<double>(error) > largest_m) largest_m = static_cast<double>(error), at_s = time_s;
-  RC_LOG() << largest_m / budget_m << " of the budget at " << at_s << " s, " << certificate.measured_m / budget_m << " measured, at "
-           << certificate.worst_time_s << " s" << std::endl;
+  RC_LOG() << largest_m / budget_m << " of the budget at " << at_s << " s, " << certificate.measured_m / budget_m
+           << " measured, at " << certificate.worst_time_s << " s" << std::endl;
   RC_ASSERT(largest_m <= budget_m);
 }
 

@@ -18,7 +18,9 @@ Animation of_keys(Interpolation interpolation, std::vector<float> times_s) {
   return test::animation_of({bone});
 }
 
-bool has(const std::vector<double>& times, float time_s) { return std::count(times.begin(), times.end(), static_cast<double>(time_s)) == 1; }
+bool has(const std::vector<double>& times, float time_s) {
+  return std::count(times.begin(), times.end(), static_cast<double>(time_s)) == 1;
+}
 
 TEST(clip_error, G13_times_right_before_jumps_are_looked_at) {
   const auto steps = times_to_check(of_keys(Interpolation::step, {0.0f, 0.5f, 1.0f}), 1);

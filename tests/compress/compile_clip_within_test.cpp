@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/clip/clip_file.h"
 #include "runtime/animation/track_sample.h"
-#include "runtime/clip/unpack_clip.h"
-#include "runtime/math/quat_log_exp.h"
-#include "runtime/compress/clip_error.h"
 #include "runtime/animation/truth_pose.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/clip/unpack_clip.h"
+#include "runtime/compress/clip_error.h"
+#include "runtime/math/quat_log_exp.h"
 #include "tests/reference/clip_error.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/swinging.h"
@@ -40,26 +40,31 @@ Scene swaying(std::uint32_t joints, std::size_t keys, float fps, double noise_ra
     for (std::size_t k = 0; k < keys; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(fps);
       bones[j].rotation.times_s.push_back(static_cast<float>(t));
-      const Vec3<double> axis(0.3 * std::sin(2.0 * t + j) + noise_rad * random.normal(), noise_rad * random.normal(), 0.2 * std::cos(1.3 * t));
+      const Vec3<double> axis(0.3 * std::sin(2.0 * t + j) + noise_rad * random.normal(), noise_rad * random.normal(),
+                              0.2 * std::cos(1.3 * t));
       bones[j].rotation.values.push_back(quat_cast<float>(quat_exp(axis)));
     }
   }
   return scene_of(std::move(skeleton), test::animation_of(std::move(bones)));
 }
 
-/// What keys whose length is off by a rounding, and float poses, may change: in proportion to the largest number of the pose.
+/// What keys whose length is off by a rounding, and float poses, may change: in proportion to the largest number of the
+/// pose.
 double noise_of(const Scene& scene, const Animation& truth, double time_s) {
   TruthPose pose;
   evaluate_truth(truth, scene.skeleton, time_s, pose);
   double largest = 1.0;
   for (const Affined& m : pose.model)
-    for (const auto& row : m.row) largest = std::max({largest, std::abs(row.x), std::abs(row.y), std::abs(row.z), std::abs(row.w)});
+    for (const auto& row : m.row)
+      largest = std::max({largest, std::abs(row.x), std::abs(row.y), std::abs(row.z), std::abs(row.w)});
   return 1e-6 * largest;
 }
 
-/// Fails when the certificate is wrong: at a hundred random times nothing of the clip, packed or not, is farther off than it says (but
-/// for `margin`, what lies between the times that it was measured at), and where it has its worst case the same error is found.
-void expect_honest(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip, double margin = 1.03) {
+/// Fails when the certificate is wrong: at a hundred random times nothing of the clip, packed or not, is farther off
+/// than it says (but for `margin`, what lies between the times that it was measured at), and where it has its worst
+/// case the same error is found.
+void expect_honest(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, const Clip& clip,
+                   double margin = 1.03) {
   ASSERT_TRUE(clip.certificate());
   const ClipCertificate& c = *clip.certificate();
   const Clip full = unpacked(clip);
@@ -76,7 +81,8 @@ void expect_honest(const Scene& scene, const Animation& truth, const VirtualVert
       ASSERT_LE(static_cast<double>(error), c.measured_m * margin + noise_of(scene, truth, time_s)) << "at " << time_s;
   }
   if (c.worst_joint == kNone) return;
-  EXPECT_NEAR(static_cast<double>(errors(c.worst_time_s)[c.worst_joint]), c.measured_m, noise_of(scene, truth, c.worst_time_s));
+  EXPECT_NEAR(static_cast<double>(errors(c.worst_time_s)[c.worst_joint]), c.measured_m,
+              noise_of(scene, truth, c.worst_time_s));
 }
 
 TEST(compile_clip_within, certificate_is_what_an_independent_evaluation_finds) {
@@ -162,8 +168,10 @@ TEST(compile_clip_within, G07_G13_N24_hard_tracks_of_every_interpolation_stay_wi
     const VirtualVertices vertices = virtual_vertices(scene);
     const double budget = std::pow(10.0, random.in(-4, 1));
     const ClipWithin within = compile_clip_within(scene, scene.animations[0], vertices, budget);
-    EXPECT_TRUE(within.clip.certificate()->is_met() || within.clip.certificate()->kept_keys == within.clip.certificate()->source_keys);
-    if (within.clip.certificate()->is_met()) expect_honest(scene, scene.animations[0], vertices, within.clip, budget / within.clip.certificate()->measured_m);
+    EXPECT_TRUE(within.clip.certificate()->is_met() ||
+                within.clip.certificate()->kept_keys == within.clip.certificate()->source_keys);
+    if (within.clip.certificate()->is_met())
+      expect_honest(scene, scene.animations[0], vertices, within.clip, budget / within.clip.certificate()->measured_m);
   }
 }
 
@@ -172,7 +180,8 @@ TEST(compile_clip_within, N02_half_turns_between_keys_are_not_smoothed_away) {
   for (int k = 0; k < 40; ++k) {
     const double a = k % 2 == 0 ? 0.0 : M_PI / 2 * 0.9999;
     bone.rotation.times_s.push_back(static_cast<float>(k) / 30.0f);
-    bone.rotation.values.push_back(quat_xyzw(static_cast<float>(std::sin(a)), 0.0f, 0.0f, static_cast<float>(std::cos(a))));
+    bone.rotation.values.push_back(
+        quat_xyzw(static_cast<float>(std::sin(a)), 0.0f, 0.0f, static_cast<float>(std::cos(a))));
   }
   const Scene scene = scene_of(test::chain_skeleton(3), test::animation_of({bone}));
   const VirtualVertices vertices = virtual_vertices(scene);
@@ -226,7 +235,7 @@ TEST(compile_clip_within, morph_weights_are_held_by_what_they_displace) {
   mesh.primitives[0].positions.assign(4, glm::vec3(0));
   mesh.default_weights.assign(2, 0.0f);
   mesh.primitives[0].morphs.targets.resize(2);
-  mesh.primitives[0].morphs.targets[0].positions = {{1}, {{0, 2, 0}}};      // 2 m per weight
+  mesh.primitives[0].morphs.targets[0].positions = {{1}, {{0, 2, 0}}};       // 2 m per weight
   mesh.primitives[0].morphs.targets[1].positions = {{2}, {{0.001f, 0, 0}}};  // 1 mm
   scene.meshes.push_back(mesh);
   scene.instances.push_back({.joint = 0, .mesh = 0, .rest_weights = {0, 0}});
@@ -248,7 +257,8 @@ TEST(compile_clip_within, morph_weights_are_held_by_what_they_displace) {
     const ClipCertificate& c = *within.clip.certificate();
     EXPECT_LE(c.measured_m, budget);
     EXPECT_GT(c.weights_m, 0.0);
-    EXPECT_EQ(c.bytes * 4 < c.source_bytes, budget > 1e-3) << "the jittering target moves nothing by more than a millimetre";
+    EXPECT_EQ(c.bytes * 4 < c.source_bytes, budget > 1e-3)
+        << "the jittering target moves nothing by more than a millimetre";
     float weights[2];
     test::PoseBuffer pose(1);
     for (int i = 0; i < 200; ++i) {

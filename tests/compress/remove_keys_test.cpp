@@ -28,16 +28,22 @@ std::vector<std::uint32_t> needed(Vec3Track track, double tolerance) {
 }
 
 TEST(remove_keys, keys_on_a_line_are_left_out_and_corners_stay) {
-  EXPECT_THAT(needed({Interpolation::linear, evenly(5), {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, 1e-6), ElementsAre(0, 2, 4));
-  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 3, 4}, {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {9, 0, 0}}}, 1e-6), ElementsAre(0, 2, 3));
+  EXPECT_THAT(needed({Interpolation::linear, evenly(5), {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, 1e-6),
+              ElementsAre(0, 2, 4));
+  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 3, 4}, {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {9, 0, 0}}}, 1e-6),
+              ElementsAre(0, 2, 3));
 }
 
 TEST(remove_keys, G07_steps_keep_each_key_that_changes_the_value) {
-  EXPECT_THAT(needed({Interpolation::step, evenly(6), {{0, 0, 0}, {0, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}, {0, 0, 0}}}, 1e-6), ElementsAre(0, 2, 5));
+  EXPECT_THAT(
+      needed({Interpolation::step, evenly(6), {{0, 0, 0}, {0, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}, {0, 0, 0}}},
+             1e-6),
+      ElementsAre(0, 2, 5));
 }
 
 TEST(remove_keys, G13_both_sides_of_a_jump_stay) {
-  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 2, 2, 3, 4}, std::vector<glm::vec3>(6, glm::vec3(1))}, 1.0), ElementsAre(0, 2, 3, 5));
+  EXPECT_THAT(needed({Interpolation::linear, {0, 1, 2, 2, 3, 4}, std::vector<glm::vec3>(6, glm::vec3(1))}, 1.0),
+              ElementsAre(0, 2, 3, 5));
 }
 
 TEST(remove_keys, G03_a_cubic_through_samples_of_one_cubic_keeps_its_ends_only) {
@@ -79,7 +85,11 @@ TEST(remove_keys, what_is_left_stays_within_the_tolerance_of_random_tracks) {
     keep_keys(loose, keys_needed({&loose, 1}, times.size()));
     EXPECT_LT(track.key_count(), before.key_count() + 1);
     for (const float t : times)
-      EXPECT_LE(2 * std::sin(test::angle_between(sample_track<double>(before, double(t)), sample_track<double>(track, double(t))) / 2), tolerance + 1e-6) << round;
+      EXPECT_LE(2 * std::sin(test::angle_between(sample_track<double>(before, double(t)),
+                                                 sample_track<double>(track, double(t))) /
+                             2),
+                tolerance + 1e-6)
+          << round;
   }
 }
 

@@ -48,7 +48,8 @@ TEST(split_by_need, every_track_is_in_one_part) {
   for (int i = 0; i < 37; ++i) tracks.push_back(track_of(random.below(3) == 0, 150, random));
   std::vector<int> seen(tracks.size(), 0);
   for (const auto& part : split_by_need(loose(tracks)))
-    for (const LooseTrack& track : part) ++seen[static_cast<std::size_t>(std::get<Vec3Track*>(track.track) - tracks.data())];
+    for (const LooseTrack& track : part)
+      ++seen[static_cast<std::size_t>(std::get<Vec3Track*>(track.track) - tracks.data())];
   for (const int times : seen) EXPECT_EQ(times, 1);
 }
 

@@ -29,7 +29,8 @@ TEST(virtual_vertices, every_weighted_vertex_lies_in_the_boxes_of_its_joints_als
     for (const Primitive& p : scene.meshes[instance.mesh].primitives) {
       const auto expect_inside = [&](std::uint32_t joint, const glm::vec3& point) {
         const Aabb& box = v.boxes[joint];
-        EXPECT_TRUE(glm::all(glm::greaterThanEqual(point, box.lower)) && glm::all(glm::lessThanEqual(point, box.upper)));
+        EXPECT_TRUE(glm::all(glm::greaterThanEqual(point, box.lower)) &&
+                    glm::all(glm::lessThanEqual(point, box.upper)));
         ++looked_at;
       };
       const auto expect_vertex = [&](std::uint32_t vertex, const glm::vec3& position) {
@@ -37,7 +38,8 @@ TEST(virtual_vertices, every_weighted_vertex_lies_in_the_boxes_of_its_joints_als
         for (const InfluenceGroup& g : p.influences.groups)
           if (vertex >= g.first_vertex && vertex < g.first_vertex + g.vertex_count)
             for (std::uint32_t i = 0; i < g.influence_count; ++i) {
-              const std::uint16_t j = p.influences.joints[g.first_influence + (vertex - g.first_vertex) * g.influence_count + i];
+              const std::uint16_t j =
+                  p.influences.joints[g.first_influence + (vertex - g.first_vertex) * g.influence_count + i];
               const Skin& skin = scene.skins[instance.skin];
               expect_inside(skin.joints[j], transform_point(skin.inverse_bind[j], position));
             }
@@ -59,7 +61,8 @@ TEST(virtual_vertices, copies_of_a_mesh_are_all_inside) {
   scene.meshes[0].primitives.resize(1);
   scene.meshes[0].primitives[0].positions = {{0, 0, 0}, {1, 1, 1}};
   MeshInstance instance;
-  instance.copies = {Transform{{5, 0, 0}, quat_identity<float>(), {1, 1, 1}}, Transform{{-5, 0, 0}, quat_identity<float>(), {2, 2, 2}}};
+  instance.copies = {Transform{{5, 0, 0}, quat_identity<float>(), {1, 1, 1}},
+                     Transform{{-5, 0, 0}, quat_identity<float>(), {2, 2, 2}}};
   scene.instances.push_back(instance);
   const VirtualVertices v = virtual_vertices(scene);
   EXPECT_EQ(v.boxes[0].lower, glm::vec3(-5, 0, 0));

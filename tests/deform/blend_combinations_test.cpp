@@ -22,8 +22,10 @@ TEST(blend_combinations, rejects_wrong_sizes_and_joints_out_of_range) {
   std::vector<JointMatrix> blended(s.positions.size());
   EXPECT_EQ(check(BlendCombinationsJob{&s.influences, s.palette, blended}), ErrorCode::ok);
   EXPECT_EQ(check(BlendCombinationsJob{nullptr, s.palette, blended}), ErrorCode::size_mismatch);
-  EXPECT_EQ(check(BlendCombinationsJob{&s.influences, s.palette, std::span(blended).first(2)}), ErrorCode::size_mismatch);
-  EXPECT_EQ(check(BlendCombinationsJob{&s.influences, std::span(s.palette).first(3), blended}), ErrorCode::index_out_of_range);
+  EXPECT_EQ(check(BlendCombinationsJob{&s.influences, s.palette, std::span(blended).first(2)}),
+            ErrorCode::size_mismatch);
+  EXPECT_EQ(check(BlendCombinationsJob{&s.influences, std::span(s.palette).first(3), blended}),
+            ErrorCode::index_out_of_range);
 }
 
 TEST(blend_combinations, C06_is_the_weighted_sum_of_the_matrices) {
@@ -39,9 +41,12 @@ TEST(blend_combinations, C06_is_the_weighted_sum_of_the_matrices) {
           Vec4<double> sum(0.0);
           for (std::size_t i = 0; i < group.influence_count; ++i) {
             const std::size_t at = group.first_influence + k * group.influence_count + i;
-            sum += Vec4<double>(s.palette[s.influences.joints[at]].column[c]) * static_cast<double>(s.influences.weights[at]);
+            sum += Vec4<double>(s.palette[s.influences.joints[at]].column[c]) *
+                   static_cast<double>(s.influences.weights[at]);
           }
-          for (int r = 0; r < 4; ++r) ASSERT_NEAR(static_cast<double>(blended[group.first_vertex + k].column[c][r]), sum[r], 2e-6 * (1.0 + glm::length(sum)));
+          for (int r = 0; r < 4; ++r)
+            ASSERT_NEAR(static_cast<double>(blended[group.first_vertex + k].column[c][r]), sum[r],
+                        2e-6 * (1.0 + glm::length(sum)));
         }
   }
 }
@@ -52,7 +57,8 @@ TEST(blend_combinations, C06_vertices_that_follow_them_have_the_bits_of_those_th
   const std::size_t count = s.positions.size();
   VertexInfluences follow;
   follow.groups = {{0, static_cast<std::uint32_t>(count), 1, 0}};
-  for (std::size_t v = 0; v < count; ++v) follow.joints.push_back(static_cast<std::uint16_t>(v)), follow.weights.push_back(1.0f);
+  for (std::size_t v = 0; v < count; ++v)
+    follow.joints.push_back(static_cast<std::uint16_t>(v)), follow.weights.push_back(1.0f);
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> blended(count);

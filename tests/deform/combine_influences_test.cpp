@@ -28,7 +28,8 @@ VertexInfluences repeated_pairs(std::uint32_t distinct, std::uint32_t copies) {
 
 RandomSceneOptions repeating(std::uint64_t seed) {
   RandomSceneOptions options;
-  options.combinations = 2, options.triangles = 300, options.most_influences = 3 + static_cast<std::uint32_t>(seed % 3), options.instances = 6;
+  options.combinations = 2, options.triangles = 300, options.most_influences = 3 + static_cast<std::uint32_t>(seed % 3),
+  options.instances = 6;
   options.mirrored_joints = seed % 2 == 1, options.targets = seed % 3 == 0 ? 2 : 0;
   return options;
 }
@@ -44,23 +45,28 @@ TEST(combine_influences, C06_every_vertex_keeps_its_joints_and_weights) {
       const auto combination = [&](std::uint32_t index) {
         for (const InfluenceGroup& g : combined.combinations.groups)
           if (index - g.first_vertex < g.vertex_count) {
-            const auto at = static_cast<std::ptrdiff_t>(g.first_influence + (index - g.first_vertex) * g.influence_count), end = at + g.influence_count;
-            return std::pair(std::vector(combined.combinations.joints.begin() + at, combined.combinations.joints.begin() + end),
-                             std::vector(combined.combinations.weights.begin() + at, combined.combinations.weights.begin() + end));
+            const auto at = static_cast<std::ptrdiff_t>(g.first_influence +
+                                                        (index - g.first_vertex) * g.influence_count),
+                       end = at + g.influence_count;
+            return std::pair(
+                std::vector(combined.combinations.joints.begin() + at, combined.combinations.joints.begin() + end),
+                std::vector(combined.combinations.weights.begin() + at, combined.combinations.weights.begin() + end));
           }
         return std::pair(std::vector<std::uint16_t>(), std::vector<float>());
       };
       for (const InfluenceGroup& g : source.groups)
         for (std::uint32_t v = 0; v < g.vertex_count; ++v) {
-          const auto at = static_cast<std::ptrdiff_t>(g.first_influence + v * g.influence_count), end = at + g.influence_count;
+          const auto at = static_cast<std::ptrdiff_t>(g.first_influence + v * g.influence_count),
+                     end = at + g.influence_count;
           const std::uint16_t matrix = combined.vertices.joints[g.first_vertex + v];
           if (g.influence_count == 1) {
             EXPECT_EQ(matrix, source.joints[static_cast<std::size_t>(at)]);
             continue;
           }
           ASSERT_GE(matrix, first_matrix);
-          EXPECT_EQ(combination(matrix - first_matrix), std::pair(std::vector(source.joints.begin() + at, source.joints.begin() + end),
-                                                                  std::vector(source.weights.begin() + at, source.weights.begin() + end)));
+          EXPECT_EQ(combination(matrix - first_matrix),
+                    std::pair(std::vector(source.joints.begin() + at, source.joints.begin() + end),
+                              std::vector(source.weights.begin() + at, source.weights.begin() + end)));
         }
     }
 }
@@ -145,7 +151,8 @@ TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_
   Needs needs;
   needs.skinning = Skinning::dual_quaternion;
   EXPECT_FALSE(stage(compile_plan(scene, needs), "combinations").runs);
-  EXPECT_LT(compile_plan(scene, needs).palette_at.back() - compile_plan(scene, needs).palette_at.front(), plan.palette_at.back() - plan.palette_at.front())
+  EXPECT_LT(compile_plan(scene, needs).palette_at.back() - compile_plan(scene, needs).palette_at.front(),
+            plan.palette_at.back() - plan.palette_at.front())
       << "no memory for matrices that nobody shares";
 }
 
@@ -154,7 +161,9 @@ TEST(combinations_in_frames, the_plan_says_how_many_and_why) {
   const PlanStage runs = stage(compile_plan(scene, {}), "combinations");
   EXPECT_TRUE(runs.runs);
   EXPECT_EQ(runs.bytes, runs.count * sizeof(JointMatrix));
-  EXPECT_NE(runs.reason.find(std::to_string(runs.count) + " combinations of joints and weights for "), std::string::npos) << runs.reason;
+  EXPECT_NE(runs.reason.find(std::to_string(runs.count) + " combinations of joints and weights for "),
+            std::string::npos)
+      << runs.reason;
   const PlanStage left_out = stage(compile_plan(random_scene(2), {}), "combinations");
   EXPECT_FALSE(left_out.runs);
   EXPECT_NE(left_out.reason.find("too little is shared in 4 primitives: "), std::string::npos) << left_out.reason;

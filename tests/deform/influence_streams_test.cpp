@@ -37,7 +37,8 @@ std::vector<Number> normalised_weights(const test::SkinnedVertices& s) {
 template <class Number>
 std::vector<float> floats_of(const std::vector<Number>& weights) {
   std::vector<float> out;
-  for (const Number w : weights) out.push_back(static_cast<float>(w / static_cast<double>(std::numeric_limits<Number>::max())));
+  for (const Number w : weights)
+    out.push_back(static_cast<float>(w / static_cast<double>(std::numeric_limits<Number>::max())));
   return out;
 }
 
@@ -58,7 +59,8 @@ TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_
   const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMostWidened};
   for (const std::uint32_t group_size : {1u, 7u, 17u, 40u}) {
     auto s = test::random_skinned_vertices(random, counts, group_size, 64, true);
-    const std::vector<std::uint8_t> joints8(s.influences.joints.begin(), s.influences.joints.end()), weights8 = normalised_weights<std::uint8_t>(s);
+    const std::vector<std::uint8_t> joints8(s.influences.joints.begin(), s.influences.joints.end()),
+        weights8 = normalised_weights<std::uint8_t>(s);
     const std::vector<std::uint16_t> weights16 = normalised_weights<std::uint16_t>(s);
     const std::span<const std::uint16_t> joints16 = s.influences.joints;
     const std::span<const InfluenceGroup> groups = s.influences.groups;
@@ -67,7 +69,8 @@ TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_
       const test::OnlyTarget only(target);
       const auto expect = [&](const InfluenceStreams& small, const std::vector<float>& same) {
         EXPECT_EQ(check_influences(small, s.positions.size(), 64), ErrorCode::ok);
-        EXPECT_TRUE(skin(GetParam(), s, small) == skin(GetParam(), s, {groups, joints16, std::span(same)})) << test::simd_name(target) << ' ' << group_size;
+        EXPECT_TRUE(skin(GetParam(), s, small) == skin(GetParam(), s, {groups, joints16, std::span(same)}))
+            << test::simd_name(target) << ' ' << group_size;
       };
       expect({groups, std::span(joints8), std::span(plain)}, plain);
       expect({groups, std::span(joints8), std::span(weights8)}, from8);
@@ -86,13 +89,17 @@ TEST_P(SkinningInputs, rounded_weights_move_a_vertex_by_half_a_step_for_each_inf
   auto s = test::random_skinned_vertices(random, counts, 200, 24, false);
   const Skinned exact = skin(GetParam(), s, &s.influences);
   const auto worst_of = [&](const auto& weights) {
-    const Skinned found = skin(GetParam(), s, {s.influences.groups, std::span<const std::uint16_t>(s.influences.joints), std::span(weights)});
+    const Skinned found = skin(
+        GetParam(), s, {s.influences.groups, std::span<const std::uint16_t>(s.influences.joints), std::span(weights)});
     double worst = 0.0;
     for (std::size_t v = 0; v < s.positions.size(); ++v) {
       double spread = 0.0;
-      const auto place = [&](std::uint16_t joint) { return Vec3<double>(transform_point(affine_from(s.palette[joint]), s.positions[v])); };
+      const auto place = [&](std::uint16_t joint) {
+        return Vec3<double>(transform_point(affine_from(s.palette[joint]), s.positions[v]));
+      };
       for (const auto joint : s.joints_of(v)) spread += glm::length(place(joint) - place(s.joints_of(v)[0]));
-      worst = std::max(worst, glm::length(Vec3<double>(found.positions[v]) - Vec3<double>(exact.positions[v])) / spread);
+      worst =
+          std::max(worst, glm::length(Vec3<double>(found.positions[v]) - Vec3<double>(exact.positions[v])) / spread);
     }
     return worst;
   };

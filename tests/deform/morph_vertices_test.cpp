@@ -27,8 +27,11 @@ struct Face {
     out_positions.resize(count), out_normals.resize(count), out_tangents.resize(count), scratch.resize(count);
   }
   MorphVerticesJob job() {
-    return {.morphs = &morphs, .weights = weights, .vertices = {positions, normals, tangents},
-            .out = {out_positions, out_normals, out_tangents}, .scratch = scratch};
+    return {.morphs = &morphs,
+            .weights = weights,
+            .vertices = {positions, normals, tangents},
+            .out = {out_positions, out_normals, out_tangents},
+            .scratch = scratch};
   }
 };
 
@@ -136,7 +139,8 @@ TEST(morph_vertices, random_faces_agree_with_double) {
   run(face.job());
   for (std::size_t v = 0; v < truth.size(); ++v)
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(static_cast<double>(face.out_positions[v][c]), truth[v][c], 14 * test::kEps * (terms[v][c] + std::abs(truth[v][c])));
+      EXPECT_NEAR(static_cast<double>(face.out_positions[v][c]), truth[v][c],
+                  14 * test::kEps * (terms[v][c] + std::abs(truth[v][c])));
 }
 
 TEST(morph_vertices, hundreds_of_small_displacements_on_a_far_base_keep_their_digits) {
@@ -167,21 +171,26 @@ TEST(morph_vertices, long_lists_of_runs_and_gaps_have_the_bits_of_the_plain_sum_
     Face face(count);
     std::vector<glm::vec3> expected(count, glm::vec3(0)), turned(count, glm::vec3(0));
     for (int t = 0; t < 7; ++t) {
-      MorphTarget target{runs_and_gaps(random, count), runs_and_gaps(random, count), runs_and_gaps(random, count), {}, {}};
+      MorphTarget target{
+          runs_and_gaps(random, count), runs_and_gaps(random, count), runs_and_gaps(random, count), {}, {}};
       const auto weight = static_cast<float>(random.in(-1, 1));
-      for (std::size_t i = 0; i < target.positions.vertices.size(); ++i) expected[target.positions.vertices[i]] += weight * target.positions.deltas[i];
-      for (std::size_t i = 0; i < target.tangents.vertices.size(); ++i) turned[target.tangents.vertices[i]] += weight * target.tangents.deltas[i];
+      for (std::size_t i = 0; i < target.positions.vertices.size(); ++i)
+        expected[target.positions.vertices[i]] += weight * target.positions.deltas[i];
+      for (std::size_t i = 0; i < target.tangents.vertices.size(); ++i)
+        turned[target.tangents.vertices[i]] += weight * target.tangents.deltas[i];
       face.morphs.targets.push_back(std::move(target));
       face.weights.push_back(weight);
     }
-    for (std::uint32_t v = 0; v < count; ++v) face.positions[v] = random.vec3(), expected[v] = face.positions[v] + expected[v];
+    for (std::uint32_t v = 0; v < count; ++v)
+      face.positions[v] = random.vec3(), expected[v] = face.positions[v] + expected[v];
     std::vector<glm::vec3> normals;
     for (const std::int64_t target : test::simd_targets()) {
       const test::OnlyTarget only(target);
       run(face.job());
       EXPECT_TRUE(face.out_positions == expected) << count;
       for (std::uint32_t v = 0; v < count; ++v) {
-        const glm::vec3 t = turned[v] == glm::vec3(0) ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(1, 0, 0) + turned[v]);
+        const glm::vec3 t =
+            turned[v] == glm::vec3(0) ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(1, 0, 0) + turned[v]);
         ASSERT_TRUE(test::is_near(glm::vec3(face.out_tangents[v]), t, 3e-7)) << v;
       }
       if (normals.empty()) normals = face.out_normals;
@@ -197,7 +206,8 @@ TEST(sparse_range, finds_the_entries_of_every_range_of_vertices) {
     const std::size_t first = random.below(450), count = random.below(450);
     const SparseRange range = sparse_range(sparse.vertices, first, count);
     const auto below = [&](std::size_t vertex) {
-      return static_cast<std::size_t>(std::count_if(sparse.vertices.begin(), sparse.vertices.end(), [&](std::uint32_t v) { return v < vertex; }));
+      return static_cast<std::size_t>(
+          std::count_if(sparse.vertices.begin(), sparse.vertices.end(), [&](std::uint32_t v) { return v < vertex; }));
     };
     EXPECT_EQ(range.begin, below(first));
     EXPECT_EQ(range.end, below(first + count));

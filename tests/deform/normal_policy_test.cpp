@@ -31,7 +31,8 @@ test::SkinnedVertices sphere(test::FixedRandom& random, std::span<const std::uin
 void pose(test::SkinnedVertices& s, test::FixedRandom& random, const glm::vec3& scale, double turn_rad) {
   const Affine base = affine_from_transform(Transform{{0, 0, 0}, random.rotation(), scale});
   for (JointMatrix& m : s.palette)
-    m = joint_matrix_from(base * affine_from_transform(Transform{{0, 0, 0}, random.rotation_by(turn_rad), glm::vec3(1)}));
+    m = joint_matrix_from(base *
+                          affine_from_transform(Transform{{0, 0, 0}, random.rotation_by(turn_rad), glm::vec3(1)}));
 }
 
 class NormalPolicy : public testing::TestWithParam<Way> {};
@@ -41,13 +42,15 @@ class ExactNormals : public NormalPolicy {};
 
 TEST_P(NormalPolicy, G48_normals_keep_to_the_outside_where_joints_mirror) {
   test::FixedRandom random(11);
-  for (const glm::vec3 scale : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, 1), glm::vec3(2, -0.5f, 1), glm::vec3(-1, -1, -1)}) {
+  for (const glm::vec3 scale :
+       {glm::vec3(1, 1, 1), glm::vec3(-1, 1, 1), glm::vec3(2, -0.5f, 1), glm::vec3(-1, -1, -1)}) {
     auto s = sphere(random, kCounts);
     pose(s, random, scale, 0.2);
     const std::vector<glm::vec3> centers(s.positions.size(), glm::vec3(0));
     skin(GetParam(), s, centers);
     for (std::size_t v = 0; v < s.positions.size(); ++v) {
-      EXPECT_GT(glm::dot(s.out_normals[v], s.out_positions[v]), 0.1f) << "vertex " << v << " scale " << scale.x << ' ' << scale.y;
+      EXPECT_GT(glm::dot(s.out_normals[v], s.out_positions[v]), 0.1f)
+          << "vertex " << v << " scale " << scale.x << ' ' << scale.y;
       EXPECT_NEAR(glm::length(s.out_normals[v]), 1.0f, 1e-6f);
     }
   }
@@ -72,7 +75,8 @@ TEST_P(NormalPolicy, N22_tangents_stay_in_the_surface_and_the_bitangent_turns_wi
   test::FixedRandom random(13);
   const std::uint32_t one[] = {1};
   const bool exact = GetParam() != Way::linear;
-  for (const glm::vec3 scale : {glm::vec3(2, 2, 2), glm::vec3(1, 2, 0.25f), glm::vec3(-3, 1, 0.5f), glm::vec3(-1, 1, 1)}) {
+  for (const glm::vec3 scale :
+       {glm::vec3(2, 2, 2), glm::vec3(1, 2, 0.25f), glm::vec3(-3, 1, 0.5f), glm::vec3(-1, 1, 1)}) {
     auto s = sphere(random, one);
     pose(s, random, scale, 3.0);
     skin(GetParam(), s, s.positions);
@@ -119,7 +123,8 @@ TEST_P(NormalPolicy, N22_collapsed_joints_keep_the_rest_normal_but_for_the_rotat
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ways, ExactNormals, testing::ValuesIn(test::kWays + 1, std::end(test::kWays)), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(ways, ExactNormals, testing::ValuesIn(test::kWays + 1, std::end(test::kWays)),
+                         testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(ways, NormalPolicy, testing::ValuesIn(test::kWays), testing::PrintToStringParamName());
 
 }  // namespace

@@ -28,8 +28,13 @@ struct Turned {
     centers = vertices.positions;
   }
   SkinCenterOfRotationJob job() {
-    return {.influences = &vertices.influences, .palette = vertices.palette, .split = split, .any_stretch = any_stretch,
-            .centers = centers, .vertices = vertices.in(), .out = vertices.out()};
+    return {.influences = &vertices.influences,
+            .palette = vertices.palette,
+            .split = split,
+            .any_stretch = any_stretch,
+            .centers = centers,
+            .vertices = vertices.in(),
+            .out = vertices.out()};
   }
 };
 
@@ -61,8 +66,9 @@ TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {
       matrices.push_back(affine_cast<double>(affine_from(s.vertices.palette[j])));
     }
     for (const auto w : s.vertices.weights_of(v)) weights.push_back(w);
-    const auto truth = reference::skin_center_of_rotation<double>(motions, matrices, weights, Vec3<double>(s.vertices.positions[v]),
-                                                                  Vec3<double>(s.vertices.normals[v]), Vec3<double>(s.centers[v]));
+    const auto truth =
+        reference::skin_center_of_rotation<double>(motions, matrices, weights, Vec3<double>(s.vertices.positions[v]),
+                                                   Vec3<double>(s.vertices.normals[v]), Vec3<double>(s.centers[v]));
     EXPECT_TRUE(test::is_near(Vec3<double>(s.vertices.out_positions[v]), truth.position, 5e-5)) << v;
     EXPECT_TRUE(test::is_near(Vec3<double>(s.vertices.out_normals[v]), truth.normal, 5e-5)) << v;
   }
@@ -73,7 +79,10 @@ TEST(skin_center_of_rotation, N21_a_vertex_at_its_own_center_is_linearly_blended
   Turned s(test::random_skinned_vertices(random, kCounts, 10, 16, true));
   run(s.job());
   const auto around_centers = s.vertices.out_positions;
-  run(SkinLinearJob{.influences = &s.vertices.influences, .palette = s.vertices.palette, .vertices = s.vertices.in(), .out = s.vertices.out()});
+  run(SkinLinearJob{.influences = &s.vertices.influences,
+                    .palette = s.vertices.palette,
+                    .vertices = s.vertices.in(),
+                    .out = s.vertices.out()});
   for (std::size_t v = 0; v < around_centers.size(); ++v)
     EXPECT_TRUE(test::is_near(around_centers[v], s.vertices.out_positions[v], 2e-6)) << v;
 }
@@ -87,7 +96,9 @@ TEST(skin_center_of_rotation, N19_a_single_scaled_joint_moves_the_vertex_as_its_
   for (std::size_t v = 0; v < s.centers.size(); ++v) {
     const Affine m = affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]);
     EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(m, s.vertices.positions[v]), 3e-6)) << v;
-    EXPECT_TRUE(test::is_near(s.vertices.out_normals[v], transform_normal_outward(linear_part(m), s.vertices.normals[v]), 3e-6)) << v;
+    EXPECT_TRUE(
+        test::is_near(s.vertices.out_normals[v], transform_normal_outward(linear_part(m), s.vertices.normals[v]), 3e-6))
+        << v;
   }
 }
 

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "tests/reference/skinning.h"
 #include "runtime/math/decompose.h"
+#include "tests/reference/skinning.h"
 #include "tests/support/near.h"
 #include "tests/support/skinned_vertices.h"
 
@@ -28,7 +28,11 @@ struct Split {
     run(SplitPaletteJob{vertices.palette, split, &any_stretch});
   }
   SkinDualQuaternionJob job() {
-    return {.influences = &vertices.influences, .split = split, .any_stretch = any_stretch, .vertices = vertices.in(), .out = vertices.out()};
+    return {.influences = &vertices.influences,
+            .split = split,
+            .any_stretch = any_stretch,
+            .vertices = vertices.in(),
+            .out = vertices.out()};
   }
 };
 
@@ -98,14 +102,17 @@ TEST(skin_dual_quaternion, N17_signs_of_the_same_rotation_do_not_matter) {
     s.split[j].rigid.dual = -s.split[j].rigid.dual;
   }
   run(s.job());
-  for (std::size_t v = 0; v < before.size(); ++v) EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], before[v], 1e-6)) << v;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], before[v], 1e-6)) << v;
 }
 
 TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
   test::FixedRandom random(44);
   for (const double turn_rad : {0.5, 3.0}) {
     Split s(test::random_skinned_vertices(random, kCounts, 40, 24, false));
-    for (auto& m : s.vertices.palette) m = joint_matrix_from(affine_from_transform(Transform{random.vec3(), random.rotation_by(turn_rad), glm::vec3(1)}));
+    for (auto& m : s.vertices.palette)
+      m = joint_matrix_from(
+          affine_from_transform(Transform{random.vec3(), random.rotation_by(turn_rad), glm::vec3(1)}));
     std::vector<JointPair> follow, pairs;
     for (std::uint16_t j = 1; j < 24; ++j) follow.push_back({0, j});
     for (std::uint16_t j = 0; j < 24; ++j)
@@ -123,7 +130,9 @@ TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
     const JointPair wrong[] = {{1, 2}};  // a list that misses pairs is believed
     job.pairs = wrong;
     run(job);
-    EXPECT_EQ(s.vertices.out_positions == positions, turn_rad > 1.0 && !(quat_dot(s.split[1].rigid.real, s.split[2].rigid.real) > 1e-5f)) << turn_rad;
+    EXPECT_EQ(s.vertices.out_positions == positions,
+              turn_rad > 1.0 && !(quat_dot(s.split[1].rigid.real, s.split[2].rigid.real) > 1e-5f))
+        << turn_rad;
     job.pairs = pairs;
     run(job);
     EXPECT_TRUE(s.vertices.out_positions == positions) << turn_rad;
@@ -174,7 +183,9 @@ TEST(skin_dual_quaternion, a_single_influence_is_the_joint_itself) {
   Split s(test::random_skinned_vertices(random, one, 50, 8, true));
   run(s.job());
   for (std::size_t v = 0; v < s.vertices.positions.size(); ++v)
-    EXPECT_TRUE(test::is_near(s.vertices.out_positions[v], transform_point(affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]), s.vertices.positions[v]), 2e-6));
+    EXPECT_TRUE(test::is_near(
+        s.vertices.out_positions[v],
+        transform_point(affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]), s.vertices.positions[v]), 2e-6));
 }
 
 TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {

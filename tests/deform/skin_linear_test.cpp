@@ -60,7 +60,8 @@ TEST(skin_linear, N23_random_vertices_agree_with_double_for_every_influence_coun
   run(job_of(s));
   for (std::size_t v = 0; v < s.positions.size(); ++v) {
     const Affined m = truth_matrix(s, v);
-    EXPECT_TRUE(test::is_near(Vec3<double>(s.out_positions[v]), transform_point(m, Vec3<double>(s.positions[v])), 4e-6)) << v;
+    EXPECT_TRUE(test::is_near(Vec3<double>(s.out_positions[v]), transform_point(m, Vec3<double>(s.positions[v])), 4e-6))
+        << v;
     const auto n = glm::normalize(transform_vector(m, Vec3<double>(s.normals[v])));
     EXPECT_TRUE(test::is_near(Vec3<double>(s.out_normals[v]), n, 2e-5)) << v;
     const auto t = glm::normalize(transform_vector(m, Vec3<double>(glm::vec3(s.tangents[v]))));
@@ -106,7 +107,8 @@ TEST(skin_linear, the_bind_pose_moves_nothing) {
   auto s = test::random_skinned_vertices(random, kCounts, 10, 16, false);
   for (auto& m : s.palette) m = {};
   run(job_of(s));
-  for (std::size_t v = 0; v < s.positions.size(); ++v) EXPECT_TRUE(test::is_near(s.out_positions[v], s.positions[v], 1e-6)) << v;
+  for (std::size_t v = 0; v < s.positions.size(); ++v)
+    EXPECT_TRUE(test::is_near(s.out_positions[v], s.positions[v], 1e-6)) << v;
 }
 
 TEST(skin_linear, rigid_motion_commutes_with_skinning) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Joints turned through 720 degrees in small steps: the skin moves continuously, but where two joints of a vertex pass a
-/// half turn of each other and the shorter way round changes side (N18).
+/// Joints turned through 720 degrees in small steps: the skin moves continuously, but where two joints of a vertex pass
+/// a half turn of each other and the shorter way round changes side (N18).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,9 +23,10 @@ constexpr int kSteps = 1440;
 constexpr double kStep_rad = 3.141592653589793 / 360;  // 720 degrees in all
 /// Half a step beside the half turns, where rounding would decide which way round is the shorter.
 constexpr double time_at(int step) { return (step + 0.5) * kStep_rad; }
-constexpr double kRounding = 5e-5;                     // of float positions a few metres from the origin
+constexpr double kRounding = 5e-5;  // of float positions a few metres from the origin
 
-/// A joint that turns about an axis of its own: `angle_rad(s)` after s radians of the sweep, at most `speed` per radian.
+/// A joint that turns about an axis of its own: `angle_rad(s)` after s radians of the sweep, at most `speed` per
+/// radian.
 struct Turning {
   Vec3d axis, pivot;
   double speed = 0.0, sway_rad = 0.0;  ///< sway_rad > 0: there and back within this angle
@@ -61,16 +62,17 @@ struct Step {
   /// eq   |M(to) p - M(from) p| <= sum(w |turn_i| |p - pivot_i|)
   double linear_bound(const Vec3d& p) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < joints.size(); ++i) sum += weights[i] * joints[i]->speed * length() * glm::length(p - joints[i]->pivot);
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      sum += weights[i] * joints[i]->speed * length() * glm::length(p - joints[i]->pivot);
     return sum;
   }
 
   /// Of the blended unit rotation as a vector of four, b / |b|: |b'| / |b|, b' = sum(w turn_i / 2).
   double rotation_bound() const { return blend_step() / shortest(); }
 
-  /// The blended motion takes p to 2 b_d b*/|b|^2 when p is the origin of rest space and the pivot joint's image of p that of
-  /// the world; b_d = sum(w u_i q_i / 2), u_i = the image of p by joint i.
-  /// eq   |p''| <= 2 |b_d'| / |b| + 2 |b_d| |b'| / |b|^2
+  /// The blended motion takes p to 2 b_d b*/|b|^2 when p is the origin of rest space and the pivot joint's image of p
+  /// that of the world; b_d = sum(w u_i q_i / 2), u_i = the image of p by joint i. eq   |p''| <= 2 |b_d'| / |b| + 2
+  /// |b_d| |b'| / |b|^2
   double dual_bound(const Vec3d& p) const {
     const Vec3d origin = joints[0]->move(from, p);
     double dual = 0.0, dual_step = 0.0;
@@ -105,7 +107,8 @@ struct Step {
 
 double bound_of(Way way, const Step& step, const Vec3d& p, const Vec3d& center) {
   if (way == Way::dual_quaternion) return step.dual_bound(p);
-  if (way == Way::center_of_rotation) return 2 * step.rotation_bound() * glm::length(p - center) + step.linear_bound(center);
+  if (way == Way::center_of_rotation)
+    return 2 * step.rotation_bound() * glm::length(p - center) + step.linear_bound(center);
   return step.linear_bound(p);
 }
 
@@ -115,7 +118,8 @@ struct Sweep {
   std::vector<glm::vec3> centers;
 
   explicit Sweep(test::FixedRandom& random) : s(test::random_skinned_vertices(random, kCounts, 6, kJoints, false)) {
-    for (std::uint32_t j = 0; j < kJoints; ++j) joints.push_back({random.direction<double>(), random.vec3<double>(), 1.0, 0.0});
+    for (std::uint32_t j = 0; j < kJoints; ++j)
+      joints.push_back({random.direction<double>(), random.vec3<double>(), 1.0, 0.0});
     for (const glm::vec3& p : s.positions) centers.push_back(p + random.vec3());
   }
 
@@ -195,7 +199,8 @@ TEST_P(SkinningContinuity, N17_joints_that_sway_by_85_degrees_about_any_axes_nev
   EXPECT_EQ(outcome.unexplained, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(kinds, SkinningContinuity, testing::Values(Way::linear, Way::dual_quaternion, Way::center_of_rotation),
+INSTANTIATE_TEST_SUITE_P(kinds, SkinningContinuity,
+                         testing::Values(Way::linear, Way::dual_quaternion, Way::center_of_rotation),
                          testing::PrintToStringParamName());
 
 }  // namespace

@@ -22,7 +22,8 @@ test::SkinnedVertices between(const glm::vec3& p, const glm::vec3& axis, double 
   s.out_positions.resize(1);
   s.influences = {{{0, 1, 2, 0}}, {0, 1}, {0.5f, 0.5f}};
   const Vec3<double> half = Vec3<double>(axis) * std::sin(angle_rad / 2);
-  const Transform turned{{0, 0, 0}, quat_cast<float>(quat_xyzw(half.x, half.y, half.z, std::cos(angle_rad / 2))), glm::vec3(1)};
+  const Transform turned{
+      {0, 0, 0}, quat_cast<float>(quat_xyzw(half.x, half.y, half.z, std::cos(angle_rad / 2))), glm::vec3(1)};
   s.palette = {JointMatrix{}, joint_matrix_from(affine_from_transform(turned))};
   return s;
 }
@@ -43,9 +44,9 @@ TEST(skinning_envelopes, N20_a_twist_shrinks_linear_blending_by_the_cosine_of_ha
   }
 }
 
-// A limb along x, bent about z at the origin. The vertex sits `along` beyond the joint, `above` the bone, its center on the bone.
-// Its distance from the joint: linear blending pulls all of it in, dual quaternions keep it and so push the skin off the bent
-// bone, about its center the vertex keeps its distance from the bone while the bone is cut short.
+// A limb along x, bent about z at the origin. The vertex sits `along` beyond the joint, `above` the bone, its center on
+// the bone. Its distance from the joint: linear blending pulls all of it in, dual quaternions keep it and so push the
+// skin off the bent bone, about its center the vertex keeps its distance from the bone while the bone is cut short.
 TEST(skinning_envelopes, N20_a_bend_collapses_linearly_bulges_with_dual_quaternions_and_lies_between_about_its_center) {
   const glm::vec3 z(0, 0, 1);
   for (const double degrees : {30.0, 90.0, 120.0, 170.0})
@@ -54,7 +55,8 @@ TEST(skinning_envelopes, N20_a_bend_collapses_linearly_bulges_with_dual_quaterni
         const auto s = between({along, above, 0}, z, degrees * kDegree);
         const glm::vec3 on_bone(along, 0, 0);
         const double k = std::cos(degrees * kDegree / 2);
-        const double linear = glm::length(skinned(Way::linear, s, on_bone)), dual = glm::length(skinned(Way::dual_quaternion, s, on_bone)),
+        const double linear = glm::length(skinned(Way::linear, s, on_bone)),
+                     dual = glm::length(skinned(Way::dual_quaternion, s, on_bone)),
                      center = glm::length(skinned(Way::center_of_rotation, s, on_bone));
         EXPECT_NEAR(linear, k * std::hypot(along, above), 1e-6);
         EXPECT_NEAR(center, std::hypot(k * static_cast<double>(along), above), 1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What holds for every kind of skinning and any joints: rigid motions commute with it, the bind pose moves nothing, and
-/// neither do influences of weight zero.
+/// What holds for every kind of skinning and any joints: rigid motions commute with it, the bind pose moves nothing,
+/// and neither do influences of weight zero.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +18,8 @@ using test::Way;
 constexpr std::uint32_t kCounts[] = {1, 2, 3, 4, 6};
 constexpr std::uint32_t kJoints = 9;
 
-/// Joints whose turns stay within 57 degrees of each other, so that blends have one meaning, stretched and all mirrored or none.
+/// Joints whose turns stay within 57 degrees of each other, so that blends have one meaning, stretched and all mirrored
+/// or none.
 SkinnedVertices vertices(FixedRandom& random) {
   SkinnedVertices s = test::random_skinned_vertices(random, kCounts, 5, kJoints, false);
   const float side = random.below(2) == 0 ? 1.0f : -1.0f;
@@ -49,7 +50,8 @@ RC_GTEST_PROP(skinning_properties, rigid_motions_commute_with_every_kind_of_skin
     for (std::size_t v = 0; v < still.positions.size(); ++v) {
       RC_ASSERT(test::is_near(moved.out_positions[v], transform_point(motion, still.out_positions[v]), 2e-5));
       RC_ASSERT(test::is_near(moved.out_normals[v], transform_vector(motion, still.out_normals[v]), 5e-5));
-      RC_ASSERT(test::is_near(glm::vec3(moved.out_tangents[v]), transform_vector(motion, glm::vec3(still.out_tangents[v])), 5e-5));
+      RC_ASSERT(test::is_near(glm::vec3(moved.out_tangents[v]),
+                              transform_vector(motion, glm::vec3(still.out_tangents[v])), 5e-5));
     }
   }
 }
@@ -80,7 +82,8 @@ SkinnedVertices with_zero_weights(const SkinnedVertices& s, FixedRandom& random)
   std::size_t first = 0;
   for (const InfluenceGroup& group : s.influences.groups) {
     const auto n = group.influence_count;
-    out.influences.groups.push_back({group.first_vertex, group.vertex_count, n + 1, static_cast<std::uint32_t>(out.influences.joints.size())});
+    out.influences.groups.push_back(
+        {group.first_vertex, group.vertex_count, n + 1, static_cast<std::uint32_t>(out.influences.joints.size())});
     for (std::uint32_t v = 0; v < group.vertex_count; ++v, first += n) {
       for (std::size_t i = first; i < first + n; ++i) {
         out.influences.joints.push_back(s.influences.joints[i]);

@@ -24,7 +24,7 @@ template <class T>
 class PlacedValues {
  public:
   PlacedValues(std::size_t count, std::size_t first, std::size_t off)
-      : bytes_(new(std::align_val_t(kLine)) std::byte[count * sizeof(T) + 2 * kSlack]),
+      : bytes_(new (std::align_val_t(kLine)) std::byte[count * sizeof(T) + 2 * kSlack]),
         values_(reinterpret_cast<T*>(bytes_.get() + kSlack - first * sizeof(T) % kLine + off), count) {
     std::memset(bytes_.get(), kUntouched, count * sizeof(T) + 2 * kSlack);
   }
@@ -32,7 +32,8 @@ class PlacedValues {
   bool is_untouched_around() const {
     const auto* begin = reinterpret_cast<const unsigned char*>(values_.data());
     const auto untouched = [](unsigned char byte) { return byte == kUntouched; };
-    return std::all_of(begin - kLine, begin, untouched) && std::all_of(begin + values_.size_bytes(), begin + values_.size_bytes() + kLine, untouched);
+    return std::all_of(begin - kLine, begin, untouched) &&
+           std::all_of(begin + values_.size_bytes(), begin + values_.size_bytes() + kLine, untouched);
   }
 
  private:
@@ -50,21 +51,31 @@ struct PlacedOutput {
 
   /// Vertex `first` begins a cache line in all three, unless normals are `off` bytes behind.
   PlacedOutput(const test::SkinnedVertices& s, std::size_t first, std::size_t off, std::int64_t target)
-      : positions(s.positions.size(), first, 0), normals(s.positions.size(), first, off), tangents(s.positions.size(), first, 0) {
+      : positions(s.positions.size(), first, 0),
+        normals(s.positions.size(), first, off),
+        tangents(s.positions.size(), first, 0) {
     const test::OnlyTarget only(target);
-    run(SkinLinearJob{.influences = &s.influences, .palette = s.palette, .vertices = s.in(), .out = {positions.span(), normals.span(), tangents.span()}});
+    run(SkinLinearJob{.influences = &s.influences,
+                      .palette = s.palette,
+                      .vertices = s.in(),
+                      .out = {positions.span(), normals.span(), tangents.span()}});
   }
   bool same_bits(const PlacedOutput& other) const {
-    const auto same = [](const auto& a, const auto& b) { return std::memcmp(a.span().data(), b.span().data(), a.span().size_bytes()) == 0; };
+    const auto same = [](const auto& a, const auto& b) {
+      return std::memcmp(a.span().data(), b.span().data(), a.span().size_bytes()) == 0;
+    };
     return same(positions, other.positions) && same(normals, other.normals) && same(tangents, other.tangents);
   }
-  bool is_untouched_around() const { return positions.is_untouched_around() && normals.is_untouched_around() && tangents.is_untouched_around(); }
+  bool is_untouched_around() const {
+    return positions.is_untouched_around() && normals.is_untouched_around() && tangents.is_untouched_around();
+  }
 };
 
 TEST(streamed_output, has_the_bits_of_output_that_is_not_wherever_it_is_aligned) {
   test::FixedRandom random(41);
   auto s = test::random_skinned_vertices(random, kCounts, kGroupSize, 24, true);
-  for (glm::vec4& column : s.palette[5].column) column = glm::vec4(0, 0, 0, column.w);  // vertices that are done again one by one
+  for (glm::vec4& column : s.palette[5].column)
+    column = glm::vec4(0, 0, 0, column.w);  // vertices that are done again one by one
   for (const std::int64_t target : test::simd_targets()) {
     const PlacedOutput never(s, 0, sizeof(float), target);
     for (const std::size_t first : {0, 3, 13}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Input: a table of views, accessors and their uses in fixed fields, then the bytes that they describe. The JSON around them is
-// always valid, so every input gets as far as the accessor rules.
+// Input: a table of views, accessors and their uses in fixed fields, then the bytes that they describe. The JSON around
+// them is always valid, so every input gets as far as the accessor rules.
 #include <array>
 #include <vector>
 
@@ -19,7 +19,7 @@ constexpr std::array<int, 6> kComponents{5126, 5121, 5123, 5125, 5120, 5122};
 constexpr std::array<const char*, 7> kTypes{"VEC3", "SCALAR", "VEC4", "VEC2", "MAT4", "MAT3", "MAT2"};
 constexpr std::array<const char*, 3> kInterpolations{"LINEAR", "STEP", "CUBICSPLINE"};
 constexpr std::array<const char*, 4> kPaths{"translation", "rotation", "scale", "weights"};
-constexpr std::array<const char*, 8> kSemantics{"NORMAL",    "TANGENT",  "TEXCOORD_0", "COLOR_0",
+constexpr std::array<const char*, 8> kSemantics{"NORMAL",   "TANGENT",   "TEXCOORD_0", "COLOR_0",
                                                 "JOINTS_0", "WEIGHTS_0", "JOINTS_1",   "WEIGHTS_1"};
 constexpr std::uint32_t kNoUse = 0;  // a zero byte uses nothing, others name an accessor
 
@@ -52,9 +52,11 @@ class AccessorFile {
     if ((flags & 1) == 0) accessor["byteOffset"] = in_.u16();
     if ((flags & 2) != 0) accessor["normalized"] = true;
     if ((flags & 4) != 0)
-      accessor["sparse"] = {{"count", 1 + in_.u8()},
-                            {"indices", {{"bufferView", any_view()}, {"byteOffset", in_.u8()}, {"componentType", 5121 + 2 * (in_.u8() % 3)}}},
-                            {"values", {{"bufferView", any_view()}, {"byteOffset", in_.u8()}}}};
+      accessor["sparse"] = {
+          {"count", 1 + in_.u8()},
+          {"indices",
+           {{"bufferView", any_view()}, {"byteOffset", in_.u8()}, {"componentType", 5121 + 2 * (in_.u8() % 3)}}},
+          {"values", {{"bufferView", any_view()}, {"byteOffset", in_.u8()}}}};
     if ((flags & 8) != 0) accessor["min"] = {0}, accessor["max"] = {1};
     root_["accessors"].push_back(std::move(accessor));
   }
@@ -67,7 +69,8 @@ class AccessorFile {
   }
 
   void add_uses() {
-    Json attributes{{"POSITION", any_accessor(in_.u8())}}, primitive = Json::object(), skin{{"joints", Json::array({1, 2})}};
+    Json attributes{{"POSITION", any_accessor(in_.u8())}}, primitive = Json::object(),
+                                                           skin{{"joints", Json::array({1, 2})}};
     for (const char* semantic : kSemantics) use(attributes, semantic);
     primitive["attributes"] = std::move(attributes);
     use(primitive, "indices");
@@ -87,10 +90,14 @@ class AccessorFile {
   void add_animation() {
     Json samplers = Json::array(), channels = Json::array();
     for (std::uint32_t n = in_.u8() % 4; n > 0; --n) {
-      channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", in_.u8() % 3}, {"path", in_.one_of(kPaths)}}}});
-      samplers.push_back({{"input", any_accessor(in_.u8())}, {"output", any_accessor(in_.u8())}, {"interpolation", in_.one_of(kInterpolations)}});
+      channels.push_back(
+          {{"sampler", samplers.size()}, {"target", {{"node", in_.u8() % 3}, {"path", in_.one_of(kPaths)}}}});
+      samplers.push_back({{"input", any_accessor(in_.u8())},
+                          {"output", any_accessor(in_.u8())},
+                          {"interpolation", in_.one_of(kInterpolations)}});
     }
-    if (!channels.empty()) root_["animations"] = Json::array({{{"samplers", std::move(samplers)}, {"channels", std::move(channels)}}});
+    if (!channels.empty())
+      root_["animations"] = Json::array({{{"samplers", std::move(samplers)}, {"channels", std::move(channels)}}});
   }
 
   InputReader in_;

@@ -26,7 +26,8 @@ std::vector<std::byte> signed_block(Bytes body) {
 }  // namespace
 
 void load_compiled_clips(Bytes input) {
-  if (const auto as_it_is = load_clips(input); !as_it_is) require(!as_it_is.error().rule.empty(), "an error names its rule");
+  if (const auto as_it_is = load_clips(input); !as_it_is)
+    require(!as_it_is.error().rule.empty(), "an error names its rule");
   const auto clips = load_clips(signed_block(input));
   if (!clips) return require(clips.error().offset >= kClipFileHead, "an error says where it is");
   std::vector<const Clip*> loaded;
@@ -35,7 +36,8 @@ void load_compiled_clips(Bytes input) {
     test::PoseBuffer pose(clip.joint_count());
     std::vector<float> weights(clip.weight_count()), properties(clip.property_count());
     for (const double time_s : {0.0, 0.37, clip.duration_s()})
-      run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = weights, .properties = properties});
+      run(SampleClipJob{
+          .clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = weights, .properties = properties});
   }
   require(load_clips(save_clips(loaded)).has_value(), "what was loaded can be saved and loaded again");
 }

@@ -16,11 +16,13 @@ using gltf::Json;
 
 constexpr std::array<const char*, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
 constexpr std::array<const char*, 5> kFilters{"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
-constexpr std::array<gltf::ComponentType, 6> kTypes{gltf::ComponentType::f32, gltf::ComponentType::u8,  gltf::ComponentType::u16,
-                                                    gltf::ComponentType::u32, gltf::ComponentType::i8, gltf::ComponentType::i16};
-constexpr std::array<std::pair<const char*, gltf::ElementType>, 4> kSemantics{
-    {{"POSITION", gltf::ElementType::vec3}, {"NORMAL", gltf::ElementType::vec3},
-     {"TEXCOORD_0", gltf::ElementType::vec2}, {"JOINTS_0", gltf::ElementType::vec4}}};
+constexpr std::array<gltf::ComponentType, 6> kTypes{gltf::ComponentType::f32, gltf::ComponentType::u8,
+                                                    gltf::ComponentType::u16, gltf::ComponentType::u32,
+                                                    gltf::ComponentType::i8,  gltf::ComponentType::i16};
+constexpr std::array<std::pair<const char*, gltf::ElementType>, 4> kSemantics{{{"POSITION", gltf::ElementType::vec3},
+                                                                               {"NORMAL", gltf::ElementType::vec3},
+                                                                               {"TEXCOORD_0", gltf::ElementType::vec2},
+                                                                               {"JOINTS_0", gltf::ElementType::vec4}}};
 
 gltf::Document one_buffer(Bytes stream) {
   gltf::Document document;
@@ -36,13 +38,15 @@ void meshopt(InputReader in) {
   gltf::BufferView view;
   view.buffer = 0;
   view.byte_length = std::uint64_t{stride} * count;
-  view.extensions[name] = {{"buffer", 0}, {"byteLength", in.rest().size()}, {"byteStride", stride},
-                           {"count", count}, {"mode", mode}, {"filter", filter}};
+  view.extensions[name] = {{"buffer", 0},          {"byteLength", in.rest().size()},
+                           {"byteStride", stride}, {"count", count},
+                           {"mode", mode},         {"filter", filter}};
   document.buffer_views.push_back(std::move(view));
   IssueLog log;
   DecodeBudget budget(in.rest().size());
   decode_meshopt(document, budget, log);
-  if (log.ok()) require(document.buffer_views[0].bytes.size() == document.buffer_views[0].byte_length, "a decoded view is full");
+  if (log.ok())
+    require(document.buffer_views[0].bytes.size() == document.buffer_views[0].byte_length, "a decoded view is full");
 }
 
 void draco(InputReader in) {
@@ -58,7 +62,8 @@ void draco(InputReader in) {
     if (id == 255) continue;
     attributes[semantic] = id;
     primitive.attributes[semantic] = static_cast<std::uint32_t>(document.accessors.size());
-    document.accessors.push_back({.count = vertices, .component_type = in.one_of(kTypes), .type = type, .sparse = {}, .min = {}, .max = {}});
+    document.accessors.push_back(
+        {.count = vertices, .component_type = in.one_of(kTypes), .type = type, .sparse = {}, .min = {}, .max = {}});
   }
   primitive.extensions["KHR_draco_mesh_compression"] = {{"bufferView", 0}, {"attributes", attributes}};
   document.buffers = one_buffer(in.rest()).buffers;
@@ -70,7 +75,8 @@ void draco(InputReader in) {
   if (!log.ok()) return;
   check_accessors(document, log);
   require(log.ok(), "decoded accessors fit their views");
-  for (const std::uint32_t index : read_unsigned(document, 0)) require(index < vertices || attributes.empty(), "decoded indices name vertices");
+  for (const std::uint32_t index : read_unsigned(document, 0))
+    require(index < vertices || attributes.empty(), "decoded indices name vertices");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace sinew::fuzz {
 
-/// Imports the bytes. What is refused must name a rule; what is taken must pass the checks of the runtime, and one frame of
-/// its first clip must run.
+/// Imports the bytes. What is refused must name a rule; what is taken must pass the checks of the runtime, and one
+/// frame of its first clip must run.
 void import_and_evaluate(Bytes file);
 
 /// The .glb that read_accessors() makes of an input.

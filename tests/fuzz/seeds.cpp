@@ -41,7 +41,8 @@ struct OpenFile {
 
   /// One stream of a buffer; empty when it leaves the buffer.
   Blob slice(const Json& view) const {
-    const auto index = view.value("buffer", std::size_t{0}), from = view.value("byteOffset", std::size_t{0}), size = view.value("byteLength", std::size_t{0});
+    const auto index = view.value("buffer", std::size_t{0}), from = view.value("byteOffset", std::size_t{0}),
+               size = view.value("byteLength", std::size_t{0});
     if (index >= buffers.size() || from > buffers[index].size() || size > buffers[index].size() - from) return {};
     const auto first = buffers[index].begin() + static_cast<std::ptrdiff_t>(from);
     return {first, first + static_cast<std::ptrdiff_t>(size)};
@@ -106,21 +107,29 @@ void add_meshopt_streams(const OpenFile& file, std::vector<Seed>& out) {
     const auto count = stream.value("count", std::size_t{0});
     const std::string mode = stream.value("mode", ""), filter = stream.value("filter", "NONE");
     const std::size_t mode_byte = mode == "TRIANGLES" ? 1 : mode == "INDICES" ? 2 : 0;
-    const std::size_t filter_byte = filter == "OCTAHEDRAL" ? 1 : filter == "QUATERNION" ? 2 : filter == "EXPONENTIAL" ? 3 : 0;
-    Blob seed = fields({0, stream.value("byteStride", std::size_t{0}), count & 255, count >> 8 & 255, mode_byte, filter_byte, 0});
+    const std::size_t filter_byte = filter == "OCTAHEDRAL"    ? 1
+                                    : filter == "QUATERNION"  ? 2
+                                    : filter == "EXPONENTIAL" ? 3
+                                                              : 0;
+    Blob seed = fields(
+        {0, stream.value("byteStride", std::size_t{0}), count & 255, count >> 8 & 255, mode_byte, filter_byte, 0});
     append(seed, file.slice(stream));
     if (seed.size() < kLargest) out.push_back({"compressed", std::move(seed)});
   }
 }
 
 void add_draco_streams(const OpenFile& file, std::vector<Seed>& out) {
-  const Json accessors = file.json.value("accessors", Json::array()), views = file.json.value("bufferViews", Json::array());
+  const Json accessors = file.json.value("accessors", Json::array()),
+             views = file.json.value("bufferViews", Json::array());
   for (const Json& mesh : file.json.value("meshes", Json::array()))
     for (const Json& primitive : mesh.value("primitives", Json::array())) {
       const Json extension = primitive.value(Json::json_pointer("/extensions/KHR_draco_mesh_compression"), Json());
       if (!extension.is_object()) continue;
-      const auto count_of = [&](const Json& index) { return accessors.at(index.get<std::size_t>()).at("count").get<std::size_t>(); };
-      const std::size_t vertices = count_of(primitive["attributes"]["POSITION"]), indices = count_of(primitive["indices"]);
+      const auto count_of = [&](const Json& index) {
+        return accessors.at(index.get<std::size_t>()).at("count").get<std::size_t>();
+      };
+      const std::size_t vertices = count_of(primitive["attributes"]["POSITION"]),
+                        indices = count_of(primitive["indices"]);
       Blob seed = fields({1, vertices & 255, vertices >> 8 & 255, indices & 255, indices >> 8 & 255, 0});
       for (const char* semantic : {"POSITION", "NORMAL", "TEXCOORD_0", "JOINTS_0"}) {
         const std::size_t id = extension["attributes"].value(semantic, std::size_t{255});
@@ -140,18 +149,20 @@ void add_document(const Blob& bytes, const std::filesystem::path& folder, std::v
   add_draco_streams(file, out);
 }
 
-/// In the form that accessors_target.cpp reads: one view of 600 bytes, seven accessors on it, each used as what it can be.
+/// In the form that accessors_target.cpp reads: one view of 600 bytes, seven accessors on it, each used as what it can
+/// be.
 Blob accessor_seed() {
   Blob seed = fields({0, 0, 0, 87, 2, 0, 6});
-  append(seed, fields({0, 0, 11, 0, 8, 0, 0, 0}));                       // 0: 12 positions
-  append(seed, fields({2, 1, 11, 0, 0, 0, 28, 2}));                      // 1: 12 indices
-  append(seed, fields({1, 2, 11, 0, 0, 0, 28, 2}));                      // 2: 12 x 4 joints
-  append(seed, fields({0, 1, 1, 0, 8, 0, 8, 1}));                        // 3: 2 times
-  append(seed, fields({0, 2, 1, 0, 4, 0, 16, 1, 0, 0, 80, 1, 0, 16}));   // 4: 2 rotations, one of them sparse
-  append(seed, fields({0, 4, 1, 0, 0, 0, 0, 1}));                        // 5: 2 matrices
-  append(seed, fields({1, 2, 11, 0, 2, 0, 200, 0}));                     // 6: 12 x 4 normalised weights
+  append(seed, fields({0, 0, 11, 0, 8, 0, 0, 0}));                      // 0: 12 positions
+  append(seed, fields({2, 1, 11, 0, 0, 0, 28, 2}));                     // 1: 12 indices
+  append(seed, fields({1, 2, 11, 0, 0, 0, 28, 2}));                     // 2: 12 x 4 joints
+  append(seed, fields({0, 1, 1, 0, 8, 0, 8, 1}));                       // 3: 2 times
+  append(seed, fields({0, 2, 1, 0, 4, 0, 16, 1, 0, 0, 80, 1, 0, 16}));  // 4: 2 rotations, one of them sparse
+  append(seed, fields({0, 4, 1, 0, 0, 0, 0, 1}));                       // 5: 2 matrices
+  append(seed, fields({1, 2, 11, 0, 2, 0, 200, 0}));                    // 6: 12 x 4 normalised weights
   append(seed, fields({7, 7, 0, 0, 0, 2, 6, 0, 0, 1, 4, 1, 7, 0, 0, 5, 1, 2, 1, 3, 4, 0}));
-  for (std::size_t i = 0; i < 150; ++i) append(seed, i < 135 && i % 3 != 0 ? fields({0, 0, 128, 63}) : fields({0, 0, 0, 0}));
+  for (std::size_t i = 0; i < 150; ++i)
+    append(seed, i < 135 && i % 3 != 0 ? fields({0, 0, 128, 63}) : fields({0, 0, 0, 0}));
   return seed;
 }
 

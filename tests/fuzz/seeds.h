@@ -8,15 +8,15 @@
 namespace sinew::fuzz {
 
 struct Seed {
-  std::string target;               ///< Target::name
+  std::string target;  ///< Target::name
   std::vector<std::byte> bytes;
 };
 
 /// Small valid inputs of every kind, made by code.
 std::vector<Seed> own_seeds();
 
-/// What a glTF file gives: itself as .glb and as text with data URIs, and each compressed stream. Nothing when it cannot be taken
-/// apart or is too large to be worth mutating.
+/// What a glTF file gives: itself as .glb and as text with data URIs, and each compressed stream. Nothing when it
+/// cannot be taken apart or is too large to be worth mutating.
 std::vector<Seed> seeds_of_file(const std::filesystem::path& file);
 
 }  // namespace sinew::fuzz

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Poses and vertices have the bits that hashes.txt stores: for every thread count, and on every instruction set; for vertices
-// there is one set of bits where multiply-add is fused, and one where it is not (conventions.h). After a deliberate change of
-// arithmetic, on a machine with fused multiply-add:
+// Poses and vertices have the bits that hashes.txt stores: for every thread count, and on every instruction set; for
+// vertices there is one set of bits where multiply-add is fused, and one where it is not (conventions.h). After a
+// deliberate change of arithmetic, on a machine with fused multiply-add:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-golden     writes the new hashes into hashes.txt
 #include <algorithm>
 #include <cstdio>
@@ -15,8 +15,8 @@
 #include "runtime/plan/frame_hash.h"
 #include "runtime/threads/job_thread.h"
 #include "tests/golden/golden_scenes.h"
-#include "tests/threads/thread_executor.h"
 #include "tests/support/simd_targets.h"
+#include "tests/threads/thread_executor.h"
 
 namespace sinew::test {
 namespace {
@@ -32,7 +32,10 @@ std::vector<Method> methods() {
   cofactor.normal_rule = NormalRule::cofactor;
   dual_quaternion.skinning = Skinning::dual_quaternion;
   center_of_rotation.skinning = Skinning::center_of_rotation;
-  return {{"linear", linear}, {"cofactor", cofactor}, {"dual-quaternion", dual_quaternion}, {"center-of-rotation", center_of_rotation}};
+  return {{"linear", linear},
+          {"cofactor", cofactor},
+          {"dual-quaternion", dual_quaternion},
+          {"center-of-rotation", center_of_rotation}};
 }
 
 /// Frames of one scene under one method: each clip alone at the golden times, and two clips blended.
@@ -104,7 +107,8 @@ void expect_stored(const Hashes& found, const std::string& where) {
   for (const auto& [name, value] : found) {
     const auto same = stored.find(name);
     ASSERT_NE(same, stored.end()) << "hashes.txt lacks " << name << "; see the top of golden_hash_test.cpp";
-    EXPECT_EQ(value, same->second) << name << " on " << where << "; if that was meant: SINEW_RECORD=1 sinew-test-golden";
+    EXPECT_EQ(value, same->second) << name << " on " << where
+                                   << "; if that was meant: SINEW_RECORD=1 sinew-test-golden";
   }
 }
 
@@ -138,12 +142,16 @@ TEST_F(golden_hash, every_scene_and_method_has_bits_of_its_own) {
   std::vector<std::uint64_t> values;
   const auto stored = stored_hashes();
   for (const auto& [name, value] : stored) {
-    const std::string rigid = "tree-1 cofactor";   // neither scale nor blends are uneven there: cofactors are left out (P08)
-    if (name.starts_with(rigid)) EXPECT_EQ(value, stored.at("tree-1 linear" + name.substr(rigid.size()))) << name;
-    else values.push_back(value);
+    const std::string rigid =
+        "tree-1 cofactor";  // neither scale nor blends are uneven there: cofactors are left out (P08)
+    if (name.starts_with(rigid))
+      EXPECT_EQ(value, stored.at("tree-1 linear" + name.substr(rigid.size()))) << name;
+    else
+      values.push_back(value);
   }
   std::sort(values.begin(), values.end());
-  EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end()) << "two hashes are equal: they see no difference";
+  EXPECT_EQ(std::adjacent_find(values.begin(), values.end()), values.end())
+      << "two hashes are equal: they see no difference";
 }
 
 TEST_F(golden_hash, N27_any_thread_count_gives_the_bits_of_one) {
@@ -162,7 +170,8 @@ TEST_F(golden_hash, N27_any_thread_count_gives_the_bits_of_one) {
         for (std::size_t c = 0; c < inputs.size(); ++c) jobs.add_character(frames.plan());
         jobs.wait(*jobs.submit(inputs));
         for (std::uint32_t c = 0; c < inputs.size(); ++c)
-          EXPECT_EQ(hash_vertices(*jobs.latest(c)), expected[c]) << name << ", " << method.name << ", " << threads << " threads, frame " << c;
+          EXPECT_EQ(hash_vertices(*jobs.latest(c)), expected[c])
+              << name << ", " << method.name << ", " << threads << " threads, frame " << c;
       }
     }
 }

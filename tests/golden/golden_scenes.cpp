@@ -15,7 +15,7 @@ namespace {
 void snap(float& x) { x = std::nearbyint(x * 65536.0f) / 65536.0f; }
 
 template <class V>
-  requires requires { V::length(); }
+requires requires { V::length(); }
 void snap(V& v) {
   for (int i = 0; i < V::length(); ++i) snap(v[i]);
 }
@@ -36,7 +36,8 @@ void snap(Primitive& p) {
 }
 
 void snap(Animation& animation) {
-  for (BoneAnimation& bone : animation.bones) snap(bone.translation.values), snap(bone.rotation.values), snap(bone.scale.values);
+  for (BoneAnimation& bone : animation.bones)
+    snap(bone.translation.values), snap(bone.rotation.values), snap(bone.scale.values);
   for (WeightAnimation& animated : animation.weights) snap(animated.weights.values);
 }
 
@@ -73,7 +74,9 @@ Scene collapsing_scene() {
   for (Animation& animation : scene.animations)
     for (BoneAnimation& bone : animation.bones)
       if (bone.joint % 3 == 0)
-        bone.scale = {Interpolation::linear, {0.0f, 0.4f, 0.75f, 1.9f}, {glm::vec3(1), glm::vec3(1, 0, 1), glm::vec3(0), glm::vec3(1)}};
+        bone.scale = {Interpolation::linear,
+                      {0.0f, 0.4f, 0.75f, 1.9f},
+                      {glm::vec3(1), glm::vec3(1, 0, 1), glm::vec3(0), glm::vec3(1)}};
   return scene;
 }
 

@@ -13,8 +13,8 @@ struct GoldenScene {
   Scene scene;
 };
 
-/// A biped, a tree, random scenes with every kind of track, skin and morph target, and one whose joints collapse. All numbers
-/// are rounded to multiples of 2^-16: the last bits of the machine's sines and logarithms do not reach them.
+/// A biped, a tree, random scenes with every kind of track, skin and morph target, and one whose joints collapse. All
+/// numbers are rounded to multiples of 2^-16: the last bits of the machine's sines and logarithms do not reach them.
 std::vector<GoldenScene> golden_scenes();
 
 /// Times at which each clip is looked at, in seconds: keys, between keys, outside.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sinew plan` says of the project's own samples, word for word, as plans/ has it: no stage more and none without its reason.
-// After a deliberate change:
+// What `sinew plan` says of the project's own samples, word for word, as plans/ has it: no stage more and none without
+// its reason. After a deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-plan-text     writes the new texts
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -27,8 +27,10 @@ class Samples {
  public:
   Samples() : folder_(fs::path(::testing::TempDir()) / ("sinew-plan-texts-" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
-    add("skull.glb", showcase::skull_flight().scene), add("arms.glb", showcase::twisted_arms().scene), add("face.glb", showcase::morphed_face().scene);
-    fs::copy_file(SINEW_SOURCE_DIR "/samples/link_from_an_engine/lift.gltf", file("lift.gltf"), fs::copy_options::overwrite_existing);
+    add("skull.glb", showcase::skull_flight().scene), add("arms.glb", showcase::twisted_arms().scene),
+        add("face.glb", showcase::morphed_face().scene);
+    fs::copy_file(SINEW_SOURCE_DIR "/samples/link_from_an_engine/lift.gltf", file("lift.gltf"),
+                  fs::copy_options::overwrite_existing);
   }
   ~Samples() { fs::remove_all(folder_); }
   Samples(const Samples&) = delete;
@@ -37,7 +39,9 @@ class Samples {
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
  private:
-  void add(const std::string& name, const Scene& scene) const { ASSERT_TRUE(export_glb(scene, file(name)).has_value()) << name; }
+  void add(const std::string& name, const Scene& scene) const {
+    ASSERT_TRUE(export_glb(scene, file(name)).has_value()) << name;
+  }
 
   fs::path folder_;
 };
@@ -50,7 +54,8 @@ std::string stored(const fs::path& file) {
 }
 
 /// Runs `sinew plan SAMPLE ARGUMENTS...` and compares what it prints with the stored text.
-void expect_plan(const Samples& samples, const std::string& name, const std::string& sample, std::vector<std::string> arguments) {
+void expect_plan(const Samples& samples, const std::string& name, const std::string& sample,
+                 std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"plan", samples.file(sample)});
   const CommandOutcome outcome = run_tool(arguments);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -61,15 +66,20 @@ void expect_plan(const Samples& samples, const std::string& name, const std::str
 TEST(plan_text, of_the_samples_is_what_is_stored) {
   const Samples samples;
   expect_plan(samples, "skull.txt", "skull.glb", {});
-  expect_plan(samples, "skull_by_joints.txt", "skull.glb", {"--needs", "joints,bounds", "--layers", "1", "--clip", "0"});
-  expect_plan(samples, "arms.txt", "arms.glb", {"--clip", "0", "--needs", "positions,normals,bounds", "--normals", "cofactor"});
-  expect_plan(samples, "arms_three_ways.txt", "arms.glb", {"--skinning", "linear,dual-quaternion,center-of-rotation,linear", "--clip", "0"});
+  expect_plan(samples, "skull_by_joints.txt", "skull.glb",
+              {"--needs", "joints,bounds", "--layers", "1", "--clip", "0"});
+  expect_plan(samples, "arms.txt", "arms.glb",
+              {"--clip", "0", "--needs", "positions,normals,bounds", "--normals", "cofactor"});
+  expect_plan(samples, "arms_three_ways.txt", "arms.glb",
+              {"--skinning", "linear,dual-quaternion,center-of-rotation,linear", "--clip", "0"});
   expect_plan(samples, "arms_by_palettes.txt", "arms.glb", {"--needs", "palettes,weights", "--clip", "0"});
   expect_plan(samples, "face.txt", "face.glb", {"--clip", "0"});
   expect_plan(samples, "face_at_rest.txt", "face.glb", {"--clip", "none"});
-  expect_plan(samples, "face_layered.txt", "face.glb", {"--needs", "weights,additive,masks,properties,hidden-meshes,stage-times"});
+  expect_plan(samples, "face_layered.txt", "face.glb",
+              {"--needs", "weights,additive,masks,properties,hidden-meshes,stage-times"});
   expect_plan(samples, "lift.txt", "lift.gltf", {});
-  expect_plan(samples, "skull_in_less_detail.txt", "skull.glb", {"--clip", "0", "--joint-tolerance", "20", "--needs", "joints,positions,between-updates"});
+  expect_plan(samples, "skull_in_less_detail.txt", "skull.glb",
+              {"--clip", "0", "--joint-tolerance", "20", "--needs", "joints,positions,between-updates"});
   expect_plan(samples, "arms_in_less_detail.txt", "arms.glb", {"--clip", "0", "--joint-tolerance", "3 m"});
 }
 

@@ -54,13 +54,30 @@ class Fixture {
 };
 
 TEST(accessor, reads_every_component_type) {
-  EXPECT_THAT(read_floats(Fixture(std::vector<std::int8_t>{-128, 127}, ComponentType::i8, ElementType::scalar, 2).document, 0), ElementsAre(-128, 127));
-  EXPECT_THAT(read_floats(Fixture(std::vector<std::uint8_t>{0, 255}, ComponentType::u8, ElementType::scalar, 2).document, 0), ElementsAre(0, 255));
-  EXPECT_THAT(read_floats(Fixture(std::vector<std::int16_t>{-32768, 7}, ComponentType::i16, ElementType::scalar, 2).document, 0), ElementsAre(-32768, 7));
-  EXPECT_THAT(read_floats(Fixture(std::vector<std::uint16_t>{1, 65535}, ComponentType::u16, ElementType::scalar, 2).document, 0), ElementsAre(1, 65535));
-  EXPECT_THAT(read_unsigned(Fixture(std::vector<std::uint32_t>{1, 0xfffffffe}, ComponentType::u32, ElementType::scalar, 2).document, 0), ElementsAre(1, 0xfffffffe));
-  EXPECT_THAT(read_floats(Fixture(std::vector<float>{0.1f, -2.5f}, ComponentType::f32, ElementType::scalar, 2).document, 0), ElementsAre(0.1f, -2.5f));
-  EXPECT_THAT(read_unsigned(Fixture(std::vector<std::uint8_t>{3, 200}, ComponentType::u8, ElementType::scalar, 2).document, 0), ElementsAre(3, 200));
+  EXPECT_THAT(
+      read_floats(Fixture(std::vector<std::int8_t>{-128, 127}, ComponentType::i8, ElementType::scalar, 2).document, 0),
+      ElementsAre(-128, 127));
+  EXPECT_THAT(
+      read_floats(Fixture(std::vector<std::uint8_t>{0, 255}, ComponentType::u8, ElementType::scalar, 2).document, 0),
+      ElementsAre(0, 255));
+  EXPECT_THAT(
+      read_floats(Fixture(std::vector<std::int16_t>{-32768, 7}, ComponentType::i16, ElementType::scalar, 2).document,
+                  0),
+      ElementsAre(-32768, 7));
+  EXPECT_THAT(
+      read_floats(Fixture(std::vector<std::uint16_t>{1, 65535}, ComponentType::u16, ElementType::scalar, 2).document,
+                  0),
+      ElementsAre(1, 65535));
+  EXPECT_THAT(
+      read_unsigned(
+          Fixture(std::vector<std::uint32_t>{1, 0xfffffffe}, ComponentType::u32, ElementType::scalar, 2).document, 0),
+      ElementsAre(1, 0xfffffffe));
+  EXPECT_THAT(
+      read_floats(Fixture(std::vector<float>{0.1f, -2.5f}, ComponentType::f32, ElementType::scalar, 2).document, 0),
+      ElementsAre(0.1f, -2.5f));
+  EXPECT_THAT(
+      read_unsigned(Fixture(std::vector<std::uint8_t>{3, 200}, ComponentType::u8, ElementType::scalar, 2).document, 0),
+      ElementsAre(3, 200));
 }
 
 TEST(accessor, G17_normalised_integers_reach_both_ends_exactly) {
@@ -118,7 +135,8 @@ TEST(accessor, G27_unaligned_floats_are_copied_with_a_warning) {
 
 TEST(accessor, G27_columns_of_small_matrices_are_padded) {
   Fixture mat2(std::vector<std::uint8_t>{1, 2, 0, 0, 3, 4, 0, 0}, ComponentType::u8, ElementType::mat2, 1);
-  Fixture mat3(std::vector<std::uint16_t>{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0}, ComponentType::u16, ElementType::mat3, 1);
+  Fixture mat3(std::vector<std::uint16_t>{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0}, ComponentType::u16, ElementType::mat3,
+               1);
   Fixture bytes(std::vector<std::uint8_t>{1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0}, ComponentType::u8, ElementType::mat3, 1);
   EXPECT_THAT(read_floats(mat2.document, 0), ElementsAre(1, 2, 3, 4));
   EXPECT_THAT(read_floats(mat3.document, 0), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9));

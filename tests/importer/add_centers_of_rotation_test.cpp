@@ -8,8 +8,8 @@
 #include "importer/import_gltf.h"
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/random_scene.h"
-#include "tests/scenes/skinned_surface.h"
 #include "tests/scenes/skeletons.h"
+#include "tests/scenes/skinned_surface.h"
 #include "tests/scenes/swinging.h"
 
 namespace sinew::test {
@@ -45,7 +45,8 @@ TEST(add_centers_of_rotation, N21_materials_do_not_move_centers) {
   add_centers_of_rotation(whole), add_centers_of_rotation(cut);
   const auto& expected = whole.meshes[0].primitives[0].centers_of_rotation;
   for (const Primitive& part : cut.meshes[0].primitives) EXPECT_EQ(part.centers_of_rotation, expected);
-  EXPECT_NE(expected, centers_of_rotation(cut.meshes[0].primitives[0])) << "half of the triangles alone would move them";
+  EXPECT_NE(expected, centers_of_rotation(cut.meshes[0].primitives[0]))
+      << "half of the triangles alone would move them";
 }
 
 TEST(add_centers_of_rotation, leaves_alone_what_no_skin_moves_and_what_has_centers) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every rule of importer/rules.inc is broken by a small file, and answers with its code, severity and JSON pointer. Files in
-// broken/ are named after the rule and say in asset.extras.at where; containers and limits, which no .gltf can break, follow
-// in code.
+// Every rule of importer/rules.inc is broken by a small file, and answers with its code, severity and JSON pointer.
+// Files in broken/ are named after the rule and say in asset.extras.at where; containers and limits, which no .gltf can
+// break, follow in code.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -37,7 +37,8 @@ std::string list(const std::vector<ImportIssue>& issues) {
 
 bool names(const std::vector<ImportIssue>& issues, const RuleText& rule, const std::string& place) {
   return std::any_of(issues.begin(), issues.end(), [&](const ImportIssue& issue) {
-    return issue.rule == rule.id && issue.json_pointer == place && issue.severity == rule.severity && !issue.detail.empty();
+    return issue.rule == rule.id && issue.json_pointer == place && issue.severity == rule.severity &&
+           !issue.detail.empty();
   });
 }
 
@@ -86,11 +87,14 @@ std::multimap<std::string_view, std::vector<ImportIssue>> cases_in_code() {
   cases.emplace("json-duplicate", text(R"({"asset":{"version":"2.0"},"nodes":[{}],"nodes":[{},{}]})"));
   cases.emplace("json-depth", text(std::string(100'000, '[')));
   cases.emplace("too-many", text(R"({"asset":{"version":"2.0"},"nodes":[{},{},{}]})", two_nodes));
-  cases.emplace("buffer-longer", text(container({{"JSON", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )"}, {kBin, "12345678"}})));
+  cases.emplace("buffer-longer",
+                text(container({{"JSON", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )"},
+                                {kBin, "12345678"}})));
   return cases;
 }
 
-const std::map<std::string_view, std::string> kPlaceInCode{{"too-many", "/nodes"}, {"buffer-longer", "/buffers/0/byteLength"}};
+const std::map<std::string_view, std::string> kPlaceInCode{{"too-many", "/nodes"},
+                                                           {"buffer-longer", "/buffers/0/byteLength"}};
 
 fs::path broken_folder() { return fs::path(SINEW_SOURCE_DIR) / "tests" / "importer" / "broken"; }
 
@@ -104,7 +108,8 @@ TEST(broken_rules, T1_G26_G36_each_file_of_a_few_lines_names_its_rule_and_place)
     std::ifstream stream(entry.path());
     const Json json = Json::parse(stream);
     const auto issues = issues_of(import_gltf(entry.path(), thorough));
-    EXPECT_TRUE(names(issues, *rule, json["asset"]["extras"]["at"])) << json["asset"]["extras"]["at"] << "\n" << list(issues);
+    EXPECT_TRUE(names(issues, *rule, json["asset"]["extras"]["at"])) << json["asset"]["extras"]["at"] << "\n"
+                                                                     << list(issues);
     EXPECT_LT(fs::file_size(entry.path()), 4000u) << "a few lines";
   }
 }
@@ -123,7 +128,8 @@ TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
   for (const RuleText& rule : all_rules()) {
     if (kGuards.contains(rule.id)) continue;
     const bool in_folder = fs::exists(broken_folder() / (std::string(rule.id) + ".gltf"));
-    EXPECT_TRUE(in_folder || in_code.contains(rule.id)) << rule.id << ": add tests/importer/broken/" << rule.id << ".gltf";
+    EXPECT_TRUE(in_folder || in_code.contains(rule.id))
+        << rule.id << ": add tests/importer/broken/" << rule.id << ".gltf";
   }
 }
 
@@ -148,8 +154,10 @@ TEST(broken_rules, one_run_finds_errors_of_every_step) {
   std::set<std::string> found;
   for (const auto& issue : issues)
     if (issue.severity == Severity::error) found.insert(issue.rule + " at " + issue.json_pointer);
-  EXPECT_EQ(found, (std::set<std::string>{"json-type at /nodes/1/rotation", "reference at /nodes/2/mesh", "accessor-fit at /accessors/2",
-                                          "mesh-index at /meshes/0/primitives/0/indices", "animation-output at /animations/0/samplers/0/output"}))
+  EXPECT_EQ(found,
+            (std::set<std::string>{"json-type at /nodes/1/rotation", "reference at /nodes/2/mesh",
+                                   "accessor-fit at /accessors/2", "mesh-index at /meshes/0/primitives/0/indices",
+                                   "animation-output at /animations/0/samplers/0/output"}))
       << list(issues);
 }
 
@@ -169,7 +177,8 @@ TEST(broken_rules, copies_of_a_mesh_and_pointers_that_only_suffer_from_an_error_
   const std::size_t broken = file.vec3({0, 0, 0, 1, 2, 3}), whole = file.vec3({1, 1, 1, 2, 2, 2});
   file.root["accessors"][broken]["count"] = 100;
   file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = broken;
-  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", broken}, {"SCALE", whole}};
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", broken},
+                                                                                  {"SCALE", whole}};
   file.animate("pointer", file.times({0, 1}), file.scalars({0, 1}));
   file.root["animations"][0]["channels"][0]["target"] =
       Json{{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/meshes/0/weights"}}}}}};
@@ -184,15 +193,18 @@ TEST(broken_rules, errors_of_copies_are_found_beside_errors_of_earlier_steps) {
   file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"SCALE", file.scalars({1, 2})}};
   std::set<std::string> places;
   for (const auto& issue : issues_of(file.import())) places.insert(issue.json_pointer);
-  EXPECT_EQ(places, (std::set<std::string>{"/meshes/0/primitives/0/indices", "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE"}));
+  EXPECT_EQ(places, (std::set<std::string>{"/meshes/0/primitives/0/indices",
+                                           "/nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/SCALE"}));
 }
 
 TEST(broken_rules, all_nodes_of_a_cycle_are_named_and_the_rest_of_the_file_is_checked) {
-  const std::string text = R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[2]},{"children":[0]},{"mesh":3}],)"
-                           R"("accessors":[{"componentType":5126,"count":1,"type":"SCALAR","bufferView":4}]})";
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[2]},{"children":[0]},{"mesh":3}],)"
+      R"("accessors":[{"componentType":5126,"count":1,"type":"SCALAR","bufferView":4}]})";
   std::set<std::string> places;
   for (const auto& issue : issues_of(import_gltf(bytes_of(text), "x"))) places.insert(issue.json_pointer);
-  EXPECT_EQ(places, (std::set<std::string>{"/nodes/0", "/nodes/1", "/nodes/2", "/nodes/3/mesh", "/accessors/0/bufferView"}));
+  EXPECT_EQ(places,
+            (std::set<std::string>{"/nodes/0", "/nodes/1", "/nodes/2", "/nodes/3/mesh", "/accessors/0/bufferView"}));
 }
 
 TEST(broken_rules, G68_a_flood_of_errors_is_cut_and_ends) {

@@ -106,7 +106,8 @@ TEST(build_clips, G13_two_keys_at_one_time_are_a_jump) {
 }
 
 TEST(build_clips, G14_bad_times_and_values_leave_the_channel_out) {
-  for (const auto& times : {std::vector<float>{0, 2, 1}, {-1, 0, 1}, {0, kNan, 1}, {0, 1, std::numeric_limits<float>::infinity()}}) {
+  for (const auto& times :
+       {std::vector<float>{0, 2, 1}, {-1, 0, 1}, {0, kNan, 1}, {0, 1, std::numeric_limits<float>::infinity()}}) {
     TinyGltf file = moving({0, 1, 2});
     file.root["animations"][0]["samplers"][0]["input"] = file.scalars(times);
     const auto result = file.import();
@@ -138,8 +139,15 @@ TEST(build_clips, G16_the_shape_of_the_output_is_checked) {
   EXPECT_EQ(rule("translation", [](TinyGltf& f) { return f.scalars({1, 2}); }), expected);
   EXPECT_EQ(rule("rotation", [](TinyGltf& f) { return f.vec3({1, 2, 3, 4, 5, 6}); }), expected);
   EXPECT_EQ(rule("translation", [](TinyGltf& f) { return f.vec3({1, 2, 3}); }), expected) << "too few";
-  EXPECT_EQ(rule("translation", [](TinyGltf& f) { return f.vec3({1, 2, 3, 1, 2, 3, 1, 2, 3}); }), expected) << "too many";
-  EXPECT_EQ(rule("scale", [](TinyGltf& f) { return f.add(std::vector<std::int8_t>(6), "VEC3", 5120, 3, true); }), expected) << "integers";
+  EXPECT_EQ(rule("translation",
+                 [](TinyGltf& f) {
+                   return f.vec3({1, 2, 3, 1, 2, 3, 1, 2, 3});
+                 }),
+            expected)
+      << "too many";
+  EXPECT_EQ(rule("scale", [](TinyGltf& f) { return f.add(std::vector<std::int8_t>(6), "VEC3", 5120, 3, true); }),
+            expected)
+      << "integers";
   TinyGltf input = moving({0, 1});
   input.root["animations"][0]["samplers"][0]["input"] = input.vec3({0, 0, 0, 1, 1, 1});
   EXPECT_EQ(outcome(input.import()), "animation-input at /animations/0/samplers/0/input");
@@ -149,12 +157,14 @@ TEST(build_clips, G17_G18_normalised_integer_rotations_become_unit_floats) {
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});
   const std::size_t input = file.times({0, 1});
-  file.animate("rotation", input, file.add(std::vector<std::int16_t>{0, 0, 0, 32767, 23170, 0, 0, 23170}, "VEC4", 5122, 4, true));
+  file.animate("rotation", input,
+               file.add(std::vector<std::int16_t>{0, 0, 0, 32767, 23170, 0, 0, 23170}, "VEC4", 5122, 4, true));
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const auto& keys = result->scene.animations[0].bones[0].rotation.values;
   EXPECT_EQ(keys[0].w, 1.0f);
-  const double length = std::sqrt(static_cast<double>(keys[1].x) * keys[1].x + static_cast<double>(keys[1].w) * keys[1].w);
+  const double length =
+      std::sqrt(static_cast<double>(keys[1].x) * keys[1].x + static_cast<double>(keys[1].w) * keys[1].w);
   EXPECT_NEAR(length, 1.0, 1e-7);
   EXPECT_THAT(result->warnings, IsEmpty());
 }
@@ -183,7 +193,8 @@ TEST(build_clips, G06_rotations_within_float_rounding_stay_bit_exact) {
 TEST(build_clips, G20_of_two_channels_with_one_target_the_first_counts) {
   TinyGltf file = moving({0, 1});
   file.root["animations"][0]["samplers"].push_back({{"input", 0}, {"output", file.vec3({9, 9, 9, 9, 9, 9})}});
-  file.root["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}});
+  file.root["animations"][0]["channels"].push_back(
+      {{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}});
   const auto result = file.import();
   EXPECT_TRUE(warns(result, "animation-duplicate", "/animations/0/channels/1/target"));
   EXPECT_EQ(result->scene.animations[0].bones[0].translation.values[0], glm::vec3(1.0f));
@@ -228,13 +239,15 @@ TEST(build_clips, G19_weights_are_frame_major_for_all_targets) {
 TEST(build_clips, G58_pointers_to_node_properties_are_plain_channels) {
   const auto with_pointer = [](const char* text) {
     TinyGltf file = moving({0, 1});
-    file.root["animations"][0]["channels"][0]["target"] = {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", text}}}}}};
+    file.root["animations"][0]["channels"][0]["target"] = {
+        {"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", text}}}}}};
     return file.import();
   };
   ASSERT_EQ(outcome(with_pointer("/nodes/0/scale")), "ok");
   EXPECT_EQ(with_pointer("/nodes/0/scale")->scene.animations[0].bones[0].scale.key_count(), 2u);
   EXPECT_EQ(outcome(with_pointer("/nodes/7/scale")), "reference at /animations/0/channels/0/target");
-  for (const char* other : {"/materials/0/doubleSided", "/nodes/0/matrix", "/nodes/x/scale", "/nodes/0", "nodes/0/scale", "", "/nodes/-1/scale"})
+  for (const char* other : {"/materials/0/doubleSided", "/nodes/0/matrix", "/nodes/x/scale", "/nodes/0",
+                            "nodes/0/scale", "", "/nodes/-1/scale"})
     EXPECT_TRUE(warns(with_pointer(other), "animation-pointer", "/animations/0/channels/0/target")) << other;
 }
 

@@ -64,7 +64,8 @@ TEST(build_meshes, G36_indices_and_joints_past_the_end_are_errors) {
 
 TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, {.25f, .75f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0});
+  Json& primitive =
+      file.add_skinned_triangle({0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, {.25f, .75f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0});
   primitive["targets"] = Json::array({{{"POSITION", file.vec3({0, 0, 5, 0, 0, 0, 0, 0, 7})}}});
   ImportOptions options;
   options.make_normals = false;
@@ -81,7 +82,8 @@ TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
   EXPECT_EQ(p.positions[0], glm::vec3(1, 0, 0));
   EXPECT_THAT(p.influences.joints, ElementsAre(1, 1, 0, 0, 1)) << "falling weight, then rising joint";
   EXPECT_THAT(p.influences.weights, ElementsAre(1.0f, .75f, .25f, .5f, .5f));
-  EXPECT_THAT(p.morphs.targets[0].positions.vertices, ElementsAre(1, 2)) << "follow their vertices, zero deltas are gone";
+  EXPECT_THAT(p.morphs.targets[0].positions.vertices, ElementsAre(1, 2))
+      << "follow their vertices, zero deltas are gone";
   EXPECT_EQ(p.morphs.targets[0].positions.deltas[1], glm::vec3(0, 0, 7));
 }
 
@@ -113,8 +115,10 @@ TEST(build_meshes, G41_repeated_joints_are_added_up_and_negative_weights_are_zer
 
 TEST(build_meshes, G40_all_joint_sets_count) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
-  primitive["attributes"]["JOINTS_1"] = file.add(std::vector<std::uint16_t>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 5123, 4);
+  Json& primitive =
+      file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.5f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  primitive["attributes"]["JOINTS_1"] =
+      file.add(std::vector<std::uint16_t>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 5123, 4);
   primitive["attributes"]["WEIGHTS_1"] = file.vec4({.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
@@ -132,18 +136,28 @@ TEST(build_meshes, attribute_formats_and_counts_are_checked) {
     return outcome(file.import());
   };
   const auto place = [](const char* r, const char* name) { return std::string(r) + " at " + kAttributes + "/" + name; };
-  EXPECT_EQ(rule("NORMAL", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }), place("mesh-attribute-format", "NORMAL"));
-  EXPECT_EQ(rule("POSITION", [](TinyGltf& f) { return f.add(std::vector<std::uint32_t>(9), "VEC3", 5125, 3); }), place("mesh-attribute-format", "POSITION"));
-  EXPECT_EQ(rule("JOINTS_0", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }), place("mesh-attribute-format", "JOINTS_0"));
-  EXPECT_EQ(rule("WEIGHTS_0", [](TinyGltf& f) { return f.add(std::vector<std::uint8_t>(12), "VEC4", 5121, 4); }), place("mesh-attribute-format", "WEIGHTS_0"));
-  EXPECT_EQ(rule("TEXCOORD_0", [](TinyGltf& f) { return f.add(std::vector<float>(4), "VEC2", 5126, 2); }), place("mesh-attribute-count", "TEXCOORD_0"));
-  EXPECT_EQ(rule("NORMAL", [](TinyGltf& f) { return f.vec3({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0, 0, 1}); }), place("not-finite", "NORMAL"));
+  EXPECT_EQ(rule("NORMAL", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }),
+            place("mesh-attribute-format", "NORMAL"));
+  EXPECT_EQ(rule("POSITION", [](TinyGltf& f) { return f.add(std::vector<std::uint32_t>(9), "VEC3", 5125, 3); }),
+            place("mesh-attribute-format", "POSITION"));
+  EXPECT_EQ(rule("JOINTS_0", [](TinyGltf& f) { return f.vec4(std::vector<float>(12)); }),
+            place("mesh-attribute-format", "JOINTS_0"));
+  EXPECT_EQ(rule("WEIGHTS_0", [](TinyGltf& f) { return f.add(std::vector<std::uint8_t>(12), "VEC4", 5121, 4); }),
+            place("mesh-attribute-format", "WEIGHTS_0"));
+  EXPECT_EQ(rule("TEXCOORD_0", [](TinyGltf& f) { return f.add(std::vector<float>(4), "VEC2", 5126, 2); }),
+            place("mesh-attribute-count", "TEXCOORD_0"));
+  EXPECT_EQ(rule("NORMAL",
+                 [](TinyGltf& f) {
+                   return f.vec3({0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0, 0, 1});
+                 }),
+            place("not-finite", "NORMAL"));
 }
 
 TEST(build_meshes, G59_quantised_attributes_are_read_and_need_their_extension) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
-  primitive["attributes"]["POSITION"] = file.add(std::vector<std::uint16_t>{0, 0, 0, 100, 0, 0, 0, 65535, 0}, "VEC3", 5123, 3);
+  primitive["attributes"]["POSITION"] =
+      file.add(std::vector<std::uint16_t>{0, 0, 0, 100, 0, 0, 0, 65535, 0}, "VEC3", 5123, 3);
   EXPECT_TRUE(warns(file.import(), "mesh-quantization", std::string(kAttributes) + "/POSITION"));
   file.root["extensionsUsed"] = {"KHR_mesh_quantization"};
   const auto result = file.import();
@@ -186,7 +200,8 @@ TEST(build_meshes, G47_displaced_texture_coordinates_are_kept_and_the_file_is_to
   TinyGltf file;
   Json& primitive = file.add_triangle();
   primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>(6), "VEC2", 5126, 2);
-  primitive["targets"] = Json::array({{{"TEXCOORD_0", file.add(std::vector<float>{0, 0, .5f, 0, 0, 0}, "VEC2", 5126, 2)}}});
+  primitive["targets"] =
+      Json::array({{{"TEXCOORD_0", file.add(std::vector<float>{0, 0, .5f, 0, 0, 0}, "VEC2", 5126, 2)}}});
   const auto result = file.import();
   EXPECT_TRUE(warns(result, "morph-texcoord", "/meshes/0/primitives/0/targets/0/TEXCOORD_0"));
   ASSERT_THAT(only(result).morphs.targets[0].texcoords, SizeIs(1));
@@ -196,7 +211,8 @@ TEST(build_meshes, G47_displaced_texture_coordinates_are_kept_and_the_file_is_to
 TEST(build_meshes, N26_weights_and_displacements_too_small_to_show_are_zero_from_the_start) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
-  primitive["targets"] = Json::array({{{"POSITION", file.vec3({1e-30f, -1e-41f, 0, 1e-21f, 2, 1e-38f, 1e-20f, 0, 0})}}});
+  primitive["targets"] =
+      Json::array({{{"POSITION", file.vec3({1e-30f, -1e-41f, 0, 1e-21f, 2, 1e-38f, 1e-20f, 0, 0})}}});
   file.root["meshes"][0]["weights"] = {1e-39};
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
@@ -222,7 +238,8 @@ TEST(build_meshes, G43_node_weights_come_before_mesh_weights) {
   const std::size_t delta = file.vec3(std::vector<float>(9, .5f));
   primitive["targets"] = Json::array({{{"POSITION", delta}}, {{"POSITION", delta}}});
   file.root["meshes"][0]["weights"] = {.5, .25};
-  file.root["nodes"] = Json::array({{{"mesh", 0}}, {{"mesh", 0}, {"weights", {1, 0}}}, {{"mesh", 0}, {"weights", {1}}}});
+  file.root["nodes"] =
+      Json::array({{{"mesh", 0}}, {{"mesh", 0}, {"weights", {1, 0}}}, {{"mesh", 0}, {"weights", {1}}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   EXPECT_THAT(result->scene.instances[0].rest_weights, ElementsAre(.5f, .25f));

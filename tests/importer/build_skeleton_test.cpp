@@ -58,7 +58,8 @@ TEST(build_skeleton, G50_T3_of_matrix_and_trs_the_matrix_counts) {
 
 TEST(build_skeleton, G52_rotations_become_unit_quaternions) {
   TinyGltf file;
-  file.root["nodes"] = Json::array({{{"rotation", {0, 0, 3, 4}}}, {{"rotation", {0, 0, 0, 0}}}, {{"rotation", {0.6, 0, 0, 0.8}}}});
+  file.root["nodes"] =
+      Json::array({{{"rotation", {0, 0, 3, 4}}}, {{"rotation", {0, 0, 0, 0}}}, {{"rotation", {0.6, 0, 0, 0.8}}}});
   const auto result = file.import();
   EXPECT_TRUE(warns(result, "rotation-length", "/nodes/0/rotation"));
   EXPECT_TRUE(warns(result, "rotation-zero", "/nodes/1/rotation"));
@@ -91,7 +92,8 @@ TEST(build_skins, G31_fewer_matrices_are_an_error_more_are_ignored_none_is_ident
   none.root["skins"][0].erase("inverseBindMatrices");
   const auto identity = none.import();
   EXPECT_THAT(identity->scene.skins[0].inverse_bind, testing::Each(Affine{}));
-  EXPECT_THAT(identity->scene.skins[0].joints, ElementsAre(identity->scene.skeleton.joint_of_node[2], identity->scene.skeleton.joint_of_node[1]));
+  EXPECT_THAT(identity->scene.skins[0].joints,
+              ElementsAre(identity->scene.skeleton.joint_of_node[2], identity->scene.skeleton.joint_of_node[1]));
 }
 
 TEST(build_skins, G31_a_bad_fourth_row_is_taken_as_0_0_0_1) {
@@ -120,7 +122,8 @@ TEST(build_instances, G34_one_mesh_may_have_several_skins_and_a_skin_without_joi
   EXPECT_EQ(result->scene.instances[0].skin, 0u);
   EXPECT_EQ(result->scene.instances[1].skin, 1u);
   file.root["skins"][1]["joints"] = {2};
-  EXPECT_EQ(outcome(file.import()), "joint-index at /meshes/0/primitives/0/attributes/JOINTS_0") << "every skin must be large enough";
+  EXPECT_EQ(outcome(file.import()), "joint-index at /meshes/0/primitives/0/attributes/JOINTS_0")
+      << "every skin must be large enough";
   TinyGltf plain;
   plain.add_triangle();
   plain.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}, {{"skin", 0}}});
@@ -143,7 +146,8 @@ TEST(build_placements, cameras_and_lights_hang_on_joints) {
   file.root["nodes"] = Json::parse(R"([{"camera":0},{"camera":0,"extensions":{"KHR_lights_punctual":{"light":0}}},
                                        {"extensions":{"KHR_lights_punctual":{"light":4}}}])");
   file.root["cameras"] = Json::parse(R"([{"type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"zfar":9}}])");
-  file.root["extensions"] = Json::parse(R"({"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":3,"spot":{"outerConeAngle":0.4}}]}})");
+  file.root["extensions"] = Json::parse(
+      R"({"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":3,"spot":{"outerConeAngle":0.4}}]}})");
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   ASSERT_THAT(result->scene.cameras, SizeIs(2));

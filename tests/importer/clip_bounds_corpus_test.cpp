@@ -11,7 +11,8 @@ namespace sinew::test {
 namespace {
 
 bool holds(const Aabb& outer, const Aabb& inner) {
-  return inner.empty() || (glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper)));
+  return inner.empty() || (glm::all(glm::lessThanEqual(outer.lower, inner.lower)) &&
+                           glm::all(glm::greaterThanEqual(outer.upper, inner.upper)));
 }
 
 /// Looks at a few times of the clip. Answers how many boxes there were.
@@ -26,7 +27,8 @@ std::size_t expect_holds(const Scene& scene, const Plan& plan, std::uint32_t cli
     for (std::size_t i = 0; i < reach.size(); ++i) {
       if (reach[i].empty()) continue;
       ++known;
-      EXPECT_TRUE(holds(reach[i], frame.result().instances[i].bounds)) << file << ": instance " << i << ", clip " << clip << ", " << layer.time_s << " s";
+      EXPECT_TRUE(holds(reach[i], frame.result().instances[i].bounds))
+          << file << ": instance " << i << ", clip " << clip << ", " << layer.time_s << " s";
     }
   }
   return known;
@@ -39,11 +41,12 @@ TEST(clip_bounds_corpus, G54_holds_every_vertex_of_every_file) {
   std::size_t boxes = 0;
   for (const auto& file : corpus_files("models", {".gltf", ".glb"})) {
     const auto imported = import_gltf(file, options);
-    if (!imported) continue;   // other tests tell
+    if (!imported) continue;  // other tests tell
     Needs needs;
     needs.bounds = true, needs.normals = needs.tangents = false, needs.max_layers = 1;
     const Plan plan = compile_plan(imported->scene, needs);
-    for (std::uint32_t clip = 0; clip < imported->scene.animations.size(); ++clip) boxes += expect_holds(imported->scene, plan, clip, file.filename());
+    for (std::uint32_t clip = 0; clip < imported->scene.animations.size(); ++clip)
+      boxes += expect_holds(imported->scene, plan, clip, file.filename());
   }
   EXPECT_GT(boxes, 0u);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What `sinew cost` measures with: kernels of its own, the probe at the skin, the limb, and the arithmetic of medians and fronts.
+// What `sinew cost` measures with: kernels of its own, the probe at the skin, the limb, and the arithmetic of medians
+// and fronts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "importer/tool/cost/approximate_slerp.h"
 #include "importer/tool/cost/fewer_influences.h"
 #include "importer/tool/cost/instruction_sets.h"
 #include "importer/tool/cost/limb.h"
@@ -17,7 +19,6 @@
 #include "importer/tool/cost/words.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/pose/pose_memory.h"
-#include "importer/tool/cost/approximate_slerp.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/skinning.h"
 #include "tests/scenes/hand_scenes.h"
@@ -49,7 +50,9 @@ Animation turning(std::uint64_t seed) {
   return out;
 }
 
-double angle_rad(const glm::quat& found, const Quat<double>& truth) { return rotation_angle_between(normalised(quat_cast<double>(found)), normalised(truth)); }
+double angle_rad(const glm::quat& found, const Quat<double>& truth) {
+  return rotation_angle_between(normalised(quat_cast<double>(found)), normalised(truth));
+}
 
 TEST(cost_rotation_lanes, agree_with_their_definitions_in_double_on_every_instruction_set) {
   const Animation animation = turning(5);
@@ -68,8 +71,10 @@ TEST(cost_rotation_lanes, agree_with_their_definitions_in_double_on_every_instru
         for (const BoneAnimation& bone : animation.bones) {
           const KeyPosition at = locate_key(bone.rotation.times_s, time_s);
           const Quat<double> begin = quat_cast<double>(bone.rotation.values[at.key]);
-          const Quat<double> truth = at.on_key ? begin : definition(begin, quat_cast<double>(bone.rotation.values[at.key + 1]), at.fraction);
-          EXPECT_LT(angle_rad(memory.span().get(bone.joint).rotation, truth), 1e-6) << set.name << " rule " << static_cast<int>(rule) << " at " << time_s;
+          const Quat<double> truth =
+              at.on_key ? begin : definition(begin, quat_cast<double>(bone.rotation.values[at.key + 1]), at.fraction);
+          EXPECT_LT(angle_rad(memory.span().get(bone.joint).rotation, truth), 1e-6)
+              << set.name << " rule " << static_cast<int>(rule) << " at " << time_s;
         }
       }
   }
@@ -81,19 +86,24 @@ TEST(cost_rotation_tracks, walking_in_steps_shows_the_frames_of_slerp) {
     std::vector<glm::quat> frames(181);
     cost::walk_track(bone.rotation, 60.0, frames);
     for (std::size_t f = 0; f < frames.size(); ++f)
-      EXPECT_LT(angle_rad(frames[f], reference::quat_of(reference::sample(bone.rotation, static_cast<double>(f) / 60.0))), 2e-6) << f;
+      EXPECT_LT(
+          angle_rad(frames[f], reference::quat_of(reference::sample(bone.rotation, static_cast<double>(f) / 60.0))),
+          2e-6)
+          << f;
   }
 }
 
 TEST(cost_rotation_tracks, keep_keys_whatever_goes_between_them) {
   const Animation animation = turning(3);
-  for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::squad, Interpolation::cubic_spline}) {
+  for (const Interpolation interpolation :
+       {Interpolation::step, Interpolation::linear, Interpolation::squad, Interpolation::cubic_spline}) {
     const Animation turned = cost::rotations_only(animation, interpolation);
     ASSERT_EQ(turned.bones.size(), animation.bones.size());
     for (std::size_t b = 0; b < turned.bones.size(); ++b)
       for (const float time_s : {0.0f, 1.0f, 1.5f, 3.0f})
         EXPECT_LT(angle_rad(turned.bones[b].interpolate<float>(static_cast<double>(time_s)).rotation,
-                            animation.bones[b].interpolate<double>(static_cast<double>(time_s)).rotation), 1e-6);
+                            animation.bones[b].interpolate<double>(static_cast<double>(time_s)).rotation),
+                  1e-6);
   }
 }
 
@@ -108,16 +118,21 @@ TEST(cost_skin_probe, finds_the_distance_of_the_farthest_vertex) {
   const Scene arm = arm_scene();  // vertex 1 is one metre above the joint that turns
   const cost::SkinProbe probe(arm, 1000);
   ASSERT_EQ(probe.point_count(), 4u);
-  const auto pose = [&](double time_s) { return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s)); };
+  const auto pose = [&](double time_s) {
+    return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));
+  };
   EXPECT_NEAR(probe.distance_m(pose(0.0), pose(1.0)), std::sqrt(2.0), 1e-6);
   EXPECT_EQ(probe.distance_m(pose(0.3), pose(0.3)), 0.0);
 }
 
 TEST(cost_skin_probe, shares_a_vertex_between_its_joints_by_weight) {
   Scene arm = arm_scene();
-  arm.meshes[0].primitives[0].positions[1] = {0, 1, 0};  // on the joint that turns: the half and half ones at 0.25 m move most
+  arm.meshes[0].primitives[0].positions[1] = {
+      0, 1, 0};  // on the joint that turns: the half and half ones at 0.25 m move most
   const cost::SkinProbe probe(arm, 1000);
-  const auto pose = [&](double time_s) { return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s)); };
+  const auto pose = [&](double time_s) {
+    return cost::model_pose(arm.skeleton, cost::true_local_pose(arm.skeleton, arm.animations[0], time_s));
+  };
   EXPECT_NEAR(probe.distance_m(pose(0.0), pose(1.0)), 0.5 * 0.25 * std::sqrt(2.0), 1e-6);
 }
 
@@ -132,7 +147,8 @@ TEST(cost_skin_probe, looks_around_the_joints_of_a_scene_without_vertices) {
 TEST(cost_plain_skinning, is_the_reference_in_double) {
   const cost::Limb limb;
   cost::PlainVertices<double> found(limb.primitive.vertex_count());
-  cost::skin_plainly<double>(limb.primitive.influences, limb.bent.exact, {limb.primitive.positions, limb.primitive.normals, {}}, NormalRule::cofactor, found);
+  cost::skin_plainly<double>(limb.primitive.influences, limb.bent.exact,
+                             {limb.primitive.positions, limb.primitive.normals, {}}, NormalRule::cofactor, found);
   for (const InfluenceGroup& group : limb.primitive.influences.groups)
     for (std::size_t v = 0; v < group.vertex_count; ++v) {
       std::vector<Affined> matrices;
@@ -144,8 +160,12 @@ TEST(cost_plain_skinning, is_the_reference_in_double) {
       }
       const std::size_t vertex = group.first_vertex + v;
       const Affined m = reference::blend_matrices<double>(matrices, weights);
-      EXPECT_LT(safe_length(found.positions[vertex] - transform_point(m, Vec3<double>(limb.primitive.positions[vertex]))), 1e-14);
-      EXPECT_LT(cost::angle_deg(glm::vec3(found.normals[vertex]), transform_normal_outward(linear_part(m), Vec3<double>(limb.primitive.normals[vertex]))), 1e-4);
+      EXPECT_LT(
+          safe_length(found.positions[vertex] - transform_point(m, Vec3<double>(limb.primitive.positions[vertex]))),
+          1e-14);
+      EXPECT_LT(cost::angle_deg(glm::vec3(found.normals[vertex]),
+                                transform_normal_outward(linear_part(m), Vec3<double>(limb.primitive.normals[vertex]))),
+                1e-4);
     }
 }
 
@@ -159,7 +179,8 @@ TEST(cost_limb, has_the_volume_of_a_cylinder) {
 VertexInfluences two_vertices() { return {{{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.6f, 0.3f, 0.1f}}; }
 
 TEST(cost_influences, the_heaviest_are_kept_with_sum_one) {
-  const VertexInfluences two = cost::heaviest_influences(two_vertices(), 2), one = cost::heaviest_influences(two_vertices(), 1);
+  const VertexInfluences two = cost::heaviest_influences(two_vertices(), 2),
+                         one = cost::heaviest_influences(two_vertices(), 1);
   EXPECT_THAT(two.joints, ElementsAre(4, 1, 2));
   EXPECT_THAT(two.weights, ElementsAre(1.0f, testing::FloatEq(2.0f / 3.0f), testing::FloatEq(1.0f / 3.0f)));
   ASSERT_EQ(one.groups.size(), 1u) << "runs of equal counts are one group";
@@ -168,7 +189,8 @@ TEST(cost_influences, the_heaviest_are_kept_with_sum_one) {
 }
 
 TEST(cost_influences, whole_weights_have_sum_one_and_the_heaviest_takes_what_is_missing) {
-  const VertexInfluences two{{{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // 127.5 63.9 63.6
+  const VertexInfluences two{
+      {{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // 127.5 63.9 63.6
   EXPECT_THAT(cost::whole_weights<std::uint8_t>(two), ElementsAre(255, 127, 64, 64));
   EXPECT_THAT(cost::whole_weights<std::uint16_t>(two_vertices()), ElementsAre(65535, 39320, 19661, 6554));
 }
@@ -189,7 +211,8 @@ std::vector<bool> front_of(cost::Group group) {
 TEST(cost_pareto_front, holds_what_nothing_beats) {
   cost::Group group;
   group.points = {point(1.0, 5.0), point(2.0, 4.0), point(2.0, 5.0), point(0.5, 9.0), point(1.5, 4.5), point(0.5, 9.0)};
-  EXPECT_THAT(front_of(group), ElementsAre(true, true, false, true, true, true)) << "of two equal points both are on it";
+  EXPECT_THAT(front_of(group), ElementsAre(true, true, false, true, true, true))
+      << "of two equal points both are on it";
 }
 
 TEST(cost_pareto_front, takes_errors_below_rounding_for_equal) {
@@ -229,10 +252,12 @@ TEST(cost_measure, longer_work_takes_longer_and_hooks_are_called_around_it) {
   bool within = false;
   volatile double sum = 0.0;
   const auto work = [&](int turns) {
-    return cost::Work{1, [&, turns] {
+    return cost::Work{1,
+                      [&, turns] {
                         for (int i = 0; i < turns; ++i) sum = sum + 1.0;
                         (within ? inside : outside)++;
-                      }, [&] { within = true; }, [&] { within = false; }};
+                      },
+                      [&] { within = true; }, [&] { within = false; }};
   };
   studies[0].add(point(0.0, 0.0), work(2'000));
   studies[0].add(point(0.0, 0.0), work(200'000));

@@ -46,8 +46,10 @@ TEST(cost_studies, N04_nlerp_loses_what_its_closed_form_says) {
   EXPECT_NEAR(nlerp.values[0].value, kWorst, 0.002 * kWorst);
   EXPECT_NEAR(nlerp.error, 1e3 * 2.0 * std::sin(0.5 * kWorst), 0.04);
   EXPECT_NEAR(point_named(study.group, "corrected nlerp").values[0].value, 0.003 * 0.01745, 3e-5);
-  for (const char* exact : {"exact slerp", "polynomial slerp", "incremental slerp"}) EXPECT_LT(point_named(study.group, exact).error, 1e-3) << exact;
-  EXPECT_NEAR(point_named(study.group, "step").values[0].value, 0.7887 * 1.5707963, 1e-3) << "at the last moment looked at";
+  for (const char* exact : {"exact slerp", "polynomial slerp", "incremental slerp"})
+    EXPECT_LT(point_named(study.group, exact).error, 1e-3) << exact;
+  EXPECT_NEAR(point_named(study.group, "step").values[0].value, 0.7887 * 1.5707963, 1e-3)
+      << "at the last moment looked at";
   EXPECT_TRUE(point_named(study.group, "exact slerp").is_default);
 }
 
@@ -67,7 +69,8 @@ TEST(cost_studies, cubic_files_are_compared_with_their_own_curve) {
 TEST(cost_studies, resampling_between_keys_loses_a_straight_line_nothing_and_a_corner_something) {
   Scene arm = arm_scene();
   arm.animations[0].bones[0].rotation = {};
-  arm.animations[0].bones[0].translation = {Interpolation::linear, {0.0f, 0.49f, 1.0f}, {{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}};
+  arm.animations[0].bones[0].translation = {
+      Interpolation::linear, {0.0f, 0.49f, 1.0f}, {{0, 1, 0}, {1, 1, 0}, {0, 1, 0}}};
   arm.clips[0] = compile_clip(arm.animations[0], arm.skeleton, {}, {}, {});
   const cost::Subject subject(arm, 0, cost::Effort::quick());
   const cost::Study study = cost::study_storage(subject);
@@ -86,20 +89,23 @@ TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
   track.times_s.clear(), track.values.clear();
   for (int k = 0; k <= 100; ++k) {  // keys that a slerp between the ends brings back
     track.times_s.push_back(static_cast<float>(k) / 100.0f);
-    track.values.push_back(glm::quat(slerp_short_arc(quat_cast<double>(ends.values[0]), quat_cast<double>(ends.values[1]), k / 100.0)));
+    track.values.push_back(
+        glm::quat(slerp_short_arc(quat_cast<double>(ends.values[0]), quat_cast<double>(ends.values[1]), k / 100.0)));
   }
   const cost::Subject subject(arm, 0, cost::Effort::quick());
   const cost::Study study = cost::study_storage(subject);
   const cost::Point& whole = study.group.points[0];
   double before = *whole.size;
-  for (const auto& [name, budget_mm] : {std::pair("budget 10 um", 0.01), std::pair("budget 0.1 mm", 0.1), std::pair("budget 1 mm", 1.0)}) {
+  for (const auto& [name, budget_mm] :
+       {std::pair("budget 10 um", 0.01), std::pair("budget 0.1 mm", 0.1), std::pair("budget 1 mm", 1.0)}) {
     const cost::Point& point = point_named(study.group, name);
     EXPECT_LE(point.error, budget_mm) << name;
     EXPECT_LT(*point.size, 0.5 * *whole.size) << name;
     EXPECT_LE(*point.size, before) << name;
     before = *point.size;
   }
-  EXPECT_DOUBLE_EQ(whole.values[0].value * 1024.0, static_cast<double>(saved_bytes(compile_clip(arm.animations[0], arm.skeleton, {}, {}, {}))));
+  EXPECT_DOUBLE_EQ(whole.values[0].value * 1024.0,
+                   static_cast<double>(saved_bytes(compile_clip(arm.animations[0], arm.skeleton, {}, {}, {}))));
   EXPECT_DOUBLE_EQ(*whole.size, whole.values[0].value * 1024.0 / arm.animations[0].duration_s);
 }
 
@@ -132,7 +138,8 @@ TEST(cost_studies, keys_of_curves_are_not_rounded) {
   const glm::quat none(0.0f, 0.0f, 0.0f, 0.0f), first = track.values[0], second = track.values[1];
   track = {Interpolation::cubic_spline, track.times_s, {none, first, none, none, second, none}};
   const cost::Study study = cost::study_storage(cost::Subject(arm, 0, cost::Effort::quick()));
-  EXPECT_TRUE(std::none_of(study.group.points.begin(), study.group.points.end(), [](const cost::Point& p) { return p.name == "16 bits"; }));
+  EXPECT_TRUE(std::none_of(study.group.points.begin(), study.group.points.end(),
+                           [](const cost::Point& p) { return p.name == "16 bits"; }));
 }
 
 TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_does) {
@@ -140,8 +147,10 @@ TEST(cost_studies, one_influence_puts_a_shared_vertex_where_its_heaviest_joint_d
   const cost::Subject subject(arm, 0, cost::Effort::quick());
   const cost::Study study = cost::study_influences(subject);
   EXPECT_LT(point_named(study.group, "all influences").error, 1e-3);
-  // The vertices at (+-0.25, 1) are half and half. The last pose turns by 15/16 of a quarter turn: half its chord at 0.25 m.
-  EXPECT_NEAR(point_named(study.group, "one influence").error, 1e3 * 0.25 * std::sin(0.5 * 15.0 / 16.0 * 1.5707963), 0.1);
+  // The vertices at (+-0.25, 1) are half and half. The last pose turns by 15/16 of a quarter turn: half its chord at
+  // 0.25 m.
+  EXPECT_NEAR(point_named(study.group, "one influence").error, 1e3 * 0.25 * std::sin(0.5 * 15.0 / 16.0 * 1.5707963),
+              0.1);
 }
 
 TEST(cost_studies, dual_quaternions_keep_the_volume_that_linear_blending_loses) {
@@ -169,7 +178,8 @@ TEST(cost_studies, thresholds_of_morph_weights_lose_what_they_leave_out) {
   face.animations[0].weights[0].weights.values = {0.0f, 0.04f, 0.0f, 0.04f};  // "spread" moves two vertices by a metre
   const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
   const auto off_mm = [&](const char* name) { return point_named(study.group, name).values[0].value; };
-  for (const char* exact : {"all targets", "active targets", "weights from 0.01"}) EXPECT_LT(off_mm(exact), 1e-3) << exact;
+  for (const char* exact : {"all targets", "active targets", "weights from 0.01"})
+    EXPECT_LT(off_mm(exact), 1e-3) << exact;
   EXPECT_NEAR(off_mm("weights from 0.05"), 40.0, 1e-3);
 }
 
@@ -179,13 +189,15 @@ TEST(cost_studies, normals_not_made_unit_again_count_as_wrong) {
   const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
   EXPECT_LT(point_named(study.group, "active targets").error, 1e-4);
   // length sqrt(2) in place of 1: the angle whose chord that is
-  EXPECT_NEAR(point_named(study.group, "normals as summed").error, 2.0 * 57.29578 * std::asin(0.5 * (std::sqrt(2.0) - 1.0)), 1e-3);
+  EXPECT_NEAR(point_named(study.group, "normals as summed").error,
+              2.0 * 57.29578 * std::asin(0.5 * (std::sqrt(2.0) - 1.0)), 1e-3);
 }
 
 TEST(cost_studies, say_why_they_have_nothing_to_say) {
   const Scene prop = prop_scene();
   const cost::Subject subject(prop, kNone, cost::Effort::quick());
-  for (const auto study : {cost::study_rotation, cost::study_storage, cost::study_influences, cost::study_skinning, cost::study_skinned_normals, cost::study_morphing}) {
+  for (const auto study : {cost::study_rotation, cost::study_storage, cost::study_influences, cost::study_skinning,
+                           cost::study_skinned_normals, cost::study_morphing}) {
     const cost::Study nothing = study(subject);
     EXPECT_FALSE(nothing.group.left_out.empty()) << nothing.group.name;
     EXPECT_TRUE(nothing.group.points.empty() && nothing.works.empty()) << nothing.group.name;
@@ -197,12 +209,21 @@ TEST(cost_studies, say_why_they_have_nothing_to_say) {
 std::string occlusion_answer() {
   Json trials = Json::array();
   const auto add = [&](const char* name, int samples, bool full, bool blur, double error, double ms) {
-    trials.push_back({{"name", name}, {"note", "as said"}, {"samples", samples}, {"full_size", full}, {"blur", blur}, {"default", std::string(name) == "14 samples"},
-                      {"error", error}, {"milliseconds", {ms, 1.01 * ms, 0.99 * ms}}});
+    trials.push_back({{"name", name},
+                      {"note", "as said"},
+                      {"samples", samples},
+                      {"full_size", full},
+                      {"blur", blur},
+                      {"default", std::string(name) == "14 samples"},
+                      {"error", error},
+                      {"milliseconds", {ms, 1.01 * ms, 0.99 * ms}}});
   };
-  add("4 samples", 4, false, true, 0.08, 1.0), add("14 samples", 14, false, true, 0.05, 2.0), add("64 samples", 64, false, true, 0.049, 6.0);
+  add("4 samples", 4, false, true, 0.08, 1.0), add("14 samples", 14, false, true, 0.05, 2.0),
+      add("64 samples", 64, false, true, 0.049, 6.0);
   add("14 full size", 14, true, true, 0.048, 8.0), add("14 no blur", 14, false, false, 0.07, 1.2);
-  return Json{{"device", "a device"}, {"width", 100}, {"height", 50}, {"pixels", 3000}, {"radius_m", 0.5}, {"error_without", 0.2}, {"trials", trials}}.dump();
+  return Json{{"device", "a device"}, {"width", 100},         {"height", 50},    {"pixels", 3000},
+              {"radius_m", 0.5},      {"error_without", 0.2}, {"trials", trials}}
+      .dump();
 }
 
 TEST(cost_occlusion, says_how_many_samples_are_worth_it_and_on_what_device) {
@@ -213,14 +234,16 @@ TEST(cost_occlusion, says_how_many_samples_are_worth_it_and_on_what_device) {
   EXPECT_DOUBLE_EQ(point_named(group, "14 samples").values[0].value, 2.0);
   EXPECT_TRUE(point_named(group, "14 samples").is_default && point_named(group, "14 samples").pareto);
   EXPECT_TRUE(point_named(group, "14 no blur").pareto);
-  EXPECT_THAT(group.findings.front(), testing::AllOf(HasSubstr("20.0 %"), HasSubstr("5.0 %"), HasSubstr("2 ms"), HasSubstr("a device")));
+  EXPECT_THAT(group.findings.front(),
+              testing::AllOf(HasSubstr("20.0 %"), HasSubstr("5.0 %"), HasSubstr("2 ms"), HasSubstr("a device")));
   EXPECT_THAT(group.findings.back(), HasSubstr("14 samples are worth it here"));
   EXPECT_THAT(group.findings.back(), HasSubstr("3.00 times as long"));
   EXPECT_THAT(group.about, HasSubstr("3000 pixels"));
 }
 
 TEST(cost_occlusion, says_why_it_has_nothing_to_say) {
-  EXPECT_EQ(cost::occlusion_group(R"({"left_out": "there is no Vulkan device: none fits"})").left_out, "there is no Vulkan device: none fits");
+  EXPECT_EQ(cost::occlusion_group(R"({"left_out": "there is no Vulkan device: none fits"})").left_out,
+            "there is no Vulkan device: none fits");
   EXPECT_THAT(cost::occlusion_group(R"({"device": )").left_out, HasSubstr("did not finish"));
   Json without_clock = Json::parse(occlusion_answer());
   for (Json& trial : without_clock["trials"]) trial["milliseconds"] = Json::array();
@@ -234,9 +257,11 @@ TEST(run_beside, hands_over_what_a_program_prints_and_says_what_went_wrong) {
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error(), HasSubstr("no program no-such-program"));
   const std::string beside = "../../../../../../../../../../../bin/";  // from wherever the tests are
-  EXPECT_EQ(cost::output_of_program_beside(beside + "echo", {"two words", "$HOME"}).value_or("nothing"), "two words $HOME\n");
+  EXPECT_EQ(cost::output_of_program_beside(beside + "echo", {"two words", "$HOME"}).value_or("nothing"),
+            "two words $HOME\n");
   EXPECT_THAT(cost::output_of_program_beside(beside + "false", {}).error(), HasSubstr("ended with status 1"));
-  EXPECT_EQ(cost::output_of_program_beside(beside + "seq", {"100000"}).value_or("").size(), 588895u) << "more than a pipe holds";
+  EXPECT_EQ(cost::output_of_program_beside(beside + "seq", {"100000"}).value_or("").size(), 588895u)
+      << "more than a pipe holds";
 }
 
 cost::Report small_report() {
@@ -245,7 +270,8 @@ cost::Report small_report() {
   report.machine = {{"processor", "one"}};
   report.command = "sinew cost";
   cost::Group group;
-  group.name = "rotation", group.title = "Rotation", group.question = "Which?", group.error_unit = "mm", group.item = "joint";
+  group.name = "rotation", group.title = "Rotation", group.question = "Which?", group.error_unit = "mm",
+  group.item = "joint";
   cost::Point point;
   point.name = "slow, but \"exact\"", point.error = std::numeric_limits<double>::infinity(), point.time_ns = 2.5;
   point.values = {{"angle", 0.5, "rad"}};
@@ -266,7 +292,8 @@ TEST(cost_report, page_holds_the_report_whatever_the_names_are) {
 
 TEST(cost_report, page_needs_nothing_from_elsewhere) {
   const std::string page = cost::report_page(small_report());
-  for (const char* outside : {"src=", "<link", "@import", "url(", "fetch(", "https://"}) EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  for (const char* outside : {"src=", "<link", "@import", "url(", "fetch(", "https://"})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
 }
 
 TEST(cost_report, csv_quotes_what_has_commas) {
@@ -317,7 +344,8 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
     for (const Json& point : group["points"]) {
       for (const char* number : {"error", "time", "spread"}) EXPECT_TRUE(point[number].is_number()) << number;
       for (const char* text : {"name", "error_unit", "time_unit", "note"}) EXPECT_TRUE(point[text].is_string()) << text;
-      for (const char* flag : {"pareto", "default", "noisy", "other_aim"}) EXPECT_TRUE(point[flag].is_boolean()) << flag;
+      for (const char* flag : {"pareto", "default", "noisy", "other_aim"})
+        EXPECT_TRUE(point[flag].is_boolean()) << flag;
       EXPECT_GT(point["time"].get<double>(), 0.0) << point["name"];
       EXPECT_EQ(point["noisy"].get<bool>(), point["spread"].get<double>() > report["noisy_from"].get<double>());
       defaults += point["default"].get<bool>() ? 1 : 0;
@@ -328,7 +356,8 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
     EXPECT_EQ(group["findings"].empty(), group["points"].empty());
   }
   EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
-  EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing", "arithmetic", "occlusion"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing",
+                                            "arithmetic", "occlusion"}));
 }
 
 TEST(cost_command, refuses_a_folder_that_holds_other_things) {
@@ -366,7 +395,8 @@ TEST(cost_command, replaces_an_older_report_whole) {
   other.subject = "newer";
   ASSERT_FALSE(cost::write_report(other, out));
   EXPECT_EQ(Json::parse(text_of(out / "report.json"))["subject"], "newer");
-  for (const auto& entry : fs::directory_iterator(out.parent_path().parent_path())) EXPECT_FALSE(entry.path().filename().string().starts_with("again.")) << entry;
+  for (const auto& entry : fs::directory_iterator(out.parent_path().parent_path()))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("again.")) << entry;
 }
 
 }  // namespace

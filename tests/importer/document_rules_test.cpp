@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each rule about the document itself: a file of a few lines that breaks it, and the rule and JSON pointer of the answer.
+// Each rule about the document itself: a file of a few lines that breaks it, and the rule and JSON pointer of the
+// answer.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -33,23 +34,29 @@ TEST(document_rules, json_errors_name_the_place_in_the_text) {
 
 TEST(document_rules, deep_nesting_is_refused_before_anything_recurses) {
   EXPECT_EQ(import_text(std::string(1'000'000, '[')), "json-depth at ");
-  EXPECT_EQ(import_text(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300, '[') + std::string(300, ']') + "}"), "json-depth at ");
-  EXPECT_EQ(import_text(R"({"asset":{"version":"2.0"},"extras":")" + std::string(300, '[') + "\"}"), "ok") << "brackets in a string";
+  EXPECT_EQ(
+      import_text(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300, '[') + std::string(300, ']') + "}"),
+      "json-depth at ");
+  EXPECT_EQ(import_text(R"({"asset":{"version":"2.0"},"extras":")" + std::string(300, '[') + "\"}"), "ok")
+      << "brackets in a string";
 }
 
 TEST(document_rules, versions_other_than_2_are_refused) {
   EXPECT_EQ(import_text(R"({"asset":{"version":"1.0"}})"), "asset-version at /asset/version");
-  EXPECT_EQ(import_text(R"({"asset":{"version":1.0},"nodes":{"a":{}},"scene":"b"})"), "asset-version at /asset/version");
+  EXPECT_EQ(import_text(R"({"asset":{"version":1.0},"nodes":{"a":{}},"scene":"b"})"),
+            "asset-version at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":1e300}})"), "asset-version at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":2.0}})"), "json-type at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":"two"}})"), "asset-version at /asset/version");
   EXPECT_EQ(import_text(R"({"asset":{"version":"2.0","minVersion":"2.1"}})"), "asset-version at /asset/minVersion");
   EXPECT_EQ(import_text(R"({"asset":{}})"), "json-missing at /asset");
-  EXPECT_TRUE(warns(import_gltf(bytes_of(R"({"asset":{"version":"2.1"}})"), "x"), "asset-minor-version", "/asset/version"));
+  EXPECT_TRUE(
+      warns(import_gltf(bytes_of(R"({"asset":{"version":"2.1"}})"), "x"), "asset-minor-version", "/asset/version"));
 }
 
 TEST(document_rules, G57_required_extensions_are_refused_by_name) {
-  const auto result = import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"extensionsUsed":["VENDOR_x"],"extensionsRequired":["VENDOR_x"]})"), "x");
+  const auto result = import_gltf(
+      bytes_of(R"({"asset":{"version":"2.0"},"extensionsUsed":["VENDOR_x"],"extensionsRequired":["VENDOR_x"]})"), "x");
   EXPECT_EQ(outcome(result), "extension-required at /extensionsRequired/0");
   EXPECT_NE(result.error().issue.detail.find("VENDOR_x"), std::string::npos);
   EXPECT_EQ(import_json(R"("extensionsUsed":["VENDOR_x"])"), "ok");
@@ -66,12 +73,17 @@ TEST(document_rules, T1_types_and_required_properties_are_checked_with_their_pla
   EXPECT_EQ(import_json(R"("nodes":[{"rotation":[0,0,1]}])"), "json-type at /nodes/0/rotation");
   EXPECT_EQ(import_json(R"("nodes":[{"scale":[1,1,1e39]}])"), "json-type at /nodes/0/scale/2");
   EXPECT_EQ(import_json(R"("nodes":[{"matrix":[1,0,0]}])"), "json-type at /nodes/0/matrix");
-  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{"a/b~c":"x"}}]}])"), "json-type at /meshes/0/primitives/0/attributes/a~1b~0c");
-  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5124,"count":1,"type":"SCALAR"}])"), "json-type at /accessors/0/componentType");
-  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5126,"count":1,"type":"VEC5"}])"), "json-type at /accessors/0/type");
+  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{"a/b~c":"x"}}]}])"),
+            "json-type at /meshes/0/primitives/0/attributes/a~1b~0c");
+  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5124,"count":1,"type":"SCALAR"}])"),
+            "json-type at /accessors/0/componentType");
+  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5126,"count":1,"type":"VEC5"}])"),
+            "json-type at /accessors/0/type");
   EXPECT_EQ(import_json(R"("accessors":[{"componentType":5126,"type":"VEC3"}])"), "json-missing at /accessors/0");
-  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5126,"count":1e16,"type":"VEC3"}])"), "json-type at /accessors/0/count");
-  EXPECT_EQ(import_json(R"("animations":[{"channels":[{"sampler":0}],"samplers":[]}])"), "json-missing at /animations/0/channels/0");
+  EXPECT_EQ(import_json(R"("accessors":[{"componentType":5126,"count":1e16,"type":"VEC3"}])"),
+            "json-type at /accessors/0/count");
+  EXPECT_EQ(import_json(R"("animations":[{"channels":[{"sampler":0}],"samplers":[]}])"),
+            "json-missing at /animations/0/channels/0");
 }
 
 TEST(document_rules, integers_may_be_written_with_a_zero_fraction) {
@@ -91,18 +103,25 @@ TEST(document_rules, T1_every_index_is_checked) {
   EXPECT_EQ(import_json(R"("scene":0)"), "reference at /scene");
   EXPECT_EQ(import_json(R"("skins":[{"joints":[0]}])"), "reference at /skins/0/joints/0");
   EXPECT_EQ(import_json(R"("nodes":[{}],"skins":[{"joints":[0],"skeleton":3}])"), "reference at /skins/0/skeleton");
-  EXPECT_EQ(import_json(R"("nodes":[{}],"skins":[{"joints":[0],"inverseBindMatrices":0}])"), "reference at /skins/0/inverseBindMatrices");
-  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])"), "reference at /meshes/0/primitives/0/attributes/POSITION");
-  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{},"indices":2}]}])"), "reference at /meshes/0/primitives/0/indices");
-  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{},"material":2}]}])"), "reference at /meshes/0/primitives/0/material");
+  EXPECT_EQ(import_json(R"("nodes":[{}],"skins":[{"joints":[0],"inverseBindMatrices":0}])"),
+            "reference at /skins/0/inverseBindMatrices");
+  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}])"),
+            "reference at /meshes/0/primitives/0/attributes/POSITION");
+  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{},"indices":2}]}])"),
+            "reference at /meshes/0/primitives/0/indices");
+  EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{},"material":2}]}])"),
+            "reference at /meshes/0/primitives/0/material");
   EXPECT_EQ(import_json(R"("meshes":[{"primitives":[{"attributes":{},"targets":[{"POSITION":1}]}]}])"),
             "reference at /meshes/0/primitives/0/targets/0/POSITION");
   EXPECT_EQ(import_json(R"("bufferViews":[{"buffer":0,"byteLength":4}])"), "reference at /bufferViews/0/buffer");
-  EXPECT_EQ(import_json(R"("accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"SCALAR"}])"), "reference at /accessors/0/bufferView");
+  EXPECT_EQ(import_json(R"("accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"SCALAR"}])"),
+            "reference at /accessors/0/bufferView");
   EXPECT_EQ(import_json(R"("animations":[{"channels":[{"sampler":1,"target":{"path":"scale"}}],"samplers":[]}])"),
             "reference at /animations/0/channels/0/sampler");
-  EXPECT_EQ(import_json(R"("animations":[{"channels":[],"samplers":[{"input":0,"output":0}]}])"), "reference at /animations/0/samplers/0/input");
-  EXPECT_EQ(import_json(R"("materials":[{"normalTexture":{"index":0}}])"), "reference at /materials/0/normalTexture/index");
+  EXPECT_EQ(import_json(R"("animations":[{"channels":[],"samplers":[{"input":0,"output":0}]}])"),
+            "reference at /animations/0/samplers/0/input");
+  EXPECT_EQ(import_json(R"("materials":[{"normalTexture":{"index":0}}])"),
+            "reference at /materials/0/normalTexture/index");
   EXPECT_EQ(import_json(R"("textures":[{"source":0}])"), "reference at /textures/0/source");
   EXPECT_EQ(import_json(R"("images":[{"bufferView":0}])"), "reference at /images/0/bufferView");
 }
@@ -135,7 +154,8 @@ TEST(document_rules, G56_scenes_and_their_roots) {
   const auto none = import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"nodes":[{}]})"), "x");
   ASSERT_TRUE(none);
   EXPECT_EQ(none->scene.default_scene, kNone);
-  const auto first = import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"nodes":[{}],"scenes":[{"nodes":[0]},{}]})"), "x");
+  const auto first =
+      import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"nodes":[{}],"scenes":[{"nodes":[0]},{}]})"), "x");
   ASSERT_TRUE(first);
   EXPECT_EQ(first->scene.default_scene, 0u);
   const std::string inner = R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{}],"scenes":[{"nodes":[1]}]})";
@@ -149,8 +169,10 @@ TEST(document_rules, G66_a_missing_buffer_fails_only_who_reads_it) {
                      R"("accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"SCALAR"}])";
   EXPECT_EQ(import_json(read), "buffer-missing at /buffers/0");
   EXPECT_EQ(import_json(R"("buffers":[{"byteLength":4,"uri":"data:;base64,YWI="}])"), "buffer-short at /buffers/0");
-  EXPECT_EQ(import_json(R"("buffers":[{"byteLength":2,"uri":"data:;base64,YWI="}],"bufferViews":[{"buffer":0,"byteOffset":1,"byteLength":2}])"),
-            "buffer-view-range at /bufferViews/0/byteLength");
+  EXPECT_EQ(
+      import_json(
+          R"("buffers":[{"byteLength":2,"uri":"data:;base64,YWI="}],"bufferViews":[{"buffer":0,"byteOffset":1,"byteLength":2}])"),
+      "buffer-view-range at /bufferViews/0/byteLength");
 }
 
 TEST(document_rules, G66_a_missing_image_is_a_warning) {
@@ -212,7 +234,8 @@ TEST(document_rules, rules_have_unique_identifiers_and_a_sentence) {
 }
 
 TEST(document_rules, descriptions_hold_file_place_rule_and_detail) {
-  EXPECT_EQ(describe("a.glb", {Severity::error, "reference", "/nodes/0/mesh", "index 3"}), "a.glb: /nodes/0/mesh: error: reference: index 3");
+  EXPECT_EQ(describe("a.glb", {Severity::error, "reference", "/nodes/0/mesh", "index 3"}),
+            "a.glb: /nodes/0/mesh: error: reference: index 3");
   EXPECT_EQ(describe("a.glb", {Severity::warning, "json-bom", "", "skipped"}), "a.glb: warning: json-bom: skipped");
 }
 

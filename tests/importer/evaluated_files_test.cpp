@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small files from bytes to the vertices of a frame: rules of glTF that no single part of the importer answers for alone.
+// Small files from bytes to the vertices of a frame: rules of glTF that no single part of the importer answers for
+// alone.
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -24,7 +25,8 @@ struct Shown {
   FrameBuffer frame;
   ErrorCode error = ErrorCode::ok;
 
-  explicit Shown(const TinyGltf& gltf, std::uint32_t clip = kNone, double time_s = 0.0, NormalRule rule = NormalRule::linear)
+  explicit Shown(const TinyGltf& gltf, std::uint32_t clip = kNone, double time_s = 0.0,
+                 NormalRule rule = NormalRule::linear)
       : file(gltf.import()), plan(compile_plan(scene(), needs(rule))), frame(plan) {
     const ClipLayer layer{clip, time_s, 1.0f};
     error = run_plan(plan, {clip == kNone ? std::span<const ClipLayer>{} : std::span(&layer, 1), {}, {}}, frame);
@@ -35,7 +37,9 @@ struct Shown {
     if (!file) throw std::runtime_error(outcome(file));
     return file->scene;
   }
-  const Affine& world_of_node(std::uint32_t node) const { return frame.result().model[scene().skeleton.joint_of_node[node]]; }
+  const Affine& world_of_node(std::uint32_t node) const {
+    return frame.result().model[scene().skeleton.joint_of_node[node]];
+  }
   const DeformedPrimitive& primitive(std::size_t i = 0) const { return frame.result().primitives[i]; }
 
  private:
@@ -52,7 +56,8 @@ constexpr double kTight = 1e-6;
 
 TEST(evaluated_file, N26_displacements_and_skin_weights_too_small_to_show_are_dropped_at_import) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {1, 1e-38f, 0, 0, 1, 1e-42f, 0, 0, 1, 1e-21f, 0, 0});
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0},
+                                              {1, 1e-38f, 0, 0, 1, 1e-42f, 0, 0, 1, 1e-21f, 0, 0});
   primitive["targets"] = Json::array({{{"POSITION", file.vec3({1e-39f, -1e-21f, 0, 0, 1e-42f, 3, 0, 0, -1e-19f})}}});
   const Shown shown(file);
   const Primitive& imported = shown.scene().meshes[0].primitives[0];
@@ -147,9 +152,14 @@ TEST(evaluated_file, G33_nodes_between_joints_count_and_joints_may_come_leaf_fir
 TEST(evaluated_file, G34_one_mesh_with_two_skins_over_the_same_joints_has_two_palettes) {
   TinyGltf file;
   file.add_skinned_triangle(kAllOnSlot0, kFull);
-  const std::size_t other = file.add(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4", 5126, 16);
-  file.root["nodes"] = Json::parse(R"([{"mesh":0,"skin":0},{"children":[2],"translation":[2,0,0]},{},{"mesh":0,"skin":1},{"mesh":0,"skin":2}])");
-  file.root["skins"] = Json::array({{{"joints", {1, 2}}}, {{"joints", {1, 2}}, {"inverseBindMatrices", other}}, {{"joints", {2, 1}}, {"inverseBindMatrices", other}}});
+  const std::size_t other = file.add(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1,
+                                                        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                                     "MAT4", 5126, 16);
+  file.root["nodes"] = Json::parse(
+      R"([{"mesh":0,"skin":0},{"children":[2],"translation":[2,0,0]},{},{"mesh":0,"skin":1},{"mesh":0,"skin":2}])");
+  file.root["skins"] = Json::array({{{"joints", {1, 2}}},
+                                    {{"joints", {1, 2}}, {"inverseBindMatrices", other}},
+                                    {{"joints", {2, 1}}, {"inverseBindMatrices", other}}});
   file.animate("translation", file.times({0, 1}), file.vec3({0, 1, 0, 0, 1, 0}));
   file.root["animations"][0]["channels"][0]["target"]["node"] = 2;
   const Shown shown(file, 0, 0.5);
@@ -168,7 +178,8 @@ TEST(evaluated_file, G37_joint_values_of_8_and_16_bits_mean_the_same_beyond_256_
     if (wide)
       primitive["attributes"]["JOINTS_0"] = file.add(joints, "VEC4", 5123, 4);
     else
-      primitive["attributes"]["JOINTS_0"] = file.add(std::vector<std::uint8_t>(joints.begin(), joints.end()), "VEC4", 5121, 4);
+      primitive["attributes"]["JOINTS_0"] =
+          file.add(std::vector<std::uint8_t>(joints.begin(), joints.end()), "VEC4", 5121, 4);
     file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}});
     file.root["skins"] = Json::array({{{"joints", Json::array()}}});
     for (int j = 0; j < 600; ++j) {
@@ -187,8 +198,11 @@ TEST(evaluated_file, G37_joint_values_of_8_and_16_bits_mean_the_same_beyond_256_
 
 TEST(evaluated_file, G40_a_vertex_with_six_influences_in_two_sets_uses_all_of_them) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3}, {.25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f});
-  primitive["attributes"]["JOINTS_1"] = file.add(std::vector<std::uint8_t>{4, 5, 0, 0, 4, 5, 0, 0, 4, 5, 0, 0}, "VEC4", 5121, 4);
+  Json& primitive =
+      file.add_skinned_triangle({0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3},
+                                {.25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f, .25f, .25f, .125f, .125f});
+  primitive["attributes"]["JOINTS_1"] =
+      file.add(std::vector<std::uint8_t>{4, 5, 0, 0, 4, 5, 0, 0, 4, 5, 0, 0}, "VEC4", 5121, 4);
   primitive["attributes"]["WEIGHTS_1"] = file.vec4({.125f, .125f, 0, 0, .125f, .125f, 0, 0, .125f, .125f, 0, 0});
   file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}});
   file.root["skins"][0]["joints"] = Json::array();
@@ -206,7 +220,8 @@ TEST(evaluated_file, G42_displacements_are_turned_with_the_joint) {
   file.root["meshes"][0]["weights"] = {0.5};
   file.root["nodes"][1]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};  // 90 degrees about z: +y becomes -x
   file.root["nodes"][1]["scale"] = {3, 3, 3};
-  EXPECT_TRUE(is_near(Shown(file).primitive().positions[0], glm::vec3(-3, 0, 0), kTight)) << "0.5 * 2 upwards, turned and scaled";
+  EXPECT_TRUE(is_near(Shown(file).primitive().positions[0], glm::vec3(-3, 0, 0), kTight))
+      << "0.5 * 2 upwards, turned and scaled";
 }
 
 TEST(evaluated_file, G44_hundreds_of_targets_all_count) {
@@ -232,11 +247,13 @@ TEST(evaluated_file, G44_hundreds_of_targets_all_count) {
 
 TEST(evaluated_file, G51_joints_may_shrink_to_nothing_and_come_back) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.5f, .5f, 0, 0, .5f, .5f, 0, 0, .5f, .5f, 0, 0});
+  Json& primitive =
+      file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.5f, .5f, 0, 0, .5f, .5f, 0, 0, .5f, .5f, 0, 0});
   primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
   primitive["attributes"]["TANGENT"] = file.vec4({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1});
   file.animate("scale", file.times({0, 1, 2, 3, 4}), file.vec3({1, 1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 2, 1, 1, 1}));
-  file.root["animations"][0]["channels"][0]["target"]["node"] = 1;  // parent of the other joint: all of the skin collapses
+  file.root["animations"][0]["channels"][0]["target"]["node"] =
+      1;  // parent of the other joint: all of the skin collapses
   for (const NormalRule rule : {NormalRule::linear, NormalRule::cofactor})
     for (const double t : {0.0, 0.999999, 1.0, 1.000001, 1.5, 2.0, 2.5, 3.0, 4.0}) {
       const Shown shown(file, 0, t, rule);

@@ -47,9 +47,11 @@ Scene rich_scene() {
   Scene scene = std::move(scenes[1].scene);
   Image image{"checker", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 128, 9, 8, 7, 6}, ""};
   scene.images.push_back(image);
-  scene.textures.push_back({0, {Filter::nearest, Filter::linear, Filter::nearest, true, Wrap::clamp_to_edge, Wrap::mirrored_repeat}});
+  scene.textures.push_back(
+      {0, {Filter::nearest, Filter::linear, Filter::nearest, true, Wrap::clamp_to_edge, Wrap::mirrored_repeat}});
   for (Mesh& mesh : scene.meshes)
-    for (Primitive& primitive : mesh.primitives) primitive.texcoords.assign(1, std::vector<glm::vec2>(primitive.vertex_count(), {0.5f, 0.25f}));
+    for (Primitive& primitive : mesh.primitives)
+      primitive.texcoords.assign(1, std::vector<glm::vec2>(primitive.vertex_count(), {0.5f, 0.25f}));
   Material& material = scene.materials[0];
   material.base_color_texture.texture = 0;
   material.base_color_texture.offset = {0.25f, 0.5f};
@@ -63,7 +65,8 @@ Scene rich_scene() {
   Primitive& floor = scene.meshes[0].primitives[0];
   floor.texcoords.emplace_back(floor.vertex_count(), glm::vec2(0.5f, 0.25f));
   Camera camera;
-  camera.name = "eye", camera.joint = 0, camera.fov_y_rad = 0.5f, camera.aspect = 1.5f, camera.near_m = 0.25f, camera.far_m = 64.0f;
+  camera.name = "eye", camera.joint = 0, camera.fov_y_rad = 0.5f, camera.aspect = 1.5f, camera.near_m = 0.25f,
+  camera.far_m = 64.0f;
   scene.cameras.push_back(camera);
   Light light;
   light.name = "sun", light.kind = Light::Kind::spot, light.joint = 1, light.intensity = 4.0f, light.range_m = 8.0f;
@@ -86,22 +89,24 @@ TEST(export_glb, keeps_animated_properties_visibility_copies_and_variants) {
   before.materials.push_back({});
   before.meshes[0].primitives[0].variant_materials = {{1, static_cast<std::uint32_t>(before.materials.size() - 1)}};
   ASSERT_EQ(before.instances[0].skin, kNone);
-  before.instances[0].copies = {{{1, 2, 3}, glm::quat(0, 1, 0, 0), {1, -1, 2}}, {{4, 5, 6}, glm::quat(1, 0, 0, 0), {1, 1, 1}}};
+  before.instances[0].copies = {{{1, 2, 3}, glm::quat(0, 1, 0, 0), {1, -1, 2}},
+                                {{4, 5, 6}, glm::quat(1, 0, 0, 0), {1, 1, 1}}};
   const auto track = [](Interpolation interpolation, std::uint32_t components) {
     WeightTrack out{interpolation, {0.0f, 0.5f}, {}, components};
-    for (std::uint32_t i = 0; i < 2 * components; ++i) out.values.push_back(interpolation == Interpolation::step ? static_cast<float>(i % 2) : 0.25f * static_cast<float>(i));
+    for (std::uint32_t i = 0; i < 2 * components; ++i)
+      out.values.push_back(interpolation == Interpolation::step ? static_cast<float>(i % 2)
+                                                                : 0.25f * static_cast<float>(i));
     return out;
   };
   const auto linear = Interpolation::linear;
-  before.animations[0].properties = {
-      {{PropertyKind::node_visible, 0}, track(Interpolation::step, 1)},
-      {{PropertyKind::node_visible, 1}, track(Interpolation::step, 1)},
-      {{PropertyKind::camera_fov_y, 0}, track(linear, 1)},
-      {{PropertyKind::light_color, 0}, track(linear, 3)},
-      {{PropertyKind::base_color, 0}, track(linear, 4)},
-      {{PropertyKind::emissive_strength, 0}, track(linear, 1)},
-      {{PropertyKind::emissive_strength, 1}, track(linear, 1)},
-      {{PropertyKind::texture_scale, 0, TextureSlot::base_color}, track(linear, 2)}};
+  before.animations[0].properties = {{{PropertyKind::node_visible, 0}, track(Interpolation::step, 1)},
+                                     {{PropertyKind::node_visible, 1}, track(Interpolation::step, 1)},
+                                     {{PropertyKind::camera_fov_y, 0}, track(linear, 1)},
+                                     {{PropertyKind::light_color, 0}, track(linear, 3)},
+                                     {{PropertyKind::base_color, 0}, track(linear, 4)},
+                                     {{PropertyKind::emissive_strength, 0}, track(linear, 1)},
+                                     {{PropertyKind::emissive_strength, 1}, track(linear, 1)},
+                                     {{PropertyKind::texture_scale, 0, TextureSlot::base_color}, track(linear, 2)}};
   finish_scene(before);
   ASSERT_EQ(check(before), ErrorCode::ok);
   const ImportedFile after = round_trip(before);
@@ -144,7 +149,9 @@ TEST(export_corpus, every_model_comes_back_bit_equal) {
     auto before = import_gltf(path, as_converted());
     if (!before) continue;  // import_corpus says which may be refused
     for (Image& image : before->scene.images)
-      if (image.rgba.empty()) image.width = image.height = 1, image.rgba = {255, 0, 255, 255};  // what stands for a missing image is written as such
+      if (image.rgba.empty())
+        image.width = image.height = 1,
+        image.rgba = {255, 0, 255, 255};  // what stands for a missing image is written as such
     const ImportedFile after = round_trip(before->scene);
     test::expect_equal(before->scene, after.scene);
     expect_same_vertex_numbers(before->scene, after.scene);

@@ -22,7 +22,8 @@ TinyGltf instanced() {
   TinyGltf file;
   file.add_triangle();
   const Json attributes = {{"TRANSLATION", file.vec3({0, 0, 0, 1, 2, 3, -1, 0, 0})},
-                           {"ROTATION", file.add(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 32767, 0, 0, 0, 0, 0}, "VEC4", 5122, 4, true)},
+                           {"ROTATION", file.add(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 32767, 0, 0, 0, 0, 0},
+                                                 "VEC4", 5122, 4, true)},
                            {"SCALE", file.vec3({1, 1, 1, 2, 2, 2, -1, 1, 1})},
                            {"_ID", file.scalars({4, 5, 6})}};
   file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
@@ -49,13 +50,25 @@ TEST(extensions, attributes_of_instances_have_one_shape) {
     return outcome(file.import());
   };
   const std::string place = std::string(" at ") + kAttributes;
-  EXPECT_EQ(with("TRANSLATION", [](TinyGltf& f) { return f.vec3({0, 0, 0}); }), "instancing-attributes" + place + "/TRANSLATION");
-  EXPECT_EQ(with("TRANSLATION", [](TinyGltf& f) { return f.scalars({0, 0, 0}); }), "instancing-attributes" + place + "/TRANSLATION");
+  EXPECT_EQ(with("TRANSLATION",
+                 [](TinyGltf& f) {
+                   return f.vec3({0, 0, 0});
+                 }),
+            "instancing-attributes" + place + "/TRANSLATION");
+  EXPECT_EQ(with("TRANSLATION",
+                 [](TinyGltf& f) {
+                   return f.scalars({0, 0, 0});
+                 }),
+            "instancing-attributes" + place + "/TRANSLATION");
   EXPECT_EQ(with("SCALE", [](TinyGltf& f) { return f.add(std::vector<std::int16_t>(9), "VEC3", 5122, 3, true); }),
             "instancing-attributes" + place + "/SCALE");
-  EXPECT_EQ(with("COLOR_0", [](TinyGltf& f) { return f.vec3(std::vector<float>(9)); }), "instancing-attributes" + place + "/COLOR_0");
+  EXPECT_EQ(with("COLOR_0", [](TinyGltf& f) { return f.vec3(std::vector<float>(9)); }),
+            "instancing-attributes" + place + "/COLOR_0");
   EXPECT_EQ(with("SCALE", [](TinyGltf&) { return 99; }), "reference" + place + "/SCALE");
-  EXPECT_EQ(with("SCALE", [](TinyGltf& f) { return f.vec3({1, 1, 1, 1, 1, std::numeric_limits<float>::infinity(), 1, 1, 1}); }),
+  EXPECT_EQ(with("SCALE",
+                 [](TinyGltf& f) {
+                   return f.vec3({1, 1, 1, 1, 1, std::numeric_limits<float>::infinity(), 1, 1, 1});
+                 }),
             "not-finite" + place + "/SCALE");
 }
 
@@ -72,13 +85,15 @@ TEST(extensions, a_skinned_mesh_is_not_instanced) {
 TEST(extensions, G68_instances_without_bytes_are_within_the_budget) {
   TinyGltf file = instanced();
   file.root["accessors"].push_back({{"componentType", 5126}, {"count", 1u << 30}, {"type", "VEC3"}});
-  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"SCALE", file.root["accessors"].size() - 1}};
+  file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+      {"SCALE", file.root["accessors"].size() - 1}};
   EXPECT_EQ(outcome(file.import()), "memory-budget at ");
 }
 
 TEST(extensions, hidden_nodes_are_known) {
   TinyGltf file;
-  file.root["nodes"] = Json::array({Json::object(), {{"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}},
+  file.root["nodes"] = Json::array({Json::object(),
+                                    {{"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}},
                                     {{"extensions", {{"KHR_node_visibility", {{"visible", true}}}}}},
                                     {{"extensions", {{"KHR_node_visibility", {{"visible", 0}}}}}}});
   file.root["extensionsRequired"] = {"KHR_node_visibility"};
@@ -92,11 +107,14 @@ TEST(extensions, variants_name_other_materials) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
   primitive["material"] = 0;
-  primitive["extensions"]["KHR_materials_variants"]["mappings"] =
-      Json::array({{{"material", 2}, {"variants", {2, 0}}}, {{"material", 1}, {"variants", {2}}}, {{"material", 9}, {"variants", {1}}},
-                   {{"material", 1}, {"variants", {3}}}, 5});
+  primitive["extensions"]["KHR_materials_variants"]["mappings"] = Json::array({{{"material", 2}, {"variants", {2, 0}}},
+                                                                               {{"material", 1}, {"variants", {2}}},
+                                                                               {{"material", 9}, {"variants", {1}}},
+                                                                               {{"material", 1}, {"variants", {3}}},
+                                                                               5});
   file.root["materials"] = Json::array({Json::object(), Json::object(), Json::object()});
-  file.root["extensions"]["KHR_materials_variants"]["variants"] = Json::array({{{"name", "red"}}, {{"name", "blue"}}, {{"name", "old"}}});
+  file.root["extensions"]["KHR_materials_variants"]["variants"] =
+      Json::array({{{"name", "red"}}, {{"name", "blue"}}, {{"name", "old"}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   EXPECT_THAT(result->scene.variants, ElementsAre("red", "blue", "old"));
@@ -106,13 +124,16 @@ TEST(extensions, variants_name_other_materials) {
   EXPECT_EQ(material_of(shown, 1), 0u);
   EXPECT_EQ(material_of(shown, kNone), 0u);
   for (const char* m : {"2", "3", "4"})
-    EXPECT_TRUE(warns(result, "extension-value", std::string("/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/") + m)) << m;
+    EXPECT_TRUE(warns(result, "extension-value",
+                      std::string("/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/") + m))
+        << m;
 }
 
 TEST(extensions, G57_what_only_refines_surfaces_is_read_past) {
-  for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_volume",
-                           "KHR_materials_ior", "KHR_materials_specular", "KHR_materials_iridescence", "KHR_materials_anisotropy",
-                           "KHR_materials_dispersion", "KHR_materials_variants", "KHR_materials_unlit"}) {
+  for (const char* name :
+       {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_transmission", "KHR_materials_volume",
+        "KHR_materials_ior", "KHR_materials_specular", "KHR_materials_iridescence", "KHR_materials_anisotropy",
+        "KHR_materials_dispersion", "KHR_materials_variants", "KHR_materials_unlit"}) {
     TinyGltf file;
     file.root["extensionsUsed"] = file.root["extensionsRequired"] = {name};
     file.root["materials"] = Json::array({{{"extensions", {{name, {{"anyFactor", 0.5}}}}}}});
@@ -125,7 +146,8 @@ TEST(extensions, G57_what_only_refines_surfaces_is_read_past) {
 TEST(extensions, T10_numbers_of_the_document_are_rounded_once) {
   FixedRandom random(3);
   for (int i = 0; i < 50; ++i) {
-    const auto x = static_cast<float>(random.in(-1.0, 1.0)) * std::pow(10.0f, static_cast<float>(random.in(-20.0, 20.0)));
+    const auto x =
+        static_cast<float>(random.in(-1.0, 1.0)) * std::pow(10.0f, static_cast<float>(random.in(-20.0, 20.0)));
     char text[64];
     std::snprintf(text, sizeof text, "%.9g", static_cast<double>(x));
     const std::string json = std::string(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[)") + text + ",0,0]}]}";

@@ -73,7 +73,8 @@ test::TinyGltf images_of_three_kinds(const std::vector<std::vector<std::byte>>& 
 }
 
 TEST(read_images, are_written_back_byte_for_byte_webp_by_its_extension) {
-  const std::vector<std::vector<std::byte>> encoded{test::encode_png(2, 2, 4, kFourPixels), test::encode_jpeg(2, 1, 3, {9, 8, 7, 6, 5, 4}),
+  const std::vector<std::vector<std::byte>> encoded{test::encode_png(2, 2, 4, kFourPixels),
+                                                    test::encode_jpeg(2, 1, 3, {9, 8, 7, 6, 5, 4}),
                                                     test::encode_webp(2, 2, kFourPixels)};
   ImportOptions options;
   options.decode_images = false;
@@ -100,7 +101,8 @@ TEST(read_images, probing_takes_kind_and_size_from_the_header_alone) {
   options.decode_images = false;
   options.probe_images = true;
   IssueLog log;
-  const auto images = read_images(document_of({cut, test::encode_webp(2, 2, kFourPixels), {std::byte{1}}}), options, log);
+  const auto images =
+      read_images(document_of({cut, test::encode_webp(2, 2, kFourPixels), {std::byte{1}}}), options, log);
   EXPECT_EQ(images[0].width, 2u);
   EXPECT_EQ(images[0].height, 2u);
   EXPECT_EQ(images[0].mime_type, "image/png");

@@ -25,7 +25,8 @@ TEST(import_corpus, every_model_loads_or_requires_what_is_not_supported) {
     if (result) {
       ++loaded;
       EXPECT_EQ(check(result->scene), ErrorCode::ok) << file;
-      for (const ImportIssue& issue : result->warnings) EXPECT_EQ(issue.severity, Severity::warning) << describe(file.string(), issue);
+      for (const ImportIssue& issue : result->warnings)
+        EXPECT_EQ(issue.severity, Severity::warning) << describe(file.string(), issue);
     } else {
       EXPECT_EQ(result.error().issue.rule, "extension-required") << describe(file.string(), result.error().issue);
     }
@@ -46,26 +47,74 @@ TEST(import_corpus, poses_do_not_depend_on_images_or_made_vectors) {
   }
 }
 
-/// Codes of the validator for faults in data that the importer reads. Faults in what it does not read (buffer view targets,
-/// bounds of positions, unread extensions, naming, alignment for GPUs) are not among them.
-const std::set<std::string> kTouchesData{
-    "ACCESSOR_TOO_LONG", "ACCESSOR_SMALL_BYTESTRIDE", "ACCESSOR_OFFSET_ALIGNMENT", "ACCESSOR_TOTAL_OFFSET_ALIGNMENT", "ACCESSOR_INDEX_OOB",
-    "ACCESSOR_NORMALIZED_INVALID", "ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE", "ACCESSOR_SPARSE_INDEX_OOB", "ACCESSOR_SPARSE_INDICES_NON_INCREASING",
-    "ACCESSOR_INVALID_FLOAT", "ACCESSOR_VECTOR3_NON_UNIT", "ACCESSOR_INVALID_SIGN", "ACCESSOR_WEIGHTS_NON_NORMALIZED", "ACCESSOR_JOINTS_INDEX_OOB",
-    "ACCESSOR_INVALID_IBM", "ACCESSOR_MIN_MISMATCH", "ACCESSOR_MAX_MISMATCH", "ACCESSOR_ANIMATION_INPUT_NEGATIVE",
-    "ACCESSOR_ANIMATION_INPUT_NON_INCREASING", "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION", "ANIMATION_DUPLICATE_TARGETS",
-    "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT", "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT",
-    "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT", "ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS",
-    "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS", "ASSET_MIN_VERSION_GREATER_THAN_VERSION", "BUFFER_BYTE_LENGTH_MISMATCH",
-    "BUFFER_VIEW_TOO_LONG", "GLB_INVALID_MAGIC", "GLB_INVALID_VERSION", "GLB_CHUNK_TOO_BIG", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_EMPTY_CHUNK",
-    "GLB_DUPLICATE_CHUNK", "GLB_UNEXPECTED_BIN_CHUNK", "GLB_UNEXPECTED_FIRST_CHUNK", "GLB_UNEXPECTED_END_OF_CHUNK_DATA", "GLB_LENGTH_MISMATCH",
-    "INVALID_INDEX", "INVALID_JSON", "INVALID_IBM_ACCESSOR_COUNT", "INVALID_URI", "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY",
-    "MESH_PRIMITIVE_INVALID_ATTRIBUTE", "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT", "MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT",
-    "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
-    "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR", "MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH", "MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", "NODE_LOOP",
-    "NODE_PARENT_OVERRIDE", "NODE_MATRIX_TRS", "NODE_WEIGHTS_INVALID", "NODE_SKIN_WITH_NON_SKINNED_MESH", "PATTERN_MISMATCH", "ROTATION_NON_UNIT",
-    "SCENE_NON_ROOT_NODE", "SKIN_NO_COMMON_ROOT", "UNDEFINED_PROPERTY", "UNRESOLVED_REFERENCE", "UNSATISFIED_DEPENDENCY", "VALUE_MULTIPLE_OF",
-    "VALUE_NOT_IN_RANGE"};
+/// Codes of the validator for faults in data that the importer reads. Faults in what it does not read (buffer view
+/// targets, bounds of positions, unread extensions, naming, alignment for GPUs) are not among them.
+const std::set<std::string> kTouchesData{"ACCESSOR_TOO_LONG",
+                                         "ACCESSOR_SMALL_BYTESTRIDE",
+                                         "ACCESSOR_OFFSET_ALIGNMENT",
+                                         "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
+                                         "ACCESSOR_INDEX_OOB",
+                                         "ACCESSOR_NORMALIZED_INVALID",
+                                         "ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE",
+                                         "ACCESSOR_SPARSE_INDEX_OOB",
+                                         "ACCESSOR_SPARSE_INDICES_NON_INCREASING",
+                                         "ACCESSOR_INVALID_FLOAT",
+                                         "ACCESSOR_VECTOR3_NON_UNIT",
+                                         "ACCESSOR_INVALID_SIGN",
+                                         "ACCESSOR_WEIGHTS_NON_NORMALIZED",
+                                         "ACCESSOR_JOINTS_INDEX_OOB",
+                                         "ACCESSOR_INVALID_IBM",
+                                         "ACCESSOR_MIN_MISMATCH",
+                                         "ACCESSOR_MAX_MISMATCH",
+                                         "ACCESSOR_ANIMATION_INPUT_NEGATIVE",
+                                         "ACCESSOR_ANIMATION_INPUT_NON_INCREASING",
+                                         "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
+                                         "ANIMATION_DUPLICATE_TARGETS",
+                                         "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT",
+                                         "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT",
+                                         "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT",
+                                         "ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS",
+                                         "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
+                                         "ASSET_MIN_VERSION_GREATER_THAN_VERSION",
+                                         "BUFFER_BYTE_LENGTH_MISMATCH",
+                                         "BUFFER_VIEW_TOO_LONG",
+                                         "GLB_INVALID_MAGIC",
+                                         "GLB_INVALID_VERSION",
+                                         "GLB_CHUNK_TOO_BIG",
+                                         "GLB_CHUNK_LENGTH_UNALIGNED",
+                                         "GLB_EMPTY_CHUNK",
+                                         "GLB_DUPLICATE_CHUNK",
+                                         "GLB_UNEXPECTED_BIN_CHUNK",
+                                         "GLB_UNEXPECTED_FIRST_CHUNK",
+                                         "GLB_UNEXPECTED_END_OF_CHUNK_DATA",
+                                         "GLB_LENGTH_MISMATCH",
+                                         "INVALID_INDEX",
+                                         "INVALID_JSON",
+                                         "INVALID_IBM_ACCESSOR_COUNT",
+                                         "INVALID_URI",
+                                         "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY",
+                                         "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
+                                         "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
+                                         "MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT",
+                                         "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT",
+                                         "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
+                                         "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
+                                         "MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH",
+                                         "MESH_PRIMITIVE_TOO_FEW_TEXCOORDS",
+                                         "NODE_LOOP",
+                                         "NODE_PARENT_OVERRIDE",
+                                         "NODE_MATRIX_TRS",
+                                         "NODE_WEIGHTS_INVALID",
+                                         "NODE_SKIN_WITH_NON_SKINNED_MESH",
+                                         "PATTERN_MISMATCH",
+                                         "ROTATION_NON_UNIT",
+                                         "SCENE_NON_ROOT_NODE",
+                                         "SKIN_NO_COMMON_ROOT",
+                                         "UNDEFINED_PROPERTY",
+                                         "UNRESOLVED_REFERENCE",
+                                         "UNSATISFIED_DEPENDENCY",
+                                         "VALUE_MULTIPLE_OF",
+                                         "VALUE_NOT_IN_RANGE"};
 
 struct Fault {
   std::string code, place;
@@ -94,13 +143,14 @@ std::string entry_of(const std::string& place) {
   return place.substr(0, third);
 }
 
-/// The same place, a finer or a coarser one. An error refuses its whole entry of a list, one about the file everything; of
-/// two channels with one target either may be named, and a node with two parents hides one of two cycles.
+/// The same place, a finer or a coarser one. An error refuses its whole entry of a list, one about the file everything;
+/// of two channels with one target either may be named, and a node with two parents hides one of two cycles.
 bool answers(const ImportIssue& issue, const Fault& fault) {
   const std::string& ours = issue.json_pointer;
   if (ours == fault.place || is_below(fault.place, ours) || is_below(ours, fault.place)) return true;
   if (issue.severity == Severity::error && (ours.empty() || entry_of(ours) == entry_of(fault.place))) return true;
-  if (fault.code == "ANIMATION_DUPLICATE_TARGETS") return issue.rule == "animation-duplicate" && entry_of(ours) == entry_of(fault.place);
+  if (fault.code == "ANIMATION_DUPLICATE_TARGETS")
+    return issue.rule == "animation-duplicate" && entry_of(ours) == entry_of(fault.place);
   return fault.code == "NODE_LOOP" && issue.rule == "node-parents";
 }
 
@@ -128,7 +178,8 @@ TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validat
       EXPECT_NE(issue.rule, "scene-check") << issue.detail;
     }
     for (const Fault& fault : data_faults(file.string() + ".report.json")) {
-      const bool found = std::any_of(issues.begin(), issues.end(), [&](const ImportIssue& issue) { return answers(issue, fault); });
+      const bool found =
+          std::any_of(issues.begin(), issues.end(), [&](const ImportIssue& issue) { return answers(issue, fault); });
       EXPECT_TRUE(found) << fault.code << " at " << fault.place << " goes unnoticed";
       answered += found ? 1 : 0;
     }

@@ -62,7 +62,9 @@ std::size_t json_bytes(const fs::path& path) {
 
 bool is_packed(const ImportedFile& file) {
   const auto& used = file.facts.extensions_used;
-  return std::any_of(used.begin(), used.end(), [](const std::string& name) { return name.ends_with("_compression") || name.ends_with("_quantization"); });
+  return std::any_of(used.begin(), used.end(), [](const std::string& name) {
+    return name.ends_with("_compression") || name.ends_with("_quantization");
+  });
 }
 
 TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_the_file_and_the_tree_of_their_json) {
@@ -77,7 +79,8 @@ TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_th
     const std::size_t most = peak.bytes();
     if (!file || is_packed(*file)) continue;
     ++compared;
-    EXPECT_LT(most, 3 * file->facts.file_bytes + 5 * json_bytes(path) / 2 + kFixed) << path << ", " << file->facts.file_bytes << " bytes";
+    EXPECT_LT(most, 3 * file->facts.file_bytes + 5 * json_bytes(path) / 2 + kFixed)
+        << path << ", " << file->facts.file_bytes << " bytes";
   }
   EXPECT_GT(compared, 0u);
 }

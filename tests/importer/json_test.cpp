@@ -33,15 +33,17 @@ TEST(json, T10_numbers_are_the_nearest_doubles) {
     std::snprintf(text, sizeof text, i % 3 == 0 ? "%.17g" : i % 3 == 1 ? "%.9e" : "%.30f", value);
     EXPECT_EQ(number(text), std::strtod(text, nullptr)) << text;
   }
-  for (const char* odd : {"0", "-0", "1e-400", "4.9e-324", "2.4703282292062328e-324", "1.7976931348623158e308", "9007199254740993",
-                          "18446744073709551615", "18446744073709551616", "-9223372036854775809", "123456789012345678901234567890.5e-3"})
+  for (const char* odd :
+       {"0", "-0", "1e-400", "4.9e-324", "2.4703282292062328e-324", "1.7976931348623158e308", "9007199254740993",
+        "18446744073709551615", "18446744073709551616", "-9223372036854775809", "123456789012345678901234567890.5e-3"})
     EXPECT_EQ(number(odd), std::strtod(odd, nullptr)) << odd;
   EXPECT_EQ(parse("1e309"), nullptr) << "no finite number";
 }
 
 TEST(json, text_is_utf8_also_where_it_is_escaped) {
-  for (const char* bad : {"\"\xed\xa0\x80\"", "\"\\ud800\"", "\"\\udc00\"", "\"\\ud800x\"", "\"\\ud800\\u0041\"", "\"\xc0\x80\"", "\"\xf5\x80\x80\x80\"",
-                          "\"\xe2\x82\"", "{\"\\udfff\":1}", "\"\x01\"", "\"\\x\"", "\"\\u12g4\""})
+  for (const char* bad :
+       {"\"\xed\xa0\x80\"", "\"\\ud800\"", "\"\\udc00\"", "\"\\ud800x\"", "\"\\ud800\\u0041\"", "\"\xc0\x80\"",
+        "\"\xf5\x80\x80\x80\"", "\"\xe2\x82\"", "{\"\\udfff\":1}", "\"\x01\"", "\"\\x\"", "\"\\u12g4\""})
     EXPECT_EQ(parse(bad), nullptr) << bad;
   const std::string text = R"("\ud83d\ude00 \u00e9 ퟿")";
   const auto tree = parse(text);
@@ -50,10 +52,14 @@ TEST(json, text_is_utf8_also_where_it_is_escaped) {
 }
 
 TEST(json, T11_strings_are_not_copied_out_of_the_text_unless_they_are_escaped) {
-  const std::string text = "\xEF\xBB\xBF" R"( {"plain":"abc","":"","esc\u0061ped":"abc\n"} )";
+  const std::string text =
+      "\xEF\xBB\xBF"
+      R"( {"plain":"abc","":"","esc\u0061ped":"abc\n"} )";
   const auto tree = parse(text);
   ASSERT_NE(tree, nullptr);
-  const auto in_text = [&](std::string_view value) { return value.data() >= text.data() && value.data() < text.data() + text.size(); };
+  const auto in_text = [&](std::string_view value) {
+    return value.data() >= text.data() && value.data() < text.data() + text.size();
+  };
   EXPECT_TRUE(in_text(text_of(*find_member(tree->root, "plain"))));
   EXPECT_EQ(text_of(*find_member(tree->root, "plain")), "abc");
   EXPECT_EQ(text_of(*find_member(tree->root, "")), "");
@@ -63,14 +69,17 @@ TEST(json, T11_strings_are_not_copied_out_of_the_text_unless_they_are_escaped) {
 }
 
 TEST(json, what_json_does_not_allow_is_refused) {
-  for (const char* bad : {"", " ", "{", "[1,]", "{\"a\":1,}", "{a:1}", "01", "+1", ".5", "1.", "1e", "NaN", "Infinity", "-", "'a'", "[1] [2]", "nul",
-                          "/* */ 1", "[1 2]", "\"", "tru"})
+  for (const char* bad : {"",    " ",        "{", "[1,]", "{\"a\":1,}", "{a:1}", "01",      "+1",    ".5", "1.", "1e",
+                          "NaN", "Infinity", "-", "'a'",  "[1] [2]",    "nul",   "/* */ 1", "[1 2]", "\"", "tru"})
     EXPECT_EQ(parse(bad), nullptr) << bad;
 }
 
 TEST(json, of_two_values_with_one_name_the_last_counts_and_it_is_said) {
-  const auto result = import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"nodes":[{"name":"a","name":"b","mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":7,"POSITION":0}}]}],
-                                               "accessors":[{"componentType":5126,"type":"VEC3","count":3}]})"), "x");
+  const auto result = import_gltf(
+      bytes_of(
+          R"({"asset":{"version":"2.0"},"nodes":[{"name":"a","name":"b","mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":7,"POSITION":0}}]}],
+                                               "accessors":[{"componentType":5126,"type":"VEC3","count":3}]})"),
+      "x");
   ASSERT_EQ(outcome(result), "ok");
   EXPECT_EQ(result->scene.skeleton.names[0], "b");
   EXPECT_EQ(result->scene.meshes[0].primitives[0].vertex_count(), 3u);
@@ -82,8 +91,9 @@ TEST(json, many_names_are_compared_too) {
   std::string attributes = R"("POSITION":0)";
   for (int i = 0; i < 30; ++i) attributes += ",\"_" + std::to_string(i) + "\":0";
   const auto import = [&](const std::string& more) {
-    return import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{)" + attributes + more +
-                                R"(}}]}],"accessors":[{"componentType":5126,"type":"VEC3","count":3}]})"), "x");
+    return import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{)" + attributes +
+                                more + R"(}}]}],"accessors":[{"componentType":5126,"type":"VEC3","count":3}]})"),
+                       "x");
   };
   EXPECT_FALSE(warns(import(""), "json-duplicate", "/meshes/0/primitives/0/attributes"));
   EXPECT_TRUE(warns(import(R"(,"_7":0)"), "json-duplicate", "/meshes/0/primitives/0/attributes"));

@@ -28,11 +28,13 @@ TinyGltf everything() {
   file.root["images"] = Json::array({{{"uri", "missing.png"}}});
   file.root["textures"] = Json::array({{{"source", 0}}});
   const Json moved = {{"index", 0}, {"extensions", {{"KHR_texture_transform", Json::object()}}}};
-  file.root["materials"] = Json::array(
-      {{{"pbrMetallicRoughness", {{"baseColorTexture", moved}, {"metallicRoughnessTexture", moved}}},
-        {"normalTexture", moved}, {"occlusionTexture", moved}, {"emissiveTexture", moved},
-        {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}}}}},
-       Json::object()});
+  file.root["materials"] =
+      Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", moved}, {"metallicRoughnessTexture", moved}}},
+                    {"normalTexture", moved},
+                    {"occlusionTexture", moved},
+                    {"emissiveTexture", moved},
+                    {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}}}}},
+                   Json::object()});
   file.root["cameras"] = Json::array(
       {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}, {"zfar", 10}, {"aspectRatio", 2}}}},
        {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0.1}, {"zfar", 10}}}},
@@ -40,7 +42,9 @@ TinyGltf everything() {
   file.root["extensions"]["KHR_lights_punctual"]["lights"] =
       Json::array({{{"type", "spot"}, {"spot", Json::object()}, {"range", 5}}, {{"type", "point"}}});
   file.root["nodes"] = Json::array(
-      {{{"mesh", 0}, {"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}, {"KHR_node_visibility", {{"visible", false}}}}}},
+      {{{"mesh", 0},
+        {"camera", 0},
+        {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}, {"KHR_node_visibility", {{"visible", false}}}}}},
        {{"mesh", 0}, {"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}},
        {{"mesh", 0}, {"weights", {0.5, 0.5}}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}}});
   return file;
@@ -93,10 +97,12 @@ constexpr Case kCases[] = {
     {"/materials/0/emissiveFactor", PropertyKind::emissive, 3},
     {"/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength", PropertyKind::emissive_strength, 1},
     {"/materials/0/alphaCutoff", PropertyKind::alpha_cutoff, 1},
-    {"/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset", PropertyKind::texture_offset, 2},
+    {"/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset",
+     PropertyKind::texture_offset, 2},
     {"/materials/0/pbrMetallicRoughness/metallicRoughnessTexture/extensions/KHR_texture_transform/rotation",
      PropertyKind::texture_rotation, 1, 0, TextureSlot::metallic_roughness},
-    {"/materials/0/normalTexture/extensions/KHR_texture_transform/scale", PropertyKind::texture_scale, 2, 0, TextureSlot::normal},
+    {"/materials/0/normalTexture/extensions/KHR_texture_transform/scale", PropertyKind::texture_scale, 2, 0,
+     TextureSlot::normal},
     {"/materials/0/occlusionTexture/extensions/KHR_texture_transform/offset", PropertyKind::texture_offset, 2, 0,
      TextureSlot::occlusion},
     {"/materials/0/emissiveTexture/extensions/KHR_texture_transform/offset", PropertyKind::texture_offset, 2, 0,
@@ -132,8 +138,9 @@ TEST(property_pointer, G58_a_light_or_camera_on_several_nodes_moves_on_all_of_th
 TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_named) {
   for (const char* text :
        {"/cameras/2/perspective/zfar", "/cameras/2/perspective/aspectRatio", "/cameras/0/orthographic/xmag",
-        "/extensions/KHR_lights_punctual/lights/1/range", "/extensions/KHR_lights_punctual/lights/1/spot/innerConeAngle",
-        "/materials/1/normalTexture/scale", "/materials/1/occlusionTexture/strength",
+        "/extensions/KHR_lights_punctual/lights/1/range",
+        "/extensions/KHR_lights_punctual/lights/1/spot/innerConeAngle", "/materials/1/normalTexture/scale",
+        "/materials/1/occlusionTexture/strength",
         "/materials/1/extensions/KHR_materials_emissive_strength/emissiveStrength",
         "/materials/1/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/rotation",
         "/nodes/1/extensions/KHR_node_visibility/visible"}) {
@@ -144,9 +151,10 @@ TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_
 }
 
 TEST(property_pointer, G58_properties_that_the_runtime_does_not_have_are_ignored_and_named) {
-  for (const char* text : {"/materials/0/extensions/KHR_materials_clearcoat/clearcoatFactor", "/materials/0/alphaMode", "/scene",
-                           "/materials/00/alphaCutoff", "/materials/0/alphaCutoff/", "/cameras/0/perspective", "/images/0/uri",
-                           "/nodes/0/translation/0", "/meshes/0/translation", "/nodes/0/weights/x", "/nodes/0/weights/", "/materials//"}) {
+  for (const char* text :
+       {"/materials/0/extensions/KHR_materials_clearcoat/clearcoatFactor", "/materials/0/alphaMode", "/scene",
+        "/materials/00/alphaCutoff", "/materials/0/alphaCutoff/", "/cameras/0/perspective", "/images/0/uri",
+        "/nodes/0/translation/0", "/meshes/0/translation", "/nodes/0/weights/x", "/nodes/0/weights/", "/materials//"}) {
     const auto result = animated(text, 1).import();
     ASSERT_TRUE(warns(result, "animation-pointer", kTarget)) << text;
     const auto named = [&](const ImportIssue& issue) { return issue.detail.find(text) != std::string::npos; };
@@ -178,15 +186,18 @@ TEST(property_pointer, G58_flags_take_steps) {
 
 TEST(property_pointer, G58_integers_are_decoded_before_they_are_interpolated) {
   TinyGltf file = animated("/materials/0/alphaCutoff", 1);
-  file.root["animations"][0]["samplers"][0]["output"] = file.add(std::vector<std::uint8_t>{0, 255}, "SCALAR", 5121, 1, true);
+  file.root["animations"][0]["samplers"][0]["output"] =
+      file.add(std::vector<std::uint8_t>{0, 255}, "SCALAR", 5121, 1, true);
   EXPECT_THAT(file.import()->scene.animations[0].properties[0].values.values, ElementsAre(0, 1));
   file.root["animations"][0]["samplers"][0]["output"] = file.add(std::vector<std::uint8_t>{0, 255}, "SCALAR", 5121, 1);
   EXPECT_THAT(file.import()->scene.animations[0].properties[0].values.values, ElementsAre(0, 255));
 }
 
 TEST(property_pointer, G58_values_have_the_shape_of_their_property) {
-  EXPECT_EQ(outcome(animated("/materials/0/alphaCutoff", 2).import()), "animation-output at /animations/0/samplers/0/output");
-  EXPECT_EQ(outcome(animated("/materials/0/emissiveFactor", 4).import()), "animation-output at /animations/0/samplers/0/output");
+  EXPECT_EQ(outcome(animated("/materials/0/alphaCutoff", 2).import()),
+            "animation-output at /animations/0/samplers/0/output");
+  EXPECT_EQ(outcome(animated("/materials/0/emissiveFactor", 4).import()),
+            "animation-output at /animations/0/samplers/0/output");
 }
 
 /// A second channel on the same sampler.
@@ -200,11 +211,16 @@ TEST(property_pointer, G58_no_property_is_moved_twice) {
   const std::string place = "/animations/0/channels/1/target";
   const Json scale = {{"node", 0}, {"path", "scale"}};
   EXPECT_TRUE(warns(twice("/nodes/0/scale", scale, 3).import(), "animation-duplicate", place));
-  EXPECT_TRUE(warns(twice("/materials/0/alphaCutoff", pointing_at("/materials/0/alphaCutoff"), 1).import(), "animation-duplicate", place));
-  EXPECT_TRUE(warns(twice("/nodes/0/weights/0", pointing_at("/nodes/0/weights/0"), 1).import(), "animation-duplicate", place));
-  EXPECT_TRUE(warns(twice("/nodes/0/weights/1", pointing_at("/nodes/0/weights"), 1).import(), "animation-duplicate", place));
-  EXPECT_TRUE(warns(twice("/nodes/0/weights/1", {{"node", 0}, {"path", "weights"}}, 1).import(), "animation-duplicate", place));
-  EXPECT_TRUE(warns(twice("/meshes/0/weights/1", pointing_at("/meshes/0/weights"), 1).import(), "animation-duplicate", place));
+  EXPECT_TRUE(warns(twice("/materials/0/alphaCutoff", pointing_at("/materials/0/alphaCutoff"), 1).import(),
+                    "animation-duplicate", place));
+  EXPECT_TRUE(
+      warns(twice("/nodes/0/weights/0", pointing_at("/nodes/0/weights/0"), 1).import(), "animation-duplicate", place));
+  EXPECT_TRUE(
+      warns(twice("/nodes/0/weights/1", pointing_at("/nodes/0/weights"), 1).import(), "animation-duplicate", place));
+  EXPECT_TRUE(
+      warns(twice("/nodes/0/weights/1", {{"node", 0}, {"path", "weights"}}, 1).import(), "animation-duplicate", place));
+  EXPECT_TRUE(
+      warns(twice("/meshes/0/weights/1", pointing_at("/meshes/0/weights"), 1).import(), "animation-duplicate", place));
   const auto apart = twice("/nodes/0/weights/0", pointing_at("/nodes/0/weights/1"), 1).import();
   EXPECT_FALSE(warns(apart, "animation-duplicate", place));
   EXPECT_THAT(apart->scene.animations[0].weights, SizeIs(2));
@@ -228,7 +244,9 @@ TEST(property_pointer, G58_default_weights_of_a_mesh_move_the_nodes_without_thei
   ASSERT_THAT(result->scene.animations[0].weights, SizeIs(2)) << "node 2 has weights";
   EXPECT_EQ(result->scene.animations[0].weights[0].instance, 0u);
   EXPECT_EQ(result->scene.animations[0].weights[1].instance, 1u);
-  EXPECT_THAT(animated("/meshes/0/weights/0", 1).import({.animate_default_weights = false})->scene.animations[0].weights, IsEmpty());
+  EXPECT_THAT(
+      animated("/meshes/0/weights/0", 1).import({.animate_default_weights = false})->scene.animations[0].weights,
+      IsEmpty());
   const auto own = twice("/meshes/0/weights/0", pointing_at("/nodes/1/weights/0"), 1).import();
   ASSERT_THAT(own->scene.animations[0].weights, SizeIs(2));
   EXPECT_FALSE(warns(own, "animation-duplicate", "/animations/0/channels/1/target")) << "the node's own go first";

@@ -27,11 +27,16 @@ const Primitive& first_primitive(const ImportResult<ImportedFile>& file) {
 
 /// A sparse accessor over zeros, or over the view of `base`.
 template <class Index>
-std::size_t add_sparse(TinyGltf& file, const std::vector<Index>& at, int index_type, const std::vector<float>& values, const char* type,
-                       std::size_t count, const std::optional<std::size_t>& base = {}) {
+std::size_t add_sparse(TinyGltf& file, const std::vector<Index>& at, int index_type, const std::vector<float>& values,
+                       const char* type, std::size_t count, const std::optional<std::size_t>& base = {}) {
   const std::size_t indices = file.add_view(at), replaced = file.add_view(values);
-  Json accessor{{"componentType", 5126}, {"count", count}, {"type", type},
-                {"sparse", {{"count", at.size()}, {"indices", {{"bufferView", indices}, {"componentType", index_type}}}, {"values", {{"bufferView", replaced}}}}}};
+  Json accessor{{"componentType", 5126},
+                {"count", count},
+                {"type", type},
+                {"sparse",
+                 {{"count", at.size()},
+                  {"indices", {{"bufferView", indices}, {"componentType", index_type}}},
+                  {"values", {{"bufferView", replaced}}}}}};
   if (base) accessor["bufferView"] = *base;
   file.root["accessors"].push_back(accessor);
   return file.root["accessors"].size() - 1;
@@ -54,10 +59,17 @@ TEST(sample_features, G24_key_times_and_values_may_be_sparse) {
 TEST(sample_features, G24_indices_may_be_sparse) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
-  const std::size_t base = file.add_view(std::vector<std::uint16_t>{0, 0, 0}), at = file.add_view(std::vector<std::uint8_t>{1, 2}),
+  const std::size_t base = file.add_view(std::vector<std::uint16_t>{0, 0, 0}),
+                    at = file.add_view(std::vector<std::uint8_t>{1, 2}),
                     values = file.add_view(std::vector<std::uint16_t>{1, 2});
-  file.root["accessors"].push_back({{"bufferView", base}, {"componentType", 5123}, {"count", 3}, {"type", "SCALAR"},
-                                    {"sparse", {{"count", 2}, {"indices", {{"bufferView", at}, {"componentType", 5121}}}, {"values", {{"bufferView", values}}}}}});
+  file.root["accessors"].push_back({{"bufferView", base},
+                                    {"componentType", 5123},
+                                    {"count", 3},
+                                    {"type", "SCALAR"},
+                                    {"sparse",
+                                     {{"count", 2},
+                                      {"indices", {{"bufferView", at}, {"componentType", 5121}}},
+                                      {"values", {{"bufferView", values}}}}}});
   primitive["indices"] = file.root["accessors"].size() - 1;
   EXPECT_EQ(first_primitive(file.import()).indices, (Indices{0, 1, 2}));
 }
@@ -65,8 +77,10 @@ TEST(sample_features, G24_indices_may_be_sparse) {
 /// Replacements out of order and repeated, of vertices that the importer puts into another order.
 TEST(sample_features, G24_G47_sparse_displacements_follow_their_vertices) {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0}, {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 0.25f, 0.75f, 0, 0});
-  primitive["targets"] = Json::array({{{"POSITION", add_sparse<std::uint16_t>(file, {2, 0, 2}, 5123, {9, 9, 9, 1, 0, 0, 3, 0, 0}, "VEC3", 3)}}});
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0},
+                                              {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 0.25f, 0.75f, 0, 0});
+  primitive["targets"] = Json::array(
+      {{{"POSITION", add_sparse<std::uint16_t>(file, {2, 0, 2}, 5123, {9, 9, 9, 1, 0, 0, 3, 0, 0}, "VEC3", 3)}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const Primitive& read = first_primitive(result);
@@ -81,7 +95,8 @@ TEST(sample_features, sparse_displacements_must_be_finite_and_the_vertex_is_name
   TinyGltf file;
   Json& primitive = file.add_triangle();
   const float infinite = std::numeric_limits<float>::infinity();
-  primitive["targets"] = Json::array({{{"POSITION", add_sparse<std::uint8_t>(file, {0, 2}, 5121, {0, 0, 0, 0, infinite, 0}, "VEC3", 3)}}});
+  primitive["targets"] =
+      Json::array({{{"POSITION", add_sparse<std::uint8_t>(file, {0, 2}, 5121, {0, 0, 0, 0, infinite, 0}, "VEC3", 3)}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "not-finite at /meshes/0/primitives/0/targets/0/POSITION");
   EXPECT_NE(result.error().issue.detail.find("element 2"), std::string::npos) << result.error().issue.detail;
@@ -98,8 +113,14 @@ TEST(sample_features, G17_rotation_keys_of_every_component_type_mean_the_same) {
   };
   const glm::quat half_turn = quat_xyzw(0.0f, 1.0f, 0.0f, 0.0f);
   EXPECT_EQ(turned([](TinyGltf& f) { return f.vec4({0, 0, 0, 1, 0, 1, 0, 0}); }), half_turn);
-  EXPECT_EQ(turned([](TinyGltf& f) { return f.add(std::vector<std::int8_t>{0, 0, 0, 127, 0, 127, 0, 0}, "VEC4", 5120, 4, true); }), half_turn);
-  EXPECT_EQ(turned([](TinyGltf& f) { return f.add(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 32767, 0, 0}, "VEC4", 5122, 4, true); }), half_turn);
+  EXPECT_EQ(turned([](TinyGltf& f) {
+              return f.add(std::vector<std::int8_t>{0, 0, 0, 127, 0, 127, 0, 0}, "VEC4", 5120, 4, true);
+            }),
+            half_turn);
+  EXPECT_EQ(turned([](TinyGltf& f) {
+              return f.add(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 32767, 0, 0}, "VEC4", 5122, 4, true);
+            }),
+            half_turn);
 }
 
 TEST(sample_features, G25_attributes_interleaved_in_one_view_are_taken_apart) {
@@ -109,10 +130,17 @@ TEST(sample_features, G25_attributes_interleaved_in_one_view_are_taken_apart) {
   };
   TinyGltf file;
   Json& primitive = file.add_triangle();
-  const std::size_t view = file.add_view(std::vector<Vertex>{{{1, 2, 3}, {0.25f, 0.5f}, {255, 0, 51, 255}}, {{4, 5, 6}, {0, 1}, {0, 0, 0, 0}}, {{7, 8, 9}, {1, 0}, {255, 255, 255, 255}}});
+  const std::size_t view = file.add_view(std::vector<Vertex>{{{1, 2, 3}, {0.25f, 0.5f}, {255, 0, 51, 255}},
+                                                             {{4, 5, 6}, {0, 1}, {0, 0, 0, 0}},
+                                                             {{7, 8, 9}, {1, 0}, {255, 255, 255, 255}}});
   file.root["bufferViews"][view]["byteStride"] = sizeof(Vertex);
   const auto attribute = [&](const char* name, std::size_t offset, int component, const char* type) {
-    file.root["accessors"].push_back({{"bufferView", view}, {"byteOffset", offset}, {"componentType", component}, {"count", 3}, {"type", type}, {"normalized", component == 5121}});
+    file.root["accessors"].push_back({{"bufferView", view},
+                                      {"byteOffset", offset},
+                                      {"componentType", component},
+                                      {"count", 3},
+                                      {"type", type},
+                                      {"normalized", component == 5121}});
     primitive["attributes"][name] = file.root["accessors"].size() - 1;
   };
   attribute("POSITION", 0, 5126, "VEC3");
@@ -130,7 +158,7 @@ TEST(sample_features, every_mode_reads_with_indices_of_any_size_and_without) {
   struct Case {
     int mode;
     Topology topology;
-    Indices of_four;   ///< for four vertices in their order
+    Indices of_four;  ///< for four vertices in their order
   };
   const Case cases[] = {{0, Topology::points, {0, 1, 2, 3}},
                         {1, Topology::lines, {0, 1, 2, 3}},
@@ -147,9 +175,12 @@ TEST(sample_features, every_mode_reads_with_indices_of_any_size_and_without) {
       primitive["attributes"]["POSITION"] = file.vec3({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
       primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
       primitive["mode"] = c.mode;
-      if (index_type == 5121) primitive["indices"] = file.add(std::vector<std::uint8_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
-      if (index_type == 5123) primitive["indices"] = file.add(std::vector<std::uint16_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
-      if (index_type == 5125) primitive["indices"] = file.add(std::vector<std::uint32_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
+      if (index_type == 5121)
+        primitive["indices"] = file.add(std::vector<std::uint8_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
+      if (index_type == 5123)
+        primitive["indices"] = file.add(std::vector<std::uint16_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
+      if (index_type == 5125)
+        primitive["indices"] = file.add(std::vector<std::uint32_t>{0, 1, 2, 3}, "SCALAR", index_type, 1);
       const auto result = file.import();
       const Primitive& read = first_primitive(result);
       EXPECT_EQ(read.topology, c.topology);
@@ -173,12 +204,14 @@ TEST(sample_features, G17_colors_and_texture_coordinates_of_every_type_mean_the_
         return out;
       };
       const std::vector<float> uv{0, 1, 1, 0, 1, 1};
-      primitive["attributes"]["COLOR_0"] = type == 5126   ? file.add(ones, name, type, n)
-                                           : type == 5121 ? file.add(whole(std::uint8_t{255}, ones), name, type, n, true)
-                                                          : file.add(whole(std::uint16_t{65535}, ones), name, type, n, true);
-      primitive["attributes"]["TEXCOORD_0"] = type == 5126   ? file.add(uv, "VEC2", type, 2)
-                                              : type == 5121 ? file.add(whole(std::uint8_t{255}, uv), "VEC2", type, 2, true)
-                                                             : file.add(whole(std::uint16_t{65535}, uv), "VEC2", type, 2, true);
+      primitive["attributes"]["COLOR_0"] = type == 5126 ? file.add(ones, name, type, n)
+                                           : type == 5121
+                                               ? file.add(whole(std::uint8_t{255}, ones), name, type, n, true)
+                                               : file.add(whole(std::uint16_t{65535}, ones), name, type, n, true);
+      primitive["attributes"]["TEXCOORD_0"] = type == 5126 ? file.add(uv, "VEC2", type, 2)
+                                              : type == 5121
+                                                  ? file.add(whole(std::uint8_t{255}, uv), "VEC2", type, 2, true)
+                                                  : file.add(whole(std::uint16_t{65535}, uv), "VEC2", type, 2, true);
       // Elements of three small components are not aligned as the format asks, but they are read.
       const auto result = file.import();
       const Primitive& read = first_primitive(result);
@@ -190,7 +223,8 @@ TEST(sample_features, G17_colors_and_texture_coordinates_of_every_type_mean_the_
 /// One mesh, one skin and one accessor for everybody.
 TEST(sample_features, everything_may_be_used_by_several) {
   TinyGltf file;
-  file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0});
+  file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0},
+                            {0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0, 0.5f, 0.5f, 0, 0});
   file.root["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
   file.root["nodes"].push_back({{"mesh", 0}});
   const std::size_t times = file.times({0, 1}), values = file.vec3({0, 0, 0, 1, 2, 3});
@@ -213,7 +247,8 @@ TEST(sample_features, everything_may_be_used_by_several) {
 TEST(sample_features, G29_skinned_meshes_may_hang_on_their_own_joints) {
   TinyGltf file;
   file.add_skinned_triangle({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
-  file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}, {"translation", {50, 0, 0}}}, {{"children", {2}}, {"translation", {0, 7, 0}}},
+  file.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}, {"translation", {50, 0, 0}}},
+                                    {{"children", {2}}, {"translation", {0, 7, 0}}},
                                     {{"children", {0}}, {"mesh", 0}, {"scale", {-1, 1, 1}}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
@@ -235,9 +270,13 @@ TEST(sample_features, G60_each_texture_has_its_own_coordinates_and_the_transform
   file.root["textures"] = Json::array({{{"sampler", 0}}});
   file.root["samplers"] = Json::array({{{"wrapS", 33071}, {"magFilter", 9728}}});
   file.root["extensionsUsed"] = {"KHR_texture_transform"};
-  file.root["materials"] = Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}},
-                                         {"emissiveTexture", {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}, {"scale", {2, 3}}}}}}}},
-                                         {"occlusionTexture", {{"index", 0}}}}});
+  file.root["materials"] =
+      Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"texCoord", 1}}}}},
+                    {"emissiveTexture",
+                     {{"index", 0},
+                      {"texCoord", 0},
+                      {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}, {"scale", {2, 3}}}}}}}},
+                    {"occlusionTexture", {{"index", 0}}}}});
   const auto result = file.import();
   ASSERT_EQ(outcome(result), "ok");
   const Material& material = result->scene.materials[0];
@@ -266,7 +305,8 @@ TEST(sample_features, G63_files_are_found_by_every_spelling_of_their_names) {
   TinyGltf file;
   file.vec3({1, 2, 3});
   std::ofstream(folder / "Box With Spaces \xC3\xA4.bin", std::ios::binary) << std::string(12, '\0');
-  for (const char* uri : {"Box With Spaces \xC3\xA4.bin", "Box%20With%20Spaces%20%C3%A4.bin", "./Box%20With Spaces \xC3\xA4.bin"}) {
+  for (const char* uri :
+       {"Box With Spaces \xC3\xA4.bin", "Box%20With%20Spaces%20%C3%A4.bin", "./Box%20With Spaces \xC3\xA4.bin"}) {
     file.root["buffers"] = Json::array({{{"byteLength", 12}, {"uri", uri}}});
     std::ofstream(folder / "with spaces.gltf") << file.text();
     EXPECT_EQ(outcome(import_gltf(folder / "with spaces.gltf")), "ok") << uri;
@@ -279,7 +319,8 @@ TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_
     for (const bool with_uri : {true, false}) {
       SCOPED_TRACE(std::to_string(says_fallback) + std::to_string(with_uri));
       TinyGltf file;
-      // Two triangles' indices as a meshopt index sequence would need an encoder: an unknown stream shows which rule speaks first.
+      // Two triangles' indices as a meshopt index sequence would need an encoder: an unknown stream shows which rule
+      // speaks first.
       const std::size_t view = file.add_view(std::vector<std::uint8_t>(16, 0));
       file.add_triangle();
       const Json whole = Json::parse(file.text());
@@ -287,8 +328,12 @@ TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_
       if (says_fallback) fallback["extensions"]["EXT_meshopt_compression"]["fallback"] = true;
       if (with_uri) fallback["uri"] = "not there.bin";
       file.root["buffers"] = Json::array({whole["buffers"][0], fallback});
-      file.root["bufferViews"][view] = {{"buffer", 1}, {"byteLength", 16}, {"extensions", {{"EXT_meshopt_compression",
-                                        {{"buffer", 0}, {"byteLength", 16}, {"byteStride", 4}, {"count", 4}, {"mode", "ATTRIBUTES"}}}}}};
+      file.root["bufferViews"][view] = {
+          {"buffer", 1},
+          {"byteLength", 16},
+          {"extensions",
+           {{"EXT_meshopt_compression",
+             {{"buffer", 0}, {"byteLength", 16}, {"byteStride", 4}, {"count", 4}, {"mode", "ATTRIBUTES"}}}}}};
       file.root["accessors"].push_back({{"bufferView", view}, {"componentType", 5121}, {"count", 4}, {"type", "VEC4"}});
       file.root["extensionsUsed"] = {"EXT_meshopt_compression"};
       const auto text = file.root.dump();

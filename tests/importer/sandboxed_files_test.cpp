@@ -36,7 +36,9 @@ class sandboxed_files : public testing::Test {
     SandboxedFiles files(root_ / "asset", allowance);
     const auto bytes = files.read(uri);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return bytes.error().kind == Kind::forbidden ? "<forbidden>" : bytes.error().kind == Kind::missing ? "<missing>" : "<too large>";
+    return bytes.error().kind == Kind::forbidden ? "<forbidden>"
+           : bytes.error().kind == Kind::missing ? "<missing>"
+                                                 : "<too large>";
   }
 
   fs::path root_;
@@ -53,8 +55,9 @@ TEST_F(sandboxed_files, G63_percent_spaces_and_utf8_name_the_same_file) {
 }
 
 TEST_F(sandboxed_files, G64_nothing_leaves_the_folder) {
-  for (const char* uri : {"../secret.bin", "sub/../../secret.bin", "%2e%2e/secret.bin", "..%2Fsecret.bin", "/etc/passwd", "%2Fetc%2Fpasswd",
-                          "file:///etc/passwd", "http://example.com/a.bin", "C:/a.bin", "\\\\server\\a.bin", "", "a.bin%00", "%zz.bin", "a%2"})
+  for (const char* uri : {"../secret.bin", "sub/../../secret.bin", "%2e%2e/secret.bin", "..%2Fsecret.bin",
+                          "/etc/passwd", "%2Fetc%2Fpasswd", "file:///etc/passwd", "http://example.com/a.bin",
+                          "C:/a.bin", "\\\\server\\a.bin", "", "a.bin%00", "%zz.bin", "a%2"})
     EXPECT_EQ(read(uri), "<forbidden>") << uri;
 }
 
@@ -84,15 +87,17 @@ TEST_F(sandboxed_files, G64_a_link_to_the_whole_folder_is_its_folder) {
 }
 
 TEST_F(sandboxed_files, G63_json_escapes_spaces_and_percent_name_the_same_buffer) {
-  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":6,"uri":"Box With Spaces.bin"},)"
-                                    R"({"byteLength":6,"uri":"Box%20With%20Spaces.bin"},{"byteLength":6,"uri":"Box\u0020With\u0020Spaces.bin"}]})");
+  write(root_ / "asset" / "x.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":6,"uri":"Box With Spaces.bin"},)"
+        R"({"byteLength":6,"uri":"Box%20With%20Spaces.bin"},{"byteLength":6,"uri":"Box\u0020With\u0020Spaces.bin"}]})");
   const auto result = import_gltf(root_ / "asset" / "x.gltf");
   EXPECT_EQ(outcome(result), "ok");
   EXPECT_TRUE(result && result->warnings.empty());
 }
 
 TEST_F(sandboxed_files, G64_images_stay_in_the_folder_too) {
-  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"../secret.bin"},{"uri":"http://127.0.0.1/a.png"}]})");
+  write(root_ / "asset" / "x.gltf",
+        R"({"asset":{"version":"2.0"},"images":[{"uri":"../secret.bin"},{"uri":"http://127.0.0.1/a.png"}]})");
   const auto result = import_gltf(root_ / "asset" / "x.gltf");
   EXPECT_TRUE(warns(result, "image-missing", "/images/0") && warns(result, "image-missing", "/images/1"));
 }
@@ -123,14 +128,17 @@ TEST_F(sandboxed_files, a_document_in_memory_reads_no_files) {
 }
 
 TEST_F(sandboxed_files, G64_a_uri_out_of_the_folder_fails_the_import_and_names_it) {
-  write(root_ / "asset" / "x.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":6,"uri":"../secret.bin"}]})");
+  write(root_ / "asset" / "x.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":6,"uri":"../secret.bin"}]})");
   EXPECT_EQ(outcome(import_gltf(root_ / "asset" / "x.gltf")), "uri-forbidden at /buffers/0/uri");
 }
 
 TEST(data_uri, G65_decodes_any_media_type_with_and_without_padding) {
   const auto text = [](std::string_view uri) {
     const auto data = decode_data_uri(uri);
-    return data ? data->mime_type + "|" + std::string(reinterpret_cast<const char*>(data->bytes.data()), data->bytes.size()) : "<none>";
+    return data ? data->mime_type + "|" +
+                      std::string(reinterpret_cast<const char*>(data->bytes.data()), data->bytes.size())
+                : "<none>";
   };
   EXPECT_EQ(text("data:application/octet-stream;base64,YWJj"), "application/octet-stream|abc");
   EXPECT_EQ(text("data:application/gltf-buffer;base64,YWI="), "application/gltf-buffer|ab");

@@ -35,9 +35,11 @@ class TinyGltf {
 
   /// Appends values as a view of their own and an accessor on it; the answer is the accessor's index.
   template <class T>
-  std::size_t add(const std::vector<T>& values, const char* type, int component_type, std::size_t components, bool normalized = false) {
+  std::size_t add(const std::vector<T>& values, const char* type, int component_type, std::size_t components,
+                  bool normalized = false) {
     const std::size_t view = add_view(values);
-    Json accessor{{"bufferView", view}, {"componentType", component_type}, {"count", values.size() / components}, {"type", type}};
+    Json accessor{
+        {"bufferView", view}, {"componentType", component_type}, {"count", values.size() / components}, {"type", type}};
     if (normalized) accessor["normalized"] = true;
     root["accessors"].push_back(accessor);
     return root["accessors"].size() - 1;
@@ -67,8 +69,9 @@ class TinyGltf {
 
   /// One animation of one channel on node 0.
   void animate(const char* path, std::size_t input, std::size_t output, const char* interpolation = "LINEAR") {
-    root["animations"] = Json::array({{{"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}},
-                                       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}}});
+    root["animations"] =
+        Json::array({{{"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}},
+                      {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}}});
   }
 
   /// Node 0 with a mesh of one triangle.

@@ -20,8 +20,8 @@ namespace {
 using testing::HasSubstr;
 
 TEST(length_text, reads_lengths_with_and_without_units) {
-  const std::pair<const char*, double> good[] = {{"0.1mm", 1e-4}, {"0.1 mm", 1e-4}, {"1e-4", 1e-4}, {"0.001m", 1e-3}, {"2cm", 0.02},
-                                                 {"50um", 5e-5},  {"0", 0.0},       {"1e-3mm", 1e-6}};
+  const std::pair<const char*, double> good[] = {{"0.1mm", 1e-4}, {"0.1 mm", 1e-4}, {"1e-4", 1e-4}, {"0.001m", 1e-3},
+                                                 {"2cm", 0.02},   {"50um", 5e-5},   {"0", 0.0},     {"1e-3mm", 1e-6}};
   for (const auto& [text, metres] : good) {
     const auto read = tool::parse_length(text);
     ASSERT_TRUE(read) << text;
@@ -49,12 +49,14 @@ TEST(convert_budget, prints_a_certificate_for_every_clip_and_writes_a_file_that_
   const std::string out = model.beside("out.glb");
   const CommandOutcome outcome = run_tool({"convert", model.path(), out, "--budget", "0.5mm"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* text : {"asked", "measured", "0.5 mm", "bend", "talk", "yes"}) EXPECT_THAT(outcome.out, HasSubstr(text));
+  for (const char* text : {"asked", "measured", "0.5 mm", "bend", "talk", "yes"})
+    EXPECT_THAT(outcome.out, HasSubstr(text));
   const auto before = import_gltf(model.path()), after = import_gltf(out);
   ASSERT_TRUE(before && after);
   const VirtualVertices vertices = virtual_vertices(before->scene);
   for (std::size_t i = 0; i < before->scene.animations.size(); ++i) {
-    const Clip clip = compile_and_measure(before->scene, after->scene.animations[i], before->scene.animations[i], vertices, 5e-4);
+    const Clip clip =
+        compile_and_measure(before->scene, after->scene.animations[i], before->scene.animations[i], vertices, 5e-4);
     EXPECT_TRUE(clip.certificate()->is_met());
     EXPECT_EQ(after->scene.animations[i].duration_s, before->scene.animations[i].duration_s);
   }
@@ -85,7 +87,8 @@ TEST(compile_command, writes_clips_that_info_tells_about_and_that_keep_their_bud
   const std::string out = model.beside("clips.sinew");
   const CommandOutcome compiled = run_tool({"compile", model.path(), "-o", out, "--budget", "0.2mm"});
   ASSERT_EQ(compiled.status, 0) << compiled.err;
-  for (const char* text : {"asked", "measured", "0.2 mm", "bend", "talk", "ns/joint", "2 clips"}) EXPECT_THAT(compiled.out, HasSubstr(text));
+  for (const char* text : {"asked", "measured", "0.2 mm", "bend", "talk", "ns/joint", "2 clips"})
+    EXPECT_THAT(compiled.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   ASSERT_EQ(info.status, 0) << info.err;
   for (const char* text : {"compiled clips, version 2: 2", "0.2 mm", "bend"}) EXPECT_THAT(info.out, HasSubstr(text));

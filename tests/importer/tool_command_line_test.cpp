@@ -33,7 +33,8 @@ TEST(command_line, wrong_usage_names_what_is_wrong_and_the_help_that_has_it_righ
   EXPECT_THAT(run_tool({"infoo", "x.glb"}).err, HasSubstr("there is no command infoo (see `sinew --help`)"));
   EXPECT_THAT(run_tool({"--infoo"}).err, HasSubstr("there is no option --infoo (see `sinew --help`)"));
   EXPECT_THAT(run_tool({"convert", "x.glb"}).err, HasSubstr("OUT.glb is required (see `sinew convert --help`)"));
-  EXPECT_THAT(run_tool({"info", "x.glb", "--foo"}).err, AllOf(HasSubstr("--foo"), HasSubstr("(see `sinew info --help`)")));
+  EXPECT_THAT(run_tool({"info", "x.glb", "--foo"}).err,
+              AllOf(HasSubstr("--foo"), HasSubstr("(see `sinew info --help`)")));
   EXPECT_THAT(run_tool({}).err, HasSubstr("A subcommand is required (see `sinew --help`)"));
 }
 
@@ -122,7 +123,8 @@ TEST(command_line, info_tells_what_is_inside) {
   EXPECT_EQ(info["clips"][1]["modes"], (json{{"linear", 1}}));
   const CommandOutcome text = run_tool({"info", model.path()});
   EXPECT_EQ(text.status, 0);
-  for (const char* words : {"nodes: 4", "\"bend\"", "1: 3, 2: 1", "morph targets of mesh 1: 2", "skins: 1", "warnings: 0"})
+  for (const char* words :
+       {"nodes: 4", "\"bend\"", "1: 3, 2: 1", "morph targets of mesh 1: 2", "skins: 1", "warnings: 0"})
     EXPECT_THAT(text.out, HasSubstr(words));
 }
 
@@ -212,7 +214,8 @@ TEST(command_line, verify_exact_needs_a_golden_file_with_bits) {
 TEST(command_line, sample_fills_the_keys_of_the_kind_of_skinning_that_is_asked_for) {
   const ToolModelFile model;
   const auto strip = [&](const char* kind) {
-    const CommandOutcome outcome = run_tool({"sample", model.path(), "--clip", "0", "--times", "1", "--skinning", kind});
+    const CommandOutcome outcome =
+        run_tool({"sample", model.path(), "--clip", "0", "--times", "1", "--skinning", kind});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return json::parse(outcome.out)["clips"][0]["samples"][0]["skinned"][0];
   };
@@ -220,7 +223,8 @@ TEST(command_line, sample_fills_the_keys_of_the_kind_of_skinning_that_is_asked_f
   EXPECT_FALSE(centers.contains("positions") || centers.contains("dqs"));
   ASSERT_EQ(centers["cors"].size(), 4u);
   ASSERT_EQ(centers["corNormals"].size(), 4u);
-  for (const char* key : {"positions", "normals", "dqs", "dqsNormals", "cors", "corNormals"}) EXPECT_TRUE(all.contains(key)) << key;
+  for (const char* key : {"positions", "normals", "dqs", "dqsNormals", "cors", "corNormals"})
+    EXPECT_TRUE(all.contains(key)) << key;
   EXPECT_EQ(all["cors"], centers["cors"]);
   EXPECT_FALSE(strip("linear").contains("cors") || strip("dual-quaternion").contains("cors"));
 }
@@ -304,7 +308,8 @@ TEST(command_line, plan_takes_everything_that_a_consumer_can_ask_for) {
   EXPECT_TRUE(runs("skin_dual_quaternion", {"--skinning", "dual-quaternion,linear"}));
   EXPECT_FALSE(runs("skin_dual_quaternion", {"--skinning", "linear,dual-quaternion"})) << "the second mesh has no skin";
   EXPECT_GT(plan({"--needs", "joints,stage-times"})["frame_bytes"], plan({"--needs", "joints"})["frame_bytes"]);
-  EXPECT_THAT(plan({"--normals", "cofactor"}).dump(), HasSubstr("normals of 1 primitive by cofactors")) << "uneven scale reaches a joint";
+  EXPECT_THAT(plan({"--normals", "cofactor"}).dump(), HasSubstr("normals of 1 primitive by cofactors"))
+      << "uneven scale reaches a joint";
   EXPECT_THAT(plan({}).dump(), testing::Not(HasSubstr("cofactor")));
 }
 

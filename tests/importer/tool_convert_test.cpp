@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -104,7 +104,8 @@ if (process.argv.length > 2) (async () => {
 })();
 )";
 
-constexpr const char* kNoValidator = "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
+constexpr const char* kNoValidator =
+    "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
 
 /// Errors of each file as the validator tells them; nothing where there is no validator.
 std::optional<nlohmann::json> errors_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files) {
@@ -121,7 +122,8 @@ TEST(convert, an_independent_validator_finds_no_error_in_the_samples_as_they_are
   const ToolModelFile folder;
   std::vector<std::string> files;
   for (const auto& sample : showcase::showcase()) {
-    const std::string in = folder.beside("in" + std::to_string(files.size()) + ".glb"), out = folder.beside("out" + std::to_string(files.size()) + ".glb");
+    const std::string in = folder.beside("in" + std::to_string(files.size()) + ".glb"),
+                      out = folder.beside("out" + std::to_string(files.size()) + ".glb");
     ASSERT_TRUE(export_glb(sample.scene, fs::path(in)));
     ASSERT_EQ(run_tool({"convert", in, out}).status, 0);
     files.push_back(out);

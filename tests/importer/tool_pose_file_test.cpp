@@ -150,12 +150,14 @@ TEST(pose_text, values_that_leave_open_what_holds_are_refused) {
   };
   const std::string node = R"({"node": 1, "weights": [0.5]})", none = R"("nodes": [], "weights": [], "skinned": [])";
   const auto skinned = [](const std::string& vertices) {
-    return R"({"time": 0, "nodes": [], "weights": [], "skinned": [{"node": 0, "primitive": 0, "vertices": )" + vertices + "}]}";
+    return R"({"time": 0, "nodes": [], "weights": [], "skinned": [{"node": 0, "primitive": 0, "vertices": )" +
+           vertices + "}]}";
   };
   EXPECT_EQ(complaint(R"({"time": 0, "nonUnit": 0.1, )" + none + "}"), "taken");
   EXPECT_EQ(complaint(R"({"time": 0, "nonUnit": -0.1, )" + none + "}"), "/clips/0/samples/0/nonUnit");
   EXPECT_EQ(complaint(R"({"time": 1e39, )" + none + "}"), "/clips/0/samples/0/time");
-  EXPECT_EQ(complaint(R"({"time": 0, "nodes": [], "weights": [)" + node + "," + node + R"(], "skinned": []})"), "/clips/0/samples/0/weights/1");
+  EXPECT_EQ(complaint(R"({"time": 0, "nodes": [], "weights": [)" + node + "," + node + R"(], "skinned": []})"),
+            "/clips/0/samples/0/weights/1");
   EXPECT_EQ(complaint(skinned("[0, 2, 5]")), "taken");
   EXPECT_EQ(complaint(skinned("[0, 5, 2]")), "/clips/0/samples/0/skinned/0/vertices");
   EXPECT_EQ(complaint(skinned("[0, 0]")), "/clips/0/samples/0/skinned/0/vertices");

@@ -83,7 +83,8 @@ TEST(pose_sampler, each_kind_of_skinning_fills_its_own_keys) {
                       has(VertexKind::dqs) && has(VertexKind::dqs_normals),
                       has(VertexKind::cors) && has(VertexKind::cor_normals)};
   };
-  for (const auto& kinds : {std::array{true, false, false}, {false, true, false}, {false, false, true}, {true, true, true}})
+  for (const auto& kinds :
+       {std::array{true, false, false}, {false, true, false}, {false, false, true}, {true, true, true}})
     EXPECT_EQ(filled(kinds[0], kinds[1], kinds[2]), kinds);
 }
 
@@ -95,7 +96,8 @@ TEST(pose_sampler, N21_a_bent_joint_turns_what_lies_around_a_center_of_rotation)
     if (strip.source_vertex[v] == 1) strip.centers_of_rotation[v] = {0, 0.5f, 0};
   const Pose bent = *PoseSampler(file.scene, {}).sample(0, 1.0);
   const PrimitivePose& pose = primitive_at(bent, 0);
-  const double half = std::sqrt(0.5);  // the center goes to half of (0 .5) and half of (.5 1), the arm of half a metre turns by 45 degrees
+  const double half = std::sqrt(
+      0.5);  // the center goes to half of (0 .5) and half of (.5 1), the arm of half a metre turns by 45 degrees
   EXPECT_THAT(pose.of(VertexKind::cors), near({0, 0, 0, 0.25 - half / 2, 0.75 + half / 2, 0, -0.5, 1, 0, -1, 1, 0}));
   EXPECT_THAT(pose.of(VertexKind::cor_normals), near({1, 0, 0, half, half, 0, 0, 1, 0, 0, 1, 0}));
 }

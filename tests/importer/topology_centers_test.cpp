@@ -61,7 +61,8 @@ std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_coun
   std::vector<std::vector<double>> w(count, std::vector<double>(joint_count, 0.0));
   const std::uint32_t n = p.influences.groups[0].influence_count;
   for (std::size_t v = 0; v < count; ++v)
-    for (std::size_t i = 0; i < n; ++i) w[v][p.influences.joints[v * n + i]] += static_cast<double>(p.influences.weights[v * n + i]);
+    for (std::size_t i = 0; i < n; ++i)
+      w[v][p.influences.joints[v * n + i]] += static_cast<double>(p.influences.weights[v * n + i]);
   std::vector<glm::dvec3> centers(count);
   for (std::size_t v = 0; v < count; ++v) {
     glm::dvec3 sum(0.0);
@@ -87,8 +88,11 @@ std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_coun
 }
 
 /// Volume within the tube's side and the fans that close its ends.
-double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions, std::uint32_t columns) {
-  const auto signed_volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) { return glm::dot(a, glm::cross(b, c)) / 6.0; };
+double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
+                 std::uint32_t columns) {
+  const auto signed_volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return glm::dot(a, glm::cross(b, c)) / 6.0;
+  };
   double sum = 0.0;
   for (std::size_t i = 0; i < triangles.size(); i += 3)
     sum += signed_volume(positions[triangles[i]], positions[triangles[i + 1]], positions[triangles[i + 2]]);
@@ -100,7 +104,8 @@ double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::
   return sum;
 }
 
-TEST(centers_of_rotation, N20_about_them_a_bent_tube_keeps_more_volume_than_linearly_and_swells_less_than_with_dual_quaternions) {
+TEST(centers_of_rotation,
+     N20_about_them_a_bent_tube_keeps_more_volume_than_linearly_and_swells_less_than_with_dual_quaternions) {
   constexpr std::uint32_t kColumns = 24;
   const Primitive p = two_bone_tube(kColumns, 40);
   const auto centers = centers_of_rotation(p);
@@ -111,11 +116,15 @@ TEST(centers_of_rotation, N20_about_them_a_bent_tube_keeps_more_volume_than_line
   s.out_positions.resize(p.vertex_count());
   for (const double degrees : {45.0, 90.0, 120.0}) {
     const double half = degrees * std::numbers::pi / 360.0;
-    const Affine bend = affine_from_transform(Transform{{0, 0, 0}, quat_cast<float>(quat_xyzw(0.0, 0.0, std::sin(half), std::cos(half))), glm::vec3(1)});
+    const Affine bend = affine_from_transform(
+        Transform{{0, 0, 0}, quat_cast<float>(quat_xyzw(0.0, 0.0, std::sin(half), std::cos(half))), glm::vec3(1)});
     const Affine up = affine_from(Mat3<float>(1), {0, 5, 0}), down = affine_from(Mat3<float>(1), {0, -5, 0});
     s.palette = {JointMatrix{}, joint_matrix_from(up * bend * down)};  // at the middle of the tube
-    const auto share = [&](test::Way way) { return skin(way, s, centers), volume_of(p.indices, s.out_positions, kColumns) / rest; };
-    const double linear = share(test::Way::linear), dual = share(test::Way::dual_quaternion), center = share(test::Way::center_of_rotation);
+    const auto share = [&](test::Way way) {
+      return skin(way, s, centers), volume_of(p.indices, s.out_positions, kColumns) / rest;
+    };
+    const double linear = share(test::Way::linear), dual = share(test::Way::dual_quaternion),
+                 center = share(test::Way::center_of_rotation);
     EXPECT_LT(linear, center) << degrees;
     EXPECT_LT(std::abs(center - 1.0), std::abs(linear - 1.0)) << degrees;
     EXPECT_LE(center, dual) << degrees;
@@ -123,7 +132,8 @@ TEST(centers_of_rotation, N20_about_them_a_bent_tube_keeps_more_volume_than_line
 }
 
 struct TemporaryFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("sinew-centers-" + std::to_string(std::random_device{}()));
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("sinew-centers-" + std::to_string(std::random_device{}()));
   ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);

@@ -14,7 +14,8 @@ namespace sinew::test {
 namespace {
 
 bool holds(const Aabb& outer, const Aabb& inner) {
-  return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
+  return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) &&
+         glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
 float diagonal(const Aabb& box) { return glm::length(box.upper - box.lower); }
@@ -51,7 +52,8 @@ TEST(clip_bounds, G54_holds_every_vertex_at_every_time) {
     RandomSceneOptions options;
     options.skins = seed % 3, options.targets = seed % 2 * 3, options.mirrored_joints = seed % 4 == 0;
     const Scene scene = random_scene(seed, options);
-    for (const std::uint32_t clip : {0u, 1u, kNone}) expect_holds(scene, boxes_for(Skinning::linear), clip, clip == kNone ? 1 : 300);
+    for (const std::uint32_t clip : {0u, 1u, kNone})
+      expect_holds(scene, boxes_for(Skinning::linear), clip, clip == kNone ? 1 : 300);
   }
 }
 
@@ -60,7 +62,8 @@ TEST(clip_bounds, G54_holds_vertices_that_follow_joints_in_other_ways) {
     RandomSceneOptions options;
     options.centers = true;
     const Scene scene = random_scene(seed, options);
-    for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation}) expect_holds(scene, boxes_for(skinning), 0, 200);
+    for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation})
+      expect_holds(scene, boxes_for(skinning), 0, 200);
   }
 }
 
@@ -76,7 +79,9 @@ TEST(clip_bounds, is_not_much_more_than_what_is_reached) {
 TEST(clip_bounds, a_jump_takes_no_more_than_both_its_sides) {
   Scene scene = prop_scene();
   BoneAnimation jump;
-  jump.translation = {.interpolation = Interpolation::step, .times_s = {0.0f, 1.0f, 2.0f}, .values = {glm::vec3(0), glm::vec3(100, 0, 0), glm::vec3(0)}};
+  jump.translation = {.interpolation = Interpolation::step,
+                      .times_s = {0.0f, 1.0f, 2.0f},
+                      .values = {glm::vec3(0), glm::vec3(100, 0, 0), glm::vec3(0)}};
   scene.animations.push_back({"jump", 2.0, {jump}, {}});
   finish_scene(scene);
   expect_holds(scene, boxes_for(Skinning::linear), 0, 100);
@@ -88,17 +93,21 @@ TEST(clip_bounds, a_jump_takes_no_more_than_both_its_sides) {
 TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {
   Scene scene = arm_scene();
   const float h = std::sqrt(0.5f);
-  scene.animations[0].bones[0].rotation = {Interpolation::linear, {0, 1}, {glm::quat(h, 0, 0, -h), glm::quat(h, 0, 0, h)}};
+  scene.animations[0].bones[0].rotation = {
+      Interpolation::linear, {0, 1}, {glm::quat(h, 0, 0, -h), glm::quat(h, 0, 0, h)}};
   scene.clips.clear();
   finish_scene(scene);
   const std::vector<Aabb> reached = expect_holds(scene, boxes_for(Skinning::linear), 0, 1000);
-  EXPECT_NEAR(reached[0].upper.y, 2.0f, 1e-4f);   // in both keys the tip is at one metre
+  EXPECT_NEAR(reached[0].upper.y, 2.0f, 1e-4f);  // in both keys the tip is at one metre
 }
 
 TEST(clip_bounds, dual_quaternions_bulge_out_of_the_boxes_of_the_joints) {
   Scene scene = arm_scene();
-  const double half = 85.0 * 3.14159265358979 / 180.0;   // the lower arm is held, twisted by 170 degrees
-  scene.animations[0].bones[0].rotation = {Interpolation::step, {0}, {glm::quat(static_cast<float>(std::cos(half)), 0, static_cast<float>(std::sin(half)), 0)}};
+  const double half = 85.0 * 3.14159265358979 / 180.0;  // the lower arm is held, twisted by 170 degrees
+  scene.animations[0].bones[0].rotation = {
+      Interpolation::step,
+      {0},
+      {glm::quat(static_cast<float>(std::cos(half)), 0, static_cast<float>(std::sin(half)), 0)}};
   scene.clips.clear();
   finish_scene(scene);
   EXPECT_LT(clip_bounds(scene, boxes_for(Skinning::linear), 0)[0].upper.z, 0.05f);

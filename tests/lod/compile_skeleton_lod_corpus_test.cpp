@@ -31,12 +31,15 @@ TEST(compile_skeleton_lod_corpus, models_keep_their_shape_within_what_is_asked) 
     needs.skinning = Skinning::dual_quaternion;
     const CompiledSkeletonLod turned = compile_skeleton_lod(scene, tolerance_m, {&clip, 1}, needs);
     EXPECT_LE(turned.left_out, within.left_out);
-    EXPECT_LE(difference_of(scene, turned.detail, 0, 60, Skinning::dual_quaternion).worst_m, 1.05 * tolerance_m + 3e-6 * off.far_m) << file;
+    EXPECT_LE(difference_of(scene, turned.detail, 0, 60, Skinning::dual_quaternion).worst_m,
+              1.05 * tolerance_m + 3e-6 * off.far_m)
+        << file;
     left_out_turned += turned.left_out;
     ++models, joints += scene.skeleton.joint_count(), left_out += within.left_out;
   }
   EXPECT_GT(models, 5u);
-  std::printf("%zu models: %zu of %zu joints left out within 1%% of their size, %zu with dual quaternions\n", models, left_out, joints, left_out_turned);
+  std::printf("%zu models: %zu of %zu joints left out within 1%% of their size, %zu with dual quaternions\n", models,
+              left_out, joints, left_out_turned);
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/compress/clip_error.h"
-#include "runtime/plan/rig.h"
 #include "runtime/animation/truth_pose.h"
+#include "runtime/compress/clip_error.h"
 #include "runtime/compress/virtual_vertices.h"
+#include "runtime/plan/rig.h"
 #include "tests/plan/frame_difference.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -36,7 +36,8 @@ TEST(compile_skeleton_lod, no_vertex_is_farther_off_than_asked) {
       last = within.left_out;
       for (const std::uint32_t clip : {0u, 1u}) {
         const Difference off = difference_of(scene, within.detail, clip, 90);
-        EXPECT_LE(off.worst_m, tolerance_m * 1.02 + 3e-6 * off.far_m) << "seed " << seed;   // cubics between the places looked at
+        EXPECT_LE(off.worst_m, tolerance_m * 1.02 + 3e-6 * off.far_m)
+            << "seed " << seed;  // cubics between the places looked at
       }
     }
     EXPECT_EQ(last, scene.skeleton.joint_count() - 1) << "all but the root";
@@ -46,7 +47,8 @@ TEST(compile_skeleton_lod, no_vertex_is_farther_off_than_asked) {
 }
 
 /// How far vertices of a joint and of all below it get when that joint goes too, at every time that is looked at.
-double cost_of_leaving_out(const Scene& scene, const SkeletonLod& detail, std::uint32_t joint, std::span<const std::uint32_t> clips) {
+double cost_of_leaving_out(const Scene& scene, const SkeletonLod& detail, std::uint32_t joint,
+                           std::span<const std::uint32_t> clips) {
   const VirtualVertices vertices = virtual_vertices(scene);
   const Skeleton& skeleton = scene.skeleton;
   double worst_m = 0.0;
@@ -60,10 +62,12 @@ double cost_of_leaving_out(const Scene& scene, const SkeletonLod& detail, std::u
         gone[j] = j == joint || (skeleton.parents[j] != kNone && gone[skeleton.parents[j]]);
         if (!gone[j]) continue;
         const std::uint32_t fixed = skeleton.fixed_matrix_of[j];
-        held[j] = held[skeleton.parents[j]] * (fixed == kNone ? affine_from_transform(in_double(detail.held[j])) : affine_cast<double>(skeleton.fixed_matrices[fixed]));
+        held[j] = held[skeleton.parents[j]] * (fixed == kNone ? affine_from_transform(in_double(detail.held[j]))
+                                                              : affine_cast<double>(skeleton.fixed_matrices[fixed]));
         if (!vertices.moves_vertices[j]) continue;
         for (const Vec3<double>& corner : corners_of(vertices.boxes[j]))
-          worst_m = std::max(worst_m, glm::length(transform_point(held[j], corner) - transform_point(pose.model[j], corner)));
+          worst_m =
+              std::max(worst_m, glm::length(transform_point(held[j], corner) - transform_point(pose.model[j], corner)));
       }
     }
   return worst_m;
@@ -80,7 +84,8 @@ TEST(compile_skeleton_lod, not_one_more_joint_could_go) {
       for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
         if (scene.skeleton.parents[j] == kNone || !within.detail.kept[j]) continue;
         ++looked_at;
-        EXPECT_GT(cost_of_leaving_out(scene, within.detail, j, clips), tolerance_m * 0.999) << "seed " << seed << " joint " << j;
+        EXPECT_GT(cost_of_leaving_out(scene, within.detail, j, clips), tolerance_m * 0.999)
+            << "seed " << seed << " joint " << j;
       }
     }
   }
@@ -96,7 +101,7 @@ TEST(compile_skeleton_lod, what_it_says_was_measured_is_what_another_look_finds_
     if (within.worst_joint == kNone) continue;
     ++measured;
     const std::uint32_t above = place_joints(scene, within.detail)[within.worst_joint].joint;
-    std::uint32_t top = within.worst_joint;   // the uppermost joint of the branch that went
+    std::uint32_t top = within.worst_joint;  // the uppermost joint of the branch that went
     while (scene.skeleton.parents[top] != above) top = scene.skeleton.parents[top];
     EXPECT_NEAR(cost_of_leaving_out(scene, within.detail, top, clips), within.measured_m, 1e-4);
   }
@@ -124,7 +129,8 @@ TEST(compile_skeleton_lod, a_joint_that_all_clips_hold_in_one_pose_goes_for_noth
   EXPECT_EQ(within.detail.kept, (std::vector<bool>{true, true, false}));
   EXPECT_EQ(within.measured_m, 0.0);
   EXPECT_LE(difference_of(held, within.detail, 0, 20).worst_m, 1e-6);
-  EXPECT_TRUE(compile_skeleton_lod(held, 0.0, std::vector<std::uint32_t>{0, kNone}).detail.kept.empty()) << "but not where the rest pose shows too";
+  EXPECT_TRUE(compile_skeleton_lod(held, 0.0, std::vector<std::uint32_t>{0, kNone}).detail.kept.empty())
+      << "but not where the rest pose shows too";
   const Scene moving = clenched_scene({bent, bent, quat_identity<float>()});
   EXPECT_TRUE(compile_skeleton_lod(moving, 0.0).detail.kept.empty());
 }
@@ -171,7 +177,8 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
       EXPECT_LE(within.left_out, linear.left_out);
       EXPECT_LE(within.measured_m, 8.0);
       left_out += within.left_out;
-      for (const std::uint32_t clip : {0u, 1u}) EXPECT_LE(difference_of(scene, within.detail, clip, 60, skinning).worst_m, 1.1 * 8.0) << seed;
+      for (const std::uint32_t clip : {0u, 1u})
+        EXPECT_LE(difference_of(scene, within.detail, clip, 60, skinning).worst_m, 1.1 * 8.0) << seed;
     }
   }
   EXPECT_GT(left_out, 12u);
@@ -185,7 +192,9 @@ TEST(compile_skeleton_lod, a_skeleton_without_meshes_is_measured_at_its_shell) {
   EXPECT_FALSE(compile_skeleton_lod(scene, 0.02).detail.kept[2]);
 }
 
-TEST(compile_skeleton_lod, an_empty_scene_has_nothing_to_leave_out) { EXPECT_EQ(compile_skeleton_lod(Scene{}, 1.0).left_out, 0u); }
+TEST(compile_skeleton_lod, an_empty_scene_has_nothing_to_leave_out) {
+  EXPECT_EQ(compile_skeleton_lod(Scene{}, 1.0).left_out, 0u);
+}
 
 }  // namespace
 }  // namespace sinew::test

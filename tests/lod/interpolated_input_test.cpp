@@ -50,7 +50,8 @@ double farthest_apart(const FrameResult& a, const FrameResult& b) {
   double worst = 0.0;
   for (std::size_t p = 0; p < a.primitives.size(); ++p)
     for (std::size_t v = 0; v < a.primitives[p].positions.size(); ++v)
-      worst = std::max(worst, static_cast<double>(glm::length(a.primitives[p].positions[v] - b.primitives[p].positions[v])));
+      worst = std::max(worst,
+                       static_cast<double>(glm::length(a.primitives[p].positions[v] - b.primitives[p].positions[v])));
   return worst;
 }
 
@@ -96,7 +97,8 @@ TEST(interpolated_input, at_updates_nothing_lags_and_nothing_is_off) {
   const Plan plan = plan_between(scene);
   Player player(plan, 1.0 / 60.0), exact(plan, 1.0 / 60.0);
   for (std::uint64_t number = 0; number < 24; ++number) {
-    const FrameResult &shown = player.play(number, UpdateLevel::every_fourth), &truth = exact.play(number, UpdateLevel::every);
+    const FrameResult &shown = player.play(number, UpdateLevel::every_fourth),
+                      &truth = exact.play(number, UpdateLevel::every);
     EXPECT_EQ(same_bits<Affine>(shown.model, truth.model), number % 4 == 0) << number;
   }
 }
@@ -106,26 +108,32 @@ double error_of(const Scene& scene, UpdateLevel level, double frame_s) {
   const Plan plan = plan_between(scene);
   Player player(plan, frame_s), exact(plan, frame_s);
   double worst = 0.0;
-  for (std::uint64_t number = 0; number < 60; ++number) worst = std::max(worst, farthest_apart(player.play(number, level), exact.play(number, UpdateLevel::every)));
+  for (std::uint64_t number = 0; number < 60; ++number)
+    worst = std::max(worst, farthest_apart(player.play(number, level), exact.play(number, UpdateLevel::every)));
   return worst;
 }
 
 TEST(interpolated_input, N04_what_turns_evenly_is_off_by_the_cube_of_its_angle) {
-  const Scene scene = arm_scene();   // a quarter turn in a second, of a tip one metre away
+  const Scene scene = arm_scene();  // a quarter turn in a second, of a tip one metre away
   for (const UpdateLevel level : {UpdateLevel::every_second, UpdateLevel::every_fourth}) {
     const double frame_s = 1.0 / 12.0, angle = 0.5 * std::numbers::pi * frame_s * period_of(level);
     const double worst = error_of(scene, level, frame_s), bound = 0.0041 * angle * angle * angle;
     EXPECT_LE(worst, bound + 1e-6);
-    if (level == UpdateLevel::every_fourth) { EXPECT_GE(worst, 0.8 * bound); }   // in the middle the chord is right
+    if (level == UpdateLevel::every_fourth) {
+      EXPECT_GE(worst, 0.8 * bound);
+    }  // in the middle the chord is right
   }
 }
 
 TEST(interpolated_input, what_accelerates_is_off_by_an_eighth_of_it_times_the_square_of_the_interval) {
   Scene scene = arm_scene();
-  constexpr float kAcceleration = 8.0f;   // x = 4 t^2, which one cubic is exactly
+  constexpr float kAcceleration = 8.0f;  // x = 4 t^2, which one cubic is exactly
   BoneAnimation bone;
   bone.joint = 2;
-  bone.translation = {Interpolation::cubic_spline, {0.0f, 1.0f}, {glm::vec3(0), glm::vec3(0, 1, 0), glm::vec3(0), glm::vec3(kAcceleration, 0, 0), glm::vec3(0.5f * kAcceleration, 1, 0), glm::vec3(0)}};
+  bone.translation = {Interpolation::cubic_spline,
+                      {0.0f, 1.0f},
+                      {glm::vec3(0), glm::vec3(0, 1, 0), glm::vec3(0), glm::vec3(kAcceleration, 0, 0),
+                       glm::vec3(0.5f * kAcceleration, 1, 0), glm::vec3(0)}};
   scene.animations[0].bones = {bone};
   scene.clips.clear();
   finish_scene(scene);
@@ -173,7 +181,8 @@ TEST(interpolated_input, another_clip_shows_from_the_next_update_on_without_a_ju
   ASSERT_EQ(run_plan(plan, {.layers = {&promised, 1}, .weights = {}, .root = {}}, alone), ErrorCode::ok);
   EXPECT_TRUE(same_bits<Affine>(player.play(12, UpdateLevel::every_fourth).model, alone.result().model));
   for (std::uint64_t number = 13; number < 16; ++number) player.play(number, UpdateLevel::every_fourth);
-  EXPECT_TRUE(same_bits<Affine>(player.play(16, UpdateLevel::every_fourth).model, exact.play(16, UpdateLevel::every).model));
+  EXPECT_TRUE(
+      same_bits<Affine>(player.play(16, UpdateLevel::every_fourth).model, exact.play(16, UpdateLevel::every).model));
 }
 
 TEST(interpolated_input, after_a_cut_or_a_sleep_nothing_of_before_shows) {
@@ -181,17 +190,19 @@ TEST(interpolated_input, after_a_cut_or_a_sleep_nothing_of_before_shows) {
   const Plan plan = plan_between(scene);
   Player player(plan, 1.0 / 60.0), exact(plan, 1.0 / 60.0);
   const auto expect_exact = [&](std::uint64_t number) {
-    EXPECT_TRUE(same_bits<Affine>(player.play(number, UpdateLevel::every_fourth).model, exact.play(number, UpdateLevel::every).model)) << number;
+    EXPECT_TRUE(same_bits<Affine>(player.play(number, UpdateLevel::every_fourth).model,
+                                  exact.play(number, UpdateLevel::every).model))
+        << number;
   };
   for (std::uint64_t number = 0; number < 6; ++number) player.play(number, UpdateLevel::every_fourth);
   player.input.restart();
-  expect_exact(6);   // not the level's turn
+  expect_exact(6);  // not the level's turn
   expect_exact(8);
   player.play(9, UpdateLevel::every_fourth);
   EXPECT_TRUE(player.play(10, UpdateLevel::every_fourth, 0, true).model.empty());
   expect_exact(11);
   player.play(12, UpdateLevel::every_fourth), player.play(13, UpdateLevel::every_fourth);
-  expect_exact(30);   // frames were left out
+  expect_exact(30);  // frames were left out
 }
 
 TEST(interpolated_input, levels_change_where_an_interval_ends) {
@@ -200,8 +211,11 @@ TEST(interpolated_input, levels_change_where_an_interval_ends) {
   Player player(plan, 1.0 / 60.0), exact(plan, 1.0 / 60.0);
   player.play(0, UpdateLevel::every_fourth), player.play(1, UpdateLevel::every);
   for (std::uint64_t number = 0; number < 20; ++number) {
-    const UpdateLevel level = number < 2 ? UpdateLevel::every_fourth : number < 10 ? UpdateLevel::every : UpdateLevel::every_second;
-    const bool is_exact = same_bits<Affine>(player.play(number, level).model, exact.play(number, UpdateLevel::every).model);
+    const UpdateLevel level = number < 2    ? UpdateLevel::every_fourth
+                              : number < 10 ? UpdateLevel::every
+                                            : UpdateLevel::every_second;
+    const bool is_exact =
+        same_bits<Affine>(player.play(number, level).model, exact.play(number, UpdateLevel::every).model);
     EXPECT_EQ(is_exact, number == 0 || (number >= 4 && number < 10) || (number >= 10 && number % 2 == 0)) << number;
   }
 }

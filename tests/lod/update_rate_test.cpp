@@ -29,7 +29,7 @@ TEST(update_rate, smaller_characters_are_evaluated_less_often) {
     UpdateLevel last = UpdateLevel::every_fourth;
     for (double size = 0.0; size < 1.0; size += 0.001) {
       const UpdateLevel level = update_level(size, before);
-      EXPECT_LE(level, last);   // larger never means less often
+      EXPECT_LE(level, last);  // larger never means less often
       last = level;
     }
   }
@@ -63,7 +63,7 @@ TEST(update_rate, where_frames_are_slow_fewer_are_left_out) {
 
 TEST(update_rate, screen_size_is_the_height_in_the_picture) {
   const double right_angle = 0.5 * std::numbers::pi;
-  EXPECT_NEAR(screen_size(1.0, 10.0, right_angle), 0.1, 1e-15);   // two metres of twenty
+  EXPECT_NEAR(screen_size(1.0, 10.0, right_angle), 0.1, 1e-15);  // two metres of twenty
   EXPECT_EQ(screen_size(1.0, 1.0, right_angle), INFINITY);
   EXPECT_EQ(screen_size(1.0, 0.0, right_angle), INFINITY);
 }
@@ -122,7 +122,7 @@ TEST(update_rate, P19_frames_between_updates_cost_exactly_nothing) {
 }
 
 TEST(update_rate, what_is_held_is_off_by_no_more_than_its_speed_allows) {
-  const Scene scene = arm_scene();   // a quarter turn in a second, of a tip one metre away
+  const Scene scene = arm_scene();  // a quarter turn in a second, of a tip one metre away
   const Plan plan = compile_plan(scene, {});
   for (const UpdateLevel level : kLevels) {
     Player player(plan), exact(plan);
@@ -131,7 +131,8 @@ TEST(update_rate, what_is_held_is_off_by_no_more_than_its_speed_allows) {
     for (std::uint64_t number = 0; number < 60; ++number) {
       const auto held = player.play(number, level).primitives[0].positions;
       const auto truth = exact.play(number, UpdateLevel::every).primitives[0].positions;
-      for (std::size_t v = 0; v < held.size(); ++v) worst_m = std::max(worst_m, static_cast<double>(glm::length(held[v] - truth[v])));
+      for (std::size_t v = 0; v < held.size(); ++v)
+        worst_m = std::max(worst_m, static_cast<double>(glm::length(held[v] - truth[v])));
     }
     EXPECT_LE(worst_m, bound_m + 1e-6);
     EXPECT_GE(worst_m, 0.95 * bound_m);
@@ -146,7 +147,8 @@ TEST(update_rate, characters_take_turns) {
   for (int c = 0; c < 8; ++c) crowd.emplace_back(plan);
   for (std::uint64_t number = 0; number < 12; ++number) {
     int worked = 0;
-    for (std::uint32_t c = 0; c < 8; ++c) worked += crowd[c].play(number, UpdateLevel::every_fourth, c).work != WorkCounters{};
+    for (std::uint32_t c = 0; c < 8; ++c)
+      worked += crowd[c].play(number, UpdateLevel::every_fourth, c).work != WorkCounters{};
     EXPECT_EQ(worked, number == 0 ? 8 : 2);
   }
 }
@@ -157,7 +159,7 @@ TEST(update_rate, who_wakes_up_shows_no_pose_from_before) {
   Player player(plan), exact(plan);
   player.play(0, UpdateLevel::every_fourth);
   for (std::uint64_t number = 1; number < 21; ++number) player.play(number, UpdateLevel::every_fourth, 0, true);
-  const FrameResult& awake = player.play(21, UpdateLevel::every_fourth);   // not the level's turn
+  const FrameResult& awake = player.play(21, UpdateLevel::every_fourth);  // not the level's turn
   EXPECT_TRUE(same_bits<Affine>(awake.model, exact.play(21, UpdateLevel::every).model));
 }
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "runtime/math/affine.h"
 #include "importer/tool/cost/approximate_slerp.h"
+#include "runtime/math/affine.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/inverse.h"
 #include "runtime/math/rotation_between.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/math/decompose.h"
-#include "viewer/passes/depth.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/normal_transform.h"
-#include "viewer/passes/projection.h"
-#include "viewer/passes/quaternion_normal.h"
 #include "runtime/math/transform.h"
 #include "tests/math/numeric_variants.h"
 #include "tests/support/numeric_read.h"
+#include "viewer/passes/depth.h"
+#include "viewer/passes/projection.h"
+#include "viewer/passes/quaternion_normal.h"
 
 namespace sinew::test {
 namespace {

@@ -73,7 +73,8 @@ RC_GTEST_PROP(matrix_and_quaternion, N12_round_trip_from_either_side, (Q q)) {
 
 RC_GTEST_PROP(euler, N13_all_24_orders_rebuild_any_rotation, (Q q)) {
   const Mat3<double> m = matrix_from_quat(q);
-  for (const EulerOrder& order : kEulerOrders) RC_ASSERT(distance(matrix_from_euler(order, euler_from_matrix(order, m)), m) < 4e-15);
+  for (const EulerOrder& order : kEulerOrders)
+    RC_ASSERT(distance(matrix_from_euler(order, euler_from_matrix(order, m)), m) < 4e-15);
 }
 
 RC_GTEST_PROP(euler, N13_all_24_orders_rebuild_at_their_gimbal_lock, (V angles, std::uint32_t bits)) {

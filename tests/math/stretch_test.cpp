@@ -20,10 +20,12 @@ TEST(stretch, of_rotations_with_uniform_scale_is_the_scale) {
 TEST(stretch, no_vector_becomes_longer) {
   test::FixedRandom random(2);
   for (int i = 0; i < 200; ++i) {
-    const Affined m = affine_from_transform(random.transform<double>(-2, 2)) * affine_from_transform(random.transform<double>(-2, 2));
+    const Affined m =
+        affine_from_transform(random.transform<double>(-2, 2)) * affine_from_transform(random.transform<double>(-2, 2));
     const double bound = largest_stretch(m);
     double longest = 0;
-    for (int k = 0; k < 50; ++k) longest = std::max(longest, safe_length(transform_vector(m, random.direction<double>())));
+    for (int k = 0; k < 50; ++k)
+      longest = std::max(longest, safe_length(transform_vector(m, random.direction<double>())));
     EXPECT_LE(longest, bound * (1 + 1e-12));
     EXPECT_LE(bound, longest * 2.5);
   }

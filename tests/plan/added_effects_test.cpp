@@ -41,7 +41,8 @@ void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
 /// A random scene of which only every third joint, and not the root, has tracks.
 Scene sparsely_moved_scene(std::uint32_t seed) {
   Scene scene = random_scene(seed);
-  for (Animation& animation : scene.animations) std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
+  for (Animation& animation : scene.animations)
+    std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
   scene.clips.clear();
   finish_scene(scene);
   return scene;
@@ -76,7 +77,9 @@ WorkCounters work_of_frames(const Scene& scene, FrameBuffer& frame, const Plan& 
   for (int number = 0; number < 4; ++number) {
     const ClipLayer layer{0, 0.1 + 0.2 * number};
     EXPECT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
-    if (number > 1) { EXPECT_EQ(frame.result().work, work); }
+    if (number > 1) {
+      EXPECT_EQ(frame.result().work, work);
+    }
     work = frame.result().work;
   }
   return work;
@@ -94,7 +97,9 @@ TEST(added_effects, P01_nodes_that_no_clip_moves_add_no_work_to_frames) {
     FrameBuffer frame(plan);
     const WorkCounters work = work_of_frames(scene, frame, plan);
     ASSERT_GT(work.joints_composed, 0u);
-    if (seed == 0) { EXPECT_EQ(work.joints_composed, 1u) << "only \"lower\" moves"; }
+    if (seed == 0) {
+      EXPECT_EQ(work.joints_composed, 1u) << "only \"lower\" moves";
+    }
     for (const std::uint32_t count : {1u, 50u, 1000u}) {
       Scene more = make();
       add_static_nodes(more, parent, count);
@@ -103,7 +108,8 @@ TEST(added_effects, P01_nodes_that_no_clip_moves_add_no_work_to_frames) {
       EXPECT_EQ(work_of_frames(more, same, other), work) << count << " static nodes";
       EXPECT_TRUE(same_bits<Affine>(same.result().model.first(frame.result().model.size()), frame.result().model));
       for (std::size_t p = 0; p < plan.primitives.size(); ++p)
-        EXPECT_TRUE(same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
+        EXPECT_TRUE(
+            same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
     }
   }
   EXPECT_GT(scenes, 4u);
@@ -130,7 +136,8 @@ TEST(added_effects, take_no_memory_of_frames_while_nothing_calls_for_them) {
   for (int i = 0; i < 100; ++i) {
     more.animations.push_back(scene.animations[0]);
     more.meshes.push_back(face.meshes[0]);
-    more.materials.emplace_back(), more.lights.emplace_back(), more.cameras.emplace_back(), more.variants.emplace_back("variant");
+    more.materials.emplace_back(), more.lights.emplace_back(), more.cameras.emplace_back(),
+        more.variants.emplace_back("variant");
   }
   more.clips.clear();
   finish_scene(more);

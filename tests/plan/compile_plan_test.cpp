@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "runtime/pose/pose.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/pose/pose.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -54,7 +54,8 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
             "+ local_to_model [3, 144 B]: joints are asked for; 2 of 3 are moved by no clip: composed once; no scale\n"
             "+ palette [2, 128 B]: 1 of 1 skin called for by mesh instances\n"
             "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
-            "- combinations [0, 0 B]: too little is shared in 1 primitive: 1 combination of joints and weights for 2 vertices\n"
+            "- combinations [0, 0 B]: too little is shared in 1 primitive: 1 combination of joints and weights for 2 "
+            "vertices\n"
             "- winding [0, 0 B]: no scale can change its sign: known beforehand\n"
             "- morph [0, 0 B]: no mesh instance has morph targets\n"
             "+ skin_linear [4, 96 B]: 1 primitive with joints and weights\n"
@@ -68,24 +69,25 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   const Scene scene = face_scene();
   Needs needs;
   needs.joints = false, needs.bounds = true, needs.max_layers = 2;
-  EXPECT_EQ(dump(compile_plan(scene, needs)),
-            "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
-            "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
-            "- add [0, 0 B]: no layers that add are asked for\n"
-            "- interpolate [0, 0 B]: no frames between updates are asked for\n"
-            "- correctives [0, 0 B]: the scene has no corrective shapes\n"
-            "- properties [0, 0 B]: no clip moves a material, a light, a camera or a flag\n"
-            "+ local_to_model [1, 48 B]: mesh instances hang on joints; no clip moves any, they are composed once; no scale\n"
-            "- palette [0, 0 B]: no mesh instance is skinned\n"
-            "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
-            "- combinations [0, 0 B]: no vertex blends the matrices of several joints\n"
-            "- winding [0, 0 B]: no scale can change its sign: known beforehand\n"
-            "+ morph [4, 160 B]: 1 primitive with targets that move something; targets of weight 0 cost nothing\n"
-            "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
-            "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
-            "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
-            "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
-            "+ bounds [4, 24 B]: boxes are asked for; rigid meshes move the box of their rest pose\n");
+  EXPECT_EQ(
+      dump(compile_plan(scene, needs)),
+      "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
+      "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
+      "- add [0, 0 B]: no layers that add are asked for\n"
+      "- interpolate [0, 0 B]: no frames between updates are asked for\n"
+      "- correctives [0, 0 B]: the scene has no corrective shapes\n"
+      "- properties [0, 0 B]: no clip moves a material, a light, a camera or a flag\n"
+      "+ local_to_model [1, 48 B]: mesh instances hang on joints; no clip moves any, they are composed once; no scale\n"
+      "- palette [0, 0 B]: no mesh instance is skinned\n"
+      "- split_palette [0, 0 B]: no primitive is skinned with dual quaternions or about centers of rotation\n"
+      "- combinations [0, 0 B]: no vertex blends the matrices of several joints\n"
+      "- winding [0, 0 B]: no scale can change its sign: known beforehand\n"
+      "+ morph [4, 160 B]: 1 primitive with targets that move something; targets of weight 0 cost nothing\n"
+      "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
+      "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
+      "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
+      "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
+      "+ bounds [4, 24 B]: boxes are asked for; rigid meshes move the box of their rest pose\n");
 }
 
 TEST(compile_plan, dual_quaternions_split_palettes_and_only_theirs) {
@@ -128,7 +130,8 @@ TEST(compile_plan, N21_a_primitive_without_centers_is_skinned_linearly_and_the_p
   const Plan plan = compile_plan(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}});
   EXPECT_EQ(stage(plan, "skin_center_of_rotation").reason, "1 primitive without centers of rotation: skinned linearly");
   EXPECT_FALSE(stage(plan, "skin_center_of_rotation").runs);
-  EXPECT_EQ(stage(plan, "skin_linear").reason, "1 primitive with joints and weights; 1 for want of centers of rotation");
+  EXPECT_EQ(stage(plan, "skin_linear").reason,
+            "1 primitive with joints and weights; 1 for want of centers of rotation");
   EXPECT_FALSE(stage(plan, "split_palette").runs);
   EXPECT_EQ(compile_plan(scene, {}).frame_bytes, plan.frame_bytes);
 }
@@ -223,7 +226,9 @@ TEST(compile_plan, P04_P05_tracks_are_told_by_the_way_they_take_between_keys) {
   EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 step");
   lower.rotation.interpolation = Interpolation::squad;
   EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 squad");
-  lower.translation = {.interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(0, 1, 0), glm::vec3(0, 2, 0)}};
+  lower.translation = {.interpolation = Interpolation::linear,
+                       .times_s = {0.0f, 1.0f},
+                       .values = {glm::vec3(0, 1, 0), glm::vec3(0, 2, 0)}};
   EXPECT_EQ(reason(), "1 clip; the one with most tracks has 1 linear, 1 squad");
   bend.bones.clear();
   EXPECT_EQ(reason(), "1 clip; the one with most tracks has none that moves");

@@ -166,9 +166,23 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
 
 /// What counts as work of a stage, in the order of the stages.
 std::vector<bool> worked(const WorkCounters& w) {
-  return {w.tracks_sampled > 0, w.poses_blended > 0, w.poses_added > 0, w.poses_interpolated > 0, w.poses_compared > 0, false, w.joints_composed > 0,
-          w.palette_entries > 0, w.palette_entries_split > 0, w.combinations_blended > 0, w.windings_tested > 0, w.morph_deltas > 0, w.vertices_skinned_linear > 0,
-          w.vertices_skinned_dual_quaternion > 0, w.vertices_skinned_center_of_rotation > 0, w.flat_triangles > 0, w.bounds_vertices > 0};
+  return {w.tracks_sampled > 0,
+          w.poses_blended > 0,
+          w.poses_added > 0,
+          w.poses_interpolated > 0,
+          w.poses_compared > 0,
+          false,
+          w.joints_composed > 0,
+          w.palette_entries > 0,
+          w.palette_entries_split > 0,
+          w.combinations_blended > 0,
+          w.windings_tested > 0,
+          w.morph_deltas > 0,
+          w.vertices_skinned_linear > 0,
+          w.vertices_skinned_dual_quaternion > 0,
+          w.vertices_skinned_center_of_rotation > 0,
+          w.flat_triangles > 0,
+          w.bounds_vertices > 0};
 }
 
 TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
@@ -185,7 +199,8 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
     const std::vector<bool> expected = worked(frame.result().work);
     ASSERT_EQ(frame.result().stage_ns.size(), plan.stages.size());
     for (std::size_t s = 0; s < plan.stages.size(); ++s) {
-      if (plan.stages[s].stage == "bounds" || plan.stages[s].stage == "properties") continue;   // their counters are of a part
+      if (plan.stages[s].stage == "bounds" || plan.stages[s].stage == "properties")
+        continue;  // their counters are of a part
       EXPECT_EQ(frame.result().stage_ns[s] > 0, expected[s]) << plan.stages[s].stage << " seed " << seed;
     }
     ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -206,8 +221,11 @@ TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
 
 TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
   const Plan plan = compile_plan(random_scene(3), Needs{});
-  const char* names[kStageCount] = {"sample", "blend", "add", "interpolate", "correctives", "properties", "local_to_model", "palette", "split_palette",
-                                    "combinations", "winding", "morph", "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation", "flat_normals", "bounds"};
+  const char* names[kStageCount] = {
+      "sample",       "blend",          "add",         "interpolate",          "correctives",
+      "properties",   "local_to_model", "palette",     "split_palette",        "combinations",
+      "winding",      "morph",          "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation",
+      "flat_normals", "bounds"};
   for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(plan.stages[s].stage, names[s]);
 }
 

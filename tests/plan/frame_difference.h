@@ -21,20 +21,24 @@ inline Needs needs_with(SkeletonLod detail, Skinning skinning) {
 inline std::vector<glm::vec3> world_vertices(const Plan& plan, const FrameResult& frame, std::size_t p) {
   const DeformedPrimitive& shape = frame.primitives[p];
   const Primitive& primitive = primitive_of(plan, plan.primitives[p]);
-  const std::span<const glm::vec3> positions = shape.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : shape.positions;
+  const std::span<const glm::vec3> positions =
+      shape.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : shape.positions;
   std::vector<glm::vec3> world;
-  for (const glm::vec3& v : positions) world.push_back(transform_point(frame.instances[shape.instance].world_from_mesh, v));
+  for (const glm::vec3& v : positions)
+    world.push_back(transform_point(frame.instances[shape.instance].world_from_mesh, v));
   return world;
 }
 
 struct Difference {
   double worst_m = 0.0;
-  double far_m = 0.0;   ///< of any vertex from the origin, for rounding
+  double far_m = 0.0;  ///< of any vertex from the origin, for rounding
 };
 
 /// The largest distance between vertices of frames with and without the joints left out, at times all over a clip.
-inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, std::uint32_t clip, int times, Skinning skinning = Skinning::linear) {
-  const Plan full = compile_plan(scene, needs_with({}, skinning)), lean = compile_plan(scene, needs_with(detail, skinning));
+inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, std::uint32_t clip, int times,
+                                Skinning skinning = Skinning::linear) {
+  const Plan full = compile_plan(scene, needs_with({}, skinning)),
+             lean = compile_plan(scene, needs_with(detail, skinning));
   FrameBuffer all(full), some(lean);
   Difference found;
   for (int n = 0; n <= times; ++n) {
@@ -44,7 +48,8 @@ inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, s
     EXPECT_EQ(run_plan(full, input, all), ErrorCode::ok);
     EXPECT_EQ(run_plan(lean, input, some), ErrorCode::ok);
     for (std::size_t p = 0; p < full.primitives.size(); ++p) {
-      const std::vector<glm::vec3> a = world_vertices(full, all.result(), p), b = world_vertices(lean, some.result(), p);
+      const std::vector<glm::vec3> a = world_vertices(full, all.result(), p),
+                                   b = world_vertices(lean, some.result(), p);
       for (std::size_t v = 0; v < a.size(); ++v) {
         found.worst_m = std::max(found.worst_m, static_cast<double>(glm::length(a[v] - b[v])));
         found.far_m = std::max(found.far_m, static_cast<double>(glm::length(a[v])));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames of a scene with COUNT effects that nothing calls for, COUNT nodes that no clip moves, and COUNT joints that the
-// plan leaves out, for callgrind to count their instructions:
+// Frames of a scene with COUNT effects that nothing calls for, COUNT nodes that no clip moves, and COUNT joints that
+// the plan leaves out, for callgrind to count their instructions:
 //   sinew-frame-instructions COUNT
 #include <valgrind/callgrind.h>
 
@@ -15,7 +15,8 @@
 namespace sinew::test {
 namespace {
 
-/// Clips that do not play, meshes that hang nowhere with morph targets of their own, materials, lights, cameras, variants.
+/// Clips that do not play, meshes that hang nowhere with morph targets of their own, materials, lights, cameras,
+/// variants.
 void add_unused(Scene& scene, std::uint32_t count) {
   const Scene face = face_scene();
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/animation/truth_pose.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/run_plan.h"
-#include "runtime/animation/truth_pose.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -37,10 +37,12 @@ void expect_same(const FrameResult& a, const FrameResult& b) {
   EXPECT_TRUE(same_bits<Affine>(a.model, b.model));
   EXPECT_TRUE(same_bits<float>(a.weights, b.weights));
   EXPECT_TRUE(same_bits<float>(a.properties, b.properties));
-  for (std::size_t p = 0; p < a.primitives.size(); ++p) EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].positions, b.primitives[p].positions));
+  for (std::size_t p = 0; p < a.primitives.size(); ++p)
+    EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].positions, b.primitives[p].positions));
 }
 
-const std::vector<ClipLayer> kStart = {{0, 0.31, 0.7f}, {1, 0.2, 0.3f}}, kEnd = {{0, 0.41, 0.4f}, {1, 0.3, 0.4f}, {0, 1.0, 0.5f, kNone, LayerKind::add_to_start}};
+const std::vector<ClipLayer> kStart = {{0, 0.31, 0.7f}, {1, 0.2, 0.3f}},
+                             kEnd = {{0, 0.41, 0.4f}, {1, 0.3, 0.4f}, {0, 1.0, 0.5f, kNone, LayerKind::add_to_start}};
 
 TEST(interpolate_poses, N27_at_both_ends_frames_have_the_bits_of_frames_without_it) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
@@ -70,21 +72,26 @@ TEST(interpolate_poses, N17_between_them_rotations_take_the_shorter_arc_and_numb
     FrameBuffer frame(plan), at_start(plan), at_end(plan);
     const ClipLayer start{0, 0.4}, end{0, 0.9};
     const std::vector<Transformd> a = locals_at(scene, start.time_s), b = locals_at(scene, end.time_s);
-    const FrameResult &from = run(plan, from_to({&start, 1}, {}, 0.0f), at_start), &to = run(plan, from_to({&end, 1}, {}, 0.0f), at_end);
+    const FrameResult &from = run(plan, from_to({&start, 1}, {}, 0.0f), at_start),
+                      &to = run(plan, from_to({&end, 1}, {}, 0.0f), at_end);
     for (const float s : {0.25f, 0.5f, 0.9f}) {
       const double t = static_cast<double>(s);
       std::vector<Transformd> local;
       for (std::size_t j = 0; j < a.size(); ++j) {
         const Quat<double> q = normalised(a[j].rotation), r = aligned_with(q, normalised(b[j].rotation));
-        local.push_back({(1.0 - t) * a[j].translation + t * b[j].translation, normalised(q * (1.0 - t) + r * t), (1.0 - t) * a[j].scale + t * b[j].scale});
+        local.push_back({(1.0 - t) * a[j].translation + t * b[j].translation, normalised(q * (1.0 - t) + r * t),
+                         (1.0 - t) * a[j].scale + t * b[j].scale});
       }
       std::vector<Affined> model(local.size());
       model_from_local(scene.skeleton, local, model);
       const FrameResult& found = run(plan, from_to({&start, 1}, {&end, 1}, s), frame);
       for (std::size_t j = 0; j < model.size(); ++j)
-        for (int r = 0; r < 3; ++r) EXPECT_LT(glm::length(Vec4<double>(found.model[j].row[r]) - model[j].row[r]), 2e-5) << "seed " << seed << " joint " << j;
+        for (int r = 0; r < 3; ++r)
+          EXPECT_LT(glm::length(Vec4<double>(found.model[j].row[r]) - model[j].row[r]), 2e-5)
+              << "seed " << seed << " joint " << j;
       for (std::size_t w = 0; w < found.weights.size(); ++w)
-        EXPECT_NEAR(static_cast<double>(found.weights[w]), (1.0 - t) * static_cast<double>(from.weights[w]) + t * static_cast<double>(to.weights[w]), 1e-6);
+        EXPECT_NEAR(static_cast<double>(found.weights[w]),
+                    (1.0 - t) * static_cast<double>(from.weights[w]) + t * static_cast<double>(to.weights[w]), 1e-6);
     }
   }
 }
@@ -96,7 +103,7 @@ TEST(interpolate_poses, P19_each_end_is_sampled_once_however_many_frames_lie_bet
   const std::uint64_t tracks = plan.clip_tracks[0].joints + plan.clip_tracks[0].weights;
   std::uint64_t sampled = 0, interpolated = 0;
   const AllocationCounter counter;
-  for (int n = 0; n < 40; ++n) {   // ten intervals of four frames
+  for (int n = 0; n < 40; ++n) {  // ten intervals of four frames
     const ClipLayer start{0, 0.04 * (n / 4)}, end{0, 0.04 * (n / 4 + 1)};
     const FrameResult& result = run(plan, from_to({&start, 1}, {&end, 1}, 0.25f * static_cast<float>(n % 4)), frame);
     sampled += result.work.tracks_sampled, interpolated += result.work.poses_interpolated;
@@ -127,8 +134,9 @@ TEST(interpolate_poses, N27_frames_do_not_depend_on_those_before) {
   const Scene scene = random_scene(9);
   const Plan plan = compile_plan(scene, between());
   FrameBuffer used(plan);
-  const FrameInput inputs[] = {from_to(kStart, kEnd, 0.5f), from_to(kEnd, kStart, 0.25f), from_to(kEnd, {}, 0.75f), from_to({}, kEnd, 0.5f),
-                               from_to(kStart, kEnd, 0.5f), from_to(kEnd, kEnd, 0.5f),    from_to(kStart, kEnd, 0.0f)};
+  const FrameInput inputs[] = {from_to(kStart, kEnd, 0.5f), from_to(kEnd, kStart, 0.25f), from_to(kEnd, {}, 0.75f),
+                               from_to({}, kEnd, 0.5f),     from_to(kStart, kEnd, 0.5f),  from_to(kEnd, kEnd, 0.5f),
+                               from_to(kStart, kEnd, 0.0f)};
   for (const FrameInput& input : inputs)
     for (int again = 0; again < 2; ++again) {
       FrameBuffer fresh(plan);
@@ -160,7 +168,8 @@ TEST(interpolate_poses, what_nobody_asks_for_takes_no_memory_and_is_refused) {
   FrameBuffer frame(plain), asked(plan);
   EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.5f), frame), ErrorCode::unsupported);
   EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.0f), frame), ErrorCode::ok);
-  for (const float wrong : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()}) EXPECT_EQ(run_plan(plan, from_to(kStart, kEnd, wrong), asked), ErrorCode::unsupported);
+  for (const float wrong : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(run_plan(plan, from_to(kStart, kEnd, wrong), asked), ErrorCode::unsupported);
   const ClipLayer nowhere{99, 0.0};
   EXPECT_EQ(run_plan(plan, from_to(kStart, {&nowhere, 1}, 0.5f), asked), ErrorCode::index_out_of_range);
   EXPECT_EQ(run_plan(plan, from_to(kStart, {&nowhere, 1}, 0.0f), asked), ErrorCode::ok) << "not looked at";

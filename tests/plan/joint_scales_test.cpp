@@ -19,13 +19,17 @@ Scene arm_scaled_by(std::uint32_t joint, Vec3Track scale) {
   BoneAnimation bone;
   bone.joint = joint;
   bone.scale = std::move(scale);
-  if (joint == 2) scene.animations[0].bones[0].scale = bone.scale;
-  else scene.animations[0].bones.push_back(bone);
+  if (joint == 2)
+    scene.animations[0].bones[0].scale = bone.scale;
+  else
+    scene.animations[0].bones.push_back(bone);
   finish_scene(scene);
   return scene;
 }
 
-JointScale scale_of(const Scene& scene, std::uint32_t joint, bool additive = false) { return joint_scales(make_rig(scene, {}), additive)[joint]; }
+JointScale scale_of(const Scene& scene, std::uint32_t joint, bool additive = false) {
+  return joint_scales(make_rig(scene, {}), additive)[joint];
+}
 
 void expect_scale(const JointScale& scale, ScaleKind kind, int sign, bool may_change) {
   EXPECT_EQ(scale.kind, kind);
@@ -38,18 +42,20 @@ TEST(joint_scales, P07_kinds_come_from_rest_constants_and_keys_and_reach_what_is
   const Scene even = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(2)}});
   expect_scale(scale_of(even, 0), ScaleKind::even, 1, false);
   expect_scale(scale_of(even, 2), ScaleKind::even, 1, false);
-  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);   // beside it
+  expect_scale(scale_of(even, 1), ScaleKind::none, 1, false);  // beside it
   const Scene below = arm_scaled_by(2, {Interpolation::step, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, 1.5f)}});
   expect_scale(scale_of(below, 2), ScaleKind::uneven, 1, false);
   expect_scale(scale_of(below, 0), ScaleKind::none, 1, false);
-  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(2), glm::vec3(2)}}), 2), ScaleKind::even, 1, false);   // folded
+  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(2), glm::vec3(2)}}), 2),
+               ScaleKind::even, 1, false);  // folded
   Scene rest = arm_scene();
   rest.skeleton.rest[0].scale = glm::vec3(1, 2, 3);
   finish_scene(rest);
   expect_scale(scale_of(rest, 2), ScaleKind::uneven, 1, false);
   Scene fixed = arm_scene();
   fixed.skeleton.fixed_matrix_of[0] = 0;
-  fixed.skeleton.fixed_matrices = {affine_from_transform(Transform{{1, 2, 3}, glm::quat(0.6f, 0.8f, 0, 0), glm::vec3(2)})};
+  fixed.skeleton.fixed_matrices = {
+      affine_from_transform(Transform{{1, 2, 3}, glm::quat(0.6f, 0.8f, 0, 0), glm::vec3(2)})};
   finish_scene(fixed);
   expect_scale(scale_of(fixed, 2), ScaleKind::even, 1, false);
   fixed.skeleton.fixed_matrices[0].row[0].y += 0.5f;
@@ -57,10 +63,14 @@ TEST(joint_scales, P07_kinds_come_from_rest_constants_and_keys_and_reach_what_is
 }
 
 TEST(joint_scales, P09_signs_may_change_where_keys_have_several_or_tracks_may_leave_their_keys) {
-  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(-1)}}), 2), ScaleKind::even, 1, true);
+  expect_scale(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(-1)}}), 2),
+               ScaleKind::even, 1, true);
   EXPECT_TRUE(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(0)}}), 2).may_change);
-  EXPECT_TRUE(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1, 1, -2), glm::vec3(1, -1, 2)}}), 2).may_change);   // through zero
-  const Vec3Track cubic{Interpolation::cubic_spline, {0, 1}, {glm::vec3(0), glm::vec3(1), glm::vec3(-9), glm::vec3(9), glm::vec3(1), glm::vec3(0)}};
+  EXPECT_TRUE(scale_of(arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1, 1, -2), glm::vec3(1, -1, 2)}}), 2)
+                  .may_change);  // through zero
+  const Vec3Track cubic{Interpolation::cubic_spline,
+                        {0, 1},
+                        {glm::vec3(0), glm::vec3(1), glm::vec3(-9), glm::vec3(9), glm::vec3(1), glm::vec3(0)}};
   expect_scale(scale_of(arm_scaled_by(0, cubic), 2), ScaleKind::uneven, 1, true);
   Scene mirrored = arm_scene();
   mirrored.skeleton.rest[0].scale = glm::vec3(1, 1, -1), mirrored.skeleton.rest[2].scale = glm::vec3(-1);
@@ -82,7 +92,10 @@ TEST(joint_scales, of_a_matrix_allow_for_rounding) {
 }
 
 /// Mirrors a root, or leaves it.
-Affine root_of(bool mirrored) { return affine_from_transform(Transform{{0.5f, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, mirrored ? -1.0f : 1.0f, 1)}); }
+Affine root_of(bool mirrored) {
+  return affine_from_transform(
+      Transform{{0.5f, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, mirrored ? -1.0f : 1.0f, 1)});
+}
 
 /// Answers how many instances were mirrored.
 std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& needs, std::size_t& known) {
@@ -114,7 +127,7 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
     RandomSceneOptions options;
     options.mirrored_joints = true, options.flat_normals = seed % 2 == 0, options.instances = 6;
     Scene scene = random_scene(seed, options);
-    if (seed % 3 != 0)   // else whatever tracks there are
+    if (seed % 3 != 0)  // else whatever tracks there are
       for (Animation& animation : scene.animations)
         for (BoneAnimation& bone : animation.bones) bone.scale = {};
     if (seed % 4 == 1)
@@ -159,15 +172,18 @@ TEST(normals_by_cofactors, P08_are_left_out_where_neither_scale_nor_blends_are_u
   Needs needs;
   std::uint64_t count = 0;
   const Scene even = rigid_arm(1.5f), uneven = rigid_arm(0.5f);
-  const std::uint64_t linear = run_arm(compile_plan(even, needs), {}, count), linear_uneven = run_arm(compile_plan(uneven, needs), {}, count);
+  const std::uint64_t linear = run_arm(compile_plan(even, needs), {}, count),
+                      linear_uneven = run_arm(compile_plan(uneven, needs), {}, count);
   EXPECT_EQ(count, 0u);
   needs.normal_rule = NormalRule::cofactor;
   EXPECT_EQ(run_arm(compile_plan(even, needs), {}, count), linear);
   EXPECT_EQ(count, 0u);
-  EXPECT_NE(stage(compile_plan(even, needs), "skin_linear").reason.find("normals of 1 primitive without"), std::string::npos);
+  EXPECT_NE(stage(compile_plan(even, needs), "skin_linear").reason.find("normals of 1 primitive without"),
+            std::string::npos);
   EXPECT_NE(run_arm(compile_plan(uneven, needs), {}, count), linear_uneven);
   EXPECT_EQ(count, 4u);
-  EXPECT_NE(stage(compile_plan(uneven, needs), "skin_linear").reason.find("normals of 1 primitive by cofactors"), std::string::npos);
+  EXPECT_NE(stage(compile_plan(uneven, needs), "skin_linear").reason.find("normals of 1 primitive by cofactors"),
+            std::string::npos);
   run_arm(compile_plan(arm_scene(), needs), {}, count);
   EXPECT_EQ(count, 4u) << "a blend of two turns is uneven itself";
 }

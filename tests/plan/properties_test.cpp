@@ -15,7 +15,8 @@ namespace {
 
 constexpr PropertyKind kVisible = PropertyKind::node_visible;
 
-WeightTrack numbers(Interpolation interpolation, std::vector<float> times_s, std::vector<float> values, std::uint32_t count = 1) {
+WeightTrack numbers(Interpolation interpolation, std::vector<float> times_s, std::vector<float> values,
+                    std::uint32_t count = 1) {
   return {interpolation, std::move(times_s), std::move(values), count};
 }
 
@@ -97,11 +98,14 @@ TEST(properties, sampled_ones_agree_with_the_tracks_in_double) {
   const PropertyKind kinds[] = {PropertyKind::base_color, PropertyKind::emissive, PropertyKind::alpha_cutoff};
   for (const Interpolation interpolation : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline})
     for (const PropertyKind kind : kinds) {
-      const std::uint32_t material = interpolation == Interpolation::step ? 0 : interpolation == Interpolation::linear ? 1 : 2;
+      const std::uint32_t material = interpolation == Interpolation::step     ? 0
+                                     : interpolation == Interpolation::linear ? 1
+                                                                              : 2;
       const std::size_t per_key = component_count(kind) * (interpolation == Interpolation::cubic_spline ? 3 : 1);
       std::vector<float> times = {0.0f, 0.3f, 0.35f, 2.0f}, values(times.size() * per_key);
       for (float& v : values) v = static_cast<float>(random.in(-2.0, 2.0));
-      scene.animations[0].properties.push_back({{kind, material}, numbers(interpolation, times, values, component_count(kind))});
+      scene.animations[0].properties.push_back(
+          {{kind, material}, numbers(interpolation, times, values, component_count(kind))});
     }
   scene.materials.resize(3);
   finish_scene(scene);
@@ -165,7 +169,7 @@ TEST(properties, hidden_instances_cost_nothing_and_come_back) {
 
 TEST(properties, a_flag_hides_what_is_below_its_node) {
   Scene scene = arm_scene();
-  scene.instances[0].joint = 2;   // below joint 0
+  scene.instances[0].joint = 2;  // below joint 0
   scene.instances[0].skin = kNone;
   scene.hidden_joints = {0};
   finish_scene(scene);
@@ -206,7 +210,8 @@ TEST(properties, a_frame_allocates_nothing) {
 
 TEST(properties, boxes_hold_all_copies_of_a_mesh) {
   Scene scene = prop_scene();
-  scene.instances[0].copies = {{{10, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}, {{0, 0, 5}, glm::quat(0, 0, 0, 1), {2, 2, 2}}};
+  scene.instances[0].copies = {{{10, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}},
+                               {{0, 0, 5}, glm::quat(0, 0, 0, 1), {2, 2, 2}}};
   finish_scene(scene);
   ASSERT_EQ(check(scene), ErrorCode::ok);
   const Plan plan = compile_plan(scene, {.bounds = true});
@@ -224,12 +229,18 @@ TEST(properties, asset_checks_reject_what_the_jobs_cannot_run) {
     scene.animations[0].properties[0].target = target;
     return check(scene);
   };
-  EXPECT_EQ(with({{PropertyKind::base_color, 1}, numbers(Interpolation::linear, {0, 2}, {0, 0, 0, 1, 1, 1, 0.5f, 0}, 4)}), ErrorCode::ok);
-  EXPECT_EQ(with({{PropertyKind::base_color, 2}, numbers(Interpolation::linear, {0}, {0, 0, 0, 1}, 4)}), ErrorCode::index_out_of_range);
-  EXPECT_EQ(with({{PropertyKind::base_color, 1}, numbers(Interpolation::linear, {0}, {0, 0, 0}, 3)}), ErrorCode::size_mismatch);
+  EXPECT_EQ(
+      with({{PropertyKind::base_color, 1}, numbers(Interpolation::linear, {0, 2}, {0, 0, 0, 1, 1, 1, 0.5f, 0}, 4)}),
+      ErrorCode::ok);
+  EXPECT_EQ(with({{PropertyKind::base_color, 2}, numbers(Interpolation::linear, {0}, {0, 0, 0, 1}, 4)}),
+            ErrorCode::index_out_of_range);
+  EXPECT_EQ(with({{PropertyKind::base_color, 1}, numbers(Interpolation::linear, {0}, {0, 0, 0}, 3)}),
+            ErrorCode::size_mismatch);
   EXPECT_EQ(with({{PropertyKind::base_color, 1}, numbers(Interpolation::linear, {1, 0}, {0, 0, 0, 1, 1, 1, 1, 1}, 4)}),
             ErrorCode::times_not_increasing);
-  EXPECT_EQ(with({{PropertyKind::metallic, 1}, numbers(Interpolation::linear, {0}, {0})}), ErrorCode::index_out_of_range) << "not in the table";
+  EXPECT_EQ(with({{PropertyKind::metallic, 1}, numbers(Interpolation::linear, {0}, {0})}),
+            ErrorCode::index_out_of_range)
+      << "not in the table";
   Scene flag = blinking_arm(0.5f);
   flag.animations[0].properties[0].values.interpolation = Interpolation::linear;
   EXPECT_EQ(check(flag), ErrorCode::unsupported);

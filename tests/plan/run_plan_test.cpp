@@ -101,7 +101,8 @@ TEST(run_plan, N21_without_centers_it_has_the_bits_of_linear_blending) {
   const Scene scene = arm_scene();
   const ClipLayer layer{0, 0.7, 1.0f};
   const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
-  const Frame linear(scene, {}, input), center(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}}, input);
+  const Frame linear(scene, {}, input),
+      center(scene, {.skinning = Skinning::center_of_rotation, .instance_skinning = {}}, input);
   const auto a = linear.result().primitives[0].positions, b = center.result().primitives[0].positions;
   EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
   EXPECT_EQ(linear.result().work, center.result().work);
@@ -299,10 +300,12 @@ TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_the
   Frame frame(scene, needs, {});
   const Affine rest = frame.result().model[0];
   const ClipLayer added[] = {{0, 1.0, 1.0f, kNone, LayerKind::add_to_rest}};
-  const std::vector<float> on_top(frame.run({.layers = added, .weights = {}, .root = {}}).weights.begin(), frame.result().weights.end());
+  const std::vector<float> on_top(frame.run({.layers = added, .weights = {}, .root = {}}).weights.begin(),
+                                  frame.result().weights.end());
   EXPECT_EQ(frame.error, ErrorCode::ok);
   const ClipLayer alone[] = {{0, 1.0, 1.0f}};
-  const std::vector<float> played(frame.run({.layers = alone, .weights = {}, .root = {}}).weights.begin(), frame.result().weights.end());
+  const std::vector<float> played(frame.run({.layers = alone, .weights = {}, .root = {}}).weights.begin(),
+                                  frame.result().weights.end());
   EXPECT_EQ(on_top, played);  // what the clip adds to rest, on rest, is the clip
   frame.run({});
   EXPECT_EQ(frame.result().model[0], rest);

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
+#include "runtime/animation/truth_pose.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/lod/clip_bounds.h"
-#include "runtime/threads/job_thread.h"
 #include "runtime/plan/run_plan.h"
-#include "runtime/animation/truth_pose.h"
+#include "runtime/threads/job_thread.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -32,7 +32,8 @@ SkeletonLod some_detail(const Scene& scene, std::uint64_t seed) {
 std::vector<float> some_mask(const Scene& scene, std::uint64_t seed) {
   FixedRandom random(seed + 5);
   std::vector<float> mask;
-  for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j) mask.push_back(static_cast<float>(random.in(0.0, 1.0)));
+  for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j)
+    mask.push_back(static_cast<float>(random.in(0.0, 1.0)));
   return mask;
 }
 
@@ -40,7 +41,8 @@ std::vector<float> some_mask(const Scene& scene, std::uint64_t seed) {
 Scene held_scene(Scene scene, const Rig& rig, const SkeletonLod& detail) {
   for (std::size_t j = 0; j < rig.places.size(); ++j)
     if (!rig.places[j].is_kept && scene.skeleton.fixed_matrix_of[j] == kNone) scene.skeleton.rest[j] = detail.held[j];
-  for (Animation& animation : scene.animations) std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return !rig.places[bone.joint].is_kept; });
+  for (Animation& animation : scene.animations)
+    std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return !rig.places[bone.joint].is_kept; });
   scene.clips.clear();
   finish_scene(scene);
   return scene;
@@ -49,7 +51,8 @@ Scene held_scene(Scene scene, const Rig& rig, const SkeletonLod& detail) {
 double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
   EXPECT_EQ(a.size(), b.size());
   double largest = 0.0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, static_cast<double>(glm::length(a[i] - b[i])));
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, static_cast<double>(glm::length(a[i] - b[i])));
   return largest;
 }
 
@@ -60,8 +63,10 @@ Needs rich_needs(const Scene& scene, std::uint64_t seed) {
   return needs;
 }
 
-const std::vector<ClipLayer> kPlayed[] = {
-    {{0, 0.7}}, {{0, 0.3, 0.5f}, {1, 1.1, 0.25f}}, {{1, 0.4, 1.0f, 0}, {0, 1.3, 0.6f, kNone, LayerKind::add_to_start}}, {}};
+const std::vector<ClipLayer> kPlayed[] = {{{0, 0.7}},
+                                          {{0, 0.3, 0.5f}, {1, 1.1, 0.25f}},
+                                          {{1, 0.4, 1.0f, 0}, {0, 1.3, 0.6f, kNone, LayerKind::add_to_start}},
+                                          {}};
 
 TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
@@ -80,9 +85,11 @@ TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
       ASSERT_EQ(some.result().model.size(), lean.rig.joint_count());
       for (std::uint32_t j = 0; j < lean.rig.places.size(); ++j) {
         const JointPlace& place = lean.rig.places[j];
-        ASSERT_TRUE(!place.is_kept || same_bits(some.result().model[place.at], all.result().model[j])) << "seed " << seed << " joint " << j;
+        ASSERT_TRUE(!place.is_kept || same_bits(some.result().model[place.at], all.result().model[j]))
+            << "seed " << seed << " joint " << j;
       }
-      EXPECT_TRUE(same_bits<float>(some.result().weights, all.result().weights)) << "correctives see the joints that drive them";
+      EXPECT_TRUE(same_bits<float>(some.result().weights, all.result().weights))
+          << "correctives see the joints that drive them";
     }
   }
 }
@@ -106,7 +113,8 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
       ASSERT_EQ(run_plan(lean, {.layers = {&layer, 1}, .weights = {}, .root = {}}, found), ErrorCode::ok);
       for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
         const Affine world = world_of(lean.rig, found.result().model, j), truth = expected.result().model[j];
-        for (int r = 0; r < 3; ++r) EXPECT_LT(glm::length(world.row[r] - truth.row[r]), 1e-5f * (1.0f + glm::length(truth.row[r]))) << j;
+        for (int r = 0; r < 3; ++r)
+          EXPECT_LT(glm::length(world.row[r] - truth.row[r]), 1e-5f * (1.0f + glm::length(truth.row[r]))) << j;
       }
       for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const InstanceResult &a = found.result().instances[i], &b = expected.result().instances[i];
@@ -136,7 +144,7 @@ void add_moved_joints(Scene& scene, std::uint32_t parent, std::uint32_t count) {
     bone.translation = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(0), glm::vec3(1)}};
     for (Animation& animation : scene.animations) animation.bones.push_back(bone);
   }
-  scene.skeleton.level_begin.clear();   // of no use to plans, and no longer in order
+  scene.skeleton.level_begin.clear();  // of no use to plans, and no longer in order
   scene.clips.clear();
   finish_scene(scene);
 }
@@ -172,7 +180,8 @@ TEST(skeleton_lod, P01_joints_left_out_cost_exactly_nothing) {
       EXPECT_EQ(with.result().work.joints_composed, frame.result().work.joints_composed + count);
       EXPECT_TRUE(same_bits<Affine>(same.result().model, frame.result().model));
       for (std::size_t p = 0; p < plain.primitives.size(); ++p)
-        EXPECT_TRUE(same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
+        EXPECT_TRUE(
+            same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
     }
   }
 }
@@ -283,7 +292,9 @@ TEST(skeleton_lod, G54_boxes_of_clips_hold_characters_that_leave_joints_out) {
       ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame), ErrorCode::ok);
       for (std::size_t i = 0; i < reach.size(); ++i) {
         const Aabb& box = frame.result().instances[i].bounds;
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(reach[i].lower, box.lower)) && glm::all(glm::greaterThanEqual(reach[i].upper, box.upper))) << seed;
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(reach[i].lower, box.lower)) &&
+                    glm::all(glm::greaterThanEqual(reach[i].upper, box.upper)))
+            << seed;
       }
     }
   }
@@ -294,9 +305,11 @@ TEST(skeleton_lod, the_plan_says_what_is_left_out) {
   Needs needs;
   needs.skeleton_lod.kept = {true, true, false};
   const Plan plan = compile_plan(scene, needs);
-  const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(), [](const PlanStage& s) { return s.stage == "local_to_model"; });
+  const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(),
+                                  [](const PlanStage& s) { return s.stage == "local_to_model"; });
   EXPECT_EQ(stage->count, 2u);
-  EXPECT_NE(stage->reason.find("1 of 3 joints are left out as asked, they follow the joints above"), std::string::npos) << stage->reason;
+  EXPECT_NE(stage->reason.find("1 of 3 joints are left out as asked, they follow the joints above"), std::string::npos)
+      << stage->reason;
 }
 
 }  // namespace

@@ -95,16 +95,15 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
 
 INSTANTIATE_TEST_SUITE_P(
     kinds, SlowAgreement,
-    ::testing::Values(Case{"linear", Skinning::linear, NormalRule::linear, false, false},
-                      Case{"linear_cofactor_mirrored", Skinning::linear, NormalRule::cofactor, false, true},
-                      Case{"linear_G46_flat_G48_mirrored", Skinning::linear, NormalRule::linear, true, true},
-                      Case{"linear_cofactor_G46_flat_mirrored", Skinning::linear, NormalRule::cofactor, true, true},
-                      Case{"dual_quaternion", Skinning::dual_quaternion, NormalRule::linear, false, false},
-                      Case{"center_of_rotation_N21", Skinning::center_of_rotation, NormalRule::linear, false, false},
-                      Case{"center_of_rotation_G46_flat_mirrored", Skinning::center_of_rotation, NormalRule::linear,
-                           true, true},
-                      Case{"dual_quaternion_G46_flat_mirrored", Skinning::dual_quaternion, NormalRule::linear, true,
-                           true}),
+    ::testing::Values(
+        Case{"linear", Skinning::linear, NormalRule::linear, false, false},
+        Case{"linear_cofactor_mirrored", Skinning::linear, NormalRule::cofactor, false, true},
+        Case{"linear_G46_flat_G48_mirrored", Skinning::linear, NormalRule::linear, true, true},
+        Case{"linear_cofactor_G46_flat_mirrored", Skinning::linear, NormalRule::cofactor, true, true},
+        Case{"dual_quaternion", Skinning::dual_quaternion, NormalRule::linear, false, false},
+        Case{"center_of_rotation_N21", Skinning::center_of_rotation, NormalRule::linear, false, false},
+        Case{"center_of_rotation_G46_flat_mirrored", Skinning::center_of_rotation, NormalRule::linear, true, true},
+        Case{"dual_quaternion_G46_flat_mirrored", Skinning::dual_quaternion, NormalRule::linear, true, true}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) {
@@ -118,9 +117,15 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
         mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
     const Plan plan = compile_plan(scene, needs);
     FrameBuffer frame(plan);
-    const ClipLayer layers[] = {{0, 0.31, 0.6f, 0}, {1, 1.63, 0.7f, 1}, {0, 0.9, 0.8f, kNone, LayerKind::add_to_start}, {1, 0.4, 0.5f, 1, LayerKind::add_to_rest}};
+    const ClipLayer layers[] = {{0, 0.31, 0.6f, 0},
+                                {1, 1.63, 0.7f, 1},
+                                {0, 0.9, 0.8f, kNone, LayerKind::add_to_start},
+                                {1, 0.4, 0.5f, 1, LayerKind::add_to_rest}};
     for (const auto& [first, count] : {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}}) {
-      const FrameInput input{.layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)), .weights = {}, .root = {}};
+      const FrameInput input{
+          .layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
+          .weights = {},
+          .root = {}};
       ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
       const Errors e = compare(frame.result(), evaluate_slowly(scene, needs, input));
       EXPECT_LE(e.model, 6e-6) << "seed " << seed << " layers " << first << ' ' << count;

@@ -66,8 +66,10 @@ Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput&
     const double w = weight_of(needs, layer, joint);
     if (blends(layer) || w == 0.0) continue;
     const Transformd added = joint_at(scene, layer, joint);
-    const Transformd reference = layer.kind == LayerKind::add_to_rest ? to_double(scene.skeleton.rest[joint]) : joint_at(scene, start_of(layer), joint);
-    const Quat<double> one = quat_xyzw(0.0, 0.0, 0.0, 1.0), turn = aligned_with(one, added.rotation * quat_conjugate(reference.rotation));
+    const Transformd reference = layer.kind == LayerKind::add_to_rest ? to_double(scene.skeleton.rest[joint])
+                                                                      : joint_at(scene, start_of(layer), joint);
+    const Quat<double> one = quat_xyzw(0.0, 0.0, 0.0, 1.0),
+                       turn = aligned_with(one, added.rotation * quat_conjugate(reference.rotation));
     sum.translation += w * (added.translation - reference.translation);
     sum.rotation = normalised((one * (1.0 - w) + turn * w) * sum.rotation);
     sum.scale *= 1.0 + w * (added.scale / reference.scale - 1.0);
@@ -101,8 +103,10 @@ std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   for (const ClipLayer& layer : input.layers) {
     if (blends(layer)) continue;
     const std::vector<double> weights = weights_at(scene, layer, rest);
-    const std::vector<double> reference = layer.kind == LayerKind::add_to_rest ? rest : weights_at(scene, start_of(layer), rest);
-    for (std::size_t i = 0; i < rest.size(); ++i) sum[i] += static_cast<double>(layer.weight) * (weights[i] - reference[i]);
+    const std::vector<double> reference =
+        layer.kind == LayerKind::add_to_rest ? rest : weights_at(scene, start_of(layer), rest);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      sum[i] += static_cast<double>(layer.weight) * (weights[i] - reference[i]);
   }
   return sum;
 }
@@ -215,7 +219,8 @@ void skin_dual_quaternion(SlowPrimitive& shape, std::size_t v, const VertexJoint
 
 void skin_center_of_rotation(SlowPrimitive& shape, std::size_t v, const VertexJoint& joint, const Vec3d& center) {
   skin_turned(shape, v, joint, [&](const SplitJoint& split, const Vec3d& p, const Vec3d& n) {
-    return reference::skin_center_of_rotation<double>(split.motions, joint.matrices, joint.weights, p, n, center, split.stretches);
+    return reference::skin_center_of_rotation<double>(split.motions, joint.matrices, joint.weights, p, n, center,
+                                                      split.stretches);
   });
 }
 
@@ -252,9 +257,7 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
   }
   const bool moved =
       skinned || std::any_of(frame.weights.begin(), frame.weights.end(), [](double w) { return w != 0.0; });
-  if (primitive.flat_normals && moved)
-    flatten(shape, primitive,
-            skinned && frame.mirrored[i] ? -1.0 : 1.0);
+  if (primitive.flat_normals && moved) flatten(shape, primitive, skinned && frame.mirrored[i] ? -1.0 : 1.0);
   for (Vec3d& n : shape.normals) n = normalised_or(n, n);
   for (Vec3d& t : shape.tangents) t = normalised_or(t, t);
   return shape;

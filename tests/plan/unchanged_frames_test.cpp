@@ -54,7 +54,8 @@ class FewInputs {
 
   FrameInput next() {
     layers_.clear(), weights_.clear();
-    if (!scene_.clips.empty() && choose(4) > 0) layers_.push_back({choose(static_cast<std::uint32_t>(scene_.clips.size())), 0.5 * choose(3)});
+    if (!scene_.clips.empty() && choose(4) > 0)
+      layers_.push_back({choose(static_cast<std::uint32_t>(scene_.clips.size())), 0.5 * choose(3)});
     if (!scene_.clips.empty() && choose(4) == 0) layers_.push_back({0, 100.0 + choose(3)});
     if (choose(2) == 0) weights_.assign(scene_.weight_count(), static_cast<float>(choose(2)));
     root_ = {};
@@ -63,7 +64,8 @@ class FewInputs {
     out_of_view_.clear();
     if (choose(2) == 0)
       for (std::size_t i = 0; i < scene_.instances.size(); ++i) out_of_view_.push_back(choose(3) == 0);
-    return {.layers = layers_, .weights = weights_, .root = root_, .out_of_view = out_of_view_, .asleep = choose(5) == 0};
+    return {
+        .layers = layers_, .weights = weights_, .root = root_, .out_of_view = out_of_view_, .asleep = choose(5) == 0};
   }
 
  private:
@@ -79,11 +81,13 @@ class FewInputs {
 
 /// Only every third joint has tracks, and some of the others are held elsewhere than at rest by the first clip.
 void move_few_joints(Scene& scene) {
-  for (Animation& animation : scene.animations) std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
+  for (Animation& animation : scene.animations)
+    std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
   for (std::uint32_t j = 1; j < scene.skeleton.joint_count(); j += 6) {
     BoneAnimation held;
     held.joint = j;
-    held.translation = {.interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(1), glm::vec3(1)}};
+    held.translation = {
+        .interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(1), glm::vec3(1)}};
     scene.animations[0].bones.push_back(held);
   }
   scene.clips.clear();
@@ -155,7 +159,9 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_are_composed_once) {
 
 TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_and_between_updates) {
   Scene scene = arm_scene();
-  scene.skeleton.rest[0] = {{0.1f, -0.7f, 0.3f}, quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f), glm::vec3(1.1f, 0.9f, 1.3f)};  // N26: clips leave 3e-19 out
+  scene.skeleton.rest[0] = {{0.1f, -0.7f, 0.3f},
+                            quat_xyzw(0.6f, 3e-19f, 0.0f, 0.8f),
+                            glm::vec3(1.1f, 0.9f, 1.3f)};  // N26: clips leave 3e-19 out
   scene.skeleton.rest[1].rotation = glm::normalize(glm::quat(0.7f, 0.1f, -0.4f, 0.5f));
   finish_scene(scene);
   Needs needs;
@@ -165,14 +171,16 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   const ClipLayer one{0, 0.5};
   ASSERT_EQ(run_plan(plan, {.layers = {&one, 1}, .weights = {}, .root = {}}, alone), ErrorCode::ok);
   for (int number = 0; number < 8; ++number) {
-    const ClipLayer now[] = {{0, 0.1 * number, 0.7f}, {0, 0.9, 0.4f}}, ahead[] = {{0, 0.1 * number + 0.1, 0.5f}, {0, 0.3, 0.3f}};
+    const ClipLayer now[] = {{0, 0.1 * number, 0.7f}, {0, 0.9, 0.4f}},
+                    ahead[] = {{0, 0.1 * number + 0.1, 0.5f}, {0, 0.3, 0.3f}};
     FrameInput input{.layers = now, .weights = {}, .root = {}};
     if (number > 4) input.next_layers = ahead, input.interpolation_factor = 0.3f;
     FrameBuffer fresh(plan);
     for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
     expect_same(frame.result(), fresh.result());
     EXPECT_EQ(frame.result().work.joints_composed, number == 0 ? 3u : 1u) << number;
-    for (const std::size_t joint : {0u, 1u}) EXPECT_TRUE(same_bits(frame.result().model[joint], alone.result().model[joint])) << number;
+    for (const std::size_t joint : {0u, 1u})
+      EXPECT_TRUE(same_bits(frame.result().model[joint], alone.result().model[joint])) << number;
   }
 }
 
@@ -184,14 +192,26 @@ TEST(unchanged_frames, P01_poses_of_one_clip_after_another_are_those_of_fresh_on
     needs.additive = true;
     const Plan plan = compile_plan(scene, needs);
     FrameBuffer frame(plan);
-    const std::vector<std::vector<ClipLayer>> all = {
-        {{0, 0.1}}, {{0, 0.3}}, {{1, 0.3}}, {{1, 0.4}, {0, 0.9, 0.0f}}, {{1, 0.5}, {0, 0.9, 1.0f}}, {{1, 0.6}},
-        {}, {{1, 0.7}}, {{1, 0.8, 0.5f}}, {{1, 0.9}}, {{1, 1.0}, {0, 0.3, 0.5f, kNone, LayerKind::add_to_rest}}, {{1, 1.1}}, {{0, 1.2, 2.0f}}, {{0, 1.3}}};
+    const std::vector<std::vector<ClipLayer>> all = {{{0, 0.1}},
+                                                     {{0, 0.3}},
+                                                     {{1, 0.3}},
+                                                     {{1, 0.4}, {0, 0.9, 0.0f}},
+                                                     {{1, 0.5}, {0, 0.9, 1.0f}},
+                                                     {{1, 0.6}},
+                                                     {},
+                                                     {{1, 0.7}},
+                                                     {{1, 0.8, 0.5f}},
+                                                     {{1, 0.9}},
+                                                     {{1, 1.0}, {0, 0.3, 0.5f, kNone, LayerKind::add_to_rest}},
+                                                     {{1, 1.1}},
+                                                     {{0, 1.2, 2.0f}},
+                                                     {{0, 1.3}}};
     for (std::size_t i = 0; i < all.size(); ++i)
       for (const bool asleep : {false, i % 5 == 4}) {
         FrameBuffer fresh(plan);
         for (FrameBuffer* buffer : {&frame, &fresh})
-          ASSERT_EQ(run_plan(plan, {.layers = all[i], .weights = {}, .root = {}, .asleep = asleep}, *buffer), ErrorCode::ok);
+          ASSERT_EQ(run_plan(plan, {.layers = all[i], .weights = {}, .root = {}, .asleep = asleep}, *buffer),
+                    ErrorCode::ok);
         expect_same(frame.result(), fresh.result());
       }
   }
@@ -237,7 +257,8 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   std::vector<FrameBuffer> buffers;
   for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
   FewInputs inputs(scene, seed);
-  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame(plan.primitives.size());  // of those that gave vertices
+  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame(
+      plan.primitives.size());  // of those that gave vertices
   FixedRandom random(seed + 1000);
   std::size_t at = 0, kept = 0;
   for (std::uint64_t number = 1; number <= 40; ++number) {

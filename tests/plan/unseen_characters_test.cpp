@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Nobody sees it, nobody does it: meshes out of view are not deformed, characters that sleep cost nothing, and neither shows when
-// they are seen again.
+// Nobody sees it, nobody does it: meshes out of view are not deformed, characters that sleep cost nothing, and neither
+// shows when they are seen again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "runtime/base/same_bits.h"
-#include "runtime/playback/event_cursor.h"
-#include "runtime/threads/job_thread.h"
-#include "runtime/playback/root_motion.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/playback/event_cursor.h"
+#include "runtime/playback/root_motion.h"
+#include "runtime/threads/job_thread.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -23,13 +23,15 @@ bool same_shape(const DeformedPrimitive& a, const DeformedPrimitive& b) {
 }
 
 bool is_nothing(const DeformedPrimitive& shape) {
-  return shape.positions.empty() && shape.normals.empty() && shape.tangents.empty() && shape.colors.empty() && shape.since_frame == 0;
+  return shape.positions.empty() && shape.normals.empty() && shape.tangents.empty() && shape.colors.empty() &&
+         shape.since_frame == 0;
 }
 
 /// All work on vertices and palettes.
 WorkCounters mesh_work(WorkCounters work) {
-  work.windings_tested = 0;   // where the mesh is, and how it is turned, is told all the same
-  work.tracks_sampled = work.properties_sampled = work.poses_blended = work.poses_added = work.poses_interpolated = work.poses_compared = work.joints_composed = 0;
+  work.windings_tested = 0;  // where the mesh is, and how it is turned, is told all the same
+  work.tracks_sampled = work.properties_sampled = work.poses_blended = work.poses_added = work.poses_interpolated =
+      work.poses_compared = work.joints_composed = 0;
   return work;
 }
 
@@ -52,7 +54,8 @@ TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_n
     FrameBuffer seen(plan), unseen(plan);
     const std::vector<std::uint8_t> all(scene.instances.size(), 1);
     ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, seen), ErrorCode::ok);
-    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}, .out_of_view = all}, unseen), ErrorCode::ok);
+    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}, .out_of_view = all}, unseen),
+              ErrorCode::ok);
     ASSERT_NE(mesh_work(seen.result().work), WorkCounters{});
     EXPECT_EQ(mesh_work(unseen.result().work), WorkCounters{});
     EXPECT_EQ(unseen.result().work.joints_composed, scene.skeleton.joint_count());
@@ -77,7 +80,8 @@ TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
     std::vector<std::uint8_t> out_of_view(scene.instances.size(), 0);
     out_of_view[left_out] = 1;
     FrameBuffer some(plan);
-    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}, .out_of_view = out_of_view}, some), ErrorCode::ok);
+    ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}, .out_of_view = out_of_view}, some),
+              ErrorCode::ok);
     for (const PrimitivePlan& planned : plan.primitives) {
       const std::size_t p = plan.first_primitive[planned.instance] + planned.primitive;
       const DeformedPrimitive& shape = some.result().primitives[p];
@@ -89,7 +93,8 @@ TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
     }
     const std::uint32_t skin = scene.instances[left_out].skin;
     std::uint64_t entries = 0;
-    for (const Skin& other : scene.skins) entries += &other == &scene.skins[std::min<std::size_t>(skin, 1)] && skin != kNone ? 0 : other.joints.size();
+    for (const Skin& other : scene.skins)
+      entries += &other == &scene.skins[std::min<std::size_t>(skin, 1)] && skin != kNone ? 0 : other.joints.size();
     EXPECT_EQ(some.result().work.palette_entries, entries);
   }
 }
@@ -97,7 +102,8 @@ TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
 TEST(unseen_characters, one_that_sleeps_does_exactly_nothing_and_gives_nothing) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed % 3, options.targets = seed % 2 * 3, options.flat_normals = seed % 2, options.correctives = seed % 2;
+    options.skins = seed % 3, options.targets = seed % 2 * 3, options.flat_normals = seed % 2,
+    options.correctives = seed % 2;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
     needs.stage_times = true;
@@ -129,7 +135,9 @@ TEST(unseen_characters, P15_clocks_events_and_root_motion_go_on_while_one_sleeps
   const Plan plan = compile_plan(scene, {});
   const std::vector<double> events_s{0.25, 0.75};
   BoneAnimation walk;
-  walk.translation = {.interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(0.0f), glm::vec3(2.0f, 0.0f, 0.0f)}};
+  walk.translation = {.interpolation = Interpolation::linear,
+                      .times_s = {0.0f, 1.0f},
+                      .values = {glm::vec3(0.0f), glm::vec3(2.0f, 0.0f, 0.0f)}};
   struct Character {
     PlaybackClock clock{1.0};
     FrameBuffer frame;
@@ -196,7 +204,8 @@ TEST(unseen_characters, as_many_instances_as_the_scene_has_are_in_or_out_of_view
   const Plan plan = compile_plan(scene, {});
   FrameBuffer frame(plan);
   const std::vector<std::uint8_t> too_many(2, 0);
-  EXPECT_EQ(run_plan(plan, {.layers = {}, .weights = {}, .root = {}, .out_of_view = too_many}, frame), ErrorCode::size_mismatch);
+  EXPECT_EQ(run_plan(plan, {.layers = {}, .weights = {}, .root = {}, .out_of_view = too_many}, frame),
+            ErrorCode::size_mismatch);
 }
 
 }  // namespace

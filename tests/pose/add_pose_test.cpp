@@ -32,7 +32,9 @@ struct Poses {
   AddPoseJob job(float weight) { return {layer.span(), reference.span(), weight, {}, base.span()}; }
 };
 
-Transformd as_double(const Transform& t) { return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)}; }
+Transformd as_double(const Transform& t) {
+  return {Vec3<double>(t.translation), quat_cast<double>(t.rotation), Vec3<double>(t.scale)};
+}
 
 /// The equations of add_pose.h, plainly.
 Transformd truth(const Transform& base, const Transform& layer, const Transform& reference, double w) {
@@ -40,7 +42,8 @@ Transformd truth(const Transform& base, const Transform& layer, const Transform&
   Quat<double> delta = l.rotation * quat_conjugate(r.rotation);
   if (delta.w < 0) delta = -delta;
   const Quat<double> part = quat_xyzw(w * delta.x, w * delta.y, w * delta.z, 1 - w + w * delta.w);
-  return {b.translation + w * (l.translation - r.translation), normalised(part * b.rotation), b.scale * (1.0 + w * (l.scale / r.scale - 1.0))};
+  return {b.translation + w * (l.translation - r.translation), normalised(part * b.rotation),
+          b.scale * (1.0 + w * (l.scale / r.scale - 1.0))};
 }
 
 TEST(add_pose, rejects_other_joint_counts_and_weights_that_are_none) {
@@ -71,7 +74,8 @@ TEST(add_pose, random_poses_agree_with_double_and_every_instruction_set_gives_th
         for (std::size_t j = 0; j < kJoints; ++j) {
           found.push_back(p.base.span().get(j));
           const double w = static_cast<double>(weight * (masked ? p.mask[j] : 1.0f));
-          const Transformd expected = truth(untouched.base.span().get(j), p.layer.span().get(j), p.reference.span().get(j), w);
+          const Transformd expected =
+              truth(untouched.base.span().get(j), p.layer.span().get(j), p.reference.span().get(j), w);
           EXPECT_TRUE(test::is_near(Vec3<double>(found[j].translation), expected.translation, 1e-6)) << j;
           EXPECT_NEAR(std::abs(quat_dot(quat_cast<double>(found[j].rotation), expected.rotation)), 1.0, 1e-6) << j;
           EXPECT_TRUE(test::is_near(Vec3<double>(found[j].scale), expected.scale, 4e-6)) << j;
@@ -107,7 +111,8 @@ TEST(add_pose, a_reference_without_scale_adds_no_scale) {
   Poses p(10), untouched(10);
   for (std::size_t j = 0; j < kJoints; ++j) p.reference.span().plane(PoseSpan::sx)[j] = 0.0f;
   run(p.job(1.0f));
-  for (std::size_t j = 0; j < kJoints; ++j) EXPECT_EQ(p.base.span().get(j).scale.x, untouched.base.span().get(j).scale.x) << j;
+  for (std::size_t j = 0; j < kJoints; ++j)
+    EXPECT_EQ(p.base.span().get(j).scale.x, untouched.base.span().get(j).scale.x) << j;
 }
 
 }  // namespace

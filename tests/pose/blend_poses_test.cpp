@@ -60,7 +60,8 @@ TEST(blend_poses, hand_computed_halves_and_the_rest_fills_up) {
   run(BlendPosesJob{both, rest.span(), out.span()});
   EXPECT_EQ(out.span().get(0).translation, glm::vec3(3, 1, 0));
   EXPECT_EQ(out.span().get(0).scale, glm::vec3(2, 1, 1));
-  EXPECT_TRUE(test::same_rotation(out.span().get(0).rotation, quat_xyzw(std::sin(M_PI / 8), 0.0, 0.0, std::cos(M_PI / 8)), 1e-7));
+  EXPECT_TRUE(test::same_rotation(out.span().get(0).rotation,
+                                  quat_xyzw(std::sin(M_PI / 8), 0.0, 0.0, std::cos(M_PI / 8)), 1e-7));
   BlendLayer quarter[] = {{a.span(), 0.25f, {}}};
   run(BlendPosesJob{quarter, rest.span(), out.span()});
   EXPECT_EQ(out.span().get(0).translation, glm::vec3(0.5f, 0, 0));
@@ -78,10 +79,12 @@ TEST(blend_poses, agrees_with_the_reference) {
     for (std::size_t l = 0; l < count; ++l) {
       poses.push_back(random_pose(random, joints));
       auto& mask = masks.emplace_back();
-      for (std::size_t j = 0; j < joints; ++j) mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
+      for (std::size_t j = 0; j < joints; ++j)
+        mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));
     }
     for (std::size_t l = 0; l < count; ++l)
-      layers.push_back({poses[l].span(), static_cast<float>(random.in(0, 1.5)), l % 2 ? std::span<const float>(masks[l]) : std::span<const float>()});
+      layers.push_back({poses[l].span(), static_cast<float>(random.in(0, 1.5)),
+                        l % 2 ? std::span<const float>(masks[l]) : std::span<const float>()});
     const BlendPosesJob job{layers, rest.span(), out.span()};
     ASSERT_EQ(check(job), ErrorCode::ok);
     run(job);
@@ -117,7 +120,8 @@ TEST(blend_poses, P06_one_full_layer_and_no_layer_come_out_bit_for_bit) {
 
 TEST(blend_poses, N17_signs_of_rotations_and_order_of_layers_do_not_matter) {
   test::FixedRandom random(17);
-  PoseBuffer a = random_pose(random, 9), b = random_pose(random, 9), c = random_pose(random, 9), rest(9), out(9), other(9);
+  PoseBuffer a = random_pose(random, 9), b = random_pose(random, 9), c = random_pose(random, 9), rest(9), out(9),
+             other(9);
   BlendLayer layers[] = {{a.span(), 0.5f, {}}, {b.span(), 0.3f, {}}, {c.span(), 0.2f, {}}};
   run(BlendPosesJob{layers, rest.span(), out.span()});
   for (std::size_t j = 0; j < 9; ++j) {

@@ -2,13 +2,13 @@
 /// What must hold for every scene, through all jobs in a row.
 #include <gtest/gtest.h>
 
+#include "runtime/deform/morph_vertices.h"
+#include "runtime/deform/skin_dual_quaternion.h"
+#include "runtime/deform/skin_linear.h"
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/joint_palette.h"
 #include "runtime/pose/local_to_model.h"
-#include "runtime/deform/morph_vertices.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/deform/skin_dual_quaternion.h"
-#include "runtime/deform/skin_linear.h"
 #include "tests/scenes/face.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/skinned_surface.h"
@@ -33,8 +33,11 @@ std::vector<Shape> shapes() {
 class Character {
  public:
   Character(const Skeleton& skeleton, std::uint32_t influences)
-      : scene_(scenes::swinging_surface(skeleton, scenes::swinging(skeleton, 20), 600, influences)), pose_(skeleton.joint_count()),
-        model_(skeleton.joint_count()), palette_(skeleton.joint_count()), split_(skeleton.joint_count()) {
+      : scene_(scenes::swinging_surface(skeleton, scenes::swinging(skeleton, 20), 600, influences)),
+        pose_(skeleton.joint_count()),
+        model_(skeleton.joint_count()),
+        palette_(skeleton.joint_count()),
+        split_(skeleton.joint_count()) {
     linear.resize(vertex_count()), dual.resize(vertex_count()), normals.resize(vertex_count());
   }
 
@@ -45,12 +48,15 @@ class Character {
   void pose_at_rest() {
     for (std::size_t j = 0; j < scene_.skeleton.joint_count(); ++j) pose_.span().set(j, scene_.skeleton.rest[j]);
   }
-  void pose_at(double time_s) { run(SampleClipJob{.clip = &scene_.clips[0], .time_s = time_s, .pose = pose_.span(), .weights = {}}); }
+  void pose_at(double time_s) {
+    run(SampleClipJob{.clip = &scene_.clips[0], .time_s = time_s, .pose = pose_.span(), .weights = {}});
+  }
   void deform(const Affine& root = {}) {
     const Primitive& p = primitive();
     run(LocalToModelJob{&scene_.skeleton, pose_.span(), root, model_});
     run(JointPaletteJob{&scene_.skins[0], model_, palette_});
-    run(SkinLinearJob{&p.influences, palette_, {p.positions, p.normals, {}}, {linear, normals, {}}, NormalRule::cofactor});
+    run(SkinLinearJob{
+        &p.influences, palette_, {p.positions, p.normals, {}}, {linear, normals, {}}, NormalRule::cofactor});
     run(SplitPaletteJob{palette_, split_, &any_stretch_});
     run(SkinDualQuaternionJob{&p.influences, split_, any_stretch_, {p.positions, {}, {}}, {dual, {}, {}}});
   }
@@ -67,7 +73,8 @@ class Character {
 };
 
 TEST(invariants, every_scene_passes_its_checks) {
-  for (const Shape& shape : shapes()) EXPECT_EQ(check(Character(shape.skeleton, 4).scene()), ErrorCode::ok) << shape.name;
+  for (const Shape& shape : shapes())
+    EXPECT_EQ(check(Character(shape.skeleton, 4).scene()), ErrorCode::ok) << shape.name;
   EXPECT_EQ(scenes::biped().joint_count(), 67u);
 }
 
@@ -105,7 +112,8 @@ TEST(invariants, one_influence_moves_alike_in_both_kinds_of_skinning) {
     Character c(shape.skeleton, 1);
     c.pose_at(0.45);
     c.deform();
-    for (std::size_t v = 0; v < c.vertex_count(); ++v) ASSERT_TRUE(test::is_near(c.linear[v], c.dual[v], 2e-5)) << shape.name;
+    for (std::size_t v = 0; v < c.vertex_count(); ++v)
+      ASSERT_TRUE(test::is_near(c.linear[v], c.dual[v], 2e-5)) << shape.name;
   }
 }
 
@@ -113,7 +121,8 @@ TEST(invariants, zero_morph_weights_change_nothing) {
   const Primitive face = scenes::face(3000, 12);
   std::vector<glm::vec3> positions(3000), normals(3000), scratch(3000);
   const std::vector<float> weights(12, 0.0f);
-  const MorphVerticesJob job{&face.morphs, weights, {face.positions, face.normals, {}}, {positions, normals, {}}, scratch, true};
+  const MorphVerticesJob job{&face.morphs, weights, {face.positions, face.normals, {}}, {positions, normals, {}},
+                             scratch,      true};
   ASSERT_EQ(check(job), ErrorCode::ok);
   run(job);
   EXPECT_EQ(positions, face.positions);
@@ -136,7 +145,8 @@ TEST(invariants, a_whole_frame_allocates_nothing) {
   const Primitive face = scenes::face(500, 4);
   std::vector<glm::vec3> positions(500), normals(500), scratch(500);
   const std::vector<float> weights(4, 0.5f);
-  const MorphVerticesJob morph{&face.morphs, weights, {face.positions, face.normals, {}}, {positions, normals, {}}, scratch, true};
+  const MorphVerticesJob morph{&face.morphs, weights, {face.positions, face.normals, {}}, {positions, normals, {}},
+                               scratch,      true};
   const test::AllocationCounter counter;
   c.pose_at(0.2);
   c.deform();

@@ -66,7 +66,8 @@ TEST(joint_palette, N27_N28_every_instruction_set_gives_the_bits_of_the_plain_pr
     for (std::size_t i = 0; i < palette.size(); ++i) {
       const JointMatrix plain = joint_matrix_from(model[skin.joints[i]] * skin.inverse_bind[i]);
       EXPECT_TRUE(same_bits(palette[i], plain) || skin.joints[i] == 3) << i << ' ' << test::simd_name(target);
-      for (int c = 0; c < 4; ++c) EXPECT_EQ(palette[i].column[c].w, c == 3 ? 1.0f : 0.0f) << i << ' ' << test::simd_name(target);
+      for (int c = 0; c < 4; ++c)
+        EXPECT_EQ(palette[i].column[c].w, c == 3 ? 1.0f : 0.0f) << i << ' ' << test::simd_name(target);
     }
   }
 }
@@ -92,8 +93,9 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   test::FixedRandom random(5);
   std::vector<JointMatrix> palette;
   for (int i = 0; i < 50; ++i)
-    palette.push_back(joint_matrix_from(affine_from_transform(random.transform(0.2, 3)) * affine_from_transform(random.transform(0.2, 3))));
-  palette.push_back(joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3})));                       // collapsed to a point
+    palette.push_back(joint_matrix_from(affine_from_transform(random.transform(0.2, 3)) *
+                                        affine_from_transform(random.transform(0.2, 3))));
+  palette.push_back(joint_matrix_from(affine_from(Mat3<float>(0.0f), {1, 2, 3})));  // collapsed to a point
   palette.push_back(joint_matrix_from(affine_from(Mat3<float>(-1, 0, 0, 0, 1, 0, 0, 0, 1), {0, 0, 0})));  // mirrored
   std::vector<RigidStretch> split(palette.size());
   bool any = false;
@@ -108,7 +110,9 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
 TEST(split_palette, N17_signs_follow_the_joints_that_they_are_told_to) {
   test::FixedRandom random(8);
   std::vector<JointMatrix> palette;
-  for (int i = 0; i < 40; ++i) palette.push_back(joint_matrix_from(affine_from_transform(Transform{random.vec3(), random.rotation(), glm::vec3(1)})));
+  for (int i = 0; i < 40; ++i)
+    palette.push_back(
+        joint_matrix_from(affine_from_transform(Transform{random.vec3(), random.rotation(), glm::vec3(1)})));
   std::vector<RigidStretch> split(40), plain(40);
   std::vector<JointPair> follow;
   for (std::uint16_t i = 1; i < 40; ++i) follow.push_back({static_cast<std::uint16_t>(i / 2), i});

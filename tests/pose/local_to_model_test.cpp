@@ -165,7 +165,8 @@ TEST(local_to_model, N28_joints_have_the_bits_of_plain_products_however_far_thei
       run(job);
       for (std::uint32_t j = 0; j < count; ++j) {
         const Affine plain = (parents[j] == kNone ? job.root : rig.model[parents[j]]) * local[j];
-        EXPECT_TRUE(same_bits<Affine>({&plain, 1}, {&rig.model[j], 1})) << "joint " << j << ", parents " << farthest << " before";
+        EXPECT_TRUE(same_bits<Affine>({&plain, 1}, {&rig.model[j], 1}))
+            << "joint " << j << ", parents " << farthest << " before";
       }
     }
   }
@@ -179,10 +180,10 @@ TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not
     const std::uint32_t count = 1 + random.below(200);
     std::vector<std::uint32_t> parents(count, kNone);
     const std::uint32_t farthest = round % 2 == 0 ? count : 1 + random.below(12);
-    for (std::uint32_t j = 1; j < count; ++j) parents[j] = random.below(8) == 0 ? kNone : j - 1 - random.below(std::min(j, farthest));
+    for (std::uint32_t j = 1; j < count; ++j)
+      parents[j] = random.below(8) == 0 ? kNone : j - 1 - random.below(std::min(j, farthest));
     Rig rig(parents);
-    for (std::uint32_t j = 0; j < count; ++j)
-      rig.pose.set(j, random.transform());
+    for (std::uint32_t j = 0; j < count; ++j) rig.pose.set(j, random.transform());
     if (round % 3 == 0) {
       rig.skeleton.fixed_matrices.push_back(affine_from(glm::mat3(2.0f), {3, 2, 1}));
       rig.skeleton.fixed_matrix_of[count / 2] = 0;

@@ -29,7 +29,8 @@ std::vector<JobOnTarget> on_all_targets(const std::vector<NumericJob>& jobs) {
 std::vector<Json> cases_for_jobs(const std::string& kind) {
   std::vector<Json> cases = numeric_cases(kind);
   if (kind == "squad")
-    for (Json& c : cases) c["accept"] = {{"metric", "rotation_angle"}, {"tol", c["accept"]["tol"]}, {"norm_tol", c["accept"]["norm_tol"]}};
+    for (Json& c : cases)
+      c["accept"] = {{"metric", "rotation_angle"}, {"tol", c["accept"]["tol"]}, {"norm_tol", c["accept"]["norm_tol"]}};
   return cases;
 }
 
@@ -39,8 +40,8 @@ void expect_all_cases(const JobOnTarget& on) {
   if (cases.empty()) GTEST_SKIP() << "the corpus has no cases of kind " << on.job.kind;
   const OnlyTarget only(on.target);
   const NumericReport report = run_numeric(cases, {on.job.kind, on.job.run});
-  std::printf("  %s on %s: %d cases, worst %.3f of the tolerance (%s)\n", on.job.kind.c_str(), simd_name(on.target).c_str(),
-              report.run, report.worst, report.worst_case.c_str());
+  std::printf("  %s on %s: %d cases, worst %.3f of the tolerance (%s)\n", on.job.kind.c_str(),
+              simd_name(on.target).c_str(), report.run, report.worst, report.worst_case.c_str());
   EXPECT_EQ(report.run, static_cast<int>(cases.size()));
   EXPECT_EQ(report.failed, 0) << report.failures;
 }

@@ -63,8 +63,10 @@ Outcome hermite_of(const Json& in) {
   const double t = scalar<double>(in["t"]);
   const auto keys = [&](auto read) {
     using V = decltype(read(in["v0"]));
-    return Track<V>{Interpolation::cubic_spline, times,
-                    {V{} * 0.0f, read(in["v0"]), read(in["out_tangent0"]), read(in["in_tangent1"]), read(in["v1"]), V{} * 0.0f}};
+    return Track<V>{
+        Interpolation::cubic_spline,
+        times,
+        {V{} * 0.0f, read(in["v0"]), read(in["out_tangent0"]), read(in["in_tangent1"]), read(in["v1"]), V{} * 0.0f}};
   };
   if (in["op"] == "vec3") return {{"v", numbers(sample({}, keys(vec3<float>), t).translation)}};
   return {{"q", numbers(sample(keys(quat<float>), {}, t).rotation)}};
@@ -86,7 +88,11 @@ Outcome compose_of(const Json& in) {
 }  // namespace
 
 std::vector<NumericJob> pose_jobs() {
-  return {{"slerp", slerp_of}, {"nlerp", nlerp_of}, {"squad", squad_of}, {"hermite", hermite_of}, {"trs_compose", compose_of}};
+  return {{"slerp", slerp_of},
+          {"nlerp", nlerp_of},
+          {"squad", squad_of},
+          {"hermite", hermite_of},
+          {"trs_compose", compose_of}};
 }
 
 }  // namespace sinew::test

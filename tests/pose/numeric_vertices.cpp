@@ -12,14 +12,16 @@
 namespace sinew::test {
 namespace {
 
-/// The vertex of a case, nine times: enough for whole blocks and a tail. Its copies carry different normals: the case's own,
-/// then the axes, whose images are the columns of the rotation that the kernel blended.
+/// The vertex of a case, nine times: enough for whole blocks and a tail. Its copies carry different normals: the case's
+/// own, then the axes, whose images are the columns of the rotation that the kernel blended.
 class Vertices {
  public:
   static constexpr std::uint32_t kCount = 9;
 
-  Vertices(const glm::vec3& p, const glm::vec3& n, const std::vector<double>& weights) : positions_(kCount, p), normals_(kCount, n) {
-    for (int axis = 0; axis < 3; ++axis) normals_[static_cast<std::size_t>(1 + axis)] = glm::vec3(axis == 0, axis == 1, axis == 2);
+  Vertices(const glm::vec3& p, const glm::vec3& n, const std::vector<double>& weights)
+      : positions_(kCount, p), normals_(kCount, n) {
+    for (int axis = 0; axis < 3; ++axis)
+      normals_[static_cast<std::size_t>(1 + axis)] = glm::vec3(axis == 0, axis == 1, axis == 2);
     add_influences(weights);
   }
 
@@ -45,7 +47,8 @@ class Vertices {
       sum += weights[i];
       if (weights[i] > 0) order.push_back(i);
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::uint16_t a, std::uint16_t b) { return weights[a] > weights[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint16_t a, std::uint16_t b) { return weights[a] > weights[b]; });
     influences_.groups = {{0, kCount, static_cast<std::uint32_t>(order.size()), 0}};
     for (std::uint32_t v = 0; v < kCount; ++v)
       for (const std::uint16_t i : order) {
@@ -94,7 +97,8 @@ void skin_by_dual_quaternions(Vertices& v, const Palettes& palettes) {
 
 void skin_about_center(Vertices& v, const Palettes& palettes, const glm::vec3& center) {
   const std::vector<glm::vec3> centers(Vertices::kCount, center);
-  run(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch, centers, v.in(), v.out()});
+  run(SkinCenterOfRotationJob{&v.influences(), palettes.matrices, palettes.split, palettes.any_stretch, centers, v.in(),
+                              v.out()});
 }
 
 /// The job answers unit normals, the case a blend that is not: its length is taken from double precision.
@@ -135,15 +139,17 @@ Outcome candy_of(const Json& in) {
   return out;
 }
 
-/// A single joint with the case's matrix: the cofactor rule, turned outward. Where the truth has no outward side the matrix is
-/// flat, and the cofactor's own direction counts.
+/// A single joint with the case's matrix: the cofactor rule, turned outward. Where the truth has no outward side the
+/// matrix is flat, and the cofactor's own direction counts.
 Outcome normal_of_matrix(const Json& in) {
   Vertices v(glm::vec3(0), vec3<float>(in["n"]), {1.0});
   const std::vector<JointMatrix> palette{joint_matrix_from(affine_from(mat3<float>(in["m"]), glm::vec3(0)))};
   run(SkinLinearJob{&v.influences(), palette, v.in(), v.out(), NormalRule::cofactor});
   const auto truth = mat3<double>(in["m"]);
   const double side = glm::determinant(truth) < 0 ? -1 : 1;
-  return {{"n", numbers(Vec3<double>(v.normal()) * side)}, {"n_outward", numbers(v.normal())}, {"cofactor_times_n", numbers(v.normal())}};
+  return {{"n", numbers(Vec3<double>(v.normal()) * side)},
+          {"n_outward", numbers(v.normal())},
+          {"cofactor_times_n", numbers(v.normal())}};
 }
 
 Outcome morph_of(const Json& in) {
@@ -165,7 +171,12 @@ Outcome morph_of(const Json& in) {
 }  // namespace
 
 std::vector<NumericJob> vertex_jobs() {
-  return {{"lbs", linear_of}, {"dqs", dual_quaternion_of}, {"cor", center_of}, {"candy_wrapper", candy_of}, {"normal_transform", normal_of_matrix}, {"morph", morph_of}};
+  return {{"lbs", linear_of},
+          {"dqs", dual_quaternion_of},
+          {"cor", center_of},
+          {"candy_wrapper", candy_of},
+          {"normal_transform", normal_of_matrix},
+          {"morph", morph_of}};
 }
 
 }  // namespace sinew::test

@@ -18,7 +18,8 @@
 namespace sinew {
 namespace {
 
-constexpr Interpolation kAll[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline, Interpolation::squad};
+constexpr Interpolation kAll[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
+                                  Interpolation::squad};
 
 Interpolation vector_kind(Interpolation i) { return i == Interpolation::squad ? Interpolation::linear : i; }
 
@@ -30,8 +31,10 @@ struct Player {
   test::PoseBuffer pose;
 
   Player(std::vector<BoneAnimation> bones, std::uint32_t joints)
-      : animation(test::animation_of(std::move(bones))), skeleton(test::chain_skeleton(joints)),
-        clip(test::clip_of(animation, skeleton)), pose(joints) {}
+      : animation(test::animation_of(std::move(bones))),
+        skeleton(test::chain_skeleton(joints)),
+        clip(test::clip_of(animation, skeleton)),
+        pose(joints) {}
 
   SampleClipJob job(double time_s) { return {.clip = &clip, .time_s = time_s, .pose = pose.span(), .weights = {}}; }
   Transform at(double time_s, std::size_t joint = 0) {
@@ -62,8 +65,10 @@ Player crowded(std::uint32_t joints, std::uint64_t seed) {
   for (std::uint32_t j = 0; j < joints; ++j) {
     BoneAnimation bone;
     bone.joint = j;
-    if (random.below(8) != 0) bone.rotation = test::random_rotations(random, kAll[random.below(4)], times[random.below(5)]);
-    if (random.below(8) != 0) bone.translation = test::random_vectors(random, kAll[random.below(3)], times[random.below(5)]);
+    if (random.below(8) != 0)
+      bone.rotation = test::random_rotations(random, kAll[random.below(4)], times[random.below(5)]);
+    if (random.below(8) != 0)
+      bone.translation = test::random_vectors(random, kAll[random.below(3)], times[random.below(5)]);
     if (random.below(8) != 0) bone.scale = test::random_vectors(random, kAll[random.below(3)], times[random.below(5)]);
     bones.push_back(std::move(bone));
   }
@@ -81,7 +86,10 @@ TEST(sample_clip, rejects_buffers_of_other_sizes) {
       {"no pose", [](SampleClipJob& j) { j.pose.planes = nullptr; }},
       {"more joints", [](SampleClipJob& j) { j.pose.joint_count = 2; }},
       {"other stride", [](SampleClipJob& j) { j.pose.stride = 8; }},
-      {"weights that the clip has not", [&](SampleClipJob& j) { j.weights = {&weight, 1}; }},
+      {"weights that the clip has not",
+       [&](SampleClipJob& j) {
+         j.weights = {&weight, 1};
+       }},
   };
   EXPECT_EQ(check(player.job(0)), ErrorCode::ok);
   for (const auto& c : cases) {
@@ -99,10 +107,14 @@ TEST(sample_clip, no_joints_and_no_tracks_is_no_work) {
 
 TEST(sample_clip, hand_computed_values_halfway) {
   const float h = std::sqrt(0.5f);
-  EXPECT_TRUE(test::is_near(one(test::track_of<glm::vec3>(Interpolation::linear, {1, 3}, {{0, 2, 4}, {2, 4, 8}})).at(2).translation, {1, 3, 6}, 1e-6));
+  EXPECT_TRUE(test::is_near(
+      one(test::track_of<glm::vec3>(Interpolation::linear, {1, 3}, {{0, 2, 4}, {2, 4, 8}})).at(2).translation,
+      {1, 3, 6}, 1e-6));
   Player quarter = one({Interpolation::linear, {0, 1}, {quat_identity<float>(), quat_xyzw(0.0f, 0.0f, h, h)}});
-  EXPECT_TRUE(test::same_rotation(quarter.at(0.5).rotation, quat_xyzw(0.0, 0.0, std::sin(M_PI / 8), std::cos(M_PI / 8)), 1e-7));
-  Player cubic = one({Interpolation::cubic_spline, {1, 3}, {{99, 0, 0}, {1, 0, 0}, {4, 0, 0}, {8, 0, 0}, {5, 0, 0}, {77, 0, 0}}});
+  EXPECT_TRUE(
+      test::same_rotation(quarter.at(0.5).rotation, quat_xyzw(0.0, 0.0, std::sin(M_PI / 8), std::cos(M_PI / 8)), 1e-7));
+  Player cubic =
+      one({Interpolation::cubic_spline, {1, 3}, {{99, 0, 0}, {1, 0, 0}, {4, 0, 0}, {8, 0, 0}, {5, 0, 0}, {77, 0, 0}}});
   EXPECT_FLOAT_EQ(cubic.at(2).translation.x, 2.0f);
 }
 
@@ -148,7 +160,8 @@ TEST(sample_clip, G03_G05_G07_G10_G13_every_joint_agrees_with_its_bone_animation
   Player player = crowded(200, 4);
   test::FixedRandom random(5);
   for (int i = 0; i < 300; ++i) {
-    const double t = i < 10 ? double(player.animation.bones[static_cast<std::size_t>(i)].end_time()) : random.in(-0.2, player.clip.duration_s() + 0.2);
+    const double t = i < 10 ? double(player.animation.bones[static_cast<std::size_t>(i)].end_time())
+                            : random.in(-0.2, player.clip.duration_s() + 0.2);
     ASSERT_EQ(check(player.job(t)), ErrorCode::ok);
     run(player.job(t));
     for (const BoneAnimation& bone : player.animation.bones) {
@@ -157,7 +170,9 @@ TEST(sample_clip, G03_G05_G07_G10_G13_every_joint_agrees_with_its_bone_animation
       EXPECT_TRUE(test::is_near(Vec3<double>(found.translation), truth.translation, 2e-6)) << bone.joint << " at " << t;
       EXPECT_TRUE(test::is_near(Vec3<double>(found.scale), truth.scale, 2e-6)) << bone.joint << " at " << t;
       // Squad's error grows with its arcs, and random cubic rotations pass near zero, where any direction is far.
-      const double tolerance = bone.rotation.interpolation == Interpolation::linear ? 4e-7 : bone.rotation.interpolation == Interpolation::step ? 0 : 3e-5;
+      const double tolerance = bone.rotation.interpolation == Interpolation::linear ? 4e-7
+                               : bone.rotation.interpolation == Interpolation::step ? 0
+                                                                                    : 3e-5;
       EXPECT_LE(test::angle_between(found.rotation, truth.rotation), tolerance) << bone.joint << " at " << t;
     }
   }
@@ -179,7 +194,8 @@ TEST(sample_clip, G07_step_switches_on_the_key_and_not_before) {
 }
 
 TEST(sample_clip, G13_jumps_divide_by_no_empty_interval) {
-  Player player = one(test::track_of<glm::vec3>(Interpolation::linear, {0, 1, 1, 2}, {{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {30, 0, 0}}));
+  Player player = one(
+      test::track_of<glm::vec3>(Interpolation::linear, {0, 1, 1, 2}, {{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {30, 0, 0}}));
   EXPECT_NEAR(player.at(std::nextafter(1.0, 0.0)).translation.x, 10, 1e-5);
   EXPECT_EQ(player.at(1.0).translation.x, 20);
   EXPECT_NEAR(player.at(1.5).translation.x, 25, 1e-5);
@@ -212,7 +228,8 @@ TEST(sample_clip, P02_folded_tracks_give_their_constant_at_all_times) {
 TEST(sample_clip, G06_N26_only_keys_have_components_whose_square_is_no_normal_number) {
   const glm::quat tiny = quat_xyzw(0.6f, 9e-19f, -4e-36f, 0.8f), found = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
   Player player = one({Interpolation::linear, {0, 1}, {tiny, tiny}});
-  EXPECT_TRUE(same_bits(player.at(0.0).rotation, tiny)) << "a key is returned as it is stored, also of a track that never changes";
+  EXPECT_TRUE(same_bits(player.at(0.0).rotation, tiny))
+      << "a key is returned as it is stored, also of a track that never changes";
   EXPECT_TRUE(same_bits(player.at(1.0).rotation, tiny));
   const glm::quat between = player.at(0.5).rotation;
   EXPECT_EQ(between.y, 0.0f);
@@ -249,7 +266,8 @@ TEST(sample_clip, G19_G43_weights_of_all_instances_and_modes) {
       for (std::size_t i = 0; i < 3; ++i) {
         // one target of the track, as a track of its own
         Vec3Track alone{interpolation, track.times_s, {}};
-        for (std::size_t row = 0; row < track.values.size() / 3; ++row) alone.values.emplace_back(track.values[3 * row + i]);
+        for (std::size_t row = 0; row < track.values.size() / 3; ++row)
+          alone.values.emplace_back(track.values[3 * row + i]);
         EXPECT_NEAR(double(found[2 + i]), double(reference::sample(alone, t)[0]), 1e-6) << t;
       }
       EXPECT_EQ((std::vector<float>{found[0], found[1], found[5], found[6]}), (std::vector<float>{9, 8, 1, 2}));
@@ -260,7 +278,8 @@ TEST(sample_clip, G19_G43_weights_of_all_instances_and_modes) {
 TEST(sample_clip, weights_that_are_not_wanted_are_left_out) {
   Animation animation;
   animation.weights.push_back({0, {Interpolation::linear, {0, 1}, {0, 1}, 1}});
-  const Clip clip = compile_clip(animation, test::chain_skeleton(1), std::vector<float>{0}, std::vector<std::uint32_t>{0, 1});
+  const Clip clip =
+      compile_clip(animation, test::chain_skeleton(1), std::vector<float>{0}, std::vector<std::uint32_t>{0, 1});
   test::PoseBuffer pose(1);
   const SampleClipJob job{.clip = &clip, .time_s = 0.5, .pose = pose.span(), .weights = {}};
   EXPECT_EQ(check(job), ErrorCode::ok);

@@ -55,13 +55,18 @@ TEST(sample_packed, G01_N01_poses_between_and_on_keys_are_as_near_as_the_keys) {
     test::FixedRandom random(18);
     test::PoseBuffer pose(kJoints);
     for (int i = 0; i < 120; ++i) {
-      const double t = i < 14 ? double(p.animation.bones[0].rotation.times_s[std::min<std::size_t>(static_cast<std::size_t>(i), 8)]) : random.in(-0.1, p.animation.duration_s + 0.1);
+      const double t =
+          i < 14 ? double(p.animation.bones[0].rotation.times_s[std::min<std::size_t>(static_cast<std::size_t>(i), 8)])
+                 : random.in(-0.1, p.animation.duration_s + 0.1);
       run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}});
       for (const BoneAnimation& bone : p.animation.bones) {
         const Transform found = pose.span().get(bone.joint);
-        EXPECT_TRUE(test::is_near(Vec3<double>(found.translation), reference::vec3_of(reference::sample(bone.translation, t)), kTolerance * 1.01));
+        EXPECT_TRUE(test::is_near(Vec3<double>(found.translation),
+                                  reference::vec3_of(reference::sample(bone.translation, t)), kTolerance * 1.01));
         // slerp of keys half a turn apart turns an error of either key by up to itself: the sum of both bounds it
-        EXPECT_TRUE(test::same_rotation(found.rotation, reference::quat_of(reference::unit(reference::sample(bone.rotation, t))), step_rad > 2 ? 0.2 : 2.2 * kTolerance))
+        EXPECT_TRUE(test::same_rotation(found.rotation,
+                                        reference::quat_of(reference::unit(reference::sample(bone.rotation, t))),
+                                        step_rad > 2 ? 0.2 : 2.2 * kTolerance))
             << step_rad << " at " << t;
       }
     }
@@ -76,7 +81,8 @@ TEST(sample_packed, N27_N28_every_instruction_set_gives_the_same_bits) {
     for (double t = -0.1; t < p.animation.duration_s; t += 0.031) {
       run(SampleClipJob{.clip = &p.clip, .time_s = t, .pose = pose.span(), .weights = {}});
       for (std::size_t plane = 0; plane < PoseSpan::plane_count; ++plane)
-        numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(plane)), pose.span().plane(PoseSpan::Plane(plane)) + kJoints);
+        numbers.insert(numbers.end(), pose.span().plane(PoseSpan::Plane(plane)),
+                       pose.span().plane(PoseSpan::Plane(plane)) + kJoints);
     }
     return numbers;
   };
@@ -92,10 +98,12 @@ TEST(sample_packed, N27_N28_every_instruction_set_gives_the_same_bits) {
 TEST(sample_packed, packed_weights_are_within_their_tolerance) {
   test::FixedRandom random(19);
   Animation animation;
-  animation.weights.push_back({0, test::random_weights(random, Interpolation::linear, test::random_times(random, 30), 21), 0});
+  animation.weights.push_back(
+      {0, test::random_weights(random, Interpolation::linear, test::random_times(random, 30), 21), 0});
   const std::vector<float> rest(21, 0.0f);
   const std::vector<std::uint32_t> first{0, 21};
-  const Clip clip = compile_clip(animation, test::chain_skeleton(1), rest, first, {}, {{}, {std::vector<double>(21, 1e-3)}});
+  const Clip clip =
+      compile_clip(animation, test::chain_skeleton(1), rest, first, {}, {{}, {std::vector<double>(21, 1e-3)}});
   EXPECT_FALSE(clip.layout().groups[0].blocks[0].packed.empty());
   std::vector<float> found(21);
   std::vector<double> expected(21);

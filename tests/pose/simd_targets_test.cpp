@@ -27,8 +27,10 @@ std::vector<float> results() {
   for (std::uint32_t j = 0; j < kJoints; ++j) {
     const bool cubic = random.below(3) == 0;
     bones[j].joint = j;
-    bones[j].rotation = test::random_rotations(random, cubic ? Interpolation::cubic_spline : Interpolation::linear, times[j % 7 == 0]);
-    bones[j].translation = test::random_vectors(random, cubic ? Interpolation::linear : Interpolation::cubic_spline, times[j % 5 == 0]);
+    bones[j].rotation =
+        test::random_rotations(random, cubic ? Interpolation::cubic_spline : Interpolation::linear, times[j % 7 == 0]);
+    bones[j].translation =
+        test::random_vectors(random, cubic ? Interpolation::linear : Interpolation::cubic_spline, times[j % 5 == 0]);
   }
   const Skeleton skeleton = test::chain_skeleton(kJoints);
   const Clip clip = test::clip_of(test::animation_of(std::move(bones)), skeleton);

@@ -52,17 +52,20 @@ inline std::vector<Matrix> model_of(const Skeleton& skeleton, const std::vector<
     Matrix own = matrix_of(local[j].translation, local[j].rotation, local[j].scale);
     if (const std::uint32_t fixed = skeleton.fixed_matrix_of[j]; fixed != kNone)
       for (std::size_t r = 0; r < 3; ++r)
-        for (int c = 0; c < 4; ++c) own[r][static_cast<std::size_t>(c)] = Real(skeleton.fixed_matrices[fixed].row[r][c]);
+        for (int c = 0; c < 4; ++c)
+          own[r][static_cast<std::size_t>(c)] = Real(skeleton.fixed_matrices[fixed].row[r][c]);
     model.push_back(skeleton.parents[j] == kNone ? own : product(model[skeleton.parents[j]], own));
   }
   return model;
 }
 
-inline LocalNumbers local_of(const Transform& t) { return {numbers(t.translation), numbers(t.rotation), numbers(t.scale)}; }
+inline LocalNumbers local_of(const Transform& t) {
+  return {numbers(t.translation), numbers(t.rotation), numbers(t.scale)};
+}
 
 /// Largest distance of any corner of each joint's box at one time, [J].
-inline std::vector<Real> joint_errors(const Skeleton& skeleton, const Animation& truth, const std::vector<Aabb>& boxes, const Clip& clip,
-                                      double time_s) {
+inline std::vector<Real> joint_errors(const Skeleton& skeleton, const Animation& truth, const std::vector<Aabb>& boxes,
+                                      const Clip& clip, double time_s) {
   std::vector<LocalNumbers> expected, found;
   for (const Transform& rest : skeleton.rest) expected.push_back(local_of(rest));
   for (const BoneAnimation& bone : truth.bones) {

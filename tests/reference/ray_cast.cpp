@@ -29,7 +29,8 @@ struct Shear {
   }
 };
 
-/// Twice the signed area of (0, a, b): of two triangles that share an edge one gets exactly the negative of the other's.
+/// Twice the signed area of (0, a, b): of two triangles that share an edge one gets exactly the negative of the
+/// other's.
 double edge(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.y - a.y * b.x; }
 
 /// Whether the edges span more than their own rounding.
@@ -74,7 +75,8 @@ double open_share(const std::vector<RayTriangle>& triangles, const glm::dvec3& f
   for (int i = 0; i < ray_count; ++i) {
     std::uint32_t reversed = 0;
     for (int bit = 0; bit < 32; ++bit) reversed |= (static_cast<std::uint32_t>(i) >> bit & 1u) << (31 - bit);
-    const double angle = 2.0 * std::numbers::pi * reversed * 0x1p-32, height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
+    const double angle = 2.0 * std::numbers::pi * reversed * 0x1p-32,
+                 height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
     const glm::dvec3 flat = tangent * std::cos(angle) + bitangent * std::sin(angle);
     const glm::dvec3 direction = flat * std::sqrt(1.0 - height2) + normal * std::sqrt(height2);
     if (!cast(triangles, from, direction, radius)) ++open;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "tests/support/fixed_random.h"
 
@@ -35,8 +35,8 @@ std::vector<RayTriangle> tilted_floor(const glm::dvec3& center, const glm::dvec3
   return floor;
 }
 
-/// Points of `t`, rounded to float, from which some ray upwards meets t itself, of `count`. It is a sheet with two sides:
-/// rays that start below it meet it from behind.
+/// Points of `t`, rounded to float, from which some ray upwards meets t itself, of `count`. It is a sheet with two
+/// sides: rays that start below it meet it from behind.
 int self_hits(const RayTriangle& t, bool leave, int count, test::FixedRandom& random) {
   const std::vector<RayTriangle> own{t, triangle(t.corners[0], t.corners[2], t.corners[1])};
   const glm::dvec3 n = glm::normalize(glm::cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
@@ -44,7 +44,8 @@ int self_hits(const RayTriangle& t, bool leave, int count, test::FixedRandom& ra
   for (int i = 0; i < count; ++i) {
     double a = random.unit(), b = random.unit();
     if (a + b > 1) a = 1 - a, b = 1 - b;
-    const glm::dvec3 p = rounded_to_float(t.corners[0] + a * (t.corners[1] - t.corners[0]) + b * (t.corners[2] - t.corners[0]));
+    const glm::dvec3 p =
+        rounded_to_float(t.corners[0] + a * (t.corners[1] - t.corners[0]) + b * (t.corners[2] - t.corners[0]));
     const glm::dvec3 start = leave ? leave_surface(p, n, kFloatRoundoff) : p;
     hits += open_share(own, start, n, 1.0, 16) < 1.0;
   }
@@ -83,7 +84,9 @@ TEST(ray_cast, N36_no_ray_slips_through_edges_and_corners_of_a_closed_surface) {
     const Quat<double> q = random.rotation<double>();
     const glm::dvec3 center = std::pow(10.0, random.in(-2, 5)) * random.direction<double>();
     glm::dvec3 corners[8];
-    for (int i = 0; i < 8; ++i) corners[i] = rounded_to_float(center + rotate_vector(q, glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 2 : -2, i & 4 ? 3 : -3)));
+    for (int i = 0; i < 8; ++i)
+      corners[i] =
+          rounded_to_float(center + rotate_vector(q, glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 2 : -2, i & 4 ? 3 : -3)));
     constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     std::vector<RayTriangle> box;
     for (const auto& f : kFaces) {
@@ -104,7 +107,8 @@ TEST(ray_cast, N36_no_ray_slips_through_edges_and_corners_of_a_closed_surface) {
 TEST(ray_cast, N36_triangles_without_area_block_nothing_and_give_no_NaN) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const glm::dvec3 a(-1, 1, -1), b(1, 1, 1.0 / 3);
-  std::vector<RayTriangle> flat{triangle(a, b, a), triangle(a, a, a), triangle(a, b, a + (b - a) * 0.7), triangle(a, b, 0.5 * (a + b))};
+  std::vector<RayTriangle> flat{triangle(a, b, a), triangle(a, a, a), triangle(a, b, a + (b - a) * 0.7),
+                                triangle(a, b, 0.5 * (a + b))};
   for (RayTriangle& t : flat)
     for (glm::dvec3& n : t.normals) n = glm::dvec3(kNan);  // what normalising their zero normal gives
   for (int k = 0; k <= 100; ++k) EXPECT_FALSE(cast(flat, glm::dvec3(0), glm::mix(a, b, k / 100.0))) << k;

@@ -10,16 +10,18 @@
 
 namespace sinew::reference {
 
-/// Sampling and blending written from the equations only, in long double with linear scans: what the tracks, the clips and
-/// the blend job are held to. It shares no code with the runtime.
+/// Sampling and blending written from the equations only, in long double with linear scans: what the tracks, the clips
+/// and the blend job are held to. It shares no code with the runtime.
 
 using Real = long double;
 using Numbers = std::vector<Real>;  ///< components of one value
 
 template <class V>
 Numbers numbers(const V& v) {
-  if constexpr (requires { v.w; }) return {Real(v.x), Real(v.y), Real(v.z), Real(v.w)};
-  else return {Real(v.x), Real(v.y), Real(v.z)};
+  if constexpr (requires { v.w; })
+    return {Real(v.x), Real(v.y), Real(v.z), Real(v.w)};
+  else
+    return {Real(v.x), Real(v.y), Real(v.z)};
 }
 
 inline Numbers mix(const Numbers& a, Real wa, const Numbers& b, Real wb) {
@@ -52,7 +54,8 @@ inline Numbers slerp_short(const Numbers& q, const Numbers& r, Real t) {
 /// eq   glTF 2.0, Appendix C.5, in the specification's expanded form
 inline Numbers cubic(const Numbers& v0, const Numbers& out0, const Numbers& in1, const Numbers& v1, Real t, Real td) {
   const Real t2 = t * t, t3 = t2 * t;
-  return mix(mix(v0, 2 * t3 - 3 * t2 + 1, out0, td * (t3 - 2 * t2 + t)), 1, mix(v1, -2 * t3 + 3 * t2, in1, td * (t3 - t2)), 1);
+  return mix(mix(v0, 2 * t3 - 3 * t2 + 1, out0, td * (t3 - 2 * t2 + t)), 1,
+             mix(v1, -2 * t3 + 3 * t2, in1, td * (t3 - t2)), 1);
 }
 
 /// The last key at or before `time_s`, by a linear scan; clamps at both ends.
@@ -103,6 +106,8 @@ inline Blended blend(std::span<const Transform> poses, std::span<const Real> wei
 }
 
 inline Vec3<double> vec3_of(const Numbers& n) { return {double(n[0]), double(n[1]), double(n[2])}; }
-inline Quat<double> quat_of(const Numbers& n) { return Quat<double>(double(n[3]), double(n[0]), double(n[1]), double(n[2])); }
+inline Quat<double> quat_of(const Numbers& n) {
+  return Quat<double>(double(n[3]), double(n[0]), double(n[1]), double(n[2]));
+}
 
 }  // namespace sinew::reference

@@ -90,7 +90,8 @@ SkinnedT<T> skin_dual_quaternion(std::span<const DualQuatT<T>> motions, std::spa
   const DualQuatT<T> motion = blend_motions(motions, weights).motion;
   if (stretches.empty()) return {transform_point(motion, p), transform_vector(motion, n), motion.real};
   const Mat3<T> stretch = blend_stretches(stretches, weights);
-  return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal_outward(stretch, n)), motion.real};
+  return {transform_point(motion, stretch * p), transform_vector(motion, transform_normal_outward(stretch, n)),
+          motion.real};
 }
 
 /// eq   p' = R S (p - c) + M c: R the rotation of the blended motions, M the blended matrix, c the vertex's center of

@@ -85,8 +85,9 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
         if (at_x < 0 || at_y < 0 || at_x >= half.width || at_y >= half.height) continue;
         const Texel other = texel_at(image, s.step, at_x, at_y);
         const double screen_m = std::abs(k) * static_cast<double>(s.step) * middle.distance / pixels_per_metre(image);
-        const bool joins = middle.usable && other.usable &&
-                           (!s.keep_edges || same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m));
+        const bool joins =
+            middle.usable && other.usable &&
+            (!s.keep_edges || same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m));
         if (k != 0 && !joins) continue;
         const double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
         sum += weight * half.access[index(half.width, at_x, at_y)];

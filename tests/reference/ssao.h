@@ -23,10 +23,10 @@ struct DepthAndNormals {
 struct SsaoSettings {
   double radius = 0.5, epsilon = 0.01, fade_start = 0.2, fade_end = 1.0, power = 2.0;
   std::span<const glm::vec3> offsets;
-  std::span<const glm::vec3> noise;    ///< [16] a tile of 4 x 4
-  int step = 2;                        ///< pixels from texel to texel
-  int reach = 2;                       ///< of the blur, in texels
-  bool keep_edges = true;              ///< the blur stays on one surface
+  std::span<const glm::vec3> noise;  ///< [16] a tile of 4 x 4
+  int step = 2;                      ///< pixels from texel to texel
+  int reach = 2;                     ///< of the blur, in texels
+  bool keep_edges = true;            ///< the blur stays on one surface
 };
 
 /// Ambient access of every second pixel, or of all.
@@ -35,7 +35,8 @@ struct HalfAccess {
   std::vector<double> access;
 };
 
-/// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power, r = surface seen in the direction of p
+/// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power, r = surface seen in the direction
+/// of p
 /// + radius * offset;
 ///      offsets are mirrored at the noise vector and flipped into the hemisphere of n
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);

@@ -99,8 +99,10 @@ class Maker {
       influences.groups.push_back(
           {first, vertices, std::min(n, most), static_cast<std::uint32_t>(influences.joints.size())});
       for (std::uint32_t v = 0; v < vertices; ++v) {
-        if (options_.combinations == 0 || v < options_.combinations) add_vertex(influences, std::min(n, most), joints);
-        else repeat_vertex(influences, random_.below(options_.combinations));
+        if (options_.combinations == 0 || v < options_.combinations)
+          add_vertex(influences, std::min(n, most), joints);
+        else
+          repeat_vertex(influences, random_.below(options_.combinations));
       }
       first += vertices;
     }
@@ -182,8 +184,9 @@ class Maker {
     PoseSamples samples = random_samples(random_, 1 + random_.below(3), 6, 2);
     for (PoseDriver& driver : samples.drivers) driver.joint = random_.below(options_.joints);
     for (std::size_t i = 0; i < samples.rotations.size(); ++i)
-      samples.rotations[i] = normalised(scene_.skeleton.rest[samples.drivers[i % samples.drivers.size()].joint].rotation *
-                                        random_.rotation_by(random_.in(0, 0.8)));
+      samples.rotations[i] =
+          normalised(scene_.skeleton.rest[samples.drivers[i % samples.drivers.size()].joint].rotation *
+                     random_.rotation_by(random_.in(0, 0.8)));
     for (std::uint32_t& weight : samples.weights)
       weight = random_.below(static_cast<std::uint32_t>(scene_.weight_count()));
     samples.radius_rad = 0.5f;

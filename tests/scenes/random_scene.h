@@ -16,16 +16,16 @@ struct RandomSceneOptions {
   std::uint32_t instances = 4;   ///< every other one is skinned, if there are skins
   std::uint32_t triangles = 40;  ///< of each primitive
   std::uint32_t most_influences = 6;
-  std::uint32_t combinations = 0;    ///< of joints and weights that vertices share; 0 = each vertex has its own
+  std::uint32_t combinations = 0;  ///< of joints and weights that vertices share; 0 = each vertex has its own
   bool normals = true, tangents = true, colors = true;
   bool flat_normals = false;  ///< every second primitive
-  bool centers = false;          ///< of rotation, for skinned meshes
+  bool centers = false;       ///< of rotation, for skinned meshes
   bool mirrored_joints = false;
   std::uint32_t correctives = 0;  ///< needs targets
 };
 
-/// A scene made of random numbers that are the same on every machine: valid, finished, and with every kind of track. Its
-/// rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
+/// A scene made of random numbers that are the same on every machine: valid, finished, and with every kind of track.
+/// Its rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
 Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
 }  // namespace sinew::test

@@ -50,7 +50,8 @@ inline Skeleton wide_tree(std::uint32_t joint_count, std::uint32_t fan = 4) {
   return breadth_first(parents, offsets);
 }
 
-/// A biped of 67 joints: spine and head of 8, two legs of 5, two arms of 4 with hands of 5 fingers, 4 joints each, and a jaw.
+/// A biped of 67 joints: spine and head of 8, two legs of 5, two arms of 4 with hands of 5 fingers, 4 joints each, and
+/// a jaw.
 inline Skeleton biped() {
   std::vector<std::uint32_t> parents;
   std::vector<glm::vec3> offsets;

@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
-#include "runtime/model/scene.h"
 #include "runtime/deform/vertex_streams.h"
+#include "runtime/model/scene.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::scenes {
@@ -33,8 +33,8 @@ inline Skin skin_of_all_joints(const Skeleton& skeleton) {
   return skin;
 }
 
-/// `vertex_count` vertices around the joints, each moved by `influence_count` neighbouring joints. Neighbouring vertices share
-/// their joints, as in a real mesh that was sorted for locality.
+/// `vertex_count` vertices around the joints, each moved by `influence_count` neighbouring joints. Neighbouring
+/// vertices share their joints, as in a real mesh that was sorted for locality.
 inline Primitive skinned_surface(const Skeleton& skeleton, std::uint32_t vertex_count, std::uint32_t influence_count) {
   test::FixedRandom random(vertex_count + influence_count);
   const auto rest = rest_matrices(skeleton);
@@ -63,7 +63,8 @@ inline Primitive skinned_surface(const Skeleton& skeleton, std::uint32_t vertex_
 }
 
 /// A whole scene: the skeleton swings, a surface of `vertex_count` vertices follows it.
-inline Scene swinging_surface(Skeleton skeleton, Animation animation, std::uint32_t vertex_count, std::uint32_t influence_count) {
+inline Scene swinging_surface(Skeleton skeleton, Animation animation, std::uint32_t vertex_count,
+                              std::uint32_t influence_count) {
   Scene scene;
   scene.skins.push_back(skin_of_all_joints(skeleton));
   scene.meshes.push_back({"surface", {skinned_surface(skeleton, vertex_count, influence_count)}, {}, {}});

@@ -21,8 +21,8 @@ class AllocationCounter {
   std::size_t before_;
 };
 
-/// The most bytes that were in use at once through `operator new`, over all threads and beyond what was in use when this was
-/// made. One at a time.
+/// The most bytes that were in use at once through `operator new`, over all threads and beyond what was in use when
+/// this was made. One at a time.
 class PeakMemory {
  public:
   PeakMemory() noexcept;

@@ -60,7 +60,8 @@ void expect_same_meshes(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.meshes[m].default_weights, b.meshes[m].default_weights);
     EXPECT_EQ(a.meshes[m].target_names, b.meshes[m].target_names);
     ASSERT_EQ(a.meshes[m].primitives.size(), b.meshes[m].primitives.size());
-    for (std::size_t p = 0; p < a.meshes[m].primitives.size(); ++p) expect_same(a.meshes[m].primitives[p], b.meshes[m].primitives[p]);
+    for (std::size_t p = 0; p < a.meshes[m].primitives.size(); ++p)
+      expect_same(a.meshes[m].primitives[p], b.meshes[m].primitives[p]);
   }
 }
 

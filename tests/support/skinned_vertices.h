@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/model/skin.h"
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/math/transform.h"
+#include "runtime/model/skin.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {

@@ -30,11 +30,15 @@ inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers
   std::vector<RigidStretch> split(s.palette.size());
   bool any_stretch = false;
   run(SplitPaletteJob{s.palette, split, &any_stretch});
-  if (way == Way::dual_quaternion) run(SkinDualQuaternionJob{influences, split, any_stretch, s.in(), s.out()});
-  else run(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
+  if (way == Way::dual_quaternion)
+    run(SkinDualQuaternionJob{influences, split, any_stretch, s.in(), s.out()});
+  else
+    run(SkinCenterOfRotationJob{influences, s.palette, split, any_stretch, centers, s.in(), s.out()});
 }
 
 /// The same by the influences of `s`.
-inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers) { skin(way, s, centers, &s.influences); }
+inline void skin(Way way, SkinnedVertices& s, std::span<const glm::vec3> centers) {
+  skin(way, s, centers, &s.influences);
+}
 
 }  // namespace sinew::test

@@ -16,10 +16,13 @@ namespace sinew::test {
 /// Memory of one pose and the view over it.
 class PoseBuffer {
  public:
-  explicit PoseBuffer(std::size_t joint_count) : joint_count_(joint_count), blocks_(PoseSpan::floats_for(joint_count) / 16 + 1) {
+  explicit PoseBuffer(std::size_t joint_count)
+      : joint_count_(joint_count), blocks_(PoseSpan::floats_for(joint_count) / 16 + 1) {
     for (std::size_t j = 0; j < joint_count; ++j) span().set(j, {});
   }
-  PoseSpan span() noexcept { return pose_over({blocks_.front().floats, PoseSpan::floats_for(joint_count_)}, joint_count_); }
+  PoseSpan span() noexcept {
+    return pose_over({blocks_.front().floats, PoseSpan::floats_for(joint_count_)}, joint_count_);
+  }
 
  private:
   struct alignas(64) Block {
@@ -95,7 +98,9 @@ inline WeightTrack random_weights(FixedRandom& random, Interpolation interpolati
 }
 
 /// A clip of joints only.
-inline Clip clip_of(const Animation& animation, const Skeleton& skeleton) { return compile_clip(animation, skeleton, {}, {}); }
+inline Clip clip_of(const Animation& animation, const Skeleton& skeleton) {
+  return compile_clip(animation, skeleton, {}, {});
+}
 
 inline Animation animation_of(std::vector<BoneAnimation> bones) {
   Animation a;

@@ -10,10 +10,10 @@
 
 #include "runtime/lod/update_rate.h"
 #include "tests/plan/frame_hash.h"
-#include "tests/threads/thread_executor.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
+#include "tests/threads/thread_executor.h"
 
 namespace sinew::test {
 namespace {
@@ -61,7 +61,9 @@ class Crowd {
 };
 
 /// Each character is a part of its own, and none runs on the worker.
-JobThreadOptions spread(Executor executor = {}) { return {.executor = std::move(executor), .inline_below_bytes = 0, .part_bytes = 1}; }
+JobThreadOptions spread(Executor executor = {}) {
+  return {.executor = std::move(executor), .inline_below_bytes = 0, .part_bytes = 1};
+}
 
 TEST(job_thread, shows_nothing_before_the_first_frame_and_then_the_newest) {
   Crowd crowd(1);
@@ -95,14 +97,15 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
   };
   check(spread(), "oneTBB");
   {
-    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);   // than this machine may have
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 16);  // than this machine may have
     check(spread(), "oneTBB, 16 threads");
   }
   check({}, "inline");
   for (const std::size_t threads : {1, 2, 3, 4, 8, 16}) {
     ThreadPool pool(threads);
     check(spread(pool.executor()), std::to_string(threads) + " threads");
-    check({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 2 * crowd.plan_of(0).frame_bytes}, std::to_string(threads) + " threads, in parts");
+    check({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 2 * crowd.plan_of(0).frame_bytes},
+          std::to_string(threads) + " threads, in parts");
   }
   check(spread([](std::size_t count, const auto& body) {
           while (count-- > 0) body(count);
@@ -137,7 +140,8 @@ TEST(job_thread, P16_the_executor_is_handed_small_characters_together_and_large_
   Crowd crowd(kCharacters);
   std::size_t largest = 0, smallest = ~std::size_t{0};
   for (std::size_t c = 0; c < 3; ++c) {
-    largest = std::max(largest, crowd.plan_of(c).frame_bytes), smallest = std::min(smallest, crowd.plan_of(c).frame_bytes);
+    largest = std::max(largest, crowd.plan_of(c).frame_bytes),
+    smallest = std::min(smallest, crowd.plan_of(c).frame_bytes);
   }
   const auto parts_of = [&](std::size_t part_bytes) {
     JobThread jobs({.executor = counting, .inline_below_bytes = 0, .part_bytes = part_bytes});
@@ -228,7 +232,8 @@ TEST(job_thread, P19_a_paused_crowd_is_not_run_again) {
   jobs.wait(*jobs.submit(inputs));
   std::vector<const FrameResult*> first;
   std::vector<std::uint64_t> first_hash;
-  for (std::uint32_t c = 0; c < inputs.size(); ++c) first.push_back(jobs.latest(c)), first_hash.push_back(hash_of(*first[c]));
+  for (std::uint32_t c = 0; c < inputs.size(); ++c)
+    first.push_back(jobs.latest(c)), first_hash.push_back(hash_of(*first[c]));
   for (Ticket expected = 2; expected <= 8; ++expected) {
     jobs.wait(*jobs.submit(inputs));
     for (std::uint32_t c = 0; c < inputs.size(); ++c) {
@@ -253,7 +258,8 @@ TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run
     FrameInput now;
     now.layers = {&layer, 1};
     std::vector<FrameInput> inputs;
-    for (std::uint32_t c = 0; c < kCount; ++c) inputs.push_back(held[c].next(now, UpdateLevel::every_fourth, number, c));
+    for (std::uint32_t c = 0; c < kCount; ++c)
+      inputs.push_back(held[c].next(now, UpdateLevel::every_fourth, number, c));
     jobs.wait(*jobs.submit(inputs));
     int ran = 0;
     for (std::uint32_t c = 0; c < kCount; ++c) ran += jobs.latest(c)->frame == number + 1;
@@ -286,7 +292,7 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
   EXPECT_EQ(jobs.latest(1)->frame, 1u);
   EXPECT_EQ(hash_of(*jobs.latest(1)), hash);
 
-  jobs.wait(*jobs.submit(crowd.inputs(0)));   // of which characters 1 and 2 have the frame already
+  jobs.wait(*jobs.submit(crowd.inputs(0)));  // of which characters 1 and 2 have the frame already
   EXPECT_EQ(jobs.last_error(), ErrorCode::ok);
   EXPECT_EQ(jobs.latest(1)->frame, 1u);
 

@@ -26,7 +26,8 @@ std::uint32_t BuiltScene::add(const Primitive& primitive, std::uint32_t material
   const auto index = static_cast<std::uint32_t>(scene.instances.size());
   scene.instances.push_back(
       {static_cast<std::uint32_t>(model_.size()), static_cast<std::uint32_t>(scene.meshes.size() - 1), kNone, {}});
-  instances_.push_back({.world_from_mesh = world_from_mesh, .first_primitive = index, .mirrored = mirrored, .bounds = {}});
+  instances_.push_back(
+      {.world_from_mesh = world_from_mesh, .first_primitive = index, .mirrored = mirrored, .bounds = {}});
   model_.push_back(world_from_mesh);
   moved_.emplace_back();
   return index;

@@ -13,13 +13,16 @@ namespace sinew::viewer {
 namespace {
 
 bool same_view(const View& a, const View& b) {
-  return same_bits(a.view_from_world, b.view_from_world) && a.fov_y_rad == b.fov_y_rad && a.near_m == b.near_m && a.far_m == b.far_m;
+  return same_bits(a.view_from_world, b.view_from_world) && a.fov_y_rad == b.fov_y_rad && a.near_m == b.near_m &&
+         a.far_m == b.far_m;
 }
 
 TEST(camera_pose, N27_is_what_the_whole_pose_says) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     Scene scene = test::random_scene(seed);
-    for (std::uint32_t joint = 0; joint < 14; joint += 3) scene.cameras.push_back({.name = "camera", .joint = joint, .fov_y_rad = 0.5f + 0.01f * static_cast<float>(joint)});
+    for (std::uint32_t joint = 0; joint < 14; joint += 3)
+      scene.cameras.push_back(
+          {.name = "camera", .joint = joint, .fov_y_rad = 0.5f + 0.01f * static_cast<float>(joint)});
     const Plan plan = compile_plan(scene, {});
     FrameBuffer frame(plan);
     for (std::uint32_t c = 0; c < scene.cameras.size(); ++c) {
@@ -38,7 +41,7 @@ TEST(camera_pose, N27_is_what_the_whole_pose_says) {
 }
 
 TEST(camera_pose, moves_where_a_clip_moves_its_joint_or_one_above) {
-  Scene scene = test::arm_scene();   // its clip moves joint 2, below joint 0
+  Scene scene = test::arm_scene();  // its clip moves joint 2, below joint 0
   for (std::uint32_t joint = 0; joint < 3; ++joint) scene.cameras.push_back({.name = "camera", .joint = joint});
   EXPECT_FALSE(CameraPose(scene, 0).moves());
   EXPECT_FALSE(CameraPose(scene, 1).moves());
@@ -49,7 +52,8 @@ TEST(camera_pose, has_the_angle_that_the_clip_gives_it) {
   Scene scene = test::arm_scene();
   scene.cameras.push_back({.name = "zooms", .joint = 1});
   WeightTrack zoom;
-  zoom.interpolation = Interpolation::linear, zoom.target_count = 1, zoom.times_s = {0.0f, 1.0f}, zoom.values = {0.5f, 1.0f};
+  zoom.interpolation = Interpolation::linear, zoom.target_count = 1, zoom.times_s = {0.0f, 1.0f},
+  zoom.values = {0.5f, 1.0f};
   scene.animations[0].properties.push_back({{PropertyKind::camera_fov_y, 0}, zoom});
   scene.clips.clear();
   finish_scene(scene);
@@ -61,14 +65,14 @@ TEST(camera_pose, has_the_angle_that_the_clip_gives_it) {
 
 TEST(camera_pose, P14_what_a_camera_of_the_file_does_not_see_is_known_before_the_pose) {
   Scene scene = test::arm_scene();
-  scene.cameras.push_back({.name = "aside", .joint = 1, .fov_y_rad = 0.3f});   // five metres to the right, along -z
+  scene.cameras.push_back({.name = "aside", .joint = 1, .fov_y_rad = 0.3f});  // five metres to the right, along -z
   Needs needs;
   needs.bounds = true;
   Sight sight(scene, needs);
   CameraPose pose(scene, 0);
   EXPECT_TRUE(sight.of(0, pose.at(0, 0.5, 1.0, {}), 1.0).all);
   scene.skeleton.rest[1].translation = {0.0f, 1.0f, 5.0f};
-  scene.clips.clear();   // they have the rest pose in them
+  scene.clips.clear();  // they have the rest pose in them
   finish_scene(scene);
   CameraPose before_it(scene, 0);
   EXPECT_FALSE(sight.of(0, before_it.at(0, 0.5, 1.0, {}), 1.0).all);

@@ -94,7 +94,8 @@ TEST_F(drawing, N22_mirrored_and_flattened_meshes_keep_outward_normals) {
 TEST_F(drawing, G48_relief_keeps_its_direction_where_a_mesh_is_mirrored) {
   const auto lit = [](unsigned char up, float mirror) {
     BuiltScene built;
-    built.scene.images.push_back({"relief", 1, 1, {128, up, 218, 255}, ""});  // leans along the bitangent, 45 degrees up or down
+    built.scene.images.push_back(
+        {"relief", 1, 1, {128, up, 218, 255}, ""});  // leans along the bitangent, 45 degrees up or down
     built.scene.textures.push_back({0, {}});
     Material material = matte({0.6f, 0.6f, 0.6f});
     material.normal_texture.texture = 0;
@@ -126,17 +127,19 @@ TEST_F(drawing, relief_of_a_mesh_without_tangents_is_that_of_its_texture_coordin
     built.add(p, built.add_material(material), m, mirror < 0.0f);
     return middle(draw(built));
   };
-  EXPECT_GT(glm::length(lit(false, 218, 128, 1.0f, false) - lit(false, 38, 128, 1.0f, false)), 0.02f) << "the relief is seen";
+  EXPECT_GT(glm::length(lit(false, 218, 128, 1.0f, false) - lit(false, 38, 128, 1.0f, false)), 0.02f)
+      << "the relief is seen";
   for (const float mirror : {1.0f, -1.0f})
     for (const bool back : {false, true})
-      EXPECT_LT(glm::length(lit(true, 200, 60, mirror, back) - lit(false, 200, 60, mirror, back)), 2e-3f) << mirror << back;
+      EXPECT_LT(glm::length(lit(true, 200, 60, mirror, back) - lit(false, 200, 60, mirror, back)), 2e-3f)
+          << mirror << back;
 }
 
 TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
   BuiltScene built;
-  const std::uint32_t wall = built.add_material(unlit({0.5f, 0.5f, 0.5f, 1}));   // occlusion does not show on it
+  const std::uint32_t wall = built.add_material(unlit({0.5f, 0.5f, 0.5f, 1}));  // occlusion does not show on it
   built.add(facing_square(0.8f), wall);
-  Affine floor;   // a square that comes out of the wall, towards the viewer
+  Affine floor;  // a square that comes out of the wall, towards the viewer
   floor.row[1] = {0, 0, 1, -0.1f}, floor.row[2] = {0, -1, 0, 0.4f};
   built.add(facing_square(0.4f), wall, floor);
   Material glass = matte({0.7f, 0.7f, 0.7f});

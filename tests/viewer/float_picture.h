@@ -23,7 +23,8 @@ struct FloatPicture {
 };
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
-                          const RenderOptions& options, const FrameInputs& extras = {}, const OcclusionShape& occlusion = {});
+                          const RenderOptions& options, const FrameInputs& extras = {},
+                          const OcclusionShape& occlusion = {});
 
 /// Distances and normals as the GPU drew them, by way of Show::depth and Show::normals.
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,

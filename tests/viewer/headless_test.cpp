@@ -94,7 +94,8 @@ TEST_F(frame_upload, copies_nothing_for_a_rigid_scene_and_nothing_twice_for_an_a
 TEST_F(frame_upload, P19_copies_no_primitive_that_the_slot_has_already) {
   const BuiltScene arm = bent_arm(0.5f), other_arm = bent_arm(0.9f);
   FrameUpload upload(*test_device(), arm.scene, 1);
-  const auto frame = [](const BuiltScene& built, std::uint64_t number, std::uint64_t since, std::vector<DeformedPrimitive>& room) {
+  const auto frame = [](const BuiltScene& built, std::uint64_t number, std::uint64_t since,
+                        std::vector<DeformedPrimitive>& room) {
     FrameResult result = built.frame(number);
     room.assign(result.primitives.begin(), result.primitives.end());
     room[0].since_frame = since;

@@ -33,7 +33,7 @@ TEST(keys, no_key_does_two_things_and_every_key_is_described) {
     EXPECT_TRUE(names.insert(binding.name).second) << binding.name;
     EXPECT_NE(text.find(std::string(binding.name) + " "), std::string::npos);
     EXPECT_NE(text.find(binding.meaning), std::string::npos);
-    EXPECT_LT(binding.name.size(), 10u);   // fits its column
+    EXPECT_LT(binding.name.size(), 10u);  // fits its column
   }
 }
 

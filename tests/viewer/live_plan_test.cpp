@@ -38,8 +38,8 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   live.evaluated(small_plan(), frame(1, {}));
   std::vector<std::string> stages;
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
-  EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque",
-                                  "transparent", "tonemap", "show", "overlay"));
+  EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "normal_depth", "ssao", "blur_horizontal",
+                                  "blur_vertical", "opaque", "transparent", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -86,7 +86,8 @@ TEST(live_plan, times_are_means_in_which_the_first_frames_do_not_stay) {
 
 TEST(live_plan, tells_what_was_uploaded_and_what_was_left_out) {
   LivePlan live;
-  live.drawn({.written = 2, .unchanged = 1, .bytes = 2400, .time_us = 3.0}, {.drawn = 4, .out_of_view = 5, .hidden = 6}, {});
+  live.drawn({.written = 2, .unchanged = 1, .bytes = 2400, .time_us = 3.0}, {.drawn = 4, .out_of_view = 5, .hidden = 6},
+             {});
   EXPECT_EQ(row(live, "upload").reason, "2400 bytes of deformed vertices, 1 are there unchanged");
   EXPECT_EQ(row(live, "collect").reason, "5 meshes out of view and 6 hidden are left out");
   EXPECT_EQ(row(live, "collect").count, 4u);
@@ -111,8 +112,13 @@ TEST(live_plan, becomes_a_table_of_text) {
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
   for (std::uint32_t bits = 0; bits < 64; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
-      const FrameNeeds needs{.opaque = (bits & 1) != 0, .blended = (bits & 2) != 0, .overlay = (bits & 4) != 0, .ambient = (bits & 8) != 0,
-                             .occlusion = (bits & 16) != 0, .blur = (bits & 32) != 0, .show = show};
+      const FrameNeeds needs{.opaque = (bits & 1) != 0,
+                             .blended = (bits & 2) != 0,
+                             .overlay = (bits & 4) != 0,
+                             .ambient = (bits & 8) != 0,
+                             .occlusion = (bits & 16) != 0,
+                             .blur = (bits & 32) != 0,
+                             .show = show};
       const FrameGraph graph(needs);
       for (const PassStage& stage : describe_passes(needs, {7, 3, 2, {64, 48}, {32, 24}})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
@@ -123,7 +129,9 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
 }
 
 TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
-  const auto why = [](const FrameNeeds& needs, Pass pass) { return std::string(describe_passes(needs, {})[static_cast<std::size_t>(pass)].reason); };
+  const auto why = [](const FrameNeeds& needs, Pass pass) {
+    return std::string(describe_passes(needs, {})[static_cast<std::size_t>(pass)].reason);
+  };
   EXPECT_THAT(why({.opaque = true, .occlusion = false}, Pass::ssao), HasSubstr("switched off"));
   EXPECT_THAT(why({.opaque = true, .ambient = false}, Pass::normal_depth), HasSubstr("no ambient light"));
   EXPECT_THAT(why({.opaque = false}, Pass::blur_vertical), HasSubstr("nothing opaque"));

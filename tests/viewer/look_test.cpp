@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What changes a scene's look without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
+// What changes a scene's look without moving a vertex: parallel cameras, copies, variants, animated materials and
+// flags.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/passes/draw_list.h"
@@ -66,7 +67,7 @@ TEST_F(look, N30_a_far_plane_cuts_and_keeps_the_distances_before_it) {
     ASSERT_NEAR(with.distance[i], without.distance[i], 1e-4);
   }
   EXPECT_GT(drawn, 100u);
-  seen.view.far_m = 3.4;   // through the middle of the square
+  seen.view.far_m = 3.4;  // through the middle of the square
   std::size_t kept = 0;
   for (const double d : gpu_depth_and_normals(seen.built, kSize, kSize, seen.view, {}).distance) {
     kept += d > 0.0;
@@ -89,7 +90,8 @@ TEST_F(look, ambient_access_of_a_plane_is_open_in_a_parallel_view) {
 TEST_F(look, every_copy_is_drawn) {
   Seen seen;
   const glm::quat none(1, 0, 0, 0);
-  seen.built.scene.instances[0].copies = {{{-1, 0, 0}, none, {1, 1, 1}}, {{1, 0, 0}, none, {-1, 1, 1}}, {{0, 0, 1}, none, {0.5f, 1, 1}}};
+  seen.built.scene.instances[0].copies = {
+      {{-1, 0, 0}, none, {1, 1, 1}}, {{1, 0, 0}, none, {-1, 1, 1}}, {{0, 0, 1}, none, {0.5f, 1, 1}}};
   EXPECT_EQ(covered(seen.picture()), 2u * 16u * 16u + 8u * 16u);
 }
 
@@ -142,9 +144,9 @@ TEST_F(look, lights_follow_the_frame_and_go_out_with_their_hidden_node) {
   EXPECT_GT(middle(reddish)[0], 200);
   EXPECT_LT(middle(reddish)[2], middle(white)[2] - 20);
   frame.properties = {};
-  const bool hidden[] = {false, true};   // the light's joint
+  const bool hidden[] = {false, true};  // the light's joint
   frame.hidden = hidden;
-  const Picture key_light = seen.picture(kNone, &frame);   // stands in when no light is left
+  const Picture key_light = seen.picture(kNone, &frame);  // stands in when no light is left
   seen.built.scene.lights.clear();
   EXPECT_EQ(key_light.rgba, seen.picture(kNone, &frame).rgba);
 }
@@ -154,7 +156,8 @@ TEST_F(look, P14_what_is_out_of_view_is_not_drawn_and_changes_no_pixel) {
   seen.view = look_at({0.3, 0.8, 0.4}, {0.0, 0.0, 0.0}, 0.8, 0.5);
   const Picture alone = seen.picture();
   seen.built.add(square(0.5f), seen.built.add_material(glowing({0, 1, 0})), translation({30, 0, 0}));
-  seen.built.scene.instances[0].copies = {{{0, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}, {{-40, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}};
+  seen.built.scene.instances[0].copies = {{{0, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}},
+                                          {{-40, 0, 0}, glm::quat(1, 0, 0, 0), {1, 1, 1}}};
   EXPECT_EQ(alone.rgba, seen.picture().rgba);
 
   const SceneUpload scene(*test_device(), seen.built.scene);

@@ -16,15 +16,18 @@ constexpr std::uint32_t kAll = ~0u;
 
 VkPhysicalDeviceMemoryProperties device_with(std::initializer_list<VkMemoryPropertyFlags> types) {
   VkPhysicalDeviceMemoryProperties properties{};
-  for (const VkMemoryPropertyFlags flags : types) properties.memoryTypes[properties.memoryTypeCount++].propertyFlags = flags;
+  for (const VkMemoryPropertyFlags flags : types)
+    properties.memoryTypes[properties.memoryTypeCount++].propertyFlags = flags;
   return properties;
 }
 
 using Types = std::vector<std::uint32_t>;
 
-/// As the drivers of graphics cards list them: system memory that nobody maps, the card's, the system's in two kinds, and the
-/// part of the card's that the CPU writes.
-VkPhysicalDeviceMemoryProperties card() { return device_with({0, kLocal, kMapped, kMapped | kCached, kLocal | kMapped}); }
+/// As the drivers of graphics cards list them: system memory that nobody maps, the card's, the system's in two kinds,
+/// and the part of the card's that the CPU writes.
+VkPhysicalDeviceMemoryProperties card() {
+  return device_with({0, kLocal, kMapped, kMapped | kCached, kLocal | kMapped});
+}
 
 TEST(memory_types, on_a_card_are_its_own_memory_first_and_the_systems_when_that_is_full) {
   EXPECT_EQ(memory_types_for(card(), kAll, MemoryUse::device), (Types{1, 4, 0, 2, 3}));
@@ -44,11 +47,16 @@ TEST(memory_types, of_a_processor_that_draws_are_its_only_one) {
 }
 
 TEST(memory_types, that_must_be_flushed_are_not_mapped) {
-  EXPECT_EQ(memory_types_for(device_with({kLocal | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, kMapped}), kAll, MemoryUse::upload), (Types{1}));
+  EXPECT_EQ(
+      memory_types_for(device_with({kLocal | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, kMapped}), kAll, MemoryUse::upload),
+      (Types{1}));
 }
 
 TEST(memory_types, of_features_that_are_off_are_left_out) {
-  EXPECT_EQ(memory_types_for(device_with({kLocal | VK_MEMORY_PROPERTY_PROTECTED_BIT, kLocal | VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD, kLocal}), kAll, MemoryUse::device), (Types{2}));
+  EXPECT_EQ(memory_types_for(device_with({kLocal | VK_MEMORY_PROPERTY_PROTECTED_BIT,
+                                          kLocal | VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD, kLocal}),
+                             kAll, MemoryUse::device),
+            (Types{2}));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built) {
       for (std::size_t k = 0; k < primitive.indices.size(); k += 3) {
         reference::RayTriangle& triangle = triangles.emplace_back();
         for (std::size_t c = 0; c < 3; ++c) {
-          triangle.corners[c] = glm::dvec3(transform_point(frame.instances[i].world_from_mesh, primitive.positions[primitive.indices[k + c]]));
+          triangle.corners[c] = glm::dvec3(
+              transform_point(frame.instances[i].world_from_mesh, primitive.positions[primitive.indices[k + c]]));
           triangle.normals[c] = glm::dvec3(primitive.normals[primitive.indices[k + c]]);  // only moved, not turned
         }
       }
@@ -36,7 +37,8 @@ TEST(ray_caster, N34_meets_what_the_reference_meets_and_finds_as_much_open) {
   test::FixedRandom random(1);
   int met = 0, occluded = 0;
   for (int i = 0; i < 400; ++i) {
-    const glm::dvec3 from = 4.0 * random.direction<double>() + glm::dvec3(0, 1, 0), direction = glm::normalize(random.vec3<double>() - from);
+    const glm::dvec3 from = 4.0 * random.direction<double>() + glm::dvec3(0, 1, 0),
+                     direction = glm::normalize(random.vec3<double>() - from);
     const auto expected = reference::cast(triangles, from, direction);
     const auto seen = rays.seen(from, direction);
     ASSERT_EQ(seen.has_value(), expected.has_value()) << i;
@@ -44,7 +46,8 @@ TEST(ray_caster, N34_meets_what_the_reference_meets_and_finds_as_much_open) {
     ++met;
     EXPECT_LT(glm::length(seen->point - (from + expected->t * direction)), 1e-5);
     EXPECT_LT(glm::length(seen->normal - expected->normal), 1e-3);
-    const double open = reference::open_share(triangles, reference::leave_surface(seen->point, seen->geometric, 0x1p-20), seen->normal, 0.6, 64);
+    const double open = reference::open_share(
+        triangles, reference::leave_surface(seen->point, seen->geometric, 0x1p-20), seen->normal, 0.6, 64);
     EXPECT_NEAR(rays.open_share(*seen, 0.6, 64), open, 2.5 / 64.0) << "two rays along an edge may differ";
     occluded += open < 0.9;
   }
@@ -76,12 +79,15 @@ class occlusion_study : public DeviceTest {};
 TEST_F(occlusion_study, N34_ambient_occlusion_is_nearer_to_rays_than_none_and_the_default_is_marked) {
   const BuiltScene built = box_and_sphere_on_floor();
   AmbientOcclusion settings;
-  settings.radius_m = 0.6f, settings.surface_epsilon_m = 0.012f, settings.fade_start_m = 0.24f, settings.fade_end_m = 1.2f;
+  settings.radius_m = 0.6f, settings.surface_epsilon_m = 0.012f, settings.fade_start_m = 0.24f,
+  settings.fade_end_m = 1.2f;
   const View view = look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05);
-  const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, settings, {96, 64, 32, 2, false});
+  const OcclusionStudy study =
+      study_occlusion(*test_device(), built.scene, built.frame(), view, settings, {96, 64, 32, 2, false});
   EXPECT_EQ(study.device, test_device()->name());
   EXPECT_GT(study.pixels, 96u * 64u / 3);
-  EXPECT_EQ(std::count_if(study.trials.begin(), study.trials.end(), [](const OcclusionTrial& t) { return t.is_default; }), 1);
+  EXPECT_EQ(
+      std::count_if(study.trials.begin(), study.trials.end(), [](const OcclusionTrial& t) { return t.is_default; }), 1);
   for (const OcclusionTrial& trial : study.trials) {
     EXPECT_GT(trial.error, 0.0) << trial.name;
     EXPECT_LT(trial.error, study.error_without) << trial.name;
@@ -100,7 +106,8 @@ TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_devic
   int differ = 0;
   for (std::size_t i = 0; i < access.size(); ++i) differ += (access[i] >= 0.0) != (image.distance[i] > 0.0);
   EXPECT_LE(differ, 3) << "but for roundings on an outline";
-  EXPECT_GT(std::count_if(access.begin(), access.end(), [](double a) { return a < 0.0; }), 30) << "there is something beside the scene";
+  EXPECT_GT(std::count_if(access.begin(), access.end(), [](double a) { return a < 0.0; }), 30)
+      << "there is something beside the scene";
 }
 
 }  // namespace

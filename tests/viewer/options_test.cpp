@@ -37,9 +37,10 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
 
 TEST(options, read_everything_that_one_picture_can_have) {
   const Options options =
-      accepted({"a b.glb", "--headless", "out.PNG", "--time", "0.5", "--clip", "Run", "--size", "640x360", "--skinning",
-                "dual-quaternion", "--show", "normals", "--eye", "-.5,1e1,-2", "--target", "0,0.25,3", "--fov", "30",
-                "--transparent", "--no-ao", "--validate"});
+      accepted({"a b.glb",    "--headless", "out.PNG",    "--time",          "0.5",    "--clip",        "Run",
+                "--size",     "640x360",    "--skinning", "dual-quaternion", "--show", "normals",       "--eye",
+                "-.5,1e1,-2", "--target",   "0,0.25,3",   "--fov",           "30",     "--transparent", "--no-ao",
+                "--validate"});
   EXPECT_EQ(options.file, "a b.glb");
   EXPECT_EQ(options.headless, "out.PNG");
   EXPECT_EQ(options.time_s, 0.5);
@@ -83,7 +84,7 @@ TEST(options, accept_each_word_of_show_and_skinning) {
 
 struct WrongUsage {
   std::vector<const char*> arguments;
-  const char* says;   // what the message must name, so that the user finds the place
+  const char* says;  // what the message must name, so that the user finds the place
 };
 
 TEST(options, read_how_what_is_small_is_updated) {
@@ -148,9 +149,10 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 TEST(options, help_and_version_leave_with_code_0) {
   const auto help = std::get<Leave>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);
-  for (const char* word : {"--headless", "--time", "--clip", "--size", "--skinning", "--show", "--eye", "--target", "--fov",
-                           "--transparent", "--frames", "--fps", "--scene", "--no-ao", "--exit-after", "--validate",
-                           "space", "play / pause", "skeleton", "Exit code"})
+  for (const char* word :
+       {"--headless",   "--time",     "--clip",        "--size",       "--skinning", "--show",   "--eye",
+        "--target",     "--fov",      "--transparent", "--frames",     "--fps",      "--scene",  "--no-ao",
+        "--exit-after", "--validate", "space",         "play / pause", "skeleton",   "Exit code"})
     EXPECT_THAT(help.text, HasSubstr(word));
   const auto version = std::get<Leave>(parse({"--version"}));
   EXPECT_EQ(version.code, 0);

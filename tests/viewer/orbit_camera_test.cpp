@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace sinew::viewer {
 namespace {
@@ -49,7 +49,8 @@ std::pair<double, double> outermost_and_nearest(const View& view, double aspect,
 
 TEST(orbit_camera, framing_shows_all_corners_and_could_not_be_nearer) {
   const Aabb boxes[] = {box({-1, -1, -1}, {1, 1, 1}), box({100, 0, -3}, {130, 0.1f, 5}),
-                        box({-1e-3f, 0, 0}, {1e-3f, 4e-3f, 1e-3f}), box({-70, 0, -155}, {70, 79, 5}), box({0, -5, 0}, {0, 5, 0})};
+                        box({-1e-3f, 0, 0}, {1e-3f, 4e-3f, 1e-3f}), box({-70, 0, -155}, {70, 79, 5}),
+                        box({0, -5, 0}, {0, 5, 0})};
   for (const auto& bounds : boxes)
     for (const double aspect : {0.4, 1.0, 16.0 / 9.0})
       for (const double yaw : {0.0, 0.46, 2.0, -2.9})
@@ -62,7 +63,7 @@ TEST(orbit_camera, framing_shows_all_corners_and_could_not_be_nearer) {
           const auto [outermost, nearest] = outermost_and_nearest(view, aspect, bounds);
           EXPECT_LE(outermost, 1.0);
           EXPECT_GT(nearest, view.near_m);
-          camera.distance_m /= 1.1;   // more than the margin
+          camera.distance_m /= 1.1;  // more than the margin
           const auto [outside, in_front] = outermost_and_nearest(camera.view(bounds), aspect, bounds);
           EXPECT_TRUE(outside > 1.0 || in_front <= 0.0);
         }
@@ -73,11 +74,12 @@ TEST(orbit_camera, framing_puts_points_in_the_middle) {
   OrbitCamera camera;
   camera.yaw_rad = 0.8;
   camera.frame(points, 1.2);
-  camera.distance_m /= 1.08;   // without the margin
+  camera.distance_m /= 1.08;  // without the margin
   double right = -2, left = -2, top = -2, bottom = -2;
   for (const glm::dvec3 p : points) {
     const glm::dvec3 seen = picture_of(camera.view({}), 1.2, p);
-    right = std::max(right, seen.x), left = std::max(left, -seen.x), top = std::max(top, seen.y), bottom = std::max(bottom, -seen.y);
+    right = std::max(right, seen.x), left = std::max(left, -seen.x), top = std::max(top, seen.y),
+    bottom = std::max(bottom, -seen.y);
   }
   // One pair of edges is touched on both sides, and nothing sticks out.
   EXPECT_NEAR(std::max(std::min(right, left), std::min(top, bottom)), 1.0, 1e-9);
@@ -117,14 +119,14 @@ TEST(orbit_camera, dragging_down_looks_from_above_and_never_tips_over) {
   for (const double drag : {1e5, -1e6}) {
     camera.orbit(0.0, drag, 600.0);
     EXPECT_LT(std::abs(camera.pitch_rad), 0.5 * std::numbers::pi);
-    EXPECT_GT(camera.view({}).view_from_world.row[1].y, 0.0);   // up stays up
+    EXPECT_GT(camera.view({}).view_from_world.row[1].y, 0.0);  // up stays up
   }
 }
 
 TEST(orbit_camera, a_point_stays_under_the_mouse_while_moving) {
   OrbitCamera camera;
   camera.frame(box({0, 0, 0}, {3, 2, 1}), 2.0);
-  const glm::dvec3 point = camera.target;   // in the plane that moves with the mouse
+  const glm::dvec3 point = camera.target;  // in the plane that moves with the mouse
   const double width = 800.0, height = 400.0, dx = 90.0, dy = -35.0;
   const glm::dvec3 before = picture_of(camera.view({}), width / height, point);
   camera.pan(dx, dy, height);
@@ -153,9 +155,9 @@ TEST(orbit_camera, placing_puts_the_eye_where_it_was_asked_for) {
   camera.place(eye, to);
   EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
   EXPECT_EQ(camera.target, to);
-  camera.place(to, to);   // means nothing
+  camera.place(to, to);  // means nothing
   EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
-  camera.place({0, 10, 0}, {0, 0, 0});   // straight down is as good as it gets
+  camera.place({0, 10, 0}, {0, 0, 0});  // straight down is as good as it gets
   EXPECT_NEAR(camera.pitch_rad, OrbitCamera::kSteepest_rad, 1e-12);
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace sinew::viewer {
 namespace {
@@ -23,8 +23,7 @@ TEST(outline, keeps_outer_points_and_forgets_inner_ones) {
   for (int x = -3; x <= 3; ++x)
     for (int y = -3; y <= 3; ++y)
       for (int z = -3; z <= 3; ++z) outline.add(glm::vec3(x, y, z) + glm::vec3(100, 0, 0));
-  for (const auto& p : outline.points())
-    EXPECT_EQ(std::max({std::abs(p.x - 100), std::abs(p.y), std::abs(p.z)}), 3.0f);
+  for (const auto& p : outline.points()) EXPECT_EQ(std::max({std::abs(p.x - 100), std::abs(p.y), std::abs(p.z)}), 3.0f);
 }
 
 TEST(outline, reaches_nearly_as_far_as_a_ball_in_every_direction) {

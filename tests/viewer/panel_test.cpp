@@ -140,7 +140,7 @@ TEST_F(PanelTest, every_section_opens_without_a_device) {
   click("keys", playback);
   frame(playback);
   frame(playback);
-  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 400);   // the key table
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 400);  // the key table
 }
 
 TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) {
@@ -152,11 +152,18 @@ TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) 
   EXPECT_TRUE(settings_.plan);
   const int empty = drawn();
   EXPECT_GT(empty, without);
-  const PlanRow rows[] = {{.part = PlanPart::evaluation, .stage = "sample", .runs = true, .reason = "a clip plays", .count = 12, .timed = 1, .time_us = 3.0},
+  const PlanRow rows[] = {{.part = PlanPart::evaluation,
+                           .stage = "sample",
+                           .runs = true,
+                           .reason = "a clip plays",
+                           .count = 12,
+                           .timed = 1,
+                           .time_us = 3.0},
                           {.part = PlanPart::passes, .stage = "ssao", .reason = "nothing opaque is in view"}};
   facts_.rows = rows;
   EXPECT_GT(drawn(), empty + 200);
-  const ImGuiWindow *panel = ImGui::FindWindowByName("sinew (h hides this)"), *plan = ImGui::FindWindowByName("live plan (e hides this)");
+  const ImGuiWindow *panel = ImGui::FindWindowByName("sinew (h hides this)"),
+                    *plan = ImGui::FindWindowByName("live plan (e hides this)");
   EXPECT_GE(plan->Pos.x, panel->Pos.x + panel->Size.x) << "beside, not over";
   settings_.panel = false;
   frame(playback);

@@ -19,7 +19,7 @@ TEST(scene_choice, of_a_clip_takes_an_index_a_name_or_none) {
   const Scene scene = scene_with({"Walk", "", "Run", "Run"});
   EXPECT_EQ(choose_clip(scene, "0"), 0u);
   EXPECT_EQ(choose_clip(scene, "3"), 3u);
-  EXPECT_EQ(choose_clip(scene, "Run"), 2u);   // the first of that name
+  EXPECT_EQ(choose_clip(scene, "Run"), 2u);  // the first of that name
   EXPECT_EQ(choose_clip(scene, "none"), kNone);
 }
 
@@ -27,7 +27,7 @@ TEST(scene_choice, a_name_made_of_digits_is_found_when_no_index_fits) {
   const Scene scene = scene_with({"1", "007", "9"});
   EXPECT_EQ(choose_clip(scene, "1"), 1u);
   EXPECT_EQ(choose_clip(scene, "9"), 2u);
-  EXPECT_EQ(choose_clip(scene, "007"), 1u);   // no clip has index 7
+  EXPECT_EQ(choose_clip(scene, "007"), 1u);  // no clip has index 7
 }
 
 TEST(scene_choice, finds_nothing_for_what_is_not_there) {
@@ -39,7 +39,8 @@ TEST(scene_choice, finds_nothing_for_what_is_not_there) {
 }
 
 TEST(scene_choice, the_message_names_the_clips_that_there_are) {
-  EXPECT_EQ(describe_missing_clip(scene_with({"Walk", ""}), "Fly"), "--clip Fly: no such clip; the scene has 0 \"Walk\", 1 \"\"");
+  EXPECT_EQ(describe_missing_clip(scene_with({"Walk", ""}), "Fly"),
+            "--clip Fly: no such clip; the scene has 0 \"Walk\", 1 \"\"");
   EXPECT_EQ(describe_missing_clip(Scene{}, "Fly"), "--clip Fly: no such clip; the scene has none");
 }
 
@@ -66,7 +67,8 @@ TEST(scene_choice, of_a_camera_takes_an_index_or_a_name_when_a_node_carries_it) 
   EXPECT_FALSE(choose_camera(scene, "1"));
   EXPECT_FALSE(choose_camera(scene, "unplaced"));
   EXPECT_FALSE(choose_camera(scene, ""));
-  EXPECT_THAT(describe_missing_camera(scene, "left"), HasSubstr("--camera left: no such camera; the scene has 0 \"front\", 2 \"7\""));
+  EXPECT_THAT(describe_missing_camera(scene, "left"),
+              HasSubstr("--camera left: no such camera; the scene has 0 \"front\", 2 \"7\""));
   EXPECT_THAT(describe_missing_camera(Scene{}, "left"), HasSubstr("has none"));
   EXPECT_EQ(camera_label(scene, kNone), "free");
 }

@@ -196,7 +196,8 @@ TEST_F(shade_pass, where_normals_are_zero_surfaces_show_their_color_as_if_unlit)
   };
   const auto unlit = picture_of(true);
   EXPECT_EQ(picture_of(false), unlit);
-  EXPECT_GT(std::count_if(unlit.begin(), unlit.end(), [&](const glm::vec4& p) { return p != unlit[0]; }), kWidth * kHeight / 8);
+  EXPECT_GT(std::count_if(unlit.begin(), unlit.end(), [&](const glm::vec4& p) { return p != unlit[0]; }),
+            kWidth * kHeight / 8);
 }
 
 /// A floor in the light of a sun straight above.
@@ -208,7 +209,7 @@ BuiltScene sunny_scene(float intensity) {
   return built;
 }
 
-constexpr float kDazzling = 1e7f;   // floors are then far brighter than half floats can hold
+constexpr float kDazzling = 1e7f;  // floors are then far brighter than half floats can hold
 
 TEST_F(shade_pass, light_beyond_what_images_hold_is_white) {
   RenderOptions options;
@@ -240,7 +241,7 @@ TEST_F(shade_pass, what_lies_before_light_beyond_what_images_hold_hides_it) {
   for (std::size_t i = 0; i < plain.size(); ++i) {
     if (plain[i] != covered) continue;
     ++compared;
-    EXPECT_LT(glm::length(dazzling[i] - covered), 0.02f) << i;   // an interpolated 1 may be a step of float below 1
+    EXPECT_LT(glm::length(dazzling[i] - covered), 0.02f) << i;  // an interpolated 1 may be a step of float below 1
   }
   EXPECT_GT(compared, kWidth * kHeight / 4);
 }

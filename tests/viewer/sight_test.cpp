@@ -19,7 +19,8 @@ Needs viewer_needs() {
   return needs;
 }
 
-/// Three arms that bend: one at the origin and two far to either side, in the direction of the axis that they bend about.
+/// Three arms that bend: one at the origin and two far to either side, in the direction of the axis that they bend
+/// about.
 Scene three_arms() {
   Scene scene = test::arm_scene();
   Skin left = scene.skins[0], right = left;
@@ -95,7 +96,8 @@ TEST_F(sight_on_device, pictures_have_the_same_bytes_and_cost_less) {
       EXPECT_EQ(renderer.render(seen.result(), view, {}).rgba, expected.rgba);
       EXPECT_EQ(renderer.report().out_of_view, out_of_view);
       EXPECT_EQ(renderer.report().hidden, 0u);
-      const auto in_view = static_cast<std::uint64_t>(std::count(unseen.out_of_view.begin(), unseen.out_of_view.end(), 0));
+      const auto in_view =
+          static_cast<std::uint64_t>(std::count(unseen.out_of_view.begin(), unseen.out_of_view.end(), 0));
       EXPECT_EQ(seen.result().work.vertices_skinned_linear, 4 * in_view);
       EXPECT_EQ(seen.result().work == WorkCounters{}, unseen.all);
     }

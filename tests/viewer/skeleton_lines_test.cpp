@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/skeleton_lines.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 namespace sinew::viewer {
 namespace {
@@ -25,9 +25,12 @@ Scene chain() {
 void expect_bone(std::span<const LineVertex> lines, const glm::vec3& from, const glm::vec3& to) {
   int at_parent = 0, at_joint = 0, nearer_to_parent = 0;
   for (const auto& vertex : lines.first(SkeletonLines::kVerticesPerBone)) {
-    if (vertex.position == from) ++at_parent;
-    else if (vertex.position == to) ++at_joint;
-    else if (glm::distance(vertex.position, from) < 0.5f * glm::distance(vertex.position, to)) ++nearer_to_parent;
+    if (vertex.position == from)
+      ++at_parent;
+    else if (vertex.position == to)
+      ++at_joint;
+    else if (glm::distance(vertex.position, from) < 0.5f * glm::distance(vertex.position, to))
+      ++nearer_to_parent;
   }
   EXPECT_EQ(at_parent, 4);
   EXPECT_EQ(at_joint, 4);
@@ -40,12 +43,12 @@ TEST(skeleton_lines, without_a_skin_joins_every_joint_to_its_parent) {
   const Affine model[] = {at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
   const auto made = lines.make(model, 0.5f);
   ASSERT_EQ(made.size(), SkeletonLines::kVerticesPerBone * 4 + 6u * 5);
-  expect_bone(made.subspan(2 * SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});   // third bone: 2 -> 3
+  expect_bone(made.subspan(2 * SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});  // third bone: 2 -> 3
 }
 
 TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {
   Scene scene = chain();
-  scene.skins.emplace_back().joints = {3, 1};   // 2 is between them
+  scene.skins.emplace_back().joints = {3, 1};  // 2 is between them
   SkeletonLines lines(scene);
   EXPECT_EQ(lines.bone_count(), 2u);
   const Affine model[] = {at(9, 9, 9), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};

@@ -44,9 +44,12 @@ TEST(ssao_kernel, spreads_any_number_of_lines_evenly) {
       const glm::vec3 line = glm::normalize(kernel.offsets[i]);
       EXPECT_LT(glm::dot(line, glm::normalize(kernel.offsets[i + 1])), -0.999f) << "both ends of a line";
       for (std::size_t j = 0; j < i; j += 2) {
-        // As many caps as cover the half sphere, were there no gaps, are 4 / samples high: lines are no nearer than half of their width.
+        // As many caps as cover the half sphere, were there no gaps, are 4 / samples high: lines are no nearer than
+        // half of their width.
         const float cap = 1.0f - 4.0f / static_cast<float>(samples);
-        EXPECT_LT(std::abs(glm::dot(line, glm::normalize(kernel.offsets[j]))), std::cos(0.5f * std::acos(std::max(cap, 0.0f)))) << samples;
+        EXPECT_LT(std::abs(glm::dot(line, glm::normalize(kernel.offsets[j]))),
+                  std::cos(0.5f * std::acos(std::max(cap, 0.0f))))
+            << samples;
       }
     }
   }

@@ -32,7 +32,8 @@ RenderOptions options_with(float radius) {
 
 View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
 
-reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel, const OcclusionShape& shape) {
+reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel,
+                                    const OcclusionShape& shape) {
   const AmbientOcclusion& ao = options.ao;
   return {static_cast<double>(ao.radius_m),
           static_cast<double>(ao.surface_epsilon_m),
@@ -116,14 +117,16 @@ TEST_F(ssao_pass, agrees_with_the_reference_whatever_the_samples_the_size_and_th
   const RenderOptions options = options_with(0.6f);
   const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
   std::vector<double> before = reference_access(image, options);
-  for (const OcclusionShape& shape : {OcclusionShape{.samples = 4}, OcclusionShape{.samples = 64}, OcclusionShape{.step = 1}, OcclusionShape{.blur_reach = 4},
-                                      OcclusionShape{.keep_edges = false}, OcclusionShape{32, 1, 4, false}}) {
+  for (const OcclusionShape& shape :
+       {OcclusionShape{.samples = 4}, OcclusionShape{.samples = 64}, OcclusionShape{.step = 1},
+        OcclusionShape{.blur_reach = 4}, OcclusionShape{.keep_edges = false}, OcclusionShape{32, 1, 4, false}}) {
     const std::vector<double> expected = reference_access(image, options, shape);
     EXPECT_GT(compare(FloatPicture{kWidth, kHeight, greys(before)}, expected).mean, 1e-3)
         << "the shapes give different pictures";
     const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape), expected);
     EXPECT_LT(d.mean, 1e-3) << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
-    EXPECT_LT(d.worst, 2.0 / shape.samples) << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
+    EXPECT_LT(d.worst, 2.0 / shape.samples)
+        << shape.samples << " samples, step " << shape.step << ", reach " << shape.blur_reach;
     before = expected;
   }
 }

@@ -25,9 +25,12 @@ struct Watched {
   Watched(const Scene& scene, Updates updates) : plan(plan_for(scene, updates)), frame(plan), levels(plan, updates) {}
 
   const FrameResult& show(std::uint64_t number, const View& view, bool exactly = false) {
-    if (number == 0 || exactly) levels.begin_exact_frame("a test");
-    else levels.begin_frame(size_in_picture(frame.result(), view), 0.01);
-    const ClipLayer layer{0, 0.01 * static_cast<double>(number)}, ahead{0, 0.01 * static_cast<double>(number + levels.frames_to_update())};
+    if (number == 0 || exactly)
+      levels.begin_exact_frame("a test");
+    else
+      levels.begin_frame(size_in_picture(frame.result(), view), 0.01);
+    const ClipLayer layer{0, 0.01 * static_cast<double>(number)},
+        ahead{0, 0.01 * static_cast<double>(number + levels.frames_to_update())};
     FrameInput now;
     now.layers = {&layer, 1};
     EXPECT_EQ(run_plan(plan, levels.input(now, {&ahead, 1}), frame), ErrorCode::ok);
@@ -64,8 +67,10 @@ TEST(update_levels, P19_small_characters_are_sampled_at_the_share_of_their_level
         sampled += work.tracks_sampled, skinned += work.vertices_skinned_linear > 0;
       }
       const std::uint64_t period = updates == Updates::every || distance_m < 10.0 ? 1 : distance_m < 50.0 ? 2 : 4;
-      EXPECT_NEAR(static_cast<double>(sampled), 48.0 / static_cast<double>(period), 2.0) << name_of(updates) << " at " << distance_m;
-      EXPECT_NEAR(static_cast<double>(skinned), updates == Updates::held ? 48.0 / static_cast<double>(period) : 48.0, 2.0);
+      EXPECT_NEAR(static_cast<double>(sampled), 48.0 / static_cast<double>(period), 2.0)
+          << name_of(updates) << " at " << distance_m;
+      EXPECT_NEAR(static_cast<double>(skinned), updates == Updates::held ? 48.0 / static_cast<double>(period) : 48.0,
+                  2.0);
     }
 }
 
@@ -77,7 +82,9 @@ TEST(update_levels, an_exact_frame_shows_what_is_asked_for) {
       const bool exactly = number == 6 || number == 13;
       const auto shown = watched.show(number, seen_from(100.0), exactly).primitives[0].positions;
       const auto truth = exact.show(number, seen_from(100.0)).primitives[0].positions;
-      if (exactly) { EXPECT_TRUE(std::equal(shown.begin(), shown.end(), truth.begin(), truth.end())) << number; }
+      if (exactly) {
+        EXPECT_TRUE(std::equal(shown.begin(), shown.end(), truth.begin(), truth.end())) << number;
+      }
     }
   }
 }
@@ -90,7 +97,8 @@ TEST(update_levels, say_what_they_are_and_why) {
     return levels.reason();
   };
   EXPECT_EQ(reason(Updates::every, 0.03), "every frame, as asked");
-  EXPECT_EQ(reason(Updates::interpolated, 0.031), "every 4th frame, interpolated in between: 3.1 % of the picture's height");
+  EXPECT_EQ(reason(Updates::interpolated, 0.031),
+            "every 4th frame, interpolated in between: 3.1 % of the picture's height");
   EXPECT_EQ(reason(Updates::held, 0.15), "every 2nd frame, held in between: 15 % of the picture's height");
   EXPECT_EQ(reason(Updates::held, 0.5), "every frame: 50 % of the picture's height");
   EXPECT_EQ(reason(Updates::held, 3.0), "every frame: meshes fill the picture's height");

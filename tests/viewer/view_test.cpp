@@ -71,7 +71,7 @@ bool is_out(const View& view, const glm::vec3& middle, float half = 0.1f) {
 }
 
 TEST(view, P14_a_box_is_out_of_view_when_it_lies_beyond_one_side) {
-  View view = look_at({0, 0, 0}, {0, 0, -1}, 2.0 * std::atan(0.5), 1.0);   // at distance 10: 10 high, 20 wide
+  View view = look_at({0, 0, 0}, {0, 0, -1}, 2.0 * std::atan(0.5), 1.0);  // at distance 10: 10 high, 20 wide
   EXPECT_FALSE(is_out(view, {0, 0, -10}));
   EXPECT_FALSE(is_out(view, {10.05f, 0, -10}) || is_out(view, {-10.05f, 0, -10}));
   EXPECT_TRUE(is_out(view, {10.3f, 0, -10}) && is_out(view, {-10.3f, 0, -10}));

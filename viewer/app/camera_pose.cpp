@@ -19,14 +19,18 @@ Needs needs_for(const Scene& scene, std::uint32_t camera) {
 }  // namespace
 
 CameraPose::CameraPose(const Scene& scene, std::uint32_t camera)
-    : scene_(&scene), camera_(camera), plan_(compile_plan(scene, needs_for(scene, camera))), frame_(plan_), look_(scene) {}
+    : scene_(&scene),
+      camera_(camera),
+      plan_(compile_plan(scene, needs_for(scene, camera))),
+      frame_(plan_),
+      look_(scene) {}
 
 View CameraPose::at(std::uint32_t clip, double time_s, double aspect, const Aabb& bounds) {
   const ClipLayer layer{clip, time_s, 1.0f};
   FrameInput input;
   if (clip != kNone) input.layers = {&layer, 1};
   const ErrorCode code = run_plan(plan_, input, frame_);
-  CONTRACT(code == ErrorCode::ok);   // the clip is in range and the time is finite
+  CONTRACT(code == ErrorCode::ok);  // the clip is in range and the time is finite
   const FrameResult& pose = frame_.result();
   apply_properties(*scene_, pose.properties, look_);
   const Camera& camera = look_.cameras[camera_];

@@ -8,8 +8,8 @@
 
 namespace sinew::viewer {
 
-/// A camera of the file at any time, known before the pose is: a plan of its own evaluates the camera's joint and those above it,
-/// and no other (SkeletonLod).
+/// A camera of the file at any time, known before the pose is: a plan of its own evaluates the camera's joint and those
+/// above it, and no other (SkeletonLod).
 class CameraPose {
  public:
   /// in   camera  of the scene, on a joint; the scene must outlive this

@@ -49,7 +49,7 @@ ClipExtent clip_extent(const Scene& scene, std::uint32_t clip) {
     bounds.reached.add(box.lower);
     bounds.reached.add(box.upper);
   }
-  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;   // a point that travels
+  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // a point that travels
   give_extent(bounds.reached);
   give_extent(bounds.largest);
   return bounds;

@@ -28,12 +28,14 @@ std::vector<Exhibit> built_in() {
 }
 
 /// What the scene has and the viewer does not show.
-void say_what_is_left_out(const std::string& file, const Scene& scene, const std::function<void(const std::string&)>& say) {
+void say_what_is_left_out(const std::string& file, const Scene& scene,
+                          const std::function<void(const std::string&)>& say) {
   if (scene.lights.size() > kMaxLights)
-    say(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " + std::to_string(kMaxLights));
+    say(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " +
+        std::to_string(kMaxLights));
   for (const Material& material : scene.materials)
-    for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-                                  &material.occlusion_texture, &material.emissive_texture})
+    for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                  &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
       if (use->used() && use->texcoord > 1)
         say(file + ": warning: material \"" + material.name + "\" uses TEXCOORD_" + std::to_string(use->texcoord) +
             "; the viewer takes TEXCOORD_0 instead");
@@ -74,8 +76,8 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
   if (options.file.empty()) {
     exhibits = built_in();
     if (options.showcase_scene >= exhibits.size())
-      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.showcase_scene) + ": the built-in scenes are 0 to " +
-                                             std::to_string(exhibits.size() - 1)});
+      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.showcase_scene) +
+                                             ": the built-in scenes are 0 to " + std::to_string(exhibits.size() - 1)});
   } else {
     auto exhibit = from_file(options.file, say, progress);
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));

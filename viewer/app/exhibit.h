@@ -16,11 +16,11 @@ namespace sinew::viewer {
 
 /// A scene to be shown: a file, or one of the built-in scenes.
 struct Exhibit {
-  std::string name;                      ///< for the title and the menu
-  std::string note;                      ///< what to look at, may be empty
+  std::string name;  ///< for the title and the menu
+  std::string note;  ///< what to look at, may be empty
   Scene scene;
-  std::vector<Skinning> instance_skinning;   ///< as in Needs: what the scene insists on
-  std::optional<PlacedCamera> camera;    ///< none = frame everything
+  std::vector<Skinning> instance_skinning;  ///< as in Needs: what the scene insists on
+  std::optional<PlacedCamera> camera;       ///< none = frame everything
   double fov_y_rad = 0.785398163397448;
 };
 
@@ -28,7 +28,7 @@ struct Exhibit {
 struct Evaluation {
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::every;
-  bool stage_times = false;              ///< while somebody looks at them
+  bool stage_times = false;  ///< while somebody looks at them
 
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 };
@@ -49,8 +49,8 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress);
 
-/// Makes the centers of rotation of the scene's skinned meshes, once, if this kind of skinning or the scene's own choice
-/// asks for them. Large meshes take seconds.
+/// Makes the centers of rotation of the scene's skinned meshes, once, if this kind of skinning or the scene's own
+/// choice asks for them. Large meshes take seconds.
 void add_missing_centers(Exhibit& exhibit, Skinning skinning, const std::function<void(double)>& progress = {});
 
 }  // namespace sinew::viewer

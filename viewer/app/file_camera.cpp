@@ -11,8 +11,8 @@ namespace sinew::viewer {
 namespace {
 
 constexpr double kNarrowest_rad = 1e-3, kWidest_rad = std::numbers::pi - 1e-3;
-constexpr double kSmallest_m = 1e-6;       // of lengths that must be above 0
-constexpr double kSmallestRange = 1e-6;    // far - near, relative to near or a metre
+constexpr double kSmallest_m = 1e-6;     // of lengths that must be above 0
+constexpr double kSmallestRange = 1e-6;  // far - near, relative to near or a metre
 
 /// Unit vector along a column of the matrix; `fallback` where the joint's scale has taken its direction.
 glm::dvec3 axis(const glm::dvec3& column, const glm::dvec3& fallback) {
@@ -21,12 +21,14 @@ glm::dvec3 axis(const glm::dvec3& column, const glm::dvec3& fallback) {
 }
 
 /// Half of the height that is shown, when the camera shows `half_height` and `half_width` fully.
-double half_height_for(double half_height, double half_width, double aspect) { return std::max(half_height, half_width / aspect); }
+double half_height_for(double half_height, double half_width, double aspect) {
+  return std::max(half_height, half_width / aspect);
+}
 
 double fov_for(const Camera& camera, double aspect) {
   const double half = 0.5 * std::clamp(static_cast<double>(camera.fov_y_rad), kNarrowest_rad, kWidest_rad);
   const double height = std::tan(half), width = height * std::max(static_cast<double>(camera.aspect), 0.0);
-  return std::min(2.0 * std::atan(half_height_for(height, width, aspect)), kWidest_rad);   // aspect 0: the picture's own
+  return std::min(2.0 * std::atan(half_height_for(height, width, aspect)), kWidest_rad);  // aspect 0: the picture's own
 }
 
 double far_behind(const Aabb& bounds, const glm::dvec3& eye) {
@@ -40,14 +42,18 @@ double far_behind(const Aabb& bounds, const glm::dvec3& eye) {
 View view_of_camera(const Camera& camera, const Affine& world_from_camera, double aspect, const Aabb& bounds) {
   const Affined world = affine_cast<double>(world_from_camera);
   const glm::dvec3 eye = translation_of(world);
-  const glm::dvec3 back = axis(linear_part(world)[2], {0.0, 0.0, 1.0}), up = axis(linear_part(world)[1], {0.0, 1.0, 0.0});
+  const glm::dvec3 back = axis(linear_part(world)[2], {0.0, 0.0, 1.0}),
+                   up = axis(linear_part(world)[1], {0.0, 1.0, 0.0});
   const double near = std::max(static_cast<double>(camera.near_m), camera.perspective ? kSmallest_m : 0.0);
   View view = look_at(eye, eye - back, fov_for(camera, aspect), near, up);
   if (!camera.perspective) {
-    const double height = std::abs(static_cast<double>(camera.half_height)), width = std::abs(static_cast<double>(camera.half_width));
+    const double height = std::abs(static_cast<double>(camera.half_height)),
+                 width = std::abs(static_cast<double>(camera.half_width));
     view.half_height_m = std::max(half_height_for(height, width, aspect), kSmallest_m);
   }
-  view.far_m = camera.far_m > 0.0f ? static_cast<double>(camera.far_m) : view.parallel() ? far_behind(bounds, eye) : 0.0;
+  view.far_m = camera.far_m > 0.0f ? static_cast<double>(camera.far_m)
+               : view.parallel()   ? far_behind(bounds, eye)
+                                   : 0.0;
   if (view.far_m > 0.0) view.far_m = std::max(view.far_m, near + kSmallestRange * std::max(near, 1.0));
   return view;
 }

@@ -20,7 +20,7 @@ class Frame {
   static constexpr std::uint32_t kSlots = 2;
 
   Frame(Device& device, Swapchain& swapchain, PanelBackend& panel);
-  ~Frame();                          ///< waits until the device is idle
+  ~Frame();  ///< waits until the device is idle
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
 

@@ -36,7 +36,8 @@ struct Headless::State {
   std::uint64_t pictures = 0;
 };
 
-Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height, const OcclusionShape& occlusion)
+Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
+                   const OcclusionShape& occlusion)
     : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion)) {}
 
 Headless::~Headless() = default;

@@ -20,7 +20,8 @@ struct Picture {
 /// Draws frames of one scene into pictures, without any window.
 class Headless {
  public:
-  Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height, const OcclusionShape& occlusion = {});
+  Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
+           const OcclusionShape& occlusion = {});
   ~Headless();
 
   /// One frame; the same input gives the same bytes on the same driver.

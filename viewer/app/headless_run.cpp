@@ -30,21 +30,25 @@ namespace fs = std::filesystem;
 class Poser {
  public:
   Poser(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
-      : clip_(clip), plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))), frame_(plan_), levels_(plan_, evaluation.updates) {}
+      : clip_(clip),
+        plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))),
+        frame_(plan_),
+        levels_(plan_, evaluation.updates) {}
 
   const Plan& plan() const noexcept { return plan_; }
   const FrameResult& newest() const noexcept { return frame_.result(); }
   UpdateLevels& levels() noexcept { return levels_; }
 
   /// in   ahead_s  the time of the picture that is that many frames from this one
-  const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s, const Unseen& unseen, bool joints_watched) {
+  const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s, const Unseen& unseen,
+                        bool joints_watched) {
     const ClipLayer layer{clip_, time_s, 1.0f}, ahead{clip_, ahead_s(levels_.frames_to_update()), 1.0f};
     const std::size_t count = clip_ != kNone;
     FrameInput now;
     leave_out(unseen, joints_watched, now);
     now.layers = {&layer, count};
     const ErrorCode code = run_plan(plan_, levels_.input(now, {&ahead, count}), frame_);
-    CONTRACT(code == ErrorCode::ok);   // the clip is in range and the time is finite
+    CONTRACT(code == ErrorCode::ok);  // the clip is in range and the time is finite
     return frame_.result();
   }
 
@@ -98,9 +102,12 @@ class PictureMaker {
 
   /// Number `picture` of a row, whose times are `time_of(number)`.
   Picture in_row(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
-    if (poser_.newest().frame == 0) poser_.levels().begin_exact_frame("the first picture");
-    else if (camera_ && camera_->moves()) poser_.levels().begin_exact_frame("the camera moves with the clip");
-    else poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_), frame_s_);
+    if (poser_.newest().frame == 0)
+      poser_.levels().begin_exact_frame("the first picture");
+    else if (camera_ && camera_->moves())
+      poser_.levels().begin_exact_frame("the camera moves with the clip");
+    else
+      poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_), frame_s_);
     return draw(time_of(picture), [&](std::uint32_t frames) { return time_of(picture + frames); });
   }
 
@@ -129,11 +136,11 @@ class PictureMaker {
   View view_;
   Settings settings_;
   bool transparent_, watches_plan_;
-  double frame_s_;   // from picture to picture of a row
+  double frame_s_;  // from picture to picture of a row
   double aspect_;
   Poser poser_;
   Sight sight_;
-  std::optional<CameraPose> camera_;   // of the file, where the picture is seen through it
+  std::optional<CameraPose> camera_;  // of the file, where the picture is seen through it
   SkeletonLines skeleton_;
   Headless headless_;
   LivePlan live_plan_;
@@ -151,7 +158,8 @@ std::string picture_name(std::uint32_t picture) {
 }
 
 void show_progress(std::uint32_t done, std::uint32_t count) {
-  if (count > 1 && isatty(STDERR_FILENO)) std::fprintf(stderr, done < count ? "\rpicture %u of %u" : "\r\033[K", done, count);
+  if (count > 1 && isatty(STDERR_FILENO))
+    std::fprintf(stderr, done < count ? "\rpicture %u of %u" : "\r\033[K", done, count);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace sinew::viewer {
 
-/// Clip time of picture n of a range: n / fps, past the end of the clip again from its start. A picture that falls on the
-/// end shows the end.
+/// Clip time of picture n of a range: n / fps, past the end of the clip again from its start. A picture that falls on
+/// the end shows the end.
 double picture_time_s(std::uint32_t picture, double fps, double duration_s) noexcept;
 
 /// Writes the picture, or the numbered pictures DIR/00000.png ..., that the options ask for. Needs no display.

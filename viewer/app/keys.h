@@ -9,15 +9,32 @@ namespace sinew::viewer {
 
 /// What a key of the window does.
 enum class Action {
-  toggle_play, step_back, step_forward, faster, slower, next_clip, previous_clip, next_scene,
-  toggle_ao, toggle_ao_only, next_show, toggle_skeleton, next_skinning, next_updates, toggle_loop, frame_all, toggle_panel, toggle_plan, quit
+  toggle_play,
+  step_back,
+  step_forward,
+  faster,
+  slower,
+  next_clip,
+  previous_clip,
+  next_scene,
+  toggle_ao,
+  toggle_ao_only,
+  next_show,
+  toggle_skeleton,
+  next_skinning,
+  next_updates,
+  toggle_loop,
+  frame_all,
+  toggle_panel,
+  toggle_plan,
+  quit
 };
 
 /// One row of the key table, which --help, the panel and the window all read.
 struct KeyBinding {
-  int key;                 ///< GLFW key code: ASCII capital for letters
+  int key;  ///< GLFW key code: ASCII capital for letters
   Action action;
-  std::string_view name;   ///< "space"
+  std::string_view name;  ///< "space"
   std::string_view meaning;
 };
 

@@ -39,26 +39,30 @@ void LivePlan::evaluated(const Plan& plan, const FrameResult& frame) {
   for (std::size_t s = 0; s < plan.stages.size(); ++s) {
     const PlanStage& stage = plan.stages[s];
     tell(PlanPart::evaluation, stage.stage, stage.runs, stage.reason, stage.count);
-    if (stage.runs && s < frame.stage_ns.size()) time(PlanPart::evaluation, stage.stage, 1e-3 * static_cast<double>(frame.stage_ns[s]));
+    if (stage.runs && s < frame.stage_ns.size())
+      time(PlanPart::evaluation, stage.stage, 1e-3 * static_cast<double>(frame.stage_ns[s]));
   }
 }
 
 void LivePlan::updates(const UpdateLevels& levels) {
-  tell(PlanPart::evaluation, "update rate", levels.level() != UpdateLevel::every, levels.reason(), std::uint64_t{1} << static_cast<unsigned>(levels.level()));
+  tell(PlanPart::evaluation, "update rate", levels.level() != UpdateLevel::every, levels.reason(),
+       std::uint64_t{1} << static_cast<unsigned>(levels.level()));
 }
 
 namespace {
 
 std::string why_upload(const UploadCounts& upload) {
   if (upload.written > 0) {
-    const std::string others = upload.unchanged > 0 ? ", " + std::to_string(upload.unchanged) + " are there unchanged" : "";
+    const std::string others =
+        upload.unchanged > 0 ? ", " + std::to_string(upload.unchanged) + " are there unchanged" : "";
     return std::to_string(upload.bytes) + " bytes of deformed vertices" + others;
   }
   return upload.unchanged > 0 ? "all deformed vertices are there unchanged" : "nothing new is deformed";
 }
 
 std::string why_collect(const FrameReport& report) {
-  return std::to_string(report.out_of_view) + " meshes out of view and " + std::to_string(report.hidden) + " hidden are left out";
+  return std::to_string(report.out_of_view) + " meshes out of view and " + std::to_string(report.hidden) +
+         " hidden are left out";
 }
 
 }  // namespace
@@ -68,7 +72,8 @@ void LivePlan::drawn(const UploadCounts& upload, const FrameReport& report, std:
   if (upload.written > 0) time(PlanPart::drawing, "upload", upload.time_us);
   tell(PlanPart::drawing, "collect", true, why_collect(report), report.drawn);
   time(PlanPart::drawing, "collect", report.collect_us);
-  for (const PassStage& stage : report.passes) tell(PlanPart::passes, name_of(stage.pass), stage.runs, stage.reason, stage.count);
+  for (const PassStage& stage : report.passes)
+    tell(PlanPart::passes, name_of(stage.pass), stage.runs, stage.reason, stage.count);
   for (const PassTime& pass : passes) time(PlanPart::passes, pass.pass, 1e3 * pass.milliseconds);
 }
 
@@ -81,8 +86,9 @@ std::string plan_text(std::span<const PlanRow> rows) {
     if (i > 0 && rows[i - 1].part != row.part) text += '\n';
     if (i == 0 || rows[i - 1].part != row.part) text.append(title_of(row.part)).append(1, '\n');
     char numbers[64];
-    std::snprintf(numbers, sizeof(numbers), row.timed > 0 ? "  %-3s %10llu %10.1f us  " : "  %-3s %10llu                ", row.runs ? "on" : "off",
-                  static_cast<unsigned long long>(row.count), row.time_us);
+    std::snprintf(numbers, sizeof(numbers),
+                  row.timed > 0 ? "  %-3s %10llu %10.1f us  " : "  %-3s %10llu                ",
+                  row.runs ? "on" : "off", static_cast<unsigned long long>(row.count), row.time_us);
     text.append(2, ' ').append(row.stage).append(widest - row.stage.size(), ' ');
     text.append(numbers).append(row.reason).append(1, '\n');
   }

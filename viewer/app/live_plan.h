@@ -28,11 +28,13 @@ struct PlanRow {
 /// "evaluation, on the CPU"
 std::string_view title_of(PlanPart part) noexcept;
 
-/// The plan as it runs: what each frame does, why, and how long it takes. Times are exponential means of the last frames.
+/// The plan as it runs: what each frame does, why, and how long it takes. Times are exponential means of the last
+/// frames.
 class LivePlan {
  public:
-  static constexpr double kShare = 0.1;          ///< of the newest frame in the mean
-  static constexpr std::uint32_t kFirst = 3;     ///< frames that build what later ones use: the mean starts with the last of them
+  static constexpr double kShare = 0.1;  ///< of the newest frame in the mean
+  static constexpr std::uint32_t kFirst =
+      3;  ///< frames that build what later ones use: the mean starts with the last of them
 
   /// A frame of this plan was evaluated. Frames that were seen before count once.
   /// in   frame   its stage_ns may be empty: then there are no times

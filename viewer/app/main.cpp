@@ -22,8 +22,10 @@ void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", l
 std::function<void(double)> progress_of(const char* work) {
   if (!isatty(STDERR_FILENO)) return nullptr;
   return [work](double done) {
-    if (done < 1.0) std::fprintf(stderr, "\r%s: %3.0f %%", work, 100.0 * done);
-    else std::fputs("\r\033[K", stderr);
+    if (done < 1.0)
+      std::fprintf(stderr, "\r%s: %3.0f %%", work, 100.0 * done);
+    else
+      std::fputs("\r\033[K", stderr);
   };
 }
 

@@ -56,7 +56,8 @@ glm::vec3 point(const std::string& text, const char* option) {
 void read_size(const std::string& text, Options& options) {
   const auto size = two_numbers<std::uint32_t>(text, 'x');
   if (!size || size->first < 1 || size->second < 1 || size->first > kLargestSide || size->second > kLargestSide)
-    throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT with sides of 1 to 16384, such as 1280x720");
+    throw CLI::ValidationError("--size",
+                               "'" + text + "' is not WIDTHxHEIGHT with sides of 1 to 16384, such as 1280x720");
   std::tie(options.width, options.height) = *size;
 }
 
@@ -80,10 +81,12 @@ void check_together(const Options& options) {
     throw CLI::ValidationError("--eye", "the camera cannot look at the same point that it is at");
   if (options.headless.empty()) return;
   if (options.frames && names_png(options.headless))
-    throw CLI::ValidationError("--headless", "'" + options.headless + "' is one picture, --frames needs a folder: DIR/");
+    throw CLI::ValidationError("--headless",
+                               "'" + options.headless + "' is one picture, --frames needs a folder: DIR/");
   if (!options.frames && !names_png(options.headless))
-    throw CLI::ValidationError("--headless", "'" + options.headless +
-                                                 "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
+    throw CLI::ValidationError(
+        "--headless",
+        "'" + options.headless + "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
 }
 
 // The value that `text` names, from a short table.
@@ -106,21 +109,25 @@ CLI::Option* text_option(CLI::App& app, const char* name, const char* type, cons
 void add_picture_options(CLI::App& app, Options& options) {
   text_option(app, "--size", "WxH", "pixels of picture or window (1280x720)",
               [&](const std::string& text) { read_size(text, options); });
-  text_option(app, "--skinning", "KIND", "linear, dual-quaternion or center-of-rotation (linear)", [&](const std::string& text) {
-    options.skinning = named<Skinning>("--skinning", text, {{"linear", Skinning::linear},
-                                                            {"dual-quaternion", Skinning::dual_quaternion},
-                                                            {"center-of-rotation", Skinning::center_of_rotation}});
-  });
+  text_option(app, "--skinning", "KIND", "linear, dual-quaternion or center-of-rotation (linear)",
+              [&](const std::string& text) {
+                options.skinning = named<Skinning>("--skinning", text,
+                                                   {{"linear", Skinning::linear},
+                                                    {"dual-quaternion", Skinning::dual_quaternion},
+                                                    {"center-of-rotation", Skinning::center_of_rotation}});
+              });
   text_option(app, "--show", "WHAT", "color, ao, normals or depth (color)", [&](const std::string& text) {
-    options.show = named<Show>("--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals},
-                                                {"depth", Show::depth}});
+    options.show = named<Show>(
+        "--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals}, {"depth", Show::depth}});
   });
-  app.add_flag_callback("--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
+  app.add_flag_callback(
+      "--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
   app.add_flag("--skeleton", options.skeleton, "draw the skeleton over the picture");
-  auto* eye = text_option(app, "--eye", "X,Y,Z", "where the camera is (framing everything)", [&](const std::string& text) {
-    if (!options.camera) options.camera.emplace();
-    options.camera->eye = point(text, "--eye");
-  });
+  auto* eye =
+      text_option(app, "--eye", "X,Y,Z", "where the camera is (framing everything)", [&](const std::string& text) {
+        if (!options.camera) options.camera.emplace();
+        options.camera->eye = point(text, "--eye");
+      });
   auto* target = text_option(app, "--target", "X,Y,Z", "what the camera looks at", [&](const std::string& text) {
     if (!options.camera) options.camera.emplace();
     options.camera->target = point(text, "--target");
@@ -151,23 +158,31 @@ void add_time_options(CLI::App& app, Options& options) {
               [&](const std::string& text) { options.clip = text; });
   auto* time = text_option(app, "--time", "T", "seconds into the clip (0)",
                            [&, seconds](const std::string& text) { options.time_s = seconds("--time", text, -1e9); });
-  auto* headless = app.add_option("--headless", options.headless, "write OUT.png, or numbered pictures into DIR/, without a window")
-                       ->type_name("OUT");
+  auto* headless =
+      app.add_option("--headless", options.headless, "write OUT.png, or numbered pictures into DIR/, without a window")
+          ->type_name("OUT");
   auto* frames = text_option(app, "--frames", "A:B", "pictures A to B, both included; picture n shows second n / fps",
                              [&](const std::string& text) { read_frames(text, options); });
   auto* fps = text_option(app, "--fps", "N", "pictures a second for --frames (30)", [&](const std::string& text) {
     const auto value = number<double>(text);
-    if (!value || *value <= 0.0 || *value > 1e6) throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
+    if (!value || *value <= 0.0 || *value > 1e6)
+      throw CLI::ValidationError("--fps", "'" + text + "' is not a rate above 0");
     options.fps = *value;
   });
-  text_option(app, "--updates", "HOW", "what is small in the picture: every, interpolated or held between updates (interpolated; with --headless every)",
-              [&](const std::string& text) {
-                options.updates = named<Updates>("--updates", text, {{"every", Updates::every}, {"interpolated", Updates::interpolated}, {"held", Updates::held}});
-              });
-  auto* plan = app.add_flag("--plan", options.plan, "print what a picture takes: each stage and pass, why it runs or not, and its time");
+  text_option(
+      app, "--updates", "HOW",
+      "what is small in the picture: every, interpolated or held between updates (interpolated; with --headless every)",
+      [&](const std::string& text) {
+        options.updates = named<Updates>(
+            "--updates", text,
+            {{"every", Updates::every}, {"interpolated", Updates::interpolated}, {"held", Updates::held}});
+      });
+  auto* plan = app.add_flag("--plan", options.plan,
+                            "print what a picture takes: each stage and pass, why it runs or not, and its time");
   auto* transparent = app.add_flag("--transparent", options.transparent, "alpha 0 where nothing was drawn");
-  auto* exit_after = text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
-                                 [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
+  auto* exit_after =
+      text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
+                  [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
   app.add_flag("--validate", options.validate, "use Vulkan's validation layer; exit code 3 when it complains");
   frames->needs(headless)->excludes(time);
   fps->needs(frames);
@@ -196,16 +211,19 @@ std::vector<std::string> arguments(int argc, const char* const* argv) {
 
 std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   Options options;
-  CLI::App app{"Plays the animations of a glTF file in a window, or writes pictures of them.\n"
-               "Without FILE it shows the built-in scenes.", "sinew-viewer"};
+  CLI::App app{
+      "Plays the animations of a glTF file in a window, or writes pictures of them.\n"
+      "Without FILE it shows the built-in scenes.",
+      "sinew-viewer"};
   app.formatter(std::make_shared<ShortFormatter>());
   app.set_version_flag("--version", "sinew-viewer " SINEW_VERSION);
   app.add_option("FILE", options.file, "a .gltf or .glb file")->type_name("");
   app.add_option("--scene", options.showcase_scene, "which built-in scene (0)")->type_name("N")->excludes("FILE");
   add_picture_options(app, options);
   add_time_options(app, options);
-  app.footer("Keys in the window:\n" + describe_keys() +
-             "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n");
+  app.footer(
+      "Keys in the window:\n" + describe_keys() +
+      "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n");
   try {
     app.parse(arguments(argc, argv));
     check_together(options);

@@ -25,27 +25,28 @@ struct PlacedCamera {
 
 /// The command line of sinew-viewer, checked.
 struct Options {
-  std::string file;                          ///< empty = the built-in showcase
+  std::string file;  ///< empty = the built-in showcase
   std::uint32_t showcase_scene = 0;
-  std::string headless;                      ///< OUT.png, or a folder together with `frames`; empty = window
-  std::optional<double> time_s;              ///< unset = 0
+  std::string headless;          ///< OUT.png, or a folder together with `frames`; empty = window
+  std::optional<double> time_s;  ///< unset = 0
   std::optional<FrameRange> frames;
   double fps = 30.0;
-  std::optional<std::string> clip;           ///< index, name or "none"; unset = the first
+  std::optional<std::string> clip;  ///< index, name or "none"; unset = the first
   std::uint32_t width = 1280, height = 720;
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
   bool ambient_occlusion = true;
-  bool skeleton = false;                     ///< lines over the picture
+  bool skeleton = false;  ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
-  std::optional<std::string> file_camera;    ///< index or name of a camera of the file
-  std::optional<std::string> variant;        ///< index or name of a material variant
-  std::optional<double> fov_y_deg;           ///< unset = 45, or what the built-in scene was made for
-  std::optional<double> exit_after_s;        ///< close the window by itself
-  std::optional<Updates> updates;            ///< of what is small in the picture; unset = interpolated in the window, every in pictures
-  bool plan = false;                         ///< print the plan as it ran, after the pictures
-  bool validate = false;                     ///< with Vulkan's validation layer; what it says ends with exit code 3
+  std::optional<std::string> file_camera;  ///< index or name of a camera of the file
+  std::optional<std::string> variant;      ///< index or name of a material variant
+  std::optional<double> fov_y_deg;         ///< unset = 45, or what the built-in scene was made for
+  std::optional<double> exit_after_s;      ///< close the window by itself
+  std::optional<Updates>
+      updates;            ///< of what is small in the picture; unset = interpolated in the window, every in pictures
+  bool plan = false;      ///< print the plan as it ran, after the pictures
+  bool validate = false;  ///< with Vulkan's validation layer; what it says ends with exit code 3
 };
 
 /// Nothing to do but to print `text` and leave with `code`: help and version (0, stdout) or wrong usage (2, stderr).

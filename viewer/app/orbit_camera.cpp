@@ -14,7 +14,7 @@ namespace {
 constexpr double kZoomPerStep = 0.9, kMargin = 1.08, kZoomRange = 1000.0;
 
 struct Axes {
-  glm::dvec3 right, up, back;   // of the camera, in world space; back points from the target to the eye
+  glm::dvec3 right, up, back;  // of the camera, in world space; back points from the target to the eye
 };
 
 Axes axes_of(double yaw, double pitch) noexcept {
@@ -87,7 +87,7 @@ void OrbitCamera::take_over(const View& view, const Aabb& bounds) noexcept {
   const glm::dvec3 from = eye_of(view), ahead = -glm::dvec3(view.view_from_world.row[2]);
   const glm::dvec3 middle = bounds.empty() ? from : 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
   double depth = glm::dot(middle - from, ahead);
-  if (!(depth > view.near_m)) depth = std::max(2.0 * view.near_m, scale_m_);   // it looks away from the scene
+  if (!(depth > view.near_m)) depth = std::max(2.0 * view.near_m, scale_m_);  // it looks away from the scene
   const double distance = view.parallel() ? view.half_height_m / std::tan(0.5 * fov_y_rad) : depth;
   place(from + (depth - distance) * ahead, from + depth * ahead);
 }

@@ -10,12 +10,12 @@ namespace sinew::viewer {
 /// half around, and a point under the mouse stays under it while moving the camera sideways.
 class OrbitCamera {
  public:
-  static constexpr double kSteepest_rad = 1.55;      ///< just short of straight down, where "up" has no meaning
+  static constexpr double kSteepest_rad = 1.55;  ///< just short of straight down, where "up" has no meaning
 
   glm::dvec3 target{0.0};
   double distance_m = 3.0;
-  double yaw_rad = 0.4636;      ///< 0 = from +z, the side that a glTF model faces; grows to the right
-  double pitch_rad = 0.3035;    ///< above the horizon
+  double yaw_rad = 0.4636;    ///< 0 = from +z, the side that a glTF model faces; grows to the right
+  double pitch_rad = 0.3035;  ///< above the horizon
   double fov_y_rad = 0.785398163397448;
 
   glm::dvec3 eye() const noexcept;
@@ -34,7 +34,7 @@ class OrbitCamera {
   ///      a = max(x + s z), b = max(-x + s z):  eye.x = (a - b) / 2,  eye.z = (a + b) / (2 s);  y alike, the farther z
   ///      counts; then 8 percent farther from the target
   void frame(std::span<const glm::vec3> points, double aspect) noexcept;
-  void frame(const Aabb& bounds, double aspect) noexcept;   ///< its corners
+  void frame(const Aabb& bounds, double aspect) noexcept;  ///< its corners
 
   /// Stands at `eye` and looks at `to`. Nothing changes when the two are the same point.
   void place(const glm::dvec3& eye, const glm::dvec3& to) noexcept;
@@ -47,7 +47,7 @@ class OrbitCamera {
   View view(const Aabb& bounds) const;
 
  private:
-  double scale_m_ = 3.0;   ///< size of what was framed last
+  double scale_m_ = 3.0;  ///< size of what was framed last
 };
 
 }  // namespace sinew::viewer

@@ -45,7 +45,8 @@ void Outline::add(const Scene& scene, const FrameResult& frame, const Aabb& box)
       for_each_copy(scene.instances[i], instance.world_from_mesh, [&](const Affine& world_from_copy) {
         for (const auto& position : positions) {
           const glm::vec3 point = transform_point(world_from_copy, position);
-          if (glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper))) add(point);
+          if (glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper)))
+            add(point);
         }
       });
     }

@@ -37,7 +37,7 @@ void clip_choice(const Scene& scene, Playback& playback) {
   const std::string current = clip_label(scene, playback.clip());
   if (!ImGui::BeginCombo("clip", current.c_str())) return;
   const auto offer = [&](std::uint32_t clip) {
-    ImGui::PushID(static_cast<int>(clip));   // names may repeat
+    ImGui::PushID(static_cast<int>(clip));  // names may repeat
     if (ImGui::Selectable(clip_label(scene, clip).c_str(), clip == playback.clip())) playback.choose(clip);
     ImGui::PopID();
   };
@@ -65,7 +65,8 @@ void time_controls(const Scene& scene, Playback& playback) {
   }
   if (ImGui::Button("<##step")) playback.step(-1);
   ImGui::SameLine();
-  if (ImGui::Button(playback.playing() ? "pause##play" : "play##play", {ImGui::GetFontSize() * 4.0f, 0.0f})) playback.toggle();
+  if (ImGui::Button(playback.playing() ? "pause##play" : "play##play", {ImGui::GetFontSize() * 4.0f, 0.0f}))
+    playback.toggle();
   ImGui::SameLine();
   if (ImGui::Button(">##step")) playback.step(+1);
   ImGui::SameLine();
@@ -74,13 +75,15 @@ void time_controls(const Scene& scene, Playback& playback) {
   double time = playback.time_s();
   const double start = 0.0, end = playback.duration_s();
   ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
-  const bool moved = ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
-  if (ImGui::IsItemActive()) playback.pause();   // from the press on, so that the time does not run away under the hand
+  const bool moved =
+      ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemActive()) playback.pause();  // from the press on, so that the time does not run away under the hand
   if (moved) playback.seek(time);
   double speed = playback.speed();
   const double slowest = -2.0, fastest = 4.0;
   ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
-  if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "x %.2f")) playback.set_speed(speed);
+  if (ImGui::SliderScalar("speed", ImGuiDataType_Double, &speed, &slowest, &fastest, "x %.2f"))
+    playback.set_speed(speed);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) playback.set_speed(1.0);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("right click: x 1");
   clip_choice(scene, playback);
@@ -105,7 +108,8 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
   if (facts.scene->animations.empty()) return;
   if (ImGui::BeginCombo("updates", std::string(name_of(settings.updates)).c_str())) {
     for (const Updates updates : {Updates::every, Updates::interpolated, Updates::held})
-      if (ImGui::Selectable(std::string(name_of(updates)).c_str(), updates == settings.updates)) settings.updates = updates;
+      if (ImGui::Selectable(std::string(name_of(updates)).c_str(), updates == settings.updates))
+        settings.updates = updates;
     ImGui::EndCombo();
   }
   ImGui::PushTextWrapPos(0.0f);
@@ -114,12 +118,13 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
 }
 
 void camera_choice(const Scene& scene, Settings& settings) {
-  const bool any = std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.joint != kNone; });
+  const bool any =
+      std::any_of(scene.cameras.begin(), scene.cameras.end(), [](const Camera& c) { return c.joint != kNone; });
   if (!any || !ImGui::BeginCombo("camera", camera_label(scene, settings.camera).c_str())) return;
   if (ImGui::Selectable(camera_label(scene, kNone).c_str(), settings.camera == kNone)) settings.camera = kNone;
   for (std::uint32_t c = 0; c < scene.cameras.size(); ++c) {
     if (scene.cameras[c].joint == kNone) continue;
-    ImGui::PushID(static_cast<int>(c));   // names may repeat
+    ImGui::PushID(static_cast<int>(c));  // names may repeat
     if (ImGui::Selectable(camera_label(scene, c).c_str(), settings.camera == c)) settings.camera = c;
     ImGui::PopID();
   }

@@ -19,11 +19,11 @@ struct PanelFacts {
   std::string_view name, note, device;
   const Scene* scene = nullptr;
   const Plan* plan = nullptr;
-  std::string updates;                           ///< how often poses are evaluated, and why
-  std::span<const PlanRow> rows;                 ///< of the live plan
-  bool resting = false;                          ///< nothing moves: no pose is evaluated
-  double frame_ms = 0.0;                         ///< from one picture to the next, smoothed
-  std::span<const std::string> exhibits;         ///< names to choose from; fewer than two = no choice is offered
+  std::string updates;                    ///< how often poses are evaluated, and why
+  std::span<const PlanRow> rows;          ///< of the live plan
+  bool resting = false;                   ///< nothing moves: no pose is evaluated
+  double frame_ms = 0.0;                  ///< from one picture to the next, smoothed
+  std::span<const std::string> exhibits;  ///< names to choose from; fewer than two = no choice is offered
   std::uint32_t exhibit = 0;
 };
 
@@ -33,8 +33,8 @@ struct PanelWishes {
   std::optional<std::uint32_t> exhibit;
 };
 
-/// Lays out the panel with ImGui calls; settings and playback change where the user changes them. Needs an ImGui frame that
-/// was begun, no device.
+/// Lays out the panel with ImGui calls; settings and playback change where the user changes them. Needs an ImGui frame
+/// that was begun, no device.
 PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback);
 
 }  // namespace sinew::viewer

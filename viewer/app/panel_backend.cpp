@@ -52,7 +52,7 @@ PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindo
   info.Queue = device.queue();
   info.DescriptorPool = descriptors_;
   info.MinImageCount = 2;
-  info.ImageCount = 8;   // vertex buffers that are kept: at least one per frame in flight
+  info.ImageCount = 8;  // vertex buffers that are kept: at least one per frame in flight
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = [](VkResult result) { must(result, "drawing the panel"); };
   ImGui_ImplVulkan_Init(&info, render_pass_);
@@ -118,7 +118,8 @@ void PanelBackend::follow(const Swapchain& swapchain) {
     info.width = extent_.width;
     info.height = extent_.height;
     info.layers = 1;
-    must(vkCreateFramebuffer(device_.handle(), &info, nullptr, &framebuffers_.emplace_back()), "making the panel's framebuffer");
+    must(vkCreateFramebuffer(device_.handle(), &info, nullptr, &framebuffers_.emplace_back()),
+         "making the panel's framebuffer");
   }
 }
 

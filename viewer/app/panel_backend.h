@@ -17,7 +17,7 @@ class Swapchain;
 class PanelBackend {
  public:
   PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindow* window);
-  ~PanelBackend();                       ///< the GPU must be done with all frames
+  ~PanelBackend();  ///< the GPU must be done with all frames
   PanelBackend(const PanelBackend&) = delete;
   PanelBackend& operator=(const PanelBackend&) = delete;
 
@@ -31,8 +31,8 @@ class PanelBackend {
   /// presenting.
   void record(VkCommandBuffer commands, std::uint32_t image);
 
-  bool wants_mouse() const;              ///< the mouse is over the panel, or a drag began there
-  bool wants_keys() const;               ///< text is being typed
+  bool wants_mouse() const;  ///< the mouse is over the panel, or a drag began there
+  bool wants_keys() const;   ///< text is being typed
 
  private:
   void make_render_pass(VkFormat format);

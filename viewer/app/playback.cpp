@@ -76,7 +76,9 @@ void Playback::set_mode(PlayMode mode) {
 }
 
 void Playback::next_mode() {
-  set_mode(mode() == PlayMode::loop ? PlayMode::ping_pong : mode() == PlayMode::ping_pong ? PlayMode::once : PlayMode::loop);
+  set_mode(mode() == PlayMode::loop        ? PlayMode::ping_pong
+           : mode() == PlayMode::ping_pong ? PlayMode::once
+                                           : PlayMode::loop);
 }
 
 std::span<const ClipLayer> Playback::layers_ahead(std::uint32_t frames) noexcept {

@@ -4,15 +4,15 @@
 #include <span>
 
 #include "runtime/model/scene.h"
-#include "runtime/playback/playback_clock.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/playback/playback_clock.h"
 
 namespace sinew::viewer {
 
 /// What a person does with the time of one scene: choose a clip, play, pause, seek, step, change speed and looping.
 class Playback {
  public:
-  static constexpr double kFrame_s = 1.0 / 30.0;   ///< of a frame step
+  static constexpr double kFrame_s = 1.0 / 30.0;  ///< of a frame step
   static constexpr double kSlowest = 0.05, kFastest = 8.0;
 
   /// Plays the first clip; the scene must outlive this.
@@ -43,7 +43,7 @@ class Playback {
   double speed() const noexcept { return clock_.speed(); }
 
   void set_mode(PlayMode mode);
-  void next_mode();                  ///< repeat, there and back, once, and again
+  void next_mode();  ///< repeat, there and back, once, and again
   PlayMode mode() const noexcept { return clock_.mode(); }
 
   double time_s() const noexcept { return clock_.time_s(); }

@@ -43,7 +43,8 @@ std::optional<std::uint32_t> choose(const std::vector<Choice>& choices, std::str
 }
 
 std::string describe_missing(const char* what, const std::vector<Choice>& choices, std::string_view text) {
-  const std::string message = std::string("--") + what + " " + std::string(text) + ": no such " + what + "; the scene has ";
+  const std::string message =
+      std::string("--") + what + " " + std::string(text) + ": no such " + what + "; the scene has ";
   if (choices.empty()) return message + "none";
   constexpr std::size_t kShown = 12;
   std::string list;
@@ -52,21 +53,31 @@ std::string describe_missing(const char* what, const std::vector<Choice>& choice
   return message + list + (choices.size() > kShown ? ", ..." : "");
 }
 
-std::string label(const std::string& name, std::uint32_t index) { return name.empty() ? "(unnamed) " + std::to_string(index) : name; }
+std::string label(const std::string& name, std::uint32_t index) {
+  return name.empty() ? "(unnamed) " + std::to_string(index) : name;
+}
 
 }  // namespace
 
 std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view text) {
   return text == "none" ? kNone : choose(clips(scene), text);
 }
-std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view text) { return choose(cameras_on_nodes(scene), text); }
-std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text) { return choose(variants(scene), text); }
+std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view text) {
+  return choose(cameras_on_nodes(scene), text);
+}
+std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text) {
+  return choose(variants(scene), text);
+}
 
-std::string describe_missing_clip(const Scene& scene, std::string_view text) { return describe_missing("clip", clips(scene), text); }
+std::string describe_missing_clip(const Scene& scene, std::string_view text) {
+  return describe_missing("clip", clips(scene), text);
+}
 std::string describe_missing_camera(const Scene& scene, std::string_view text) {
   return describe_missing("camera", cameras_on_nodes(scene), text);
 }
-std::string describe_missing_variant(const Scene& scene, std::string_view text) { return describe_missing("variant", variants(scene), text); }
+std::string describe_missing_variant(const Scene& scene, std::string_view text) {
+  return describe_missing("variant", variants(scene), text);
+}
 
 std::string clip_label(const Scene& scene, std::uint32_t clip) {
   return clip < scene.animations.size() ? label(scene.animations[clip].name, clip) : "rest pose";

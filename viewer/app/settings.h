@@ -14,15 +14,15 @@ struct Settings {
   bool ambient_occlusion = true;
   bool skeleton = false;
   bool panel = true;
-  bool plan = false;                     ///< the live plan, beside the panel
+  bool plan = false;  ///< the live plan, beside the panel
 
   /// The live plan can be seen.
   bool watches_plan() const noexcept { return panel && plan; }
 
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::interpolated;
-  std::uint32_t camera = kNone;          ///< of the scene; kNone = the user's own
-  std::uint32_t variant = kNone;         ///< of the scene's materials
+  std::uint32_t camera = kNone;   ///< of the scene; kNone = the user's own
+  std::uint32_t variant = kNone;  ///< of the scene's materials
 
   Evaluation evaluation() const noexcept { return {skinning, updates, watches_plan()}; }
 
@@ -32,8 +32,8 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see. Camera and variant are
-/// those that the options name, where the scene has them.
+/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see. Camera and
+/// variant are those that the options name, where the scene has them.
 Settings settings_from(const Options& options, const Scene& scene);
 
 /// Turns ambient occlusion only on, and back to the lit picture.

@@ -21,7 +21,7 @@ ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation&
 }
 
 void ShownScene::stop() noexcept {
-  jobs_.reset();   // before the plan that it runs
+  jobs_.reset();  // before the plan that it runs
   newest_ = nullptr;
 }
 
@@ -38,7 +38,7 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   sight_ = Sight(exhibit_.scene, plan_->needs);
   unseen_ = sight_.nothing();
   const auto ticket = ask();
-  CONTRACT(ticket.has_value());   // nothing else was submitted
+  CONTRACT(ticket.has_value());  // nothing else was submitted
   jobs_->wait(ticket_);
   newest();
   CONTRACT(newest_ != nullptr);
@@ -59,19 +59,22 @@ Result<Ticket> ShownScene::ask() {
 }
 
 void ShownScene::begin_frame(const View& view, bool view_is_moved) {
-  if (!playback_.playing()) levels_->begin_exact_frame("the time stands still");
-  else if (view_is_moved) levels_->begin_exact_frame("the camera moves with the clip");
-  else levels_->begin_frame(size_in_picture(*newest_, view), playback_.last_step_s());
+  if (!playback_.playing())
+    levels_->begin_exact_frame("the time stands still");
+  else if (view_is_moved)
+    levels_->begin_exact_frame("the camera moves with the clip");
+  else
+    levels_->begin_frame(size_in_picture(*newest_, view), playback_.last_step_s());
 }
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_watched) {
   begin_frame(view, view_is_moved);
   unseen_ = sight_.of(playback_.clip(), view, aspect);
-  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();   // one of them may be chosen any time
+  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // one of them may be chosen any time
   const bool lacks = asked_unseen_.hides_more_than(unseen_) || (asked_unseen_.all && !asked_joints_ && joints_watched_);
   if (!lacks && has_asked()) return;
   if (!ask()) {
-    if (!lacks) return;   // busy: the next frame asks again
+    if (!lacks) return;  // busy: the next frame asks again
     jobs_->wait(ticket_);
     CONTRACT(ask().has_value());
   }

@@ -35,8 +35,8 @@ class ShownScene {
   /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
   void plan_for(const Evaluation& evaluation);
 
-  /// Asks for the pose at the playback's time without what the picture to come does not show, unless the worker still has one
-  /// waiting or has that pose already. Waits only where something comes into view that no pose on the way has.
+  /// Asks for the pose at the playback's time without what the picture to come does not show, unless the worker still
+  /// has one waiting or has that pose already. Waits only where something comes into view that no pose on the way has.
   /// in   view            of the picture, through a camera of the file that of the time
   ///      view_is_moved   by the clip: then every frame is evaluated
   void submit(const View& view, bool view_is_moved, double aspect, bool joints_watched);
@@ -88,24 +88,24 @@ class ShownScene {
   Evaluation evaluation_;
   std::unique_ptr<Plan> plan_;
   std::unique_ptr<UpdateLevels> levels_;
-  std::optional<CameraPose> camera_pose_;   ///< of the camera that was looked through last
+  std::optional<CameraPose> camera_pose_;  ///< of the camera that was looked through last
   std::unique_ptr<JobThread> jobs_;
   JobThread::Character character_ = 0;
   Ticket ticket_ = 0;
   Asked asked_;
-  bool asked_exactly_ = false;       ///< not for a pose that stands in for the current one
+  bool asked_exactly_ = false;  ///< not for a pose that stands in for the current one
   Sight sight_;
-  Unseen unseen_;                    ///< what the next pose leaves out
-  Unseen asked_unseen_;              ///< what the one asked for last does
+  Unseen unseen_;        ///< what the next pose leaves out
+  Unseen asked_unseen_;  ///< what the one asked for last does
   bool asked_joints_ = true, joints_watched_ = true;
-  bool ready_seen_ = false;          ///< newest() was called after ticket_ was done
+  bool ready_seen_ = false;  ///< newest() was called after ticket_ was done
   const FrameResult* newest_ = nullptr;
-  std::uint64_t plan_number_ = 0;    ///< tells the frames of one plan from those of the last
+  std::uint64_t plan_number_ = 0;  ///< tells the frames of one plan from those of the last
   SceneUpload scene_upload_;
   FrameUpload frame_upload_;
   SceneLook look_;
   SkeletonLines skeleton_;
-  std::vector<std::optional<ClipExtent>> bounds_;   ///< [clips + 1], the last is the rest pose
+  std::vector<std::optional<ClipExtent>> bounds_;  ///< [clips + 1], the last is the rest pose
 };
 
 }  // namespace sinew::viewer

@@ -16,8 +16,10 @@ Unseen Sight::of(std::uint32_t clip, const View& view, double aspect) {
   auto& reach = plays ? reach_[clip] : reach_.back();
   if (!reach) reach = clip_bounds(*scene_, needs_, plays ? clip : kNone);
   Unseen unseen = nothing();
-  for (std::size_t i = 0; i < reach->size(); ++i) unseen.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, (*reach)[i]);
-  unseen.all = !reach->empty() && std::find(unseen.out_of_view.begin(), unseen.out_of_view.end(), 0) == unseen.out_of_view.end();
+  for (std::size_t i = 0; i < reach->size(); ++i)
+    unseen.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, (*reach)[i]);
+  unseen.all =
+      !reach->empty() && std::find(unseen.out_of_view.begin(), unseen.out_of_view.end(), 0) == unseen.out_of_view.end();
   return unseen;
 }
 

@@ -12,8 +12,8 @@ namespace sinew::viewer {
 
 /// What nobody sees of a frame, as FrameInput takes it.
 struct Unseen {
-  std::vector<std::uint8_t> out_of_view;   ///< [instances]
-  bool all = false;                        ///< of at least one
+  std::vector<std::uint8_t> out_of_view;  ///< [instances]
+  bool all = false;                       ///< of at least one
 
   friend bool operator==(const Unseen&, const Unseen&) = default;
 
@@ -21,8 +21,8 @@ struct Unseen {
   bool hides_more_than(const Unseen& other) const noexcept;
 };
 
-/// Tells, before a pose is evaluated, which meshes cannot be in a picture: by the boxes that they never leave while their
-/// clip plays, so that whoever comes into view is evaluated in that very frame.
+/// Tells, before a pose is evaluated, which meshes cannot be in a picture: by the boxes that they never leave while
+/// their clip plays, so that whoever comes into view is evaluated in that very frame.
 class Sight {
  public:
   /// Must outlive the sight. The boxes of a clip are made when it is first looked at.
@@ -37,12 +37,11 @@ class Sight {
  private:
   const Scene* scene_;
   Needs needs_;
-  std::vector<std::optional<std::vector<Aabb>>> reach_;   // [clips + 1], the last is the rest pose
+  std::vector<std::optional<std::vector<Aabb>>> reach_;  // [clips + 1], the last is the rest pose
 };
 
-/// Lights, and numbers of materials that clips move, matter to nobody who sees no mesh: only lines along the joints and cameras on
-/// them need the joints of a character out of view.
-/// in   unseen  must outlive the input
+/// Lights, and numbers of materials that clips move, matter to nobody who sees no mesh: only lines along the joints and
+/// cameras on them need the joints of a character out of view. in   unseen  must outlive the input
 void leave_out(const Unseen& unseen, bool joints_watched, FrameInput& input);
 
 }  // namespace sinew::viewer

@@ -10,9 +10,9 @@ namespace sinew::viewer {
 namespace {
 
 constexpr float kAxisPerDiagonal = 0.012f, kLoneAxisPerDiagonal = 0.05f;
-constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                     // yellow
-constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                                 // of a bone, in bone lengths
-constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};     // x red, y green, z blue
+constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                  // yellow
+constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                              // of a bone, in bone lengths
+constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};  // x red, y green, z blue
 
 // The outline of a long octahedron: thick at the parent, pointed at the joint, so that one sees which end is which.
 void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::vec3& to) {
@@ -25,7 +25,8 @@ void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::
   const glm::vec3 middle = from + kRingAt * along;
   const glm::vec3 ring[4] = {middle + u, middle + v, middle - u, middle - v};
   for (int i = 0; i < 4; ++i)
-    for (const auto& [a, b] : {std::pair(from, ring[i]), std::pair(ring[i], to), std::pair(ring[i], ring[(i + 1) % 4])}) {
+    for (const auto& [a, b] :
+         {std::pair(from, ring[i]), std::pair(ring[i], to), std::pair(ring[i], ring[(i + 1) % 4])}) {
       lines.push_back({a, kBoneColor});
       lines.push_back({b, kBoneColor});
     }
@@ -70,7 +71,7 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
     for (int axis = 0; axis < 3; ++axis) {
       const glm::vec3 direction(m.row[0][axis], m.row[1][axis], m.row[2][axis]);
       const float length = glm::length(direction);
-      if (length <= 0.0f) continue;   // scaled away
+      if (length <= 0.0f) continue;  // scaled away
       lines_.push_back({at, kAxisColors[axis]});
       lines_.push_back({at + direction * (axis_m / length), kAxisColors[axis]});
     }
@@ -79,7 +80,8 @@ std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, f
 }
 
 float SkeletonLines::axis_length_m(const Aabb& shown) const noexcept {
-  return (alone_ ? kLoneAxisPerDiagonal : kAxisPerDiagonal) * (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
+  return (alone_ ? kLoneAxisPerDiagonal : kAxisPerDiagonal) *
+         (shown.empty() ? 1.0f : glm::length(shown.upper - shown.lower));
 }
 
 Aabb bounds_of_joints(std::span<const Affine> model) noexcept {

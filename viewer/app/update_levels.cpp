@@ -15,7 +15,8 @@ double size_of(const Aabb& box, const View& view) noexcept {
   const Vec3<double> lower(box.lower), upper(box.upper);
   const double radius_m = 0.5 * safe_length(upper - lower);
   if (view.parallel()) return radius_m / view.half_height_m;
-  return screen_size(radius_m, safe_length(transform_point(view.view_from_world, 0.5 * (lower + upper))), view.fov_y_rad);
+  return screen_size(radius_m, safe_length(transform_point(view.view_from_world, 0.5 * (lower + upper))),
+                     view.fov_y_rad);
 }
 
 const char* how_often(UpdateLevel level) noexcept {
@@ -71,8 +72,11 @@ std::string UpdateLevels::reason() const {
   const std::string often = how_often(level_);
   if (!why_exact_.empty()) return often + ": " + why_exact_;
   if (updates_ == Updates::every) return often + ", as asked";
-  if (level_ != by_size_ && level_ == UpdateLevel::every) return often + ": pictures are too far apart to leave any out";
-  const std::string how = level_ == UpdateLevel::every ? "" : updates_ == Updates::held ? ", held in between" : ", interpolated in between";
+  if (level_ != by_size_ && level_ == UpdateLevel::every)
+    return often + ": pictures are too far apart to leave any out";
+  const std::string how = level_ == UpdateLevel::every ? ""
+                          : updates_ == Updates::held  ? ", held in between"
+                                                       : ", interpolated in between";
   if (size_ == 0.0) return often + how + ": no mesh is in view";
   if (size_ >= 1.0) return often + how + ": meshes fill the picture's height";
   char text[64];

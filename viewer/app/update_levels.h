@@ -6,21 +6,21 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/plan/frame_result.h"
 #include "runtime/lod/interpolated_input.h"
+#include "runtime/plan/frame_result.h"
 #include "viewer/passes/view.h"
 
 namespace sinew::viewer {
 
-/// What happens to meshes that are small in the picture: every frame is evaluated all the same, or fewer, with poses in between
-/// interpolated or held.
+/// What happens to meshes that are small in the picture: every frame is evaluated all the same, or fewer, with poses in
+/// between interpolated or held.
 enum class Updates : std::uint8_t { every, interpolated, held };
 
 /// "every", "interpolated", "held"
 std::string_view name_of(Updates updates) noexcept;
 
-/// Height of the largest mesh that a frame shows, as part of the picture's height, from the boxes of its vertices; infinite around
-/// the eye, 0 where nothing is in view.
+/// Height of the largest mesh that a frame shows, as part of the picture's height, from the boxes of its vertices;
+/// infinite around the eye, 0 where nothing is in view.
 double size_in_picture(const FrameResult& frame, const View& view) noexcept;
 
 /// Chooses which frames of the character in the picture are evaluated (update_rate.h), and what the others show.
@@ -52,7 +52,7 @@ class UpdateLevels {
   Updates updates_;
   UpdateLevel by_size_ = UpdateLevel::every, level_ = UpdateLevel::every;
   double size_ = 0.0;
-  std::string why_exact_;      // empty = the size decides
+  std::string why_exact_;  // empty = the size decides
   std::uint64_t frame_ = 0;
   std::optional<InterpolatedInput> between_;
   HeldInput held_;

@@ -8,7 +8,8 @@ namespace sinew::viewer {
 int exit_code_after_validation(const Options& options, const Device& device) {
   if (!options.validate) return 0;
   if (!device.validation_active()) {
-    std::fputs("sinew-viewer: --validate: the validation layer is not installed (Debian: vulkan-validationlayers)\n", stderr);
+    std::fputs("sinew-viewer: --validate: the validation layer is not installed (Debian: vulkan-validationlayers)\n",
+               stderr);
     return 3;
   }
   const auto messages = static_cast<unsigned long long>(device.validation_messages());

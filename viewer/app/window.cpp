@@ -39,11 +39,13 @@ void listen(GLFWwindow* window) {
 
 }  // namespace
 
-Window::Window(std::uint32_t width, std::uint32_t height, const std::string& title) : input_(std::make_unique<Input>()) {
+Window::Window(std::uint32_t width, std::uint32_t height, const std::string& title)
+    : input_(std::make_unique<Input>()) {
   if (!glfwInit()) throw DeviceError("no display for a window (" + last_complaint() + ")" + kWithoutWindow);
   if (!glfwVulkanSupported()) {
     glfwTerminate();
-    throw DeviceError(std::string("no Vulkan driver was found (Debian: mesa-vulkan-drivers has one for every machine)"));
+    throw DeviceError(
+        std::string("no Vulkan driver was found (Debian: mesa-vulkan-drivers has one for every machine)"));
   }
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   window_ = glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
@@ -90,11 +92,14 @@ void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 Input Window::poll(double wait_s) {
-  if (wait_s > 0.0) glfwWaitEventsTimeout(wait_s);
-  else glfwPollEvents();
+  if (wait_s > 0.0)
+    glfwWaitEventsTimeout(wait_s);
+  else
+    glfwPollEvents();
   Input seen = std::exchange(*input_, {});
   const auto held = [&](int button) { return glfwGetMouseButton(window_, button) == GLFW_PRESS; };
-  const bool shift = glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS || glfwGetKey(window_, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+  const bool shift =
+      glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS || glfwGetKey(window_, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
   const bool left = held(GLFW_MOUSE_BUTTON_LEFT);
   seen.move_held = held(GLFW_MOUSE_BUTTON_RIGHT) || held(GLFW_MOUSE_BUTTON_MIDDLE) || (left && shift);
   seen.turn_held = left && !seen.move_held;

@@ -13,11 +13,11 @@ namespace sinew::viewer {
 
 /// What the user did since the last look.
 struct Input {
-  std::vector<int> keys;                  ///< pressed or repeated, key codes of keys.h
-  double moved_x = 0.0, moved_y = 0.0;    ///< of the mouse, framebuffer pixels, y down
+  std::vector<int> keys;                ///< pressed or repeated, key codes of keys.h
+  double moved_x = 0.0, moved_y = 0.0;  ///< of the mouse, framebuffer pixels, y down
   double wheel = 0.0;
   bool turn_held = false, move_held = false;  ///< the drag that the mouse buttons mean
-  bool any = false;                       ///< something happened, perhaps none of the above
+  bool any = false;                           ///< something happened, perhaps none of the above
 };
 
 /// A window of the desktop. The only file that knows GLFW, besides the panel's backend.
@@ -32,7 +32,7 @@ class Window {
   std::vector<const char*> instance_extensions() const;
   VkSurfaceKHR make_surface(VkInstance instance) const;
 
-  VkExtent2D framebuffer_size() const;    ///< 0 x 0 while minimised
+  VkExtent2D framebuffer_size() const;  ///< 0 x 0 while minimised
   bool should_close() const;
   void close();
   void set_title(const std::string& title);
@@ -44,7 +44,7 @@ class Window {
 
  private:
   GLFWwindow* window_ = nullptr;
-  std::unique_ptr<Input> input_;          ///< callbacks keep its address
+  std::unique_ptr<Input> input_;  ///< callbacks keep its address
   double mouse_x_ = 0.0, mouse_y_ = 0.0;
 };
 

@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kFramePeriod_s = 1.0 / 60.0;  // some drivers do not wait for the display
 constexpr double kIdleLook_s = 0.1;            // how long to rest when nothing moves and nothing happens
-constexpr double kLongestStep_s = 0.25;        // after a pause of the whole machine the animation goes on, it does not leap
-constexpr int kFramesAfterChange = 4;          // ImGui reacts to input over a few frames
+constexpr double kLongestStep_s = 0.25;  // after a pause of the whole machine the animation goes on, it does not leap
+constexpr int kFramesAfterChange = 4;    // ImGui reacts to input over a few frames
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -85,16 +85,16 @@ class WindowLoop {
   Settings settings_;
   LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
-  int frames_to_draw_ = kFramesAfterChange;   // until the loop rests, when nothing moves
+  int frames_to_draw_ = kFramesAfterChange;  // until the loop rests, when nothing moves
   double frame_ms_ = 0.0;
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
 void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip) {
   device_.wait_idle();
-  if (index != exhibit_) settings_.camera = settings_.variant = kNone;   // they were the last scene's
+  if (index != exhibit_) settings_.camera = settings_.variant = kNone;  // they were the last scene's
   exhibit_ = index;
-  shown_.reset();   // its memory first
+  shown_.reset();  // its memory first
   add_missing_centers(exhibits_[index], settings_.skinning);
   shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots);
   live_plan_.forget();
@@ -108,8 +108,10 @@ void WindowLoop::place_camera() {
   const auto placed = options_.camera ? options_.camera : exhibit.camera;
   camera_ = OrbitCamera();
   camera_.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
-  if (placed) camera_.place(placed->eye, placed->target);
-  else frame_all();
+  if (placed)
+    camera_.place(placed->eye, placed->target);
+  else
+    frame_all();
 }
 
 // The user's own camera goes on from the file's.
@@ -127,7 +129,8 @@ double WindowLoop::aspect() const {
 // Asks for the pose of the next picture, without what it does not show.
 void WindowLoop::ask() {
   const bool of_file = settings_.camera != kNone;
-  const View view = of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
+  const View view =
+      of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
   shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
 }
 
@@ -172,7 +175,10 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::next_updates: next_updates(settings_); return true;
     case Action::toggle_panel: settings_.panel = !settings_.panel; return true;
     case Action::toggle_plan: toggle_plan(settings_); return true;
-    case Action::frame_all: leave_file_camera(); frame_all(); return true;
+    case Action::frame_all:
+      leave_file_camera();
+      frame_all();
+      return true;
     default: return false;
   }
 }
@@ -208,7 +214,8 @@ PanelFacts WindowLoop::facts() {
 
 void WindowLoop::draw() {
   const ClipExtent& bounds = shown_->bounds();
-  const View view = settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
+  const View view =
+      settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
   const RenderOptions look = render_options(settings_, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
@@ -224,7 +231,7 @@ void WindowLoop::draw() {
   --frames_to_draw_;
   const double passed_ms = 1000.0 * seconds_since(last_picture_);
   last_picture_ = Clock::now();
-  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) * (passed_ms - frame_ms_);   // a rest is not a slow frame
+  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) * (passed_ms - frame_ms_);  // a rest is not a slow frame
 }
 
 // What the last frame's panel or a key asked for and the frame itself could not do.
@@ -232,7 +239,7 @@ void WindowLoop::grant_wishes() {
   if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
   wished_exhibit_.reset();
   if (settings_.evaluation() == shown_->evaluation()) return;
-  shown_->stop();   // nothing may read the scene meanwhile
+  shown_->stop();  // nothing may read the scene meanwhile
   add_missing_centers(exhibits_[exhibit_], settings_.skinning);
   shown_->plan_for(settings_.evaluation());
   live_plan_.forget();
@@ -241,8 +248,10 @@ void WindowLoop::grant_wishes() {
 void WindowLoop::keep_pace() {
   next_frame_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kFramePeriod_s));
   const auto now = Clock::now();
-  if (next_frame_ > now) std::this_thread::sleep_until(next_frame_);
-  else next_frame_ = now;
+  if (next_frame_ > now)
+    std::this_thread::sleep_until(next_frame_);
+  else
+    next_frame_ = now;
 }
 
 int WindowLoop::run() {
@@ -254,7 +263,7 @@ int WindowLoop::run() {
     last_look_ = Clock::now();
     grant_wishes();
     if (!fit_swapchain()) {
-      frames_to_draw_ = 0;   // minimised: look again when something happens
+      frames_to_draw_ = 0;  // minimised: look again when something happens
       continue;
     }
     ask();

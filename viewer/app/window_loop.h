@@ -10,9 +10,9 @@
 namespace sinew::viewer {
 
 /// Opens the window and plays until the user closes it.
-/// in   clip  to begin with; nothing = the first one;   exhibits  get centers of rotation when the user asks for that skinning
-/// out  exit code of the program: 0, or 3 when Options::validate and the validation layer complained
-/// err  DeviceError when there is no display or no device
+/// in   clip  to begin with; nothing = the first one;   exhibits  get centers of rotation when the user asks for that
+/// skinning out  exit code of the program: 0, or 3 when Options::validate and the validation layer complained err
+/// DeviceError when there is no display or no device
 int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip);
 
 }  // namespace sinew::viewer

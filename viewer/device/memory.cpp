@@ -9,7 +9,8 @@ namespace {
 
 constexpr VkDeviceSize kBlockBytes = VkDeviceSize{32} << 20;
 
-/// Types of further properties are for features that are not switched on (protected, uncached on AMD, transient attachments).
+/// Types of further properties are for features that are not switched on (protected, uncached on AMD, transient
+/// attachments).
 constexpr VkMemoryPropertyFlags kPlain = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
                                          VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 
@@ -30,7 +31,8 @@ std::vector<VkMemoryPropertyFlags> wishes(MemoryUse use) {
 
 }  // namespace
 
-std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed, MemoryUse use) {
+std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
+                                            MemoryUse use) {
   std::vector<std::uint32_t> types;
   for (const VkMemoryPropertyFlags wish : wishes(use))
     for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
@@ -68,7 +70,8 @@ VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use
 /// The place of a block of that kind that has room, or blocks_.size().
 std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint32_t type, bool mapped, bool image) {
   const auto has_room = [&](const Block& block) {
-    const bool is_kind = block.memory && block.type == type && block.image == image && (block.mapped != nullptr) == mapped;
+    const bool is_kind =
+        block.memory && block.type == type && block.image == image && (block.mapped != nullptr) == mapped;
     return is_kind && round_up(block.used, needs.alignment) + needs.size <= block.size;
   };
   return static_cast<std::size_t>(std::find_if(blocks_.begin(), blocks_.end(), has_room) - blocks_.begin());
@@ -91,7 +94,7 @@ std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, 
     return static_cast<std::size_t>(at - blocks_.begin());
   }
   must(result, "vkAllocateMemory");
-  throw DeviceError("Vulkan: no memory type fits");   // there was none to ask
+  throw DeviceError("Vulkan: no memory type fits");  // there was none to ask
 }
 
 MemoryPiece Memory::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image) {

@@ -28,7 +28,8 @@ struct MemoryPiece {
 /// The device's memory types for a use, best first. Where the best is full, the next is taken: the part of a graphics
 /// card's memory that the CPU can write may be as small as 256 MB, while the system's own serves as well, only slower.
 /// in   allowed  bit per type, as VkMemoryRequirements has them
-std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed, MemoryUse use);
+std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
+                                            MemoryUse use);
 
 /// Device memory in blocks: drivers allow few allocations, scenes have many textures. A block is filled front to back
 /// and returned when all its pieces are gone; buffers and images never share a block (bufferImageGranularity).

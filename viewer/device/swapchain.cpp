@@ -10,7 +10,8 @@ constexpr std::uint64_t kPatience_ns = 100'000'000;  // a window that nobody see
 
 VkSurfaceFormatKHR choose_format(const Device& device) {
   std::uint32_t count = 0;
-  must(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr), "listing surface formats");
+  must(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, nullptr),
+       "listing surface formats");
   std::vector<VkSurfaceFormatKHR> formats(count);
   must(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), device.surface(), &count, formats.data()),
        "listing surface formats");
@@ -51,7 +52,8 @@ void Swapchain::make(VkExtent2D size, VkSwapchainKHR old) {
   stale_ = false;
   asked_ = size;
   VkSurfaceCapabilitiesKHR surface{};
-  must(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &surface), "asking the surface");
+  must(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &surface),
+       "asking the surface");
   extent_ = size.width == 0 || size.height == 0 ? VkExtent2D{} : choose_extent(surface, size);
   if (extent_.width == 0 || extent_.height == 0) return;  // minimised
 
@@ -103,7 +105,8 @@ std::optional<std::uint32_t> Swapchain::acquire(VkSemaphore ready) {
     return std::nullopt;
   }
   std::uint32_t image = 0;
-  const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, kPatience_ns, ready, VK_NULL_HANDLE, &image);
+  const VkResult result =
+      vkAcquireNextImageKHR(device_.handle(), swapchain_, kPatience_ns, ready, VK_NULL_HANDLE, &image);
   if (result == VK_TIMEOUT || result == VK_NOT_READY) return std::nullopt;
   if (result == VK_ERROR_OUT_OF_DATE_KHR) {
     stale_ = true;

@@ -14,7 +14,7 @@ class Swapchain {
  public:
   /// in   size  of the window's framebuffer in pixels; used where the surface does not say its own size
   Swapchain(Device& device, VkExtent2D size);
-  ~Swapchain();                    ///< waits until the device is idle
+  ~Swapchain();  ///< waits until the device is idle
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
 
@@ -30,7 +30,9 @@ class Swapchain {
   void present(std::uint32_t image);
 
   /// The images are for a surface of this size that has not changed since; otherwise remake().
-  bool fits(VkExtent2D size) const noexcept { return !stale_ && size.width == asked_.width && size.height == asked_.height; }
+  bool fits(VkExtent2D size) const noexcept {
+    return !stale_ && size.width == asked_.width && size.height == asked_.height;
+  }
 
   /// 8 bits a channel without hardware sRGB encoding, so that shaders write encoded values; the same for all remakes.
   VkFormat format() const noexcept { return format_.format; }

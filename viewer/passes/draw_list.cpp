@@ -28,7 +28,8 @@ void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& 
 
 /// How many draws an instance takes when it is in view.
 std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
-  const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(), [](const Primitive& p) { return !p.indices.empty(); });
+  const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(),
+                                   [](const Primitive& p) { return !p.indices.empty(); });
   return static_cast<std::uint32_t>(static_cast<std::size_t>(drawn) * std::max<std::size_t>(instance.copies.size(), 1));
 }
 
@@ -43,7 +44,8 @@ DrawConstants constants_of(const Primitive& primitive, const Affine& view_from_m
 
 }  // namespace
 
-void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect, float point_size) {
+void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
+                       float point_size) {
   opaque_.clear();
   blended_.clear();
   hidden_ = out_of_view_ = 0;
@@ -54,7 +56,8 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
     for (std::size_t i = 0; i < vertices.instances.size(); ++i) {
       const PlacedInstance& placed = vertices.instances[i];
       hidden_ += placed.hidden;
-      if (!placed.visible && !placed.hidden) out_of_view_ += draws_of(scene.instances[i], scene.meshes[scene.instances[i].mesh]);
+      if (!placed.visible && !placed.hidden)
+        out_of_view_ += draws_of(scene.instances[i], scene.meshes[scene.instances[i].mesh]);
       if (!placed.visible) continue;
       const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();
@@ -68,7 +71,8 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
                    [](const Draw& a, const Draw& b) { return a.distance > b.distance; });
 }
 
-void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh_d, bool mirrored) {
+void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh_d,
+                   bool mirrored) {
   const SceneResources& resources = drawn.scene->resources();
   const FrameVertices& vertices = drawn.frame->vertices(frame.slot);
   const Scene& scene = resources.scene;
@@ -80,9 +84,10 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
-    const bool moved = deformed.positions != kAbsent;   // then the box of the whole instance is what is known
-    if (moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, vertices.instances[instance].bounds)
-              : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds)) {
+    const bool moved = deformed.positions != kAbsent;  // then the box of the whole instance is what is known
+    if (moved
+            ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, vertices.instances[instance].bounds)
+            : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds)) {
       ++out_of_view_;
       continue;
     }

@@ -39,7 +39,8 @@ class DrawList {
   /// Leaves out what is hidden or out of view.
   /// in   aspect  width / height of the picture
   /// cost O(primitives); allocates only while the number of draws grows
-  void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect, float point_size);
+  void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
+               float point_size);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
@@ -54,7 +55,8 @@ class DrawList {
     double aspect;
     float point_size;
   };
-  void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh, bool mirrored);
+  void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh,
+           bool mirrored);
 
   std::vector<Draw> opaque_, blended_;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;

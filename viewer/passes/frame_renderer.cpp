@@ -58,7 +58,8 @@ struct FrameRenderer::State {
   std::vector<std::unique_ptr<FrameSlot>> slots;
 };
 
-FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count, const OcclusionShape& occlusion)
+FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32_t slot_count,
+                             const OcclusionShape& occlusion)
     : state_(std::make_unique<State>(device, target_format, slot_count, occlusion)) {}
 
 FrameRenderer::~FrameRenderer() {
@@ -104,9 +105,12 @@ void record_pass(Pass pass, const PassContext& context) {
   }
 }
 
-FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs, const FrameTargets& targets, double collect_us) {
-  const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()), blended = static_cast<std::uint32_t>(draws.blended().size());
-  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(), targets.access_extent()};
+FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs,
+                      const FrameTargets& targets, double collect_us) {
+  const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
+             blended = static_cast<std::uint32_t>(draws.blended().size());
+  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(),
+                      targets.access_extent()};
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
@@ -128,7 +132,8 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   FrameSlot& slot = *state.slots[inputs.slot];
   const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
   const auto start = std::chrono::steady_clock::now();
-  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect, std::min(kPointPixels, state.device.max_point_size()));
+  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
+                      std::min(kPointPixels, state.device.max_point_size()));
   state.collect_lights(inputs);
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   const FrameNeeds needs = needs_of(state.draws, inputs);

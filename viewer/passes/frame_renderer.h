@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "viewer/device/device.h"
-#include "viewer/passes/pass_stages.h"
 #include "viewer/passes/occlusion_shape.h"
+#include "viewer/passes/pass_stages.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
@@ -28,7 +28,7 @@ struct ColorTarget {
 struct DrawnScene {
   const SceneUpload* scene = nullptr;
   const FrameUpload* frame = nullptr;
-  std::uint32_t variant = kNone;     ///< of the scene's material variants, kNone = the materials of the primitives
+  std::uint32_t variant = kNone;  ///< of the scene's material variants, kNone = the materials of the primitives
 };
 
 /// End points of a line drawn over the picture, without depth test: the skeleton, a grid. Two vertices per line.

@@ -52,7 +52,9 @@ class FrameTargets {
   }
   VkExtent2D extent() const noexcept { return extent_; }
   /// Of Target::access and access_between.
-  VkExtent2D access_extent() const noexcept { return {(extent_.width + step_ - 1) / step_, (extent_.height + step_ - 1) / step_}; }
+  VkExtent2D access_extent() const noexcept {
+    return {(extent_.width + step_ - 1) / step_, (extent_.height + step_ - 1) / step_};
+  }
 
  private:
   struct Slot {

@@ -68,7 +68,8 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.up = glm::vec4(into_view(view, {0.0f, 1.0f, 0.0f}), 0.0f);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   u.background.w = options.transparent_background ? 1.0f : 0.0f;
-  for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i) u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);
+  for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)
+    u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);
   for (std::size_t i = 0; occlusion && i < kernel.noise.size(); ++i) u.noise[i] = glm::vec4(kernel.noise[i], 0.0f);
 
   std::size_t count = options.lighting.scene_lights ? std::min(lights.size(), kMaxLights) : 0;

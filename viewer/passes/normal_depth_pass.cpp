@@ -9,8 +9,8 @@ void record_normal_depth(const PassContext& context) {
   if (normals) context.targets.next_use(context.commands, Target::normals, kWriteColor, false);
   {
     const VkImageView color = normals ? context.targets.view(Target::normals) : VK_NULL_HANDLE;
-    const Rendering rendering(context.commands, {color, VK_ATTACHMENT_LOAD_OP_CLEAR, context.targets.view(Target::depth), true,
-                                                 context.targets.extent()});
+    const Rendering rendering(context.commands, {color, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 context.targets.view(Target::depth), true, context.targets.extent()});
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::normal_depth, .depth_only = !normals});
   }
   context.targets.next_use(context.commands, Target::depth, kReadDepth);

@@ -69,7 +69,8 @@ struct MeshPipelineKey {
 /// Pipelines, made when first needed and kept.
 class PassPipelines {
  public:
-  PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format, const OcclusionShape& occlusion);
+  PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format,
+                const OcclusionShape& occlusion);
   ~PassPipelines();
   PassPipelines(const PassPipelines&) = delete;
   PassPipelines& operator=(const PassPipelines&) = delete;

@@ -7,7 +7,8 @@ namespace {
 std::string_view why_not_occluded(const FrameNeeds& needs) {
   if (!needs.opaque) return "nothing opaque is in view";
   if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
-  if (needs.show == Show::normals || needs.show == Show::depth) return "the picture shows a buffer that needs no ambient occlusion";
+  if (needs.show == Show::normals || needs.show == Show::depth)
+    return "the picture shows a buffer that needs no ambient occlusion";
   return "there is no ambient light for occlusion to scale";
 }
 

@@ -34,14 +34,16 @@ glm::vec3 scaled_to(const glm::vec3& v, float length) {
 }
 
 /// One end of each line through the middle.
-/// eq   more than seven: height (i + 1/2) / count over the equator, turned on by the golden angle   (Swinbank and Purser 2006)
+/// eq   more than seven: height (i + 1/2) / count over the equator, turned on by the golden angle   (Swinbank and
+/// Purser 2006)
 std::vector<glm::vec3> lines(std::size_t count) {
   constexpr std::array<glm::vec3, 7> of_cube = {
       {{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
   if (count <= of_cube.size()) return {of_cube.begin(), of_cube.begin() + static_cast<std::ptrdiff_t>(count)};
   std::vector<glm::vec3> spiral;
   for (std::size_t i = 0; i < count; ++i) {
-    const double height = (static_cast<double>(i) + 0.5) / static_cast<double>(count), width = std::sqrt(1.0 - height * height);
+    const double height = (static_cast<double>(i) + 0.5) / static_cast<double>(count),
+                 width = std::sqrt(1.0 - height * height);
     const double angle = std::numbers::pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(i);
     spiral.emplace_back(glm::dvec3(width * std::cos(angle), height, width * std::sin(angle)));
   }

@@ -58,11 +58,13 @@ double near_plane_for(const glm::dvec3& eye, const Aabb& bounds) {
 bool is_out_of_view(const View& view, double aspect, const Affined& view_from_box, const Aabb& box) noexcept {
   if (box.empty()) return false;
   constexpr double kMargin = 1.0001;
-  const double slope_y = view.parallel() ? 0.0 : kMargin * std::tan(0.5 * view.fov_y_rad), half_y = kMargin * view.half_height_m;
-  std::array<bool, 6> outside{true, true, true, true, true, true};   // every corner so far lies beyond that side
+  const double slope_y = view.parallel() ? 0.0 : kMargin * std::tan(0.5 * view.fov_y_rad),
+               half_y = kMargin * view.half_height_m;
+  std::array<bool, 6> outside{true, true, true, true, true, true};  // every corner so far lies beyond that side
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p = transform_point(view_from_box, glm::dvec3(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
-                                                                   corner & 4 ? box.upper.z : box.lower.z));
+    const glm::dvec3 p = transform_point(
+        view_from_box, glm::dvec3(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                                  corner & 4 ? box.upper.z : box.lower.z));
     const double reach_y = half_y - p.z * slope_y, reach_x = reach_y * aspect;
     outside[0] &= p.x > reach_x, outside[1] &= -p.x > reach_x;
     outside[2] &= p.y > reach_y, outside[3] &= -p.y > reach_y;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "runtime/model/mesh.h"
 #include "runtime/math/affine.h"
+#include "runtime/model/mesh.h"
 
 namespace sinew::viewer {
 
@@ -14,15 +14,16 @@ struct View {
   Affined view_from_world;
   double fov_y_rad = 0.8;
   double near_m = 0.01;
-  double half_height_m = 0.0;        ///< above 0: parallel projection, which shows this much above the middle
-  double far_m = 0.0;                ///< above near_m; 0 = infinite, which a parallel projection cannot have
+  double half_height_m = 0.0;  ///< above 0: parallel projection, which shows this much above the middle
+  double far_m = 0.0;          ///< above near_m; 0 = infinite, which a parallel projection cannot have
 
   bool parallel() const noexcept { return half_height_m > 0.0; }
 };
 
 /// No point of the box can be in the picture.
 /// in   view_from_box  from the box's space, also with scale and shear;   aspect  width / height of the picture
-/// cost O(1); keeps a margin of a ten-thousandth for the rounding of the GPU. An empty box is taken for one of unknown size.
+/// cost O(1); keeps a margin of a ten-thousandth for the rounding of the GPU. An empty box is taken for one of unknown
+/// size.
 bool is_out_of_view(const View& view, double aspect, const Affined& view_from_box, const Aabb& box) noexcept;
 
 /// Rotation and position from an eye point towards a target; any `up` that is not parallel to the line of sight, and a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew-occlusion-study: what ambient occlusion costs on this machine's Vulkan device, and how far it is from ray casting; JSON on
-// stdout. `sinew cost` runs it, so that neither the tool needs Vulkan nor the viewer needs Embree.
+// sinew-occlusion-study: what ambient occlusion costs on this machine's Vulkan device, and how far it is from ray
+// casting; JSON on stdout. `sinew cost` runs it, so that neither the tool needs Vulkan nor the viewer needs Embree.
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -24,11 +24,18 @@ using Json = nlohmann::ordered_json;
 constexpr double kMoment = 0.4;  // of the clip
 
 Json json_of(const OcclusionStudy& study) {
-  Json out = {{"device", study.device}, {"width", study.width}, {"height", study.height}, {"pixels", study.pixels}, {"radius_m", study.radius_m},
-              {"error_without", study.error_without}, {"trials", Json::array()}};
+  Json out = {{"device", study.device}, {"width", study.width},       {"height", study.height},
+              {"pixels", study.pixels}, {"radius_m", study.radius_m}, {"error_without", study.error_without},
+              {"trials", Json::array()}};
   for (const OcclusionTrial& t : study.trials)
-    out["trials"].push_back({{"name", t.name}, {"note", t.note}, {"samples", t.shape.samples}, {"full_size", t.shape.step == 1}, {"blur", t.blur},
-                             {"default", t.is_default}, {"error", t.error}, {"milliseconds", t.milliseconds}});
+    out["trials"].push_back({{"name", t.name},
+                             {"note", t.note},
+                             {"samples", t.shape.samples},
+                             {"full_size", t.shape.step == 1},
+                             {"blur", t.blur},
+                             {"default", t.is_default},
+                             {"error", t.error},
+                             {"milliseconds", t.milliseconds}});
   return out;
 }
 
@@ -58,12 +65,17 @@ OcclusionStudy study_of(Device& device, const Exhibit& exhibit, std::uint32_t cl
 /// The study, or {"left_out": why}; nothing and an exit code when the command line or the file is at fault.
 int answer(const Options& options, bool quick, Json& out) {
   auto exhibits = load_exhibits(options, [](const std::string&) {}, {});
-  if (!exhibits) return std::fprintf(stderr, "sinew-occlusion-study: %s\n", exhibits.error().message.c_str()), exhibits.error().exit_code;
+  if (!exhibits)
+    return std::fprintf(stderr, "sinew-occlusion-study: %s\n", exhibits.error().message.c_str()),
+           exhibits.error().exit_code;
   const Exhibit& exhibit = exhibits->front();
   std::uint32_t clip = exhibit.scene.animations.empty() ? kNone : 0;
   if (options.clip) {
     const auto chosen = choose_clip(exhibit.scene, *options.clip);
-    if (!chosen) return std::fprintf(stderr, "sinew-occlusion-study: %s\n", describe_missing_clip(exhibit.scene, *options.clip).c_str()), 2;
+    if (!chosen)
+      return std::fprintf(stderr, "sinew-occlusion-study: %s\n",
+                          describe_missing_clip(exhibit.scene, *options.clip).c_str()),
+             2;
     clip = *chosen;
   }
   try {
@@ -83,7 +95,8 @@ int main(int argc, char** argv) {
   using namespace sinew::viewer;
   Options options;
   bool quick = false;
-  CLI::App program("What ambient occlusion costs on this machine, and how far it is from ray casting: JSON on stdout.", "sinew-occlusion-study");
+  CLI::App program("What ambient occlusion costs on this machine, and how far it is from ray casting: JSON on stdout.",
+                   "sinew-occlusion-study");
   program.add_option("FILE", options.file, "A .gltf or .glb file; without it a built-in scene");
   program.add_option("--clip", options.clip, "Index or name of the clip, or none; the first is the default");
   program.add_flag("--quick", quick, "A small picture and few repetitions");

@@ -24,20 +24,24 @@ std::vector<OcclusionTrial> trials_of(bool every_way) {
   using Samples = std::vector<std::uint32_t>;
   std::vector<OcclusionTrial> trials;
   for (const std::uint32_t samples : every_way ? Samples{4, 8, 14, 24, 32, 64} : Samples{4, 14, 64})
-    trials.push_back(trial(std::to_string(samples) + " samples", {.samples = samples}, true, "at half size, blurred on each surface"));
+    trials.push_back(trial(std::to_string(samples) + " samples", {.samples = samples}, true,
+                           "at half size, blurred on each surface"));
   for (const std::uint32_t samples : every_way ? Samples{4, 14, 32, 64} : Samples{14})
-    trials.push_back(trial(std::to_string(samples) + " full size", {.samples = samples, .step = 1}, true, "for every pixel, blurred on each surface"));
+    trials.push_back(trial(std::to_string(samples) + " full size", {.samples = samples, .step = 1}, true,
+                           "for every pixel, blurred on each surface"));
   trials.push_back(trial("14 no blur", {}, false, "at half size, as the samples are"));
   if (!every_way) return trials;
   trials.push_back(trial("14 plain blur", {.keep_edges = false}, true, "at half size, blurred across edges"));
-  trials.push_back(trial("14 wide blur", {.blur_reach = 4}, true, "at half size, blurred twice as far on each surface"));
+  trials.push_back(
+      trial("14 wide blur", {.blur_reach = 4}, true, "at half size, blurred twice as far on each surface"));
   return trials;
 }
 
 /// One way of drawing, ready to be repeated.
 class Drawing {
  public:
-  Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial, const AmbientOcclusion& settings)
+  Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial,
+          const AmbientOcclusion& settings)
       : headless_(device, scene, effort.width, effort.height, trial.shape) {
     options_.show = Show::ao;
     options_.ao = settings;
@@ -81,7 +85,8 @@ Difference difference_of(const Picture& picture, const std::vector<double>& trut
 
 }  // namespace
 
-std::vector<double> true_access(const RayCaster& rays, const View& view, std::uint32_t width, std::uint32_t height, double radius_m, int ray_count) {
+std::vector<double> true_access(const RayCaster& rays, const View& view, std::uint32_t width, std::uint32_t height,
+                                double radius_m, int ray_count) {
   CONTRACT(!view.parallel());
   const glm::dvec3 eye = eye_of(view);
   const double slope_y = std::tan(0.5 * view.fov_y_rad), slope_x = slope_y * width / height;
@@ -89,7 +94,8 @@ std::vector<double> true_access(const RayCaster& rays, const View& view, std::ui
   access.reserve(std::size_t{width} * height);
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x) {
-      const glm::dvec3 in_view((2.0 * (x + 0.5) / width - 1.0) * slope_x, (1.0 - 2.0 * (y + 0.5) / height) * slope_y, -1.0);
+      const glm::dvec3 in_view((2.0 * (x + 0.5) / width - 1.0) * slope_x, (1.0 - 2.0 * (y + 0.5) / height) * slope_y,
+                               -1.0);
       glm::dvec3 direction(0.0);  // the view only turns and moves: its inverse turn is its transpose
       for (int r = 0; r < 3; ++r) direction += in_view[r] * glm::dvec3(view.view_from_world.row[r]);
       const auto seen = rays.seen(eye, direction);
@@ -98,10 +104,17 @@ std::vector<double> true_access(const RayCaster& rays, const View& view, std::ui
   return access;
 }
 
-OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view, const AmbientOcclusion& settings,
-                               const OcclusionEffort& effort) {
-  OcclusionStudy study{device.name(), effort.width, effort.height, 0, 0.0, static_cast<double>(settings.radius_m), trials_of(effort.every_way)};
-  const std::vector<double> truth = true_access(RayCaster(scene, frame), view, effort.width, effort.height, study.radius_m, effort.rays);
+OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
+                               const AmbientOcclusion& settings, const OcclusionEffort& effort) {
+  OcclusionStudy study{device.name(),
+                       effort.width,
+                       effort.height,
+                       0,
+                       0.0,
+                       static_cast<double>(settings.radius_m),
+                       trials_of(effort.every_way)};
+  const std::vector<double> truth =
+      true_access(RayCaster(scene, frame), view, effort.width, effort.height, study.radius_m, effort.rays);
   std::vector<std::unique_ptr<Drawing>> drawings;
   std::vector<std::size_t> order;
   for (OcclusionTrial& trial : study.trials) {

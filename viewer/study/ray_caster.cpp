@@ -16,8 +16,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "runtime/model/mesh_copies.h"
 #include "runtime/math/normal_transform.h"
+#include "runtime/model/mesh_copies.h"
 
 namespace sinew::viewer {
 namespace {
@@ -29,10 +29,12 @@ struct Triangle {
 };
 
 /// Triangles in world space, front faces counter-clockwise: the winding is turned round where the mesh is mirrored.
-void add_triangles(const Primitive& primitive, const DeformedPrimitive& deformed, const Affined& world_from_mesh, bool mirrored, bool double_sided,
-                   std::vector<Triangle>& out) {
-  const std::span<const glm::vec3> positions = deformed.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : deformed.positions;
-  const std::span<const glm::vec3> normals = deformed.normals.empty() ? std::span<const glm::vec3>(primitive.normals) : deformed.normals;
+void add_triangles(const Primitive& primitive, const DeformedPrimitive& deformed, const Affined& world_from_mesh,
+                   bool mirrored, bool double_sided, std::vector<Triangle>& out) {
+  const std::span<const glm::vec3> positions =
+      deformed.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : deformed.positions;
+  const std::span<const glm::vec3> normals =
+      deformed.normals.empty() ? std::span<const glm::vec3>(primitive.normals) : deformed.normals;
   const Mat3<double> linear = linear_part(world_from_mesh);
   for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
     Triangle triangle{};
@@ -63,8 +65,10 @@ std::vector<Triangle> triangles_of(const Scene& scene, const FrameResult& frame)
       for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
         const Primitive& primitive = mesh.primitives[p];
         const Material* material = primitive.material == kNone ? nullptr : &scene.materials[primitive.material];
-        if (primitive.topology != Topology::triangles || (material && material->alpha_mode == AlphaMode::blend)) continue;
-        add_triangles(primitive, frame.primitives[placed.first_primitive + p], world_from_copy, mirrored, material && material->double_sided, triangles);
+        if (primitive.topology != Topology::triangles || (material && material->alpha_mode == AlphaMode::blend))
+          continue;
+        add_triangles(primitive, frame.primitives[placed.first_primitive + p], world_from_copy, mirrored,
+                      material && material->double_sided, triangles);
       }
     });
   }
@@ -74,14 +78,17 @@ std::vector<Triangle> triangles_of(const Scene& scene, const FrameResult& frame)
 /// Embree asks whether a hit counts.
 void leave_out_back_faces(const RTCFilterFunctionNArguments* asked) {
   const auto& triangle = static_cast<const Triangle*>(asked->geometryUserPtr)[RTCHitN_primID(asked->hit, asked->N, 0)];
-  const glm::dvec3 direction(RTCRayN_dir_x(asked->ray, asked->N, 0), RTCRayN_dir_y(asked->ray, asked->N, 0), RTCRayN_dir_z(asked->ray, asked->N, 0));
+  const glm::dvec3 direction(RTCRayN_dir_x(asked->ray, asked->N, 0), RTCRayN_dir_y(asked->ray, asked->N, 0),
+                             RTCRayN_dir_z(asked->ray, asked->N, 0));
   if (!triangle.double_sided && glm::dot(direction, triangle.geometric) >= 0.0) asked->valid[0] = 0;
 }
 
 RTCRay ray_of(const glm::dvec3& from, const glm::dvec3& direction, double limit) {
   RTCRay ray{};
-  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y), ray.org_z = static_cast<float>(from.z);
-  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y), ray.dir_z = static_cast<float>(direction.z);
+  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
+  ray.org_z = static_cast<float>(from.z);
+  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y),
+  ray.dir_z = static_cast<float>(direction.z);
   ray.tnear = 0.0f, ray.tfar = static_cast<float>(limit), ray.mask = ~0u;
   return ray;
 }
@@ -111,7 +118,8 @@ double reversed_bits(std::uint32_t i) {
 }  // namespace
 
 struct RayCaster::State {
-  explicit State(std::vector<Triangle> all) : triangles(std::move(all)), device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
+  explicit State(std::vector<Triangle> all)
+      : triangles(std::move(all)), device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
     if (!scene) throw std::runtime_error("ray casting cannot be set up");
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     if (!triangles.empty()) add_geometry();
@@ -124,10 +132,10 @@ struct RayCaster::State {
 
   void add_geometry() {
     const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* corners = static_cast<glm::vec3*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
-    auto* indices = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
+    auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
+    auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
     if (!corners || !indices) throw std::runtime_error("ray casting has no memory");
     std::uint32_t next = 0;
     for (const Triangle& triangle : triangles)
@@ -145,7 +153,8 @@ struct RayCaster::State {
   RTCScene scene;
 };
 
-RayCaster::RayCaster(const Scene& scene, const FrameResult& frame) : state_(std::make_unique<State>(triangles_of(scene, frame))) {}
+RayCaster::RayCaster(const Scene& scene, const FrameResult& frame)
+    : state_(std::make_unique<State>(triangles_of(scene, frame))) {}
 RayCaster::~RayCaster() = default;
 
 std::optional<RayCaster::Seen> RayCaster::seen(const glm::dvec3& from, const glm::dvec3& direction) const {
@@ -155,7 +164,9 @@ std::optional<RayCaster::Seen> RayCaster::seen(const glm::dvec3& from, const glm
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const Triangle& hit = state_->triangles[ray.hit.primID];
   const double u = static_cast<double>(ray.hit.u), v = static_cast<double>(ray.hit.v), w = 1.0 - u - v;
-  const auto between = [&](const glm::vec3* of) { return w * glm::dvec3(of[0]) + u * glm::dvec3(of[1]) + v * glm::dvec3(of[2]); };
+  const auto between = [&](const glm::vec3* of) {
+    return w * glm::dvec3(of[0]) + u * glm::dvec3(of[1]) + v * glm::dvec3(of[2]);
+  };
   const glm::dvec3 geometric = glm::dot(direction, hit.geometric) < 0.0 ? hit.geometric : -hit.geometric;
   const glm::dvec3 normal = normalised_or(between(hit.normals), geometric);
   return Seen{between(hit.corners), glm::dot(normal, geometric) < 0.0 ? -normal : normal, geometric};
@@ -169,7 +180,8 @@ double RayCaster::open_share(const Seen& at, double radius_m, int ray_count) con
   const glm::dvec3 tangent = glm::normalize(glm::cross(at.normal, aside)), bitangent = glm::cross(at.normal, tangent);
   int open = 0;
   for (int i = 0; i < ray_count; ++i) {
-    const double angle = 2.0 * std::numbers::pi * reversed_bits(static_cast<std::uint32_t>(i)), height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
+    const double angle = 2.0 * std::numbers::pi * reversed_bits(static_cast<std::uint32_t>(i)),
+                 height2 = (i + 0.5) / ray_count;  // cos^2 is uniform
     const glm::dvec3 flat = tangent * std::cos(angle) + bitangent * std::sin(angle);
     RTCRay ray = ray_of(from, flat * std::sqrt(1.0 - height2) + at.normal * std::sqrt(height2), radius_m);
     cast_ray(state_->scene, ray);

@@ -10,8 +10,8 @@
 
 namespace sinew::viewer {
 
-/// The opaque triangles of a frame as rays meet them: what screen-space occlusion only guesses at. Back faces are met where the
-/// material has two sides, and nowhere else, as in pictures.
+/// The opaque triangles of a frame as rays meet them: what screen-space occlusion only guesses at. Back faces are met
+/// where the material has two sides, and nowhere else, as in pictures.
 class RayCaster {
  public:
   /// err  std::runtime_error when Embree has no memory
@@ -27,7 +27,8 @@ class RayCaster {
   std::optional<Seen> seen(const glm::dvec3& from, const glm::dvec3& direction) const;
 
   /// Share of light that comes in when every direction is equally bright and blockers are nearer than `radius_m`.
-  /// eq   share of `ray_count` directions, with density cos / pi about the normal (Hammersley points), that meet nothing
+  /// eq   share of `ray_count` directions, with density cos / pi about the normal (Hammersley points), that meet
+  /// nothing
   double open_share(const Seen& at, double radius_m, int ray_count) const;
 
  private:

@@ -108,8 +108,8 @@ FrameUpload::FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_
 FrameUpload::~FrameUpload() = default;
 
 /// Brings one primitive into the slot, unless its vertices are there already (P19).
-void FrameUpload::State::bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed, DeformedBuffers next,
-                               DeformedBuffers& last, bool kept) {
+void FrameUpload::State::bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed,
+                               DeformedBuffers next, DeformedBuffers& last, bool kept) {
   const bool there = kept && deformed.since_frame != 0 && last.frame >= deformed.since_frame && same_places(next, last);
   if (there) {
     next.centre = last.centre;
@@ -141,7 +141,8 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
   for (std::size_t i = 0; i < result.instances.size(); ++i) {
     const InstanceResult& instance = result.instances[i];
     const bool hidden = !result.hidden.empty() && result.hidden[scene.instances[i].joint];
-    slot.instances[i] = {instance.world_from_mesh, instance.mirrored, instance.visible, hidden, instance.bounds, instance.first_primitive};
+    slot.instances[i] = {instance.world_from_mesh, instance.mirrored,       instance.visible, hidden,
+                         instance.bounds,          instance.first_primitive};
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];

@@ -28,9 +28,9 @@ class FrameUpload {
   FrameUpload& operator=(const FrameUpload&) = delete;
 
   /// Copies what the frame deformed into the slot; does nothing when the slot holds that frame already. Only deformed
-  /// attributes are copied, so a rigid scene uploads no vertex at all, and only of primitives that the slot does not have
-  /// already (DeformedPrimitive::since_frame, P19). The result is not read after the call.
-  /// in   slot    the GPU must be done with its last use
+  /// attributes are copied, so a rigid scene uploads no vertex at all, and only of primitives that the slot does not
+  /// have already (DeformedPrimitive::since_frame, P19). The result is not read after the call. in   slot    the GPU
+  /// must be done with its last use
   ///      source  tells characters or plans apart whose frames are shown in turn: frame numbers of different sources
   ///      differ
   void update(std::uint32_t slot, const FrameResult& result, std::uint64_t source = 0);

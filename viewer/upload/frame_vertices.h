@@ -11,7 +11,7 @@ namespace sinew::viewer {
 struct DeformedBuffers {
   VkDeviceSize positions = kAbsent, normals = kAbsent, tangents = kAbsent, colors = kAbsent;
   std::uint64_t frame = 0;  ///< whose vertices these are
-  glm::vec3 centre{0.0f};  ///< of the drawn vertices, mesh space: transparent draws are sorted by it
+  glm::vec3 centre{0.0f};   ///< of the drawn vertices, mesh space: transparent draws are sorted by it
 };
 
 /// One mesh instance as it is drawn.

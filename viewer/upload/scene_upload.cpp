@@ -13,7 +13,9 @@ SceneUpload::SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_
 
 SceneUpload::~SceneUpload() = default;
 
-void SceneUpload::update(std::uint32_t slot, const SceneLook& look) { resources_->materials.update(slot, look.materials); }
+void SceneUpload::update(std::uint32_t slot, const SceneLook& look) {
+  resources_->materials.update(slot, look.materials);
+}
 
 const Scene& SceneUpload::scene() const noexcept { return resources_->scene; }
 

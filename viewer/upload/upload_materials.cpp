@@ -43,7 +43,10 @@ VkDescriptorSetLayout make_material_layout(const Device& device) {
 }
 
 MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count)
-    : device_(device), scene_(scene), textures_(device), count_(static_cast<std::uint32_t>(scene.materials.size() + 1)) {
+    : device_(device),
+      scene_(scene),
+      textures_(device),
+      count_(static_cast<std::uint32_t>(scene.materials.size() + 1)) {
   for (const PropertyTable::Entry& entry : scene.properties.entries)
     if (entry.target.kind >= PropertyKind::base_color) animated_.push_back(entry.target.index);
   std::sort(animated_.begin(), animated_.end());

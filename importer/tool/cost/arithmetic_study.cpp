@@ -36,9 +36,16 @@ struct Bench {
     }
   }
 
-  void run_job(std::size_t pose) { run(SkinLinearJob{&part.primitive->influences, part.poses[pose].palette, part.in(), found.out(), NormalRule::linear}); }
-  void run_plain_float(std::size_t pose) { skin_plainly<float>(part.primitive->influences, float_palettes[pose], part.in(), NormalRule::linear, plain); }
-  void run_double(std::size_t pose) { skin_plainly<double>(part.primitive->influences, part.poses[pose].exact, part.in(), NormalRule::linear, exact); }
+  void run_job(std::size_t pose) {
+    run(SkinLinearJob{&part.primitive->influences, part.poses[pose].palette, part.in(), found.out(),
+                      NormalRule::linear});
+  }
+  void run_plain_float(std::size_t pose) {
+    skin_plainly<float>(part.primitive->influences, float_palettes[pose], part.in(), NormalRule::linear, plain);
+  }
+  void run_double(std::size_t pose) {
+    skin_plainly<double>(part.primitive->influences, part.poses[pose].exact, part.in(), NormalRule::linear, exact);
+  }
 };
 
 /// Steps of float at the size of the model, by which positions are off.
@@ -64,8 +71,10 @@ void add_job(Study& study, const std::shared_ptr<Bench>& bench, const Instructio
   point.error = error;
   point.is_default = set.is_best;
   point.values = {{"lanes", static_cast<double>(set.float_lanes), ""}};
-  point.note = set.fused ? "the job in lanes of float, multiply and add rounded once" : "the job in lanes of float, multiply and add rounded twice";
-  study.add(std::move(point), {bench->part.vertex_count(), [bench] { bench->run_job(0); }, [set] { allow_only(set); }, allow_all_instruction_sets});
+  point.note = set.fused ? "the job in lanes of float, multiply and add rounded once"
+                         : "the job in lanes of float, multiply and add rounded twice";
+  study.add(std::move(point), {bench->part.vertex_count(), [bench] { bench->run_job(0); }, [set] { allow_only(set); },
+                               allow_all_instruction_sets});
 }
 
 void add_plain(Study& study, const std::shared_ptr<Bench>& bench) {
@@ -75,7 +84,8 @@ void add_plain(Study& study, const std::shared_ptr<Bench>& bench) {
     error = std::max(error, error_ulp(bench->plain.positions, bench->exact.positions));
   }
   Point single, precise;
-  single.name = "plain float", single.error = error, single.note = "one vertex after the other, as the compiler makes it";
+  single.name = "plain float", single.error = error,
+  single.note = "one vertex after the other, as the compiler makes it";
   precise.name = "plain double", precise.note = "the truth that the others are compared with";
   single.values = precise.values = {{"lanes", 1.0, ""}};
   study.add(std::move(single), {bench->part.vertex_count(), [bench] { bench->run_plain_float(0); }});
@@ -84,10 +94,11 @@ void add_plain(Study& study, const std::shared_ptr<Bench>& bench) {
 
 std::vector<std::string> findings(const Group& group) {
   const Point &best = default_of(group), *single = find(group, "plain float"), *precise = find(group, "plain double");
-  std::vector<std::string> out{fmt::format("The widest lanes of this machine, {}, take {} and are off by {} in the last place.", best.name, time_of(group, best),
-                                           error_of(group, best)),
-                               fmt::format("Double precision in plain code costs {} times as much, plain float {} times.", number(precise->time_ns / best.time_ns),
-                                           number(single->time_ns / best.time_ns))};
+  std::vector<std::string> out{
+      fmt::format("The widest lanes of this machine, {}, take {} and are off by {} in the last place.", best.name,
+                  time_of(group, best), error_of(group, best)),
+      fmt::format("Double precision in plain code costs {} times as much, plain float {} times.",
+                  number(precise->time_ns / best.time_ns), number(single->time_ns / best.time_ns))};
   return out;
 }
 
@@ -100,7 +111,10 @@ Study study_arithmetic(const Subject& subject) {
   group.question = "What do precision and vector width cost?";
   group.error_name = "largest error of a position", group.error_unit = "steps of float", group.item = "vertex";
   const auto bench = std::make_shared<Bench>(subject);
-  group.about = fmt::format("Linear blending of positions and normals: {}. Truth is the same sum in double precision, from the same float palette.", bench->part.description);
+  group.about = fmt::format(
+      "Linear blending of positions and normals: {}. Truth is the same sum in double precision, from the same float "
+      "palette.",
+      bench->part.description);
   for (const InstructionSet& set : instruction_sets()) add_job(study, bench, set);
   add_plain(study, bench);
   study.findings = findings;

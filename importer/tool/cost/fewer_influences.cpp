@@ -33,8 +33,10 @@ VertexInfluences heaviest_influences(const VertexInfluences& influences, std::ui
       make_sum_one(std::span(out.weights).last(kept));
     }
     const bool continues = !out.groups.empty() && out.groups.back().influence_count == kept;
-    if (continues) out.groups.back().vertex_count += group.vertex_count;
-    else out.groups.push_back({group.first_vertex, group.vertex_count, kept, first});
+    if (continues)
+      out.groups.back().vertex_count += group.vertex_count;
+    else
+      out.groups.push_back({group.first_vertex, group.vertex_count, kept, first});
   }
   return out;
 }
@@ -46,7 +48,8 @@ std::vector<N> whole_weights(const VertexInfluences& influences) {
   for (const float w : influences.weights) out.push_back(static_cast<N>(std::lround(static_cast<double>(w) * kOne)));
   for (const InfluenceGroup& group : influences.groups)
     for (std::size_t v = 0; v < group.vertex_count; ++v) {
-      const auto weights = std::span(out).subspan(group.first_influence + v * group.influence_count, group.influence_count);
+      const auto weights =
+          std::span(out).subspan(group.first_influence + v * group.influence_count, group.influence_count);
       weights[0] = static_cast<N>(weights[0] + kOne - std::accumulate(weights.begin(), weights.end(), 0));
     }
   return out;

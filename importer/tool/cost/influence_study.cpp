@@ -15,13 +15,15 @@
 namespace sinew::cost {
 namespace {
 
-/// Largest distance in mm of positions skinned by `influences` from those of the part's own influences in double precision.
+/// Largest distance in mm of positions skinned by `influences` from those of the part's own influences in double
+/// precision.
 double error_mm(const SkinnedPart& part, const InfluenceStreams& influences) {
   PlainVertices<double> truth(part.vertex_count());
   DeformedVertices found(part.vertex_count());
   double largest_m = 0.0;
   for (const PosedSkin& pose : part.poses) {
-    skin_plainly<double>(part.primitive->influences, pose.exact, {part.primitive->positions, {}, {}}, NormalRule::linear, truth);
+    skin_plainly<double>(part.primitive->influences, pose.exact, {part.primitive->positions, {}, {}},
+                         NormalRule::linear, truth);
     run(SkinLinearJob{influences, pose.palette, part.in(), found.out(), NormalRule::linear});
     largest_m = std::max(largest_m, largest_distance<glm::vec3, Vec3<double>>(found.positions, truth.positions));
   }
@@ -30,24 +32,31 @@ double error_mm(const SkinnedPart& part, const InfluenceStreams& influences) {
 
 /// in   weights  float or normalised integers, parallel to `influences.joints`
 template <class N>
-void add_variant(Study& study, const SkinnedPart& part, const char* name, const VertexInfluences& influences, std::vector<N> weights, const char* note) {
+void add_variant(Study& study, const SkinnedPart& part, const char* name, const VertexInfluences& influences,
+                 std::vector<N> weights, const char* note) {
   struct Skinned {
     SkinnedPart part;
     VertexInfluences influences;
     std::vector<N> weights;
     DeformedVertices out;
 
-    InfluenceStreams streams() const { return {influences.groups, std::span(influences.joints), std::span<const N>(weights)}; }
+    InfluenceStreams streams() const {
+      return {influences.groups, std::span(influences.joints), std::span<const N>(weights)};
+    }
   };
-  const auto skinned = std::make_shared<Skinned>(Skinned{part, influences, std::move(weights), DeformedVertices(part.vertex_count())});
+  const auto skinned =
+      std::make_shared<Skinned>(Skinned{part, influences, std::move(weights), DeformedVertices(part.vertex_count())});
   constexpr std::size_t kBytes = sizeof(N) + sizeof(std::uint16_t);
   Point point;
   point.name = name, point.note = note;
   point.error = error_mm(part, skinned->streams());
-  point.values = {{"weights and joints", static_cast<double>(kBytes * influences.joints.size()) / static_cast<double>(part.vertex_count()), "bytes a vertex"}};
+  point.values = {{"weights and joints",
+                   static_cast<double>(kBytes * influences.joints.size()) / static_cast<double>(part.vertex_count()),
+                   "bytes a vertex"}};
   study.add(std::move(point), {part.vertex_count(), [skinned] {
-              run(SkinLinearJob{skinned->streams(), skinned->part.poses.front().palette, skinned->part.in(), skinned->out.out(), NormalRule::linear});
-            }});
+                                 run(SkinLinearJob{skinned->streams(), skinned->part.poses.front().palette,
+                                                   skinned->part.in(), skinned->out.out(), NormalRule::linear});
+                               }});
 }
 
 std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
@@ -55,9 +64,11 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
   std::vector<std::string> out{fmt::format("All influences with float weights take {}.", time_of(group, all))};
   for (const Point& point : group.points)
     if (&point != &all)
-      out.push_back(sentence(fmt::format("{}: vertices are up to {} elsewhere; {}.", point.name, error_of(group, point), time_beside(group, point, all))));
+      out.push_back(sentence(fmt::format("{}: vertices are up to {} elsewhere; {}.", point.name, error_of(group, point),
+                                         time_beside(group, point, all))));
   if (const Point* best = cheapest_within(group, hardly_seen_mm))
-    out.push_back(fmt::format("The cheapest that stays within {}, a ten-thousandth of the model's size: {}.", length(hardly_seen_mm), best->name));
+    out.push_back(fmt::format("The cheapest that stays within {}, a ten-thousandth of the model's size: {}.",
+                              length(hardly_seen_mm), best->name));
   return out;
 }
 
@@ -71,12 +82,16 @@ Study study_influences(const Subject& subject) {
   group.error_name = "largest distance from the full result", group.error_unit = "mm", group.item = "vertex";
   const auto part = skinned_part(subject);
   if (!part) return group.left_out = "the file has no skinned vertices", study;
-  group.about = fmt::format("Linear blending of positions and normals of the largest primitive: {}. The error is the largest distance of a vertex "
-                            "from where all its influences put it in double precision.", part->description);
+  group.about = fmt::format(
+      "Linear blending of positions and normals of the largest primitive: {}. The error is the largest distance of a "
+      "vertex "
+      "from where all its influences put it in double precision.",
+      part->description);
   const VertexInfluences& all = part->primitive->influences;
   std::uint32_t most = 0;
   for (const InfluenceGroup& g : all.groups) most = std::max(most, g.influence_count);
-  const std::pair<std::uint32_t, const char*> fewer[] = {{1, "one influence"}, {2, "two influences"}, {4, "four influences"}};
+  const std::pair<std::uint32_t, const char*> fewer[] = {
+      {1, "one influence"}, {2, "two influences"}, {4, "four influences"}};
   for (const auto& [count, name] : fewer)
     if (count < most) {
       const VertexInfluences heaviest = heaviest_influences(all, count);
@@ -84,8 +99,10 @@ Study study_influences(const Subject& subject) {
     }
   add_variant(study, *part, "all influences", all, all.weights, "float weights");
   group.points.back().is_default = true;
-  add_variant(study, *part, "16-bit weights", all, whole_weights<std::uint16_t>(all), "all influences; widened to float vertex by vertex");
-  add_variant(study, *part, "8-bit weights", all, whole_weights<std::uint8_t>(all), "all influences; widened to float vertex by vertex");
+  add_variant(study, *part, "16-bit weights", all, whole_weights<std::uint16_t>(all),
+              "all influences; widened to float vertex by vertex");
+  add_variant(study, *part, "8-bit weights", all, whole_weights<std::uint8_t>(all),
+              "all influences; widened to float vertex by vertex");
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;
 }

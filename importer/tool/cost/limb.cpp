@@ -29,8 +29,10 @@ VertexInfluences influences_of(const Primitive& limb) {
       out.weights.push_back(second_first ? 1.0f - along : along);
     }
     const std::uint32_t count = single ? 1 : 2;
-    if (!out.groups.empty() && out.groups.back().influence_count == count) ++out.groups.back().vertex_count;
-    else out.groups.push_back({v, 1, count, first_influence});
+    if (!out.groups.empty() && out.groups.back().influence_count == count)
+      ++out.groups.back().vertex_count;
+    else
+      out.groups.push_back({v, 1, count, first_influence});
   }
   return out;
 }
@@ -45,7 +47,8 @@ PosedSkin posed(const Limb& limb, const Vec3<double>& axis, double angle_rad) {
 }  // namespace
 
 Limb::Limb() {
-  primitive = showcase::lathe(glm::vec3(0.0f), kLength, [](float) { return kRadius; }, kColumns, kRows);
+  primitive = showcase::lathe(
+      glm::vec3(0.0f), kLength, [](float) { return kRadius; }, kColumns, kRows);
   primitive.influences = influences_of(primitive);
   primitive.centers_of_rotation = centers_of_rotation(primitive);
   skeleton.parents = {kNone, 0};
@@ -60,7 +63,11 @@ Limb::Limb() {
 }
 
 SkinnedPart part_of(const Limb& limb) {
-  return {&limb.primitive, &limb.skin, &limb.skeleton, {limb.bent, limb.twisted}, "a built-in limb of two joints, for want of skinned vertices"};
+  return {&limb.primitive,
+          &limb.skin,
+          &limb.skeleton,
+          {limb.bent, limb.twisted},
+          "a built-in limb of two joints, for want of skinned vertices"};
 }
 
 double volume_of(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {

@@ -6,14 +6,15 @@
 
 namespace sinew::cost {
 
-/// A round limb of two joints, one after the other along +Y: four metres long, half a metre thick, weights linear over the
-/// middle. Closed, so that it has a volume.
+/// A round limb of two joints, one after the other along +Y: four metres long, half a metre thick, weights linear over
+/// the middle. Closed, so that it has a volume.
 struct Limb {
   Primitive primitive;
   Skin skin;
   Skeleton skeleton;
   PosedSkin bent;     ///< the second joint by 90 degrees about x
-  PosedSkin twisted;  ///< ... by 150 degrees about y: what is left of it when the collapse is bad, but no half turn, which has two ways round
+  PosedSkin twisted;  ///< ... by 150 degrees about y: what is left of it when the collapse is bad, but no half turn,
+                      ///< which has two ways round
 
   Limb();
 };

@@ -14,15 +14,20 @@ constexpr double kShareOfErrors = 0.3;  // of the whole time: working out the er
 
 }  // namespace
 
-Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, const Effort& effort, const Progress& progress) {
-  const auto subject_of = [&](const Scene* scene) { return Subject(*scene, clip ? *clip : busiest_clip(*scene), effort); };
-  const Subject moving = subject_of(scenes.moving), skinned = subject_of(scenes.skinned), morphed = subject_of(scenes.morphed);
+Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, const Effort& effort,
+                   const Progress& progress) {
+  const auto subject_of = [&](const Scene* scene) {
+    return Subject(*scene, clip ? *clip : busiest_clip(*scene), effort);
+  };
+  const Subject moving = subject_of(scenes.moving), skinned = subject_of(scenes.skinned),
+                morphed = subject_of(scenes.morphed);
   struct Look {
     Study (*study)(const Subject&);
     const Subject& subject;
   };
-  const Look looks[] = {{study_rotation, moving},       {study_storage, moving},  {study_influences, skinned}, {study_skinning, skinned},
-                        {study_skinned_normals, skinned}, {study_morphing, morphed}, {study_arithmetic, skinned}};
+  const Look looks[] = {{study_rotation, moving},   {study_storage, moving},          {study_influences, skinned},
+                        {study_skinning, skinned},  {study_skinned_normals, skinned}, {study_morphing, morphed},
+                        {study_arithmetic, skinned}};
   std::vector<Study> studies;
   for (const Look& look : looks) {
     progress("errors", kShareOfErrors * static_cast<double>(studies.size()) / static_cast<double>(std::size(looks)));

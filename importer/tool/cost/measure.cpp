@@ -26,7 +26,9 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::string, std::vector<double>> times_s;
 };
 
-std::string name_of(std::size_t study, std::size_t point) { return std::to_string(study) + ":" + std::to_string(point); }
+std::string name_of(std::size_t study, std::size_t point) {
+  return std::to_string(study) + ":" + std::to_string(point);
+}
 
 void set_random_order() {
   std::string arguments[] = {"sinew cost", "--benchmark_enable_random_interleaving=true"};
@@ -53,7 +55,9 @@ Middle middle_of(std::span<double> values) {
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double)>& progress) {
   std::size_t works = 0, begun = 0;
   for (const Study& study : studies) works += study.works.size();
-  const double all_runs = static_cast<double>(works) * static_cast<double>(effort.repetitions + 2);  // and looking for how many iterations fill the time
+  const double all_runs =
+      static_cast<double>(works) *
+      static_cast<double>(effort.repetitions + 2);  // and looking for how many iterations fill the time
   const auto begin = [&] {
     if (progress) progress(std::min(1.0, static_cast<double>(begun++) / all_runs));
   };
@@ -61,16 +65,19 @@ void measure(std::span<Study> studies, const Effort& effort, const std::function
   benchmark::ClearRegisteredBenchmarks();
   for (std::size_t s = 0; s < studies.size(); ++s)
     for (std::size_t p = 0; p < studies[s].works.size(); ++p)
-      benchmark::RegisterBenchmark(name_of(s, p).c_str(), [&, s, p](benchmark::State& state) {
-        begin();
-        const Work& work = studies[s].works[p];
-        if (work.before) work.before();
-        for (auto _ : state) {
-          work.run();
-          benchmark::ClobberMemory();
-        }
-        if (work.after) work.after();
-      })->Repetitions(effort.repetitions)->MinTime(effort.seconds_per_repetition);
+      benchmark::RegisterBenchmark(name_of(s, p).c_str(),
+                                   [&, s, p](benchmark::State& state) {
+                                     begin();
+                                     const Work& work = studies[s].works[p];
+                                     if (work.before) work.before();
+                                     for (auto _ : state) {
+                                       work.run();
+                                       benchmark::ClobberMemory();
+                                     }
+                                     if (work.after) work.after();
+                                   })
+          ->Repetitions(effort.repetitions)
+          ->MinTime(effort.seconds_per_repetition);
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();

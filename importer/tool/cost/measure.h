@@ -7,8 +7,8 @@
 
 namespace sinew::cost {
 
-/// Fills in time and spread of all points of all studies: medians over repetitions that are run in random order, so that
-/// a disturbance of the machine falls on all alike. Then marks the fronts and lets each study say what it found.
+/// Fills in time and spread of all points of all studies: medians over repetitions that are run in random order, so
+/// that a disturbance of the machine falls on all alike. Then marks the fronts and lets each study say what it found.
 /// in   progress  called now and then with the share that is done; may be empty
 /// cost about repetitions * (seconds_per_repetition + one run) per point, on the calling thread
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double done_0_to_1)>& progress);

@@ -28,7 +28,8 @@ struct MorphedPart {
 
 std::size_t displacement_count(const Primitive& primitive) {
   std::size_t count = 0;
-  for (const MorphTarget& target : primitive.morphs.targets) count += target.positions.vertices.size() + target.normals.vertices.size();
+  for (const MorphTarget& target : primitive.morphs.targets)
+    count += target.positions.vertices.size() + target.normals.vertices.size();
   return count;
 }
 
@@ -41,8 +42,9 @@ std::vector<Weights> animated_weights(const Subject& subject, std::uint32_t inst
     if (moved.instance != instance) continue;
     moments.resize(kMoments, subject.scene.instances[instance].rest_weights);
     for (int i = 0; i < kMoments; ++i)
-      sample_track<float>(moved.weights, (i + 0.5) / kMoments * subject.animation()->duration_s,
-                          std::span(moments[static_cast<std::size_t>(i)]).subspan(moved.first_target, moved.weights.target_count));
+      sample_track<float>(
+          moved.weights, (i + 0.5) / kMoments * subject.animation()->duration_s,
+          std::span(moments[static_cast<std::size_t>(i)]).subspan(moved.first_target, moved.weights.target_count));
   }
   return moments;
 }
@@ -59,7 +61,8 @@ MorphedPart morphed_part(const Subject& subject) {
   std::size_t most = 0;
   for (std::uint32_t i = 0; i < subject.scene.instances.size(); ++i)
     for (const Primitive& primitive : subject.scene.meshes[subject.scene.instances[i].mesh].primitives)
-      if (const std::size_t count = displacement_count(primitive); count > most) most = count, part.primitive = &primitive, part.instance = i;
+      if (const std::size_t count = displacement_count(primitive); count > most)
+        most = count, part.primitive = &primitive, part.instance = i;
   if (part.primitive == nullptr) return part;
   part.moments = animated_weights(subject, part.instance);
   part.animated = !part.moments.empty();
@@ -102,16 +105,19 @@ std::vector<Variant> variants() {
   const auto as_given = [](float w) { return w; };
   const auto from = [](float least) { return [least](float w) { return std::abs(w) < least ? 0.0f : w; }; };
   return {
-      {"all targets", "also those of weight 0, as a shader with a fixed loop", [](float w) { return is_active_weight(w) ? w : kNothing; }},
+      {"all targets", "also those of weight 0, as a shader with a fixed loop",
+       [](float w) { return is_active_weight(w) ? w : kNothing; }},
       {"active targets", "those of weight 0 cost nothing", as_given},
       {"weights from 0.001", "smaller ones are left out", from(0.001f)},
       {"weights from 0.01", "smaller ones are left out", from(0.01f)},
       {"weights from 0.05", "smaller ones are left out", from(0.05f)},
-      {"normals as summed", "active targets, normals not of length 1 again: for shaders that do it themselves", as_given, false},
+      {"normals as summed", "active targets, normals not of length 1 again: for shaders that do it themselves",
+       as_given, false},
   };
 }
 
-/// The largest distance of a vertex, and the largest difference of a normal: the angle whose chord it is, so that a wrong length counts.
+/// The largest distance of a vertex, and the largest difference of a normal: the angle whose chord it is, so that a
+/// wrong length counts.
 struct MorphError {
   double distance_mm = 0.0, normal_deg = 0.0;
 };
@@ -127,9 +133,11 @@ MorphError error_of(const MorphedPart& part, const Variant& variant) {
     const PlainVertices<double> truth = true_vertices(*part.primitive, weights);
     const Weights used = changed(weights, variant);
     run(MorphVerticesJob{&part.primitive->morphs, used, part.in(), found.out(), scratch, variant.normalise});
-    error.distance_mm = std::max(error.distance_mm, 1e3 * largest_distance<glm::vec3, Vec3<double>>(found.positions, truth.positions));
+    error.distance_mm =
+        std::max(error.distance_mm, 1e3 * largest_distance<glm::vec3, Vec3<double>>(found.positions, truth.positions));
     if (!truth.normals.empty())
-      error.normal_deg = std::max(error.normal_deg, chord_deg(largest_distance<glm::vec3, Vec3<double>>(found.normals, truth.normals)));
+      error.normal_deg = std::max(error.normal_deg,
+                                  chord_deg(largest_distance<glm::vec3, Vec3<double>>(found.normals, truth.normals)));
   }
   return error;
 }
@@ -147,26 +155,33 @@ void add_variant(Study& study, const MorphedPart& part, const Variant& variant, 
   point.name = variant.name, point.note = variant.note;
   point.error = by_normals ? error.normal_deg : error.distance_mm;
   point.values = {{"vertices off by", error.distance_mm, "mm"}};
-  const auto morphed = std::make_shared<Morphed>(Morphed{part, {}, DeformedVertices(count), std::vector<glm::vec3>(count)});
+  const auto morphed =
+      std::make_shared<Morphed>(Morphed{part, {}, DeformedVertices(count), std::vector<glm::vec3>(count)});
   for (const Weights& weights : part.moments) morphed->moments.push_back(changed(weights, variant));
   study.add(std::move(point), {count * part.moments.size(), [morphed, normalise = variant.normalise] {
-              for (const Weights& weights : morphed->moments)
-                run(MorphVerticesJob{&morphed->part.primitive->morphs, weights, morphed->part.in(), morphed->out.out(), morphed->scratch, normalise});
-            }});
+                                 for (const Weights& weights : morphed->moments)
+                                   run(MorphVerticesJob{&morphed->part.primitive->morphs, weights, morphed->part.in(),
+                                                        morphed->out.out(), morphed->scratch, normalise});
+                               }});
 }
 
 std::vector<std::string> findings(const Group& group) {
   const Point& active = default_of(group);
-  std::vector<std::string> out{fmt::format("Adding only the targets whose weight is not zero takes {} and is within {} of the truth.", time_of(group, active),
-                                           cost::error_of(group, active))};
+  std::vector<std::string> out{
+      fmt::format("Adding only the targets whose weight is not zero takes {} and is within {} of the truth.",
+                  time_of(group, active), cost::error_of(group, active))};
   for (const Point& point : group.points) {
     if (&point == &active) continue;
-    const std::string normals = group.error_unit == "mm" ? "" : fmt::format(", normals up to {}", cost::error_of(group, point));
-    out.push_back(sentence(fmt::format("{}: vertices are up to {} off{}; {}.", point.name, length(point.values[0].value), normals, time_beside(group, point, active))));
+    const std::string normals =
+        group.error_unit == "mm" ? "" : fmt::format(", normals up to {}", cost::error_of(group, point));
+    out.push_back(sentence(fmt::format("{}: vertices are up to {} off{}; {}.", point.name,
+                                       length(point.values[0].value), normals, time_beside(group, point, active))));
   }
   const Point& all = group.points.front();
-  out.push_back(fmt::format("Leaving out targets of weight 0 loses nothing and {}; thresholds above 0 are for those who accept the errors above.",
-                            time_beside(group, active, all)));
+  out.push_back(
+      fmt::format("Leaving out targets of weight 0 loses nothing and {}; thresholds above 0 are for those who accept "
+                  "the errors above.",
+                  time_beside(group, active, all)));
   return out;
 }
 
@@ -179,18 +194,22 @@ Study study_morphing(const Subject& subject) {
   group.question = "Which morph targets are worth adding, and may their normals be left as they come?";
   group.item = "vertex";
   const MorphedPart part = morphed_part(subject);
-  const bool by_normals = part.primitive != nullptr && std::any_of(part.primitive->morphs.targets.begin(), part.primitive->morphs.targets.end(),
-                                                                   [](const MorphTarget& t) { return !t.normals.empty(); });
+  const bool by_normals = part.primitive != nullptr &&
+                          std::any_of(part.primitive->morphs.targets.begin(), part.primitive->morphs.targets.end(),
+                                      [](const MorphTarget& t) { return !t.normals.empty(); });
   group.error_name = by_normals ? "largest difference of a normal" : "largest distance from the truth";
   group.error_unit = by_normals ? "degrees" : "mm";
   if (part.primitive == nullptr) return group.left_out = "the file has no morph targets", study;
   std::size_t active = 0;
-  for (const Weights& weights : part.moments) active += static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), is_active_weight));
-  group.about = fmt::format("{} vertices with {} targets, {} of them active on average, {}. Truth is the sum of all targets in double precision.",
-                            part.primitive->vertex_count(), part.primitive->morphs.targets.size(),
-                            number(static_cast<double>(active) / static_cast<double>(part.moments.size())),
-                            part.animated ? fmt::format("at {} moments of {}", part.moments.size(), subject.clip_name())
-                                          : std::string("one in four at weight 0.5, for want of a clip that moves them"));
+  for (const Weights& weights : part.moments)
+    active += static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), is_active_weight));
+  group.about = fmt::format(
+      "{} vertices with {} targets, {} of them active on average, {}. Truth is the sum of all targets in double "
+      "precision.",
+      part.primitive->vertex_count(), part.primitive->morphs.targets.size(),
+      number(static_cast<double>(active) / static_cast<double>(part.moments.size())),
+      part.animated ? fmt::format("at {} moments of {}", part.moments.size(), subject.clip_name())
+                    : std::string("one in four at weight 0.5, for want of a clip that moves them"));
   for (const Variant& variant : variants()) add_variant(study, part, variant, by_normals);
   group.points[1].is_default = true;
   study.findings = findings;

@@ -35,13 +35,16 @@ NormalError error_of(const SkinnedPart& part, NormalRule rule) {
 std::vector<std::string> findings(const Group& group) {
   const Point &plain = group.points[0], &cofactor = group.points[1];
   const double mean_deg = plain.values[0].value;
-  std::vector<std::string> out{fmt::format("Turning normals with the blended matrix itself, as shaders do, is off by {} degrees on average and by up to {} here.",
+  std::vector<std::string> out{fmt::format("Turning normals with the blended matrix itself, as shaders do, is off by "
+                                           "{} degrees on average and by up to {} here.",
                                            number(mean_deg), cost::error_of(group, plain)),
-                               fmt::format("The cofactor matrix is right under any scale, within {}, and {}.", cost::error_of(group, cofactor),
-                                           time_beside(group, cofactor, plain))};
+                               fmt::format("The cofactor matrix is right under any scale, within {}, and {}.",
+                                           cost::error_of(group, cofactor), time_beside(group, cofactor, plain))};
   constexpr double kNoticeable = 1.0;
-  out.push_back(mean_deg < kNoticeable ? "For this file the matrix itself will do: an average below a degree is not seen in shading."
-                                       : "An average above a degree is seen in shading: for this file the exact rule (Needs::normal_rule = cofactor) is worth its time.");
+  out.push_back(mean_deg < kNoticeable
+                    ? "For this file the matrix itself will do: an average below a degree is not seen in shading."
+                    : "An average above a degree is seen in shading: for this file the exact rule (Needs::normal_rule "
+                      "= cofactor) is worth its time.");
   return out;
 }
 
@@ -56,23 +59,28 @@ Study study_skinned_normals(const Subject& subject) {
   const auto part = skinned_part(subject);
   if (!part) return group.left_out = "the file has no skinned vertices", study;
   if (part->primitive->normals.empty()) return group.left_out = "the largest skinned primitive has no normals", study;
-  group.about = fmt::format("Linear blending of positions and normals of the largest primitive: {}. Truth is the cofactor matrix of the blended matrix in double precision.",
-                            part->description);
+  group.about = fmt::format(
+      "Linear blending of positions and normals of the largest primitive: {}. Truth is the cofactor matrix of the "
+      "blended matrix in double precision.",
+      part->description);
   struct Skinned {
     SkinnedPart part;
     DeformedVertices out;
   };
   const auto skinned = std::make_shared<Skinned>(Skinned{*part, DeformedVertices(part->vertex_count())});
-  const std::pair<NormalRule, const char*> rules[] = {{NormalRule::linear, "blended matrix"}, {NormalRule::cofactor, "cofactor matrix"}};
+  const std::pair<NormalRule, const char*> rules[] = {{NormalRule::linear, "blended matrix"},
+                                                      {NormalRule::cofactor, "cofactor matrix"}};
   for (const auto& [rule, name] : rules) {
     Point point;
     const NormalError error = error_of(*part, rule);
     point.name = name, point.error = error.largest_deg, point.is_default = rule == NormalRule::linear;
     point.values = {{"average angle", error.mean_deg, "degrees"}};
     point.note = rule == NormalRule::linear ? "right when joints are rigid or scaled evenly" : "right under any scale";
-    study.add(std::move(point), {part->vertex_count(), [skinned, chosen = rule] {
-                run(SkinLinearJob{&skinned->part.primitive->influences, skinned->part.poses.front().palette, skinned->part.in(), skinned->out.out(), chosen});
-              }});
+    study.add(std::move(point),
+              {part->vertex_count(), [skinned, chosen = rule] {
+                 run(SkinLinearJob{&skinned->part.primitive->influences, skinned->part.poses.front().palette,
+                                   skinned->part.in(), skinned->out.out(), chosen});
+               }});
   }
   study.findings = findings;
   return study;

@@ -43,31 +43,43 @@ Point point_of(const Json& trial, double pixels) {
 std::vector<std::pair<int, const Point*>> by_samples(const Group& group, const Json& trials) {
   std::vector<std::pair<int, const Point*>> rising;
   for (std::size_t i = 0; i < group.points.size(); ++i)
-    if (!trials[i].at("full_size").get<bool>() && group.points[i].name.ends_with(" samples")) rising.emplace_back(trials[i].at("samples"), &group.points[i]);
+    if (!trials[i].at("full_size").get<bool>() && group.points[i].name.ends_with(" samples"))
+      rising.emplace_back(trials[i].at("samples"), &group.points[i]);
   std::sort(rising.begin(), rising.end());
   return rising;
 }
 
 std::string worth_it(const Group& group, const Json& trials) {
   const auto rising = by_samples(group, trials);
-  const auto least = std::min_element(rising.begin(), rising.end(), [](const auto& a, const auto& b) { return a.second->error < b.second->error; });
-  const auto fewest = std::find_if(rising.begin(), rising.end(), [&](const auto& r) { return r.second->error <= kHardlyBetter * least->second->error; });
+  const auto least = std::min_element(rising.begin(), rising.end(),
+                                      [](const auto& a, const auto& b) { return a.second->error < b.second->error; });
+  const auto fewest = std::find_if(rising.begin(), rising.end(), [&](const auto& r) {
+    return r.second->error <= kHardlyBetter * least->second->error;
+  });
   const auto& [most, dearest] = rising.back();
-  if (fewest->first == most) return fmt::format("All {} samples are worth it here: fewer leave more than a twentieth more error.", most);
-  return fmt::format("{} samples are worth it here: they leave {:.1f} %, any number up to {} leaves at least {:.1f} %, and {} take {} times as long.", fewest->first,
-                     fewest->second->error, most, least->second->error, most, number(dearest->time_ns / fewest->second->time_ns));
+  if (fewest->first == most)
+    return fmt::format("All {} samples are worth it here: fewer leave more than a twentieth more error.", most);
+  return fmt::format(
+      "{} samples are worth it here: they leave {:.1f} %, any number up to {} leaves at least {:.1f} %, and {} take {} "
+      "times as long.",
+      fewest->first, fewest->second->error, most, least->second->error, most,
+      number(dearest->time_ns / fewest->second->time_ns));
 }
 
 std::vector<std::string> findings(const Group& group, const Json& answer) {
   const Point& standard = default_of(group);
-  std::vector<std::string> out{
-      fmt::format("A picture without ambient occlusion is off by {:.1f} % of full light on average; {} at half size, blurred, leave {:.1f} % and take {:.2g} ms for {} x {} on {}.",
-                  100.0 * answer.at("error_without").get<double>(), standard.name, standard.error, standard.values[0].value, answer.at("width").get<int>(),
-                  answer.at("height").get<int>(), answer.at("device").get<std::string>())};
+  std::vector<std::string> out{fmt::format(
+      "A picture without ambient occlusion is off by {:.1f} % of full light on average; {} at half size, blurred, "
+      "leave {:.1f} % and take {:.2g} ms for {} x {} on {}.",
+      100.0 * answer.at("error_without").get<double>(), standard.name, standard.error, standard.values[0].value,
+      answer.at("width").get<int>(), answer.at("height").get<int>(), answer.at("device").get<std::string>())};
   if (const Point* full = find(group, "14 full size"))
-    out.push_back(fmt::format("At full size they leave {:.1f} %, which {}. What is left is what a picture of depths cannot know.", full->error, time_beside(group, *full, standard)));
+    out.push_back(
+        fmt::format("At full size they leave {:.1f} %, which {}. What is left is what a picture of depths cannot know.",
+                    full->error, time_beside(group, *full, standard)));
   if (const Point* raw = find(group, "14 no blur"))
-    out.push_back(fmt::format("Without the blur they leave {:.1f} %, as noise, which {}.", raw->error, time_beside(group, *raw, standard)));
+    out.push_back(fmt::format("Without the blur they leave {:.1f} %, as noise, which {}.", raw->error,
+                              time_beside(group, *raw, standard)));
   out.push_back(worth_it(group, answer.at("trials")));
   return out;
 }
@@ -81,15 +93,18 @@ Group occlusion_group(const std::string& answer) {
   if (read.contains("left_out")) return group.left_out = read.at("left_out"), group;
   const double pixels = read.at("width").get<double>() * read.at("height").get<double>();
   for (const Json& trial : read.at("trials")) {
-    if (trial.at("milliseconds").empty()) return group.points.clear(), group.left_out = "the Vulkan device has no clock", group;
+    if (trial.at("milliseconds").empty())
+      return group.points.clear(), group.left_out = "the Vulkan device has no clock", group;
     group.points.push_back(point_of(trial, pixels));
   }
   group.about = fmt::format(
-      "One picture of {} x {}, {} pixels of which show a surface, on {}; times are those of the device for the passes that make ambient access. The error is over "
-      "these pixels, against rays (Embree) from the same points that reach {:.3g} m, shown as the share of light that they leave open. Devices differ in the ratios of "
+      "One picture of {} x {}, {} pixels of which show a surface, on {}; times are those of the device for the passes "
+      "that make ambient access. The error is over "
+      "these pixels, against rays (Embree) from the same points that reach {:.3g} m, shown as the share of light that "
+      "they leave open. Devices differ in the ratios of "
       "these times: a software device pays for each look-up what a graphics processor hides.",
-      read.at("width").get<int>(), read.at("height").get<int>(), read.at("pixels").get<std::uint64_t>(), read.at("device").get<std::string>(),
-      read.at("radius_m").get<double>());
+      read.at("width").get<int>(), read.at("height").get<int>(), read.at("pixels").get<std::uint64_t>(),
+      read.at("device").get<std::string>(), read.at("radius_m").get<double>());
   mark_pareto_front(group);
   group.findings = findings(group, read);
   return group;

@@ -27,7 +27,8 @@ Json point_json(const Group& group, const Point& point) {
               {"other_aim", point.other_aim}};
   if (point.size) out["size"] = *point.size, out["size_unit"] = group.size_unit;
   out["values"] = Json::array();
-  for (const Value& value : point.values) out["values"].push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
+  for (const Value& value : point.values)
+    out["values"].push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
   out["note"] = point.note;
   return out;
 }
@@ -59,11 +60,13 @@ std::string csv_number(double value) { return fmt::format("{}", value); }
 std::string csv_row(const Group& group, const Point& point) {
   std::string more;
   for (const Value& value : point.values)
-    more += fmt::format("{}{}={}{}{}", more.empty() ? "" : "; ", value.name, csv_number(value.value), value.unit.empty() ? "" : " ", value.unit);
+    more += fmt::format("{}{}={}{}{}", more.empty() ? "" : "; ", value.name, csv_number(value.value),
+                        value.unit.empty() ? "" : " ", value.unit);
   const auto truth = [](bool b) { return b ? "true" : "false"; };
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(group.name), csv_cell(point.name), csv_number(point.error),
-                     csv_cell(group.error_unit), csv_number(point.time_ns), csv_cell("ns/" + group.item), csv_number(point.spread), truth(point.noisy),
-                     truth(point.pareto), truth(point.is_default), truth(point.other_aim), point.size ? csv_number(*point.size) : "",
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(group.name), csv_cell(point.name),
+                     csv_number(point.error), csv_cell(group.error_unit), csv_number(point.time_ns),
+                     csv_cell("ns/" + group.item), csv_number(point.spread), truth(point.noisy), truth(point.pareto),
+                     truth(point.is_default), truth(point.other_aim), point.size ? csv_number(*point.size) : "",
                      csv_cell(group.size_unit), csv_cell(more), csv_cell(point.note));
 }
 
@@ -71,8 +74,10 @@ std::string csv_row(const Group& group, const Point& point) {
 std::string inside_script(const Json& json) {
   std::string safe;
   for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
-    if (c == '<') safe += "\\u003c";
-    else safe += c;
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
   return safe;
 }
 
@@ -81,14 +86,16 @@ std::string inside_script(const Json& json) {
 Json report_json(const Report& report) {
   Json machine = Json::object();
   for (const auto& [name, value] : report.machine) machine[name] = value;
-  Json out = {{"subject", report.subject}, {"machine", machine}, {"command", report.command}, {"noisy_from", kNoisySpread}};
+  Json out = {
+      {"subject", report.subject}, {"machine", machine}, {"command", report.command}, {"noisy_from", kNoisySpread}};
   out["groups"] = Json::array();
   for (const Group& group : report.groups) out["groups"].push_back(group_json(group));
   return out;
 }
 
 std::string report_csv(const Report& report) {
-  std::string out = "group,name,error,error_unit,time,time_unit,spread,noisy,pareto,default,other_aim,size,size_unit,values,note\n";
+  std::string out =
+      "group,name,error,error_unit,time,time_unit,spread,noisy,pareto,default,other_aim,size,size_unit,values,note\n";
   for (const Group& group : report.groups)
     for (const Point& point : group.points) out += csv_row(group, point);
   return out;

@@ -32,16 +32,22 @@ HWY_INLINE Rotations sum(const Rotations& a, Lanes wa, const Rotations& b, Lanes
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), mix(a.w, b.w)};
 }
 
-HWY_INLINE Rotations times(const Rotations& a, Lanes f) { return {hn::Mul(a.x, f), hn::Mul(a.y, f), hn::Mul(a.z, f), hn::Mul(a.w, f)}; }
+HWY_INLINE Rotations times(const Rotations& a, Lanes f) {
+  return {hn::Mul(a.x, f), hn::Mul(a.y, f), hn::Mul(a.z, f), hn::Mul(a.w, f)};
+}
 
-HWY_INLINE Rotations unit(const Rotations& a) { return times(a, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot(a, a)))); }
+HWY_INLINE Rotations unit(const Rotations& a) {
+  return times(a, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot(a, a))));
+}
 
 /// The keys on both sides, the later one turned to the short side of the earlier.
 struct Keys {
   Rotations from, to;
 };
 
-HWY_INLINE Rotations key_of(const KeyRow& row, std::size_t lane) { return {row.load(0, lane), row.load(1, lane), row.load(2, lane), row.load(3, lane)}; }
+HWY_INLINE Rotations key_of(const KeyRow& row, std::size_t lane) {
+  return {row.load(0, lane), row.load(1, lane), row.load(2, lane), row.load(3, lane)};
+}
 
 HWY_INLINE Keys keys_of(const KeyRow& begin, const KeyRow& end, std::size_t lane) {
   const Lanes side = hn::CopySign(hn::Set(Floats(), 1.0f), begin.load(kArcPlane, lane));
@@ -69,7 +75,8 @@ void nlerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
 void corrected_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const float m = at.s - 0.5f;
-  const Lanes square = hn::Set(d, m * m), bend = hn::Set(d, at.s * m * (at.s - 1.0f)), s = hn::Set(d, at.s), one = hn::Set(d, 1.0f);
+  const Lanes square = hn::Set(d, m * m), bend = hn::Set(d, at.s * m * (at.s - 1.0f)), s = hn::Set(d, at.s),
+              one = hn::Set(d, 1.0f);
   const auto step = [&](Lanes sum, Lanes x, float c) HWY_ATTR { return hn::Add(hn::Mul(sum, x), hn::Set(d, c)); };
   for_each_arc(block, at.key, out, [&](const Keys& k) HWY_ATTR {
     const Lanes c = dot(k.from, k.to);
@@ -144,8 +151,10 @@ void sample_rotations(const Clip& clip, double time_s, ArcRule rule, const PoseS
     const BetweenKeys at(position);
     for (const TrackBlock& block : group.blocks) {
       if (block.property != Property::rotation) continue;
-      if (position.on_key) HWY_DYNAMIC_DISPATCH(copy_key)(block, at, out);
-      else sample_block(block, at, rule, out);
+      if (position.on_key)
+        HWY_DYNAMIC_DISPATCH(copy_key)(block, at, out);
+      else
+        sample_block(block, at, rule, out);
     }
   }
 }

@@ -9,18 +9,18 @@
 #include "importer/tool/cost/rotation_tracks.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
+#include "runtime/math/quaternion.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/math/quaternion.h"
 
 namespace sinew::cost {
 namespace {
 
-constexpr double kChance = 1.5;             // times the error of the exact way, which is rounding: no variant is worse up to there
+constexpr double kChance = 1.5;  // times the error of the exact way, which is rounding: no variant is worse up to there
 constexpr double kFramesPerSecond = 60.0;
-constexpr std::size_t kCrowdJoints = 64;    // timed at least
+constexpr std::size_t kCrowdJoints = 64;  // timed at least
 constexpr std::size_t kMomentsTimed = 16;
-constexpr std::size_t kMostFrames = 600;    // of incremental play
+constexpr std::size_t kMostFrames = 600;  // of incremental play
 
 using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSpan& pose)>;
 
@@ -28,11 +28,13 @@ struct Variant {
   const char* name;
   Interpolation interpolation;  // that the clip is compiled with
   Sampler sample;
-  bool is_exact;                // what the runtime does with tracks of that interpolation
+  bool is_exact;  // what the runtime does with tracks of that interpolation
   const char* note;
 };
 
-void sample_as_compiled(const Clip& clip, double time_s, const PoseSpan& pose) { run(SampleClipJob{&clip, time_s, pose, {}, {}}); }
+void sample_as_compiled(const Clip& clip, double time_s, const PoseSpan& pose) {
+  run(SampleClipJob{&clip, time_s, pose, {}, {}});
+}
 
 Sampler by(ArcRule rule) {
   return [rule](const Clip& clip, double time_s, const PoseSpan& pose) { sample_rotations(clip, time_s, rule, pose); };
@@ -45,8 +47,10 @@ std::vector<Variant> variants() {
       {"corrected nlerp", Interpolation::linear, by(ArcRule::corrected_nlerp), false, "nlerp at a warped time"},
       {"polynomial slerp", Interpolation::linear, by(ArcRule::polynomial_slerp), false, "slerp without sines"},
       {"exact slerp", Interpolation::linear, sample_as_compiled, true, "what the runtime plays linear tracks with"},
-      {"squad", Interpolation::squad, sample_as_compiled, true, "a smooth curve through the keys, by squad; one joint at a time"},
-      {"cubic", Interpolation::cubic_spline, sample_as_compiled, true, "Hermite curve through the keys; tangents from neighbouring keys where the file has none"},
+      {"squad", Interpolation::squad, sample_as_compiled, true,
+       "a smooth curve through the keys, by squad; one joint at a time"},
+      {"cubic", Interpolation::cubic_spline, sample_as_compiled, true,
+       "Hermite curve through the keys; tangents from neighbouring keys where the file has none"},
   };
 }
 
@@ -56,7 +60,8 @@ struct Difference {
 
   void add(const Subject& subject, const LocalPose& truth, const ModelPose& true_model, const LocalPose& found) {
     for (std::size_t j = 0; j < truth.size(); ++j)
-      angle_rad = std::max(angle_rad, rotation_angle_between(normalised(found[j].rotation), normalised(truth[j].rotation)));
+      angle_rad =
+          std::max(angle_rad, rotation_angle_between(normalised(found[j].rotation), normalised(truth[j].rotation)));
     distance_m = std::max(distance_m, subject.probe.distance_m(model_pose(subject.scene.skeleton, found), true_model));
   }
 };
@@ -82,7 +87,8 @@ Difference difference_of(const Subject& subject, const Truth& truth, const Anima
   for (std::size_t i = 0; i < truth.times_s.size(); ++i) {
     variant.sample(clip, truth.times_s[i], memory.span());
     LocalPose found = truth.local[i];
-    for (const BoneAnimation& bone : turned.bones) found[bone.joint].rotation = quat_cast<double>(memory.span().get(bone.joint).rotation);
+    for (const BoneAnimation& bone : turned.bones)
+      found[bone.joint].rotation = quat_cast<double>(memory.span().get(bone.joint).rotation);
     difference.add(subject, truth.local[i], truth.model[i], found);
   }
   return difference;
@@ -92,11 +98,14 @@ Difference difference_of(const Subject& subject, const Truth& truth, const Anima
 std::vector<double> timed_moments(const Animation& animation) {
   std::vector<double> times_s;
   for (std::size_t i = 0; i < kMomentsTimed; ++i)
-    times_s.push_back(animation.duration_s * (static_cast<double>(i * 7 % kMomentsTimed) + 0.37) / static_cast<double>(kMomentsTimed));
+    times_s.push_back(animation.duration_s * (static_cast<double>(i * 7 % kMomentsTimed) + 0.37) /
+                      static_cast<double>(kMomentsTimed));
   return times_s;
 }
 
-std::size_t copies_of(const Animation& turned) { return (kCrowdJoints + turned.bones.size() - 1) / turned.bones.size(); }
+std::size_t copies_of(const Animation& turned) {
+  return (kCrowdJoints + turned.bones.size() - 1) / turned.bones.size();
+}
 
 Work timed(const Subject& subject, const Animation& turned, const Variant& variant) {
   struct Play {
@@ -106,8 +115,9 @@ Work timed(const Subject& subject, const Animation& turned, const Variant& varia
     Sampler sample;
   };
   const Crowd crowd = crowd_of(subject.scene.skeleton, turned, copies_of(turned));
-  const auto play = std::make_shared<Play>(Play{compile_clip(crowd.animation, crowd.skeleton, {}, {}, {}), PoseMemory(crowd.skeleton.joint_count()),
-                                                timed_moments(turned), variant.sample});
+  const auto play =
+      std::make_shared<Play>(Play{compile_clip(crowd.animation, crowd.skeleton, {}, {}, {}),
+                                  PoseMemory(crowd.skeleton.joint_count()), timed_moments(turned), variant.sample});
   return {crowd.animation.bones.size() * play->times_s.size(), [play] {
             for (const double time_s : play->times_s) play->sample(play->clip, time_s, play->memory.span());
           }};
@@ -133,7 +143,8 @@ void add_incremental(Study& study, const Subject& subject, const Animation& turn
   for (std::size_t f = 0; f < frame_count; f += stride) {
     const Truth truth(subject, {static_cast<double>(f) / kFramesPerSecond});
     LocalPose found = truth.local[0];
-    for (std::size_t b = 0; b < played.size(); ++b) found[turned.bones[b].joint].rotation = quat_cast<double>(played[b][f]);
+    for (std::size_t b = 0; b < played.size(); ++b)
+      found[turned.bones[b].joint].rotation = quat_cast<double>(played[b][f]);
     difference.add(subject, truth.local[0], truth.model[0], found);
   }
   struct Play {
@@ -143,7 +154,8 @@ void add_incremental(Study& study, const Subject& subject, const Animation& turn
   const auto play = std::make_shared<Play>(Play{turned, std::vector<glm::quat>(frame_count)});
   study.add(point_of("incremental slerp", difference, "60 frames a second in a row, one joint at a time; no seeking"),
             {turned.bones.size() * frame_count, [play] {
-               for (const BoneAnimation& bone : play->animation.bones) walk_track(bone.rotation, kFramesPerSecond, play->frames);
+               for (const BoneAnimation& bone : play->animation.bones)
+                 walk_track(bone.rotation, kFramesPerSecond, play->frames);
              }});
 }
 
@@ -152,24 +164,29 @@ Interpolation usual_interpolation(const Animation& animation) {
   std::map<Interpolation, std::size_t> tracks;
   for (const BoneAnimation& bone : animation.bones)
     if (is_between_keys(bone.rotation)) ++tracks[bone.rotation.interpolation];
-  return std::max_element(tracks.begin(), tracks.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  return std::max_element(tracks.begin(), tracks.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
   const Point& standard = default_of(group);
   constexpr double kDegrees = 57.29577951308232;
-  std::vector<std::string> out{sentence(fmt::format("{}, what the file asks for and sinew plays, takes {} and stays within {} of the truth at the skin.",
-                                                    standard.name, time_of(group, standard), error_of(group, standard)))};
+  std::vector<std::string> out{sentence(
+      fmt::format("{}, what the file asks for and sinew plays, takes {} and stays within {} of the truth at the skin.",
+                  standard.name, time_of(group, standard), error_of(group, standard)))};
   for (const char* name : {"nlerp", "corrected nlerp"})
     if (const Point* other = find(group, name))
-      out.push_back(sentence(fmt::format("{} loses up to {} at the skin ({} degrees at a joint) and {}.", other->name, error_of(group, *other),
-                                         number(kDegrees * other->values[0].value), time_beside(group, *other, standard))));
+      out.push_back(sentence(fmt::format("{} loses up to {} at the skin ({} degrees at a joint) and {}.", other->name,
+                                         error_of(group, *other), number(kDegrees * other->values[0].value),
+                                         time_beside(group, *other, standard))));
   const Point* best = cheapest_within(group, hardly_seen_mm);
   const std::string limit = fmt::format("{}, a ten-thousandth of the model's size", length(hardly_seen_mm));
-  if (best == &standard) out.push_back(fmt::format("Use {}: nothing clearly cheaper stays within {}.", standard.name, limit));
+  if (best == &standard)
+    out.push_back(fmt::format("Use {}: nothing clearly cheaper stays within {}.", standard.name, limit));
   else if (best != nullptr)
-    out.push_back(fmt::format("{} will do for this clip: it stays within {}, and {}. Where every digit counts, use {}.", sentence(best->name), limit,
-                              time_beside(group, *best, standard), standard.name));
+    out.push_back(fmt::format("{} will do for this clip: it stays within {}, and {}. Where every digit counts, use {}.",
+                              sentence(best->name), limit, time_beside(group, *best, standard), standard.name));
   return out;
 }
 
@@ -191,16 +208,21 @@ Study study_rotation(const Subject& subject) {
     if (variant.is_exact && variant.interpolation == Interpolation::linear) add_incremental(study, subject, turned);
     Point point = point_of(variant.name, difference_of(subject, truth, turned, variant), variant.note);
     point.is_default = variant.is_exact && variant.interpolation == usual;
-    const bool smooth = variant.interpolation == Interpolation::squad || variant.interpolation == Interpolation::cubic_spline;
+    const bool smooth =
+        variant.interpolation == Interpolation::squad || variant.interpolation == Interpolation::cubic_spline;
     point.other_aim = smooth && !point.is_default;
     study.add(std::move(point), timed(subject, turned, variant));
   }
   const std::size_t joints = rotations_only(*subject.animation(), Interpolation::linear).bones.size();
   group.about = fmt::format(
-      "{} rotation tracks of {}, every variant from the same keys. The error is the largest distance that {} move against the file's own "
-      "interpolation in double precision, between keys. Timed in lanes over the same compiled clip, key search included{}.",
+      "{} rotation tracks of {}, every variant from the same keys. The error is the largest distance that {} move "
+      "against the file's own "
+      "interpolation in double precision, between keys. Timed in lanes over the same compiled clip, key search "
+      "included{}.",
       joints, subject.clip_name(), subject.probe.description(),
-      joints < kCrowdJoints ? fmt::format(", as a crowd of {} to fill the lanes", copies_of(rotations_only(*subject.animation(), Interpolation::linear))) : "");
+      joints < kCrowdJoints ? fmt::format(", as a crowd of {} to fill the lanes",
+                                          copies_of(rotations_only(*subject.animation(), Interpolation::linear)))
+                            : "");
   group.rounding = kChance * default_of(group).error;
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/animation/track_sample.h"
 #include "importer/tool/cost/incremental_slerp.h"
+#include "runtime/animation/track_sample.h"
 
 namespace sinew::cost {
 namespace {
@@ -21,7 +21,8 @@ std::vector<glm::quat> aligned_keys(const QuatTrack& track) {
   return keys;
 }
 
-/// eq   slope at key k of the parabola through the keys around it; at an end or a jump the slope of the one side there is
+/// eq   slope at key k of the parabola through the keys around it; at an end or a jump the slope of the one side there
+/// is
 glm::quat slope_at(const std::vector<glm::quat>& keys, const std::vector<float>& times_s, std::size_t k) {
   const glm::quat none(0.0f, 0.0f, 0.0f, 0.0f);
   const float before = k > 0 ? times_s[k] - times_s[k - 1] : 0.0f;
@@ -39,8 +40,10 @@ QuatTrack rebuilt(const QuatTrack& track, Interpolation interpolation) {
   QuatTrack out{interpolation, track.times_s, {}};
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const glm::quat slope = slope_at(keys, track.times_s, k);
-    if (interpolation == Interpolation::cubic_spline) out.values.insert(out.values.end(), {slope, keys[k], slope});
-    else out.values.push_back(keys[k]);
+    if (interpolation == Interpolation::cubic_spline)
+      out.values.insert(out.values.end(), {slope, keys[k], slope});
+    else
+      out.values.push_back(keys[k]);
   }
   return out;
 }
@@ -49,7 +52,8 @@ QuatTrack rebuilt(const QuatTrack& track, Interpolation interpolation) {
 
 bool is_between_keys(const QuatTrack& track) {
   if (track.key_count() < 2 || track.interpolation == Interpolation::step) return false;
-  return std::any_of(track.values.begin(), track.values.end(), [&](const glm::quat& q) { return q != track.values.front(); });
+  return std::any_of(track.values.begin(), track.values.end(),
+                     [&](const glm::quat& q) { return q != track.values.front(); });
 }
 
 Animation rotations_only(const Animation& animation, Interpolation interpolation) {
@@ -97,7 +101,8 @@ void walk_track(const QuatTrack& track, double fps, std::span<glm::quat> frames)
     const glm::quat& after = track.values[at.key + 1];
     frames[f] = slerp_short_arc(before, after, static_cast<float>(at.fraction));
     if (more > 0) {
-      IncrementalSlerp<float> walk(frames[f], slerp_short_arc(before, after, static_cast<float>(last)), static_cast<int>(more));
+      IncrementalSlerp<float> walk(frames[f], slerp_short_arc(before, after, static_cast<float>(last)),
+                                   static_cast<int>(more));
       for (std::size_t i = 1; i <= more; ++i) {
         walk.advance();
         frames[f + i] = walk.current();

@@ -10,12 +10,13 @@ namespace sinew::cost {
 /// True where it matters how one gets from key to key.
 bool is_between_keys(const QuatTrack& track);
 
-/// The rotations of an animation that are between keys, and nothing else of it, made by `interpolation` from the same keys.
-/// Cubic tracks keep their tangents when they stay cubic; others get those of the parabola through neighbouring keys.
+/// The rotations of an animation that are between keys, and nothing else of it, made by `interpolation` from the same
+/// keys. Cubic tracks keep their tangents when they stay cubic; others get those of the parabola through neighbouring
+/// keys.
 Animation rotations_only(const Animation& animation, Interpolation interpolation);
 
-/// The same joints and tracks side by side `copies` times, as a crowd has them: enough lanes for a time per joint that is
-/// not that of the call.
+/// The same joints and tracks side by side `copies` times, as a crowd has them: enough lanes for a time per joint that
+/// is not that of the call.
 struct Crowd {
   Skeleton skeleton;
   Animation animation;

@@ -44,10 +44,12 @@ bool start(const std::string& path, const std::vector<std::string>& arguments, i
 
 }  // namespace
 
-tl::expected<std::string, std::string> output_of_program_beside(const std::string& program, const std::vector<std::string>& arguments) {
+tl::expected<std::string, std::string> output_of_program_beside(const std::string& program,
+                                                                const std::vector<std::string>& arguments) {
   std::error_code error;
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / program;
-  if (error || !std::filesystem::exists(path, error)) return tl::unexpected(fmt::format("there is no program {} beside this one", program));
+  if (error || !std::filesystem::exists(path, error))
+    return tl::unexpected(fmt::format("there is no program {} beside this one", program));
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return tl::unexpected(std::string("there are too many open files"));
   pid_t process = 0;
@@ -57,9 +59,11 @@ tl::expected<std::string, std::string> output_of_program_beside(const std::strin
   ::close(ends[0]);
   if (!started) return tl::unexpected(fmt::format("{} cannot be started", path.string()));
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
   if (WIFSIGNALED(status)) return tl::unexpected(fmt::format("{} was ended by signal {}", program, WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0) return tl::unexpected(fmt::format("{} ended with status {}", program, WEXITSTATUS(status)));
+  if (WEXITSTATUS(status) != 0)
+    return tl::unexpected(fmt::format("{} ended with status {}", program, WEXITSTATUS(status)));
   return text;
 }
 

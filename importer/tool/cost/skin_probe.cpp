@@ -11,8 +11,10 @@ namespace sinew::cost {
 
 SkinProbe::SkinProbe(const Scene& scene, std::size_t most_points) {
   for (const MeshInstance& instance : scene.instances)
-    for (const Primitive& primitive : scene.meshes[instance.mesh].primitives) vertices_of_scene_ += primitive.vertex_count();
-  const std::size_t step = std::max<std::size_t>(1, (vertices_of_scene_ + most_points - 1) / std::max<std::size_t>(1, most_points));
+    for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
+      vertices_of_scene_ += primitive.vertex_count();
+  const std::size_t step =
+      std::max<std::size_t>(1, (vertices_of_scene_ + most_points - 1) / std::max<std::size_t>(1, most_points));
   for (const MeshInstance& instance : scene.instances) add_instance(scene, instance, step);
   has_vertices_ = point_count() > 0;
   if (!has_vertices_) add_joints(scene.skeleton);

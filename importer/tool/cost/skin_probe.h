@@ -8,9 +8,9 @@
 
 namespace sinew::cost {
 
-/// Points of the model's surface that tell how far a pose is from another where a viewer sees it: vertices, skinned linearly in
-/// double precision or carried by their joint. A scene without vertices gets three points around every joint, at right angles
-/// and a twentieth of the skeleton's size away (C13).
+/// Points of the model's surface that tell how far a pose is from another where a viewer sees it: vertices, skinned
+/// linearly in double precision or carried by their joint. A scene without vertices gets three points around every
+/// joint, at right angles and a twentieth of the skeleton's size away (C13).
 class SkinProbe {
  public:
   SkinProbe(const Scene& scene, std::size_t most_points);

@@ -10,7 +10,8 @@ namespace sinew::cost {
 
 PosedSkin::PosedSkin(const Skin& skin, std::span<const Affined> model) {
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-    palette.push_back(joint_matrix_from(affine_cast<float>(model[skin.joints[i]] * affine_cast<double>(skin.inverse_bind[i]))));
+    palette.push_back(
+        joint_matrix_from(affine_cast<float>(model[skin.joints[i]] * affine_cast<double>(skin.inverse_bind[i]))));
     exact.push_back(affine_cast<double>(affine_from(palette.back())));
   }
 }
@@ -22,7 +23,8 @@ std::optional<SkinnedPart> skinned_part(const Subject& subject) {
   for (const MeshInstance& instance : scene.instances) {
     if (instance.skin == kNone) continue;
     for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
-      if (!primitive.influences.empty() && (part.primitive == nullptr || primitive.vertex_count() > part.vertex_count()))
+      if (!primitive.influences.empty() &&
+          (part.primitive == nullptr || primitive.vertex_count() > part.vertex_count()))
         part.primitive = &primitive, part.skin = &scene.skins[instance.skin];
   }
   if (part.primitive == nullptr) return std::nullopt;
@@ -30,8 +32,9 @@ std::optional<SkinnedPart> skinned_part(const Subject& subject) {
   std::uint32_t most = 0;
   for (const InfluenceGroup& group : part.primitive->influences.groups) most = std::max(most, group.influence_count);
   part.description = fmt::format("{} vertices with up to {} influences, {}", part.vertex_count(), most,
-                                 subject.animation() == nullptr ? std::string("with every joint turned by 30 degrees, for want of a clip")
-                                                                : fmt::format("in {} poses of {}", part.poses.size(), subject.clip_name()));
+                                 subject.animation() == nullptr
+                                     ? std::string("with every joint turned by 30 degrees, for want of a clip")
+                                     : fmt::format("in {} poses of {}", part.poses.size(), subject.clip_name()));
   return part;
 }
 

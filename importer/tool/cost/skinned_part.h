@@ -47,7 +47,8 @@ struct DeformedVertices {
 template <class A, class B>
 double largest_distance(std::span<const A> a, std::span<const B> b) {
   double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, safe_length(Vec3<double>(a[i]) - Vec3<double>(b[i])));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, safe_length(Vec3<double>(a[i]) - Vec3<double>(b[i])));
   return largest;
 }
 

@@ -22,18 +22,27 @@ namespace {
 class Skinner {
  public:
   Skinner(const SkinnedPart& part, std::span<const glm::vec3> centers)
-      : part_(part), centers_(centers.begin(), centers.end()), split_(part.skin->joints.size()), edges_(hemisphere_edges(*part.skeleton, *part.skin)),
-        pairs_(sharing_pairs(part.primitive->influences, split_.size())), out_(part.vertex_count()) {}
+      : part_(part),
+        centers_(centers.begin(), centers.end()),
+        split_(part.skin->joints.size()),
+        edges_(hemisphere_edges(*part.skeleton, *part.skin)),
+        pairs_(sharing_pairs(part.primitive->influences, split_.size())),
+        out_(part.vertex_count()) {}
 
   /// Splitting the joints' matrices is part of the rigid kinds, once a frame.
   void run(Skinning kind, const PosedSkin& pose) {
     const VertexInfluences* influences = &part_.primitive->influences;
     if (kind != Skinning::linear) sinew::run(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
     switch (kind) {
-      case Skinning::linear: sinew::run(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear}); break;
-      case Skinning::dual_quaternion: sinew::run(SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_}); break;
+      case Skinning::linear:
+        sinew::run(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
+        break;
+      case Skinning::dual_quaternion:
+        sinew::run(SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_});
+        break;
       case Skinning::center_of_rotation:
-        sinew::run(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(), out_.out()});
+        sinew::run(
+            SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(), out_.out()});
         break;
     }
   }
@@ -85,17 +94,22 @@ constexpr Kind kKinds[] = {
 
 std::vector<std::string> findings(const Group& group) {
   const Point& linear = default_of(group);
-  std::vector<std::string> out{fmt::format("Linear blending takes {} and keeps {} % of the limb bent by 90 degrees, {} % of it twisted by 150.",
-                                           time_of(group, linear), number(linear.values[0].value), number(linear.values[1].value))};
+  std::vector<std::string> out{
+      fmt::format("Linear blending takes {} and keeps {} % of the limb bent by 90 degrees, {} % of it twisted by 150.",
+                  time_of(group, linear), number(linear.values[0].value), number(linear.values[1].value))};
   for (const Point& point : group.points)
     if (&point != &linear)
-      out.push_back(sentence(fmt::format("{} skinning {} here, {} times as much; it keeps {} % bent and {} % twisted, and puts vertices of this file up to {} elsewhere.",
-                                         point.name, time_beside(group, point, linear), number(point.time_ns / linear.time_ns), number(point.values[0].value),
-                                         number(point.values[1].value), length(point.values[2].value))));
+      out.push_back(sentence(
+          fmt::format("{} skinning {} here, {} times as much; it keeps {} % bent and {} % twisted, and puts vertices "
+                      "of this file up to {} elsewhere.",
+                      point.name, time_beside(group, point, linear), number(point.time_ns / linear.time_ns),
+                      number(point.values[0].value), number(point.values[1].value), length(point.values[2].value))));
   constexpr double kNoticeable = 2.0;  // percent of the volume
   if (const Point* best = cheapest_within(group, kNoticeable))
-    out.push_back(fmt::format("Where limbs bend or twist far, use {}: the cheapest that changes a limb's volume by less than {} %. Elsewhere linear blending will do.",
-                              best->name, kNoticeable));
+    out.push_back(
+        fmt::format("Where limbs bend or twist far, use {}: the cheapest that changes a limb's volume by less than {} "
+                    "%. Elsewhere linear blending will do.",
+                    best->name, kNoticeable));
   return out;
 }
 
@@ -111,24 +125,35 @@ Study study_skinning(const Subject& subject) {
   if (!part) return group.left_out = "the file has no skinned vertices", study;
   const Limb limb;
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<glm::vec3> centers = part->primitive->centers_of_rotation.empty() ? centers_of_rotation(*part->primitive) : part->primitive->centers_of_rotation;
+  const std::vector<glm::vec3> centers = part->primitive->centers_of_rotation.empty()
+                                             ? centers_of_rotation(*part->primitive)
+                                             : part->primitive->centers_of_rotation;
   const std::chrono::duration<double> made_in = std::chrono::steady_clock::now() - begin;
-  group.about = fmt::format("Positions and normals of the largest primitive: {}. Times include the split of the joints' matrices where a kind needs it; centers of "
-                            "rotation were made beforehand, in {} s. Volume is that of a built-in round limb, its second joint bent by 90 and twisted by 150 degrees.",
-                            part->description, number(made_in.count()));
+  group.about = fmt::format(
+      "Positions and normals of the largest primitive: {}. Times include the split of the joints' matrices where a "
+      "kind needs it; centers of "
+      "rotation were made beforehand, in {} s. Volume is that of a built-in round limb, its second joint bent by 90 "
+      "and twisted by 150 degrees.",
+      part->description, number(made_in.count()));
   Skinner limb_skinner(part_of(limb), limb.primitive.centers_of_rotation);
   const auto skinner = std::make_shared<Skinner>(*part, centers);
   for (const Kind& kind : kKinds) {
-    const double bent = volume_kept(limb_skinner, kind.skinning, limb.bent), twisted = volume_kept(limb_skinner, kind.skinning, limb.twisted);
+    const double bent = volume_kept(limb_skinner, kind.skinning, limb.bent),
+                 twisted = volume_kept(limb_skinner, kind.skinning, limb.twisted);
     Point point;
     point.name = kind.name, point.note = kind.note;
     point.error = std::max(std::abs(bent - 100.0), std::abs(twisted - 100.0));
     point.is_default = kind.skinning == Skinning::linear;
-    point.values = {{"volume kept, bent", bent, "%"}, {"volume kept, twisted", twisted, "%"}, {"apart from linear here", apart_from_linear_mm(*skinner, kind.skinning), "mm"}};
-    study.add(std::move(point), {part->vertex_count(), [skinner, kind] { skinner->run(kind.skinning, skinner->part().poses.front()); }});
+    point.values = {{"volume kept, bent", bent, "%"},
+                    {"volume kept, twisted", twisted, "%"},
+                    {"apart from linear here", apart_from_linear_mm(*skinner, kind.skinning), "mm"}};
+    study.add(std::move(point),
+              {part->vertex_count(), [skinner, kind] { skinner->run(kind.skinning, skinner->part().poses.front()); }});
   }
   skinner->run(Skinning::dual_quaternion, part->poses.front());
-  if (skinner->any_stretch()) group.about += " Joints of this file stretch: the rigid kinds run their first phase, which rigid joints spare them.";
+  if (skinner->any_stretch())
+    group.about +=
+        " Joints of this file stretch: the rigid kinds run their first phase, which rigid joints spare them.";
   study.findings = findings;
   return study;
 }

@@ -9,11 +9,11 @@
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"
-#include "runtime/clip/clip_file.h"
 #include "runtime/animation/track_sample.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/compress/compile_clip_within.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
-#include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::cost {
 namespace {
@@ -27,13 +27,15 @@ constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips
 std::vector<double> budgets_m(double size_m) {
   const int hardly_seen = size_m > 0.0 ? static_cast<int>(std::lround(std::log10(1e-4 * size_m))) : -4;
   std::vector<double> budgets;
-  for (int power = std::min(-4, hardly_seen - 1); power <= std::max(-3, hardly_seen + 1); ++power) budgets.push_back(std::pow(10.0, power));
+  for (int power = std::min(-4, hardly_seen - 1); power <= std::max(-3, hardly_seen + 1); ++power)
+    budgets.push_back(std::pow(10.0, power));
   return budgets;
 }
 
 std::vector<float> even_times(double duration_s, double fps) {
   std::vector<float> times_s;
-  for (std::size_t f = 0; static_cast<double>(f) / fps < duration_s; ++f) times_s.push_back(static_cast<float>(static_cast<double>(f) / fps));
+  for (std::size_t f = 0; static_cast<double>(f) / fps < duration_s; ++f)
+    times_s.push_back(static_cast<float>(static_cast<double>(f) / fps));
   const auto end = static_cast<float>(duration_s);
   if (times_s.empty() || times_s.back() < end) times_s.push_back(end);
   return times_s;
@@ -69,7 +71,8 @@ Animation joints_only(const Animation& animation) {
 }
 
 bool rounds_any(const KeyTolerances& rounding) {
-  return std::any_of(rounding.bones.begin(), rounding.bones.end(), [](const KeyTolerances::OfBone& t) { return t.translation + t.rotation + t.scale > 0.0; });
+  return std::any_of(rounding.bones.begin(), rounding.bones.end(),
+                     [](const KeyTolerances::OfBone& t) { return t.translation + t.rotation + t.scale > 0.0; });
 }
 
 double error_mm(const Subject& subject, const Clip& clip, const std::vector<double>& moments) {
@@ -89,44 +92,52 @@ double error_mm(const Subject& subject, const Clip& clip, const std::vector<doub
   return 1e3 * largest_m;
 }
 
-void add_stored(Study& study, const Subject& subject, const std::string& name, Clip clip, const std::string& note, const std::vector<double>& moments) {
+void add_stored(Study& study, const Subject& subject, const std::string& name, Clip clip, const std::string& note,
+                const std::vector<double>& moments) {
   struct Play {
     Clip clip;
     PoseMemory memory;
     double duration_s;
   };
   const double duration_s = subject.animation()->duration_s;
-  const auto play = std::make_shared<Play>(Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), duration_s});
+  const auto play =
+      std::make_shared<Play>(Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), duration_s});
   const std::size_t joints = subject.animation()->bones.size();
   Point point;
   point.name = name, point.note = note;
   point.error = error_mm(subject, play->clip, moments);
   const auto bytes = static_cast<double>(saved_bytes(play->clip));
   point.size = bytes / (static_cast<double>(joints) * std::max(1e-3, duration_s));
-  point.values = {{"saved", bytes / 1024.0, "KiB"}, {"in memory", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
+  point.values = {{"saved", bytes / 1024.0, "KiB"},
+                  {"in memory", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
   constexpr std::size_t kMoments = 16;
-  study.add(std::move(point), {joints * kMoments, [play] {
-              for (std::size_t i = 0; i < kMoments; ++i) {
-                const double share = (static_cast<double>(i * 7 % kMoments) + 0.37) / static_cast<double>(kMoments);
-                run(SampleClipJob{&play->clip, share * play->duration_s, play->memory.span(), {}, {}});
-              }
-            }});
+  study.add(std::move(point),
+            {joints * kMoments, [play] {
+               for (std::size_t i = 0; i < kMoments; ++i) {
+                 const double share = (static_cast<double>(i * 7 % kMoments) + 0.37) / static_cast<double>(kMoments);
+                 run(SampleClipJob{&play->clip, share * play->duration_s, play->memory.span(), {}, {}});
+               }
+             }});
 }
 
 std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
   const Point& whole = default_of(group);
-  std::vector<std::string> out{fmt::format("The keys as they are take {} {}; sampling them takes {} and is within {} of the truth.", number(*whole.size), group.size_unit,
-                                           time_of(group, whole), error_of(group, whole))};
+  std::vector<std::string> out{
+      fmt::format("The keys as they are take {} {}; sampling them takes {} and is within {} of the truth.",
+                  number(*whole.size), group.size_unit, time_of(group, whole), error_of(group, whole))};
   for (const char* name : {"30 Hz", "60 Hz"})
     if (const Point* even = find(group, name))
-      out.push_back(fmt::format("Resampled at {} they take {} times the size and are off by up to {}; sampling {}.", even->name, number(*even->size / *whole.size),
-                                error_of(group, *even), time_beside(group, *even, whole)));
+      out.push_back(fmt::format("Resampled at {} they take {} times the size and are off by up to {}; sampling {}.",
+                                even->name, number(*even->size / *whole.size), error_of(group, *even),
+                                time_beside(group, *even, whole)));
   const Point* best = cheapest_within(group, hardly_seen_mm);
   const std::string limit = fmt::format("{}, a ten-thousandth of the model's size", length(hardly_seen_mm));
-  if (best == &whole) out.push_back(fmt::format("Keep the keys as they are: nothing smaller stays within {}.", limit));
+  if (best == &whole)
+    out.push_back(fmt::format("Keep the keys as they are: nothing smaller stays within {}.", limit));
   else if (best != nullptr)
-    out.push_back(sentence(fmt::format("{} is the smallest that stays within {}: {} times the size, off by up to {}; sampling {}.", best->name, limit,
-                                       number(*best->size / *whole.size), error_of(group, *best), time_beside(group, *best, whole))));
+    out.push_back(sentence(fmt::format(
+        "{} is the smallest that stays within {}: {} times the size, off by up to {}; sampling {}.", best->name, limit,
+        number(*best->size / *whole.size), error_of(group, *best), time_beside(group, *best, whole))));
   return out;
 }
 
@@ -137,13 +148,17 @@ Study study_storage(const Subject& subject) {
   Group& group = study.group;
   group.name = "storage", group.title = "Key storage";
   group.question = "How should the keys of this clip be kept?";
-  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint", group.size_unit = "saved bytes a joint and second";
+  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint",
+  group.size_unit = "saved bytes a joint and second";
   if (subject.animation() == nullptr) return group.left_out = "the file has no clips", study;
-  if (subject.animation()->bones.empty()) return group.left_out = fmt::format("{} moves no joints", subject.clip_name()), study;
+  if (subject.animation()->bones.empty())
+    return group.left_out = fmt::format("{} moves no joints", subject.clip_name()), study;
   const std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
-  group.about = fmt::format("The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} move against "
-                            "the file's own keys in double precision.",
-                            subject.animation()->bones.size(), subject.clip_name(), subject.probe.description());
+  group.about = fmt::format(
+      "The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} "
+      "move against "
+      "the file's own keys in double precision.",
+      subject.animation()->bones.size(), subject.clip_name(), subject.probe.description());
   const Animation joints = joints_only(*subject.animation());
   const auto compiled = [&](const Animation& animation, const KeyTolerances& rounding = {}) {
     return compile_clip(animation, subject.scene.skeleton, {}, {}, {}, rounding);
@@ -152,14 +167,17 @@ Study study_storage(const Subject& subject) {
   group.points.back().is_default = true;
   for (const std::uint32_t bits : kBits)
     if (const KeyTolerances rounding = keys_in_bits(joints, bits); rounds_any(rounding))
-      add_stored(study, subject, fmt::format("{} bits", bits), compiled(joints, rounding), fmt::format("every key, at most {} bits a component over its track's range", bits), moments);
+      add_stored(study, subject, fmt::format("{} bits", bits), compiled(joints, rounding),
+                 fmt::format("every key, at most {} bits a component over its track's range", bits), moments);
   const VirtualVertices vertices = virtual_vertices(subject.scene);
   for (const double budget_m : budgets_m(subject.size_m))
-    add_stored(study, subject, "budget " + tool::length_text(budget_m), compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
+    add_stored(study, subject, "budget " + tool::length_text(budget_m),
+               compile_clip_within(subject.scene, joints, vertices, budget_m).clip,
                "fewer keys, in fewer bits: every vertex stays within it (sinew compile --budget)", moments);
   for (const double fps : kRates)
     if (fps * subject.animation()->duration_s < kMostKeys)
-      add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)), "full floats at even times, linear between them", moments);
+      add_stored(study, subject, fmt::format("{} Hz", fps), compiled(resampled(joints, fps)),
+                 "full floats at even times, linear between them", moments);
   group.rounding = kChance * default_of(group).error;
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;

@@ -19,7 +19,7 @@ struct Work {
 /// A group on its way: the errors of its points are known, their times are not.
 struct Study {
   Group group;
-  std::vector<Work> works;  ///< parallel to the group's points
+  std::vector<Work> works;                                         ///< parallel to the group's points
   std::function<std::vector<std::string>(const Group&)> findings;  ///< once the times are known
 
   void add(Point point, Work work) {

@@ -13,15 +13,16 @@ struct Subject {
   Subject(const Scene& looked_at, std::uint32_t chosen_clip, const Effort& effort);
 
   const Scene& scene;
-  std::uint32_t clip;            ///< kNone = the scene has no clips
-  double size_m;                 ///< largest side of the box around it at rest
+  std::uint32_t clip;  ///< kNone = the scene has no clips
+  double size_m;       ///< largest side of the box around it at rest
   SkinProbe probe;
   Effort effort;
 
   const Animation* animation() const { return clip == kNone ? nullptr : &scene.animations[clip]; }
   /// "the clip "Walk""
   std::string clip_name() const;
-  /// Model matrices of all joints for the moments that vertices are looked at: up to eight of the clip, else one made up.
+  /// Model matrices of all joints for the moments that vertices are looked at: up to eight of the clip, else one made
+  /// up.
   std::vector<ModelPose> telling_poses() const;
   /// What a viewer hardly sees: a ten-thousandth of the model's size, in mm.
   double hardly_seen_mm() const { return 0.1 * size_m; }

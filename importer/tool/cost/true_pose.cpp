@@ -17,7 +17,8 @@ LocalPose rest_pose(const Skeleton& skeleton) {
 
 LocalPose true_local_pose(const Skeleton& skeleton, const Animation& animation, double time_s) {
   LocalPose pose = rest_pose(skeleton);
-  for (const BoneAnimation& bone : animation.bones) pose[bone.joint] = bone.interpolate<double>(time_s, pose[bone.joint]);
+  for (const BoneAnimation& bone : animation.bones)
+    pose[bone.joint] = bone.interpolate<double>(time_s, pose[bone.joint]);
   return pose;
 }
 
@@ -37,7 +38,8 @@ ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local
   ModelPose model(local.size());
   for (std::size_t j = 0; j < local.size(); ++j) {
     const std::uint32_t fixed = skeleton.fixed_matrix_of[j], parent = skeleton.parents[j];
-    const Affined own = fixed == kNone ? affine_from_transform(local[j]) : affine_cast<double>(skeleton.fixed_matrices[fixed]);
+    const Affined own =
+        fixed == kNone ? affine_from_transform(local[j]) : affine_cast<double>(skeleton.fixed_matrices[fixed]);
     model[j] = parent == kNone ? own : model[parent] * own;
   }
   return model;

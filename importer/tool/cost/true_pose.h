@@ -14,14 +14,16 @@ using ModelPose = std::vector<Affined>;
 LocalPose true_local_pose(const Skeleton& skeleton, const Animation& animation, double time_s);
 LocalPose rest_pose(const Skeleton& skeleton);
 
-/// A pose for files without clips: every joint that has a parent is turned by 30 degrees more, about one of the three axes in turn.
+/// A pose for files without clips: every joint that has a parent is turned by 30 degrees more, about one of the three
+/// axes in turn.
 LocalPose crooked_pose(const Skeleton& skeleton);
 
 /// eq   M[j] = M[parent(j)] * T * R * S, in double
 ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local);
 
-/// Times between the keys of an animation: of at most `most_intervals` key intervals, evenly picked, the key that begins it,
-/// its middle, and the two places where nlerp is farthest from slerp (N04). Increasing; {0} without any keys.
+/// Times between the keys of an animation: of at most `most_intervals` key intervals, evenly picked, the key that
+/// begins it, its middle, and the two places where nlerp is farthest from slerp (N04). Increasing; {0} without any
+/// keys.
 std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals);
 
 }  // namespace sinew::cost

@@ -24,9 +24,7 @@ std::string number(double value) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
-std::string length(double mm) {
-  return tool::length_text(1e-3 * mm);
-}
+std::string length(double mm) { return tool::length_text(1e-3 * mm); }
 
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -39,11 +37,14 @@ std::string error_of(const Group& group, const Point& point) {
   return point.error == 0.0 ? "nothing" : fmt::format("{} {}", number(point.error), group.error_unit);
 }
 
-std::string time_of(const Group& group, const Point& point) { return fmt::format("{} ns a {}", number(point.time_ns), group.item); }
+std::string time_of(const Group& group, const Point& point) {
+  return fmt::format("{} ns a {}", number(point.time_ns), group.item);
+}
 
 std::string time_beside(const Group& group, const Point& point, const Point& other) {
   const double difference = point.time_ns - other.time_ns;
-  if (std::abs(difference) <= std::max(noise_of(point), noise_of(other)) * std::max(point.time_ns, other.time_ns)) return "takes as long";
+  if (std::abs(difference) <= std::max(noise_of(point), noise_of(other)) * std::max(point.time_ns, other.time_ns))
+    return "takes as long";
   return difference < 0.0 ? fmt::format("saves {} ns a {}", number(-difference), group.item)
                           : fmt::format("costs {} ns a {} more", number(difference), group.item);
 }

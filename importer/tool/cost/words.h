@@ -24,8 +24,8 @@ std::string sentence(std::string text);
 /// "4.1 ns a joint"
 std::string time_of(const Group& group, const Point& point);
 
-/// "saves 0.41 ns a joint", "costs 3.2 ns a joint more", "takes as long": the time of one beside another's. Differences below the noise of
-/// both, or below kNoDifference, count as none.
+/// "saves 0.41 ns a joint", "costs 3.2 ns a joint more", "takes as long": the time of one beside another's. Differences
+/// below the noise of both, or below kNoDifference, count as none.
 std::string time_beside(const Group& group, const Point& point, const Point& other);
 
 /// The group's default; the first point where none is marked.
@@ -34,8 +34,8 @@ const Point& default_of(const Group& group);
 /// The point of that name, or null.
 const Point* find(const Group& group, const std::string& name);
 
-/// The cheapest point that aims at the same result and whose error is at most `most`; the default unless another is clearly cheaper,
-/// by more than the noise of both. Null where there is none.
+/// The cheapest point that aims at the same result and whose error is at most `most`; the default unless another is
+/// clearly cheaper, by more than the noise of both. Null where there is none.
 const Point* cheapest_within(const Group& group, double most);
 
 }  // namespace sinew::cost

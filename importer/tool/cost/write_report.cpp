@@ -34,9 +34,11 @@ std::optional<std::string> write_file(const fs::path& file, const std::string& t
 
 std::optional<std::string> fill(const Report& report, const fs::path& folder) {
   for (const std::string_view name : kFiles) {
-    const std::string text = name == "report.json" ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                             : name == "report.csv" ? report_csv(report)
-                                                    : report_page(report);
+    const std::string text =
+        name == "report.json"
+            ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+        : name == "report.csv" ? report_csv(report)
+                               : report_page(report);
     if (auto failed = write_file(folder / name, text)) return failed;
   }
   return std::nullopt;
@@ -61,14 +63,16 @@ std::optional<std::string> put_in_place(const fs::path& made, const fs::path& fo
 }  // namespace
 
 std::string objection_to(const fs::path& given) {
-  const fs::path folder = without_slash(given), parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+  const fs::path folder = without_slash(given),
+                 parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", parent.string());
   if (!fs::exists(folder, error)) return {};
   if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "is there, and no folder";
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (std::find(std::begin(kFiles), std::end(kFiles), entry.path().filename().string()) == std::end(kFiles))
-      return fmt::format("holds {}, which is no part of a report; it is left as it is", entry.path().filename().string());
+      return fmt::format("holds {}, which is no part of a report; it is left as it is",
+                         entry.path().filename().string());
   return error ? error.message() : std::string();
 }
 

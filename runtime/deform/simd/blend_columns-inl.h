@@ -23,13 +23,14 @@ struct Columns {
 HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
-  // Blocks are swapped before halves are: a compiler would otherwise take halves twice for the two that are blended of each.
+  // Blocks are swapped before halves are: a compiler would otherwise take halves twice for the two that are blended of
+  // each.
   const auto even = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); };
   const auto odd = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); };
   const Wide even_01 = even(m[0].part[0], m[1].part[0]), even_23 = even(m[2].part[0], m[3].part[0]);
   const Wide odd_01 = odd(m[0].part[0], m[1].part[0]), odd_23 = odd(m[2].part[0], m[3].part[0]);
-  return {hn::ConcatLowerLower(d, even_23, even_01), hn::ConcatLowerLower(d, odd_23, odd_01), hn::ConcatUpperUpper(d, even_23, even_01),
-          hn::ConcatUpperUpper(d, odd_23, odd_01)};
+  return {hn::ConcatLowerLower(d, even_23, even_01), hn::ConcatLowerLower(d, odd_23, odd_01),
+          hn::ConcatUpperUpper(d, even_23, even_01), hn::ConcatUpperUpper(d, odd_23, odd_01)};
 #elif HWY_MAX_BYTES >= 32
   const TileTag d;
   return {hn::ConcatLowerLower(d, m[1].part[0], m[0].part[0]), hn::ConcatUpperUpper(d, m[1].part[0], m[0].part[0]),
@@ -74,7 +75,9 @@ HWY_INLINE Columns cofactor(const Columns& m) {
 }
 
 /// x + y + z of every block, in all its lanes.
-HWY_INLINE Wide component_sums(Wide v) { return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v)); }
+HWY_INLINE Wide component_sums(Wide v) {
+  return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v));
+}
 
 /// eq   M n, or sign(det M) cof(M) n as transform_normal_outward has it; not yet unit
 HWY_INLINE Wide moved_normals(const Columns& m, const Spread3& n, bool cofactor_rule) {

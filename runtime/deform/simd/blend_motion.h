@@ -3,15 +3,16 @@
 #include <span>
 
 #include "runtime/deform/influence_dispatch.h"
-#include "runtime/pose/joint_palette.h"
 #include "runtime/math/normal_transform.h"
+#include "runtime/pose/joint_palette.h"
 
 namespace sinew {
 
 /// Rigid motion blended from the joints of one vertex, unit.
-/// eq   d = sum(w sign(r . r_pivot) d_i) / |real part|, the pivot being the first influence: influences are ordered by falling
-///      weight, then rising joint (VertexInfluences), so it is the one with the largest weight (N17, N18). A blend whose real
-///      part cancels (squared length below 1e-12) follows the pivot alone.   (Kavan et al. 2008, sec. 3.4)
+/// eq   d = sum(w sign(r . r_pivot) d_i) / |real part|, the pivot being the first influence: influences are ordered by
+/// falling
+///      weight, then rising joint (VertexInfluences), so it is the one with the largest weight (N17, N18). A blend
+///      whose real part cancels (squared length below 1e-12) follows the pivot alone.   (Kavan et al. 2008, sec. 3.4)
 template <int kCount>
 DualQuat blend_motion(std::span<const RigidStretch> split, const VertexJoints<kCount>& vertex) noexcept {
   const DualQuat& pivot = split[vertex.joints[0]].rigid;

@@ -8,17 +8,19 @@
 #endif
 
 #include "runtime/deform/simd/eight_lanes-inl.h"
-#include "runtime/pose/joint_palette.h"
 #include "runtime/deform/simd/lanes-inl.h"
 #include "runtime/deform/simd/motion_weights-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
+#include "runtime/pose/joint_palette.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be +
+/// eq   sum(w sign(r . r_pivot) d_i) of one vertex (blend_motion.h), not yet unit; one_side: all signs are known to be
+/// +
 template <int kCount>
-HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k, bool one_side) {
+HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k,
+                                    bool one_side) {
   const VertexJoints<kCount> vertex = tile.at(k);
   const float* first = &tile.entry(split, k, 0)->rigid.real.x;
   Eight sum = load_eight(first);
@@ -26,7 +28,8 @@ HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluen
   const EightWeights<kCount> weights(vertex.weights);
   sum = times(sum, weights.of(0));
   if (one_side) {
-    for (std::size_t i = 1; i < vertex.count(); ++i) sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
+    for (std::size_t i = 1; i < vertex.count(); ++i)
+      sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
     return sum;
   }
   const Pivot pivot(first);
@@ -39,13 +42,16 @@ HWY_INLINE Eight blend_motion_parts(const RigidStretch* split, const TileInfluen
 
 /// Calls `body(vertex of the tile, Eight)` with the blended motion of each.
 template <int kCount, class Body>
-HWY_INLINE void for_each_motion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side, const Body& body) {
-  if (kCount == 1 || one_side) for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, true)); });
-  else for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, false)); });
+HWY_INLINE void for_each_motion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side,
+                                const Body& body) {
+  if (kCount == 1 || one_side)
+    for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, true)); });
+  else
+    for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_motion_parts(split, tile, k, false)); });
 }
 
-/// Motions of a tile, one vertex a lane, as their sums come: what turns with them divides by the squared length, which takes
-/// no square root.
+/// Motions of a tile, one vertex a lane, as their sums come: what turns with them divides by the squared length, which
+/// takes no square root.
 struct MotionLanes {
   Lanes4 real, dual;
   Wide twice_over_square;   ///< 2 / |real|^2
@@ -57,7 +63,8 @@ HWY_INLINE MotionLanes motion_lanes(const Eight (&sums)[kTileSize]) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
   const Lanes8 sum = lanes_of(sums);
-  const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;  // one by one: compilers keep copies of fours in memory
+  const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z,
+             w = sum.low.w;  // one by one: compilers keep copies of fours in memory
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
   MotionLanes out;
   out.real.x = x, out.real.y = y, out.real.z = z, out.real.w = w;
@@ -83,7 +90,8 @@ class KeptMotions {
  public:
   template <int kCount>
   HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
-    for_each_motion(split, tile, one_side, [&](std::size_t k, const Eight& sum) HWY_ATTR { store_eight(sum, sums_[k]); });
+    for_each_motion(split, tile, one_side,
+                    [&](std::size_t k, const Eight& sum) HWY_ATTR { store_eight(sum, sums_[k]); });
   }
   template <int kCount>
   HWY_INLINE MotionLanes lanes() const {
@@ -99,7 +107,9 @@ class KeptMotions {
 /// eq   v' = v + w u + r x u, u = 2 / |q|^2 (r x v)   for q = (r, w)
 HWY_INLINE Lanes3 rotate(const MotionLanes& m, const Lanes3& v) {
   const Lanes3 r{m.real.x, m.real.y, m.real.z}, twice = times(cross(r, v), m.twice_over_square);
-  return plus({hn::MulAdd(twice.x, m.real.w, v.x), hn::MulAdd(twice.y, m.real.w, v.y), hn::MulAdd(twice.z, m.real.w, v.z)}, cross(r, twice));
+  return plus(
+      {hn::MulAdd(twice.x, m.real.w, v.x), hn::MulAdd(twice.y, m.real.w, v.y), hn::MulAdd(twice.z, m.real.w, v.z)},
+      cross(r, twice));
 }
 
 /// eq   t = 2 / |r|^2 (r.w d.v - d.w r.v + r.v x d.v)

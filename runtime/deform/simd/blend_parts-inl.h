@@ -38,7 +38,8 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
   return hn::Set(d, tile.at(k).weights[i]);
 }
 
-/// eq   M = sum(w_i * palette[joint_i]) of vertex `k`, fused from the second on; a vertex with one influence takes the joint's
+/// eq   M = sum(w_i * palette[joint_i]) of vertex `k`, fused from the second on; a vertex with one influence takes the
+/// joint's
 ///      matrix as it is.
 template <int kCount>
 HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t k) {
@@ -52,7 +53,8 @@ HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const TileInfluen
   for (std::size_t i = 1; i < tile.first.count(); ++i) {
     joint = &tile.entry(palette, k, i)->column[0].x;
     const Wide weight = weight_of(tile, k, i);
-    for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
+    for (std::size_t p = 0; p < MatrixParts::kCount; ++p)
+      sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
   }
   return sum;
 }

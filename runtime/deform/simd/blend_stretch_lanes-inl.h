@@ -8,9 +8,9 @@
 #endif
 
 #include "runtime/deform/simd/eight_lanes-inl.h"
-#include "runtime/pose/joint_palette.h"
 #include "runtime/deform/simd/lanes-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
+#include "runtime/pose/joint_palette.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -28,7 +28,8 @@ HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInf
   for_each_of_tile([&](std::size_t k) HWY_ATTR {
     const VertexJoints<kCount> vertex = tile.at(k);
     sums[k] = times(load_eight(tile.entry(split, k, 0)->stretch), hn::Set(d, vertex.weights[0]));
-    for (std::size_t i = 1; i < vertex.count(); ++i) sums[k] = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
+    for (std::size_t i = 1; i < vertex.count(); ++i)
+      sums[k] = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
   });
   const Lanes8 s = lanes_of(sums);
   return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};
@@ -40,7 +41,8 @@ HWY_INLINE Lanes3 apply(const StretchLanes& s, const Lanes3& v) {
 
 /// The cofactor matrix of a symmetric matrix is symmetric too.
 HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
-  const auto minor = [](Wide a, Wide b, Wide c, Wide e) HWY_ATTR { return hn::NegMulAdd(c, e, hn::Mul(a, b)); };  // a b - c e
+  const auto minor = [](Wide a, Wide b, Wide c, Wide e)
+                         HWY_ATTR { return hn::NegMulAdd(c, e, hn::Mul(a, b)); };  // a b - c e
   return {minor(s.yy, s.zz, s.yz, s.yz), minor(s.xx, s.zz, s.xz, s.xz), minor(s.xx, s.yy, s.xy, s.xy),
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
@@ -50,7 +52,8 @@ HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
   const StretchLanes cof = cofactor(s);
   const Wide determinant = dot(Lanes3{s.xx, s.xy, s.xz}, Lanes3{cof.xx, cof.xy, cof.xz});
   const Wide off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
-  const Wide squares = hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
+  const Wide squares =
+      hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
   return turned_outward(apply(cof, n), determinant, squares);
 }
 

@@ -35,7 +35,8 @@ HWY_INLINE Eight times(const Eight& a, hn::Vec<EightTag> w) {
 }
 HWY_INLINE Eight times_plus(const float* from, hn::Vec<EightTag> w, const Eight& sum) {
   Eight out;
-  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::MulAdd(hn::Load(EightTag(), from + p * Eight::kLanes), w, sum.part[p]);
+  for (std::size_t p = 0; p < Eight::kCount; ++p)
+    out.part[p] = hn::MulAdd(hn::Load(EightTag(), from + p * Eight::kLanes), w, sum.part[p]);
   return out;
 }
 
@@ -62,16 +63,19 @@ HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
   const Lanes4 a = transpose(pair(0), pair(4), pair(8), pair(12)), b = transpose(pair(1), pair(5), pair(9), pair(13));
   const auto even = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(of_b), of_a); };
   const auto odd = [](Wide of_a, Wide of_b) HWY_ATTR { return hn::OddEvenBlocks(of_b, hn::SwapAdjacentBlocks(of_a)); };
-  return {{even(a.x, b.x), even(a.y, b.y), even(a.z, b.z), even(a.w, b.w)}, {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
+  return {{even(a.x, b.x), even(a.y, b.y), even(a.z, b.z), even(a.w, b.w)},
+          {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
 #elif HWY_MAX_BYTES >= 32
   const TileTag d;
   const Lanes4 a = transpose(e[0].part[0], e[2].part[0], e[4].part[0], e[6].part[0]);
   const Lanes4 b = transpose(e[1].part[0], e[3].part[0], e[5].part[0], e[7].part[0]);
   const auto low = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatLowerLower(d, of_b, of_a); };
   const auto high = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatUpperUpper(d, of_b, of_a); };
-  return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)}, {high(a.x, b.x), high(a.y, b.y), high(a.z, b.z), high(a.w, b.w)}};
+  return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)},
+          {high(a.x, b.x), high(a.y, b.y), high(a.z, b.z), high(a.w, b.w)}};
 #else
-  return {transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]), transpose(e[0].part[1], e[1].part[1], e[2].part[1], e[3].part[1])};
+  return {transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]),
+          transpose(e[0].part[1], e[1].part[1], e[2].part[1], e[3].part[1])};
 #endif
 }
 

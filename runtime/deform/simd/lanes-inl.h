@@ -35,23 +35,33 @@ HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
           hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 
-HWY_INLINE Lanes3 plus(const Lanes3& a, const Lanes3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE Lanes3 plus(const Lanes3& a, const Lanes3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
 HWY_INLINE Lanes3 times(const Lanes3& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
-HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)}; }
+HWY_INLINE Lanes4 times(const Lanes4& a, Wide s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)};
+}
 
 #if HWY_TARGET == HWY_SCALAR
 
 constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane; }
 
-HWY_INLINE Lanes3 load3(const glm::vec3* tile) { return {hn::LoadU(TileTag(), &tile->x), hn::LoadU(TileTag(), &tile->y), hn::LoadU(TileTag(), &tile->z)}; }
+HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
+  return {hn::LoadU(TileTag(), &tile->x), hn::LoadU(TileTag(), &tile->y), hn::LoadU(TileTag(), &tile->z)};
+}
 HWY_INLINE void store3(const Lanes3& v, glm::vec3* tile) { hn::StoreInterleaved3(v.x, v.y, v.z, TileTag(), &tile->x); }
 HWY_INLINE Lanes4 load4(const glm::vec4* tile) {
   Lanes4 out;
   hn::LoadInterleaved4(TileTag(), &tile->x, out.x, out.y, out.z, out.w);
   return out;
 }
-HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) { hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &tile->x); }
+HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
+  hn::StoreInterleaved4(v.x, v.y, v.z, v.w, TileTag(), &tile->x);
+}
 
 #else
 
@@ -60,12 +70,13 @@ HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
   const TileTag d;
   const Wide ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
   const Wide be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
-  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low), hn::InterleaveLower(d, ac_high, be_high),
-          hn::InterleaveUpper(d, ac_high, be_high)};
+  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low),
+          hn::InterleaveLower(d, ac_high, be_high), hn::InterleaveUpper(d, ac_high, be_high)};
 }
 
 HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
-  const Lanes4 all = transpose(load_quarter<0>(tile), load_quarter<1>(tile), load_quarter<2>(tile), load_quarter<3>(tile));
+  const Lanes4 all =
+      transpose(load_quarter<0>(tile), load_quarter<1>(tile), load_quarter<2>(tile), load_quarter<3>(tile));
   return {all.x, all.y, all.z};
 }
 
@@ -82,14 +93,15 @@ HWY_INLINE Lanes4 load4(const glm::vec4* tile) {
 
 HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
   const Lanes4 all = transpose(v.x, v.y, v.z, v.w);
-  const auto store = [&](Wide quarter, std::size_t q) HWY_ATTR { hn::StoreU(quarter, TileTag(), &tile[q * kBlocks].x); };
+  const auto store = [&](Wide quarter, std::size_t q)
+                         HWY_ATTR { hn::StoreU(quarter, TileTag(), &tile[q * kBlocks].x); };
   store(all.x, 0), store(all.y, 1), store(all.z, 2), store(all.w, 3);
 }
 
 #endif  // HWY_TARGET
 
-/// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same choice
-/// as transform_normal_outward.
+/// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same
+/// choice as transform_normal_outward.
 HWY_INLINE Lanes3 turned_outward(const Lanes3& n, Wide determinant, Wide squared_norm) {
   const TileTag d;
   const Wide flat = hn::Mul(hn::Mul(squared_norm, hn::Sqrt(squared_norm)), hn::Set(d, -kFlatDeterminant<float>));
@@ -98,8 +110,8 @@ HWY_INLINE Lanes3 turned_outward(const Lanes3& n, Wide determinant, Wide squared
   return {turned(n.x), turned(n.y), turned(n.z)};
 }
 
-/// Unit vectors, by an exact square root and division. Answers the lanes whose square is in the range in which float keeps its
-/// digits; the others are for the careful way, vertex by vertex.
+/// Unit vectors, by an exact square root and division. Answers the lanes whose square is in the range in which float
+/// keeps its digits; the others are for the careful way, vertex by vertex.
 HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
   const TileTag d;
   const Wide squared = dot(v, v);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blended matrices where a tile is one vertex: the scalar target, with the operations of blend_columns-inl.h in their order.
+// Blended matrices where a tile is one vertex: the scalar target, with the operations of blend_columns-inl.h in their
+// order.
 #if defined(SINEW_ONE_MATRIX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_ONE_MATRIX_INL_H_
 #undef SINEW_ONE_MATRIX_INL_H_

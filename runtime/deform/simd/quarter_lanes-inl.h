@@ -75,25 +75,33 @@ HWY_INLINE Wide packed_from(Wide quarter) {
 HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
-  const auto join = [&](std::size_t from_first, Wide first, Wide second) HWY_ATTR { return hn::IfThenElse(hn::FirstN(d, from_first), first, second); };
+  const auto join = [&](std::size_t from_first, Wide first, Wide second)
+                        HWY_ATTR { return hn::IfThenElse(hn::FirstN(d, from_first), first, second); };
   const Wide packed[3] = {join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])),
                           join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])),
                           join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3]))};
-  if (past_caches) hn::Stream(packed[0], d, to), hn::Stream(packed[1], d, to + kTileSize), hn::Stream(packed[2], d, to + 2 * kTileSize);
-  else hn::StoreU(packed[0], d, to), hn::StoreU(packed[1], d, to + kTileSize), hn::StoreU(packed[2], d, to + 2 * kTileSize);
+  if (past_caches)
+    hn::Stream(packed[0], d, to), hn::Stream(packed[1], d, to + kTileSize),
+        hn::Stream(packed[2], d, to + 2 * kTileSize);
+  else
+    hn::StoreU(packed[0], d, to), hn::StoreU(packed[1], d, to + kTileSize),
+        hn::StoreU(packed[2], d, to + 2 * kTileSize);
 }
 
-/// Where lanes are vertices, they are in the order in which four by four within the blocks of quarters turns them: nothing crosses
-/// blocks.
+/// Where lanes are vertices, they are in the order in which four by four within the blocks of quarters turns them:
+/// nothing crosses blocks.
 constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
-/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Answers the lanes whose square is in
-/// the range in which float keeps its digits; the others come out wrong.
+/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Answers the lanes whose
+/// square is in the range in which float keeps its digits; the others come out wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
-  const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]), ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
-  const Wide be_low = hn::InterleaveLower(d, quarter[1], quarter[3]), be_high = hn::InterleaveUpper(d, quarter[1], quarter[3]);
-  const Wide x = hn::InterleaveLower(d, ac_low, be_low), y = hn::InterleaveUpper(d, ac_low, be_low), z = hn::InterleaveLower(d, ac_high, be_high);
+  const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]),
+             ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
+  const Wide be_low = hn::InterleaveLower(d, quarter[1], quarter[3]),
+             be_high = hn::InterleaveUpper(d, quarter[1], quarter[3]);
+  const Wide x = hn::InterleaveLower(d, ac_low, be_low), y = hn::InterleaveUpper(d, ac_low, be_low),
+             z = hn::InterleaveLower(d, ac_high, be_high);
   const Wide squared = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
   const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
   quarter[0] = hn::Mul(quarter[0], hn::Broadcast<0>(scale));

@@ -29,7 +29,8 @@ class StreamedOutput {
     const std::size_t bytes = sizeof(glm::vec3) * (1 + wanted.normals) + sizeof(glm::vec4) * wanted.tangents;
     if (kTileSize == 1 || out.positions.size() * bytes < kStreamedBytes) return;
     for (std::size_t first = 0; first < kTileSize && !first_; ++first)
-      if (is_aligned(&out.positions[first]) && (!wanted.normals || is_aligned(&out.normals[first])) && (!wanted.tangents || is_aligned(&out.tangents[first])))
+      if (is_aligned(&out.positions[first]) && (!wanted.normals || is_aligned(&out.normals[first])) &&
+          (!wanted.tangents || is_aligned(&out.tangents[first])))
         first_ = first;
   }
   ~StreamedOutput() {
@@ -41,7 +42,9 @@ class StreamedOutput {
   bool begins_at(std::size_t vertex) const { return first_ && vertex % kTileSize == *first_; }
 
   /// Vertices from there to the next at which it may; 0 where there is none.
-  std::size_t until(std::size_t vertex) const { return first_ ? (*first_ + kTileSize - vertex % kTileSize) % kTileSize : 0; }
+  std::size_t until(std::size_t vertex) const {
+    return first_ ? (*first_ + kTileSize - vertex % kTileSize) % kTileSize : 0;
+  }
 
  private:
   static bool is_aligned(const void* at) { return reinterpret_cast<std::uintptr_t>(at) % sizeof(Wide) == 0; }

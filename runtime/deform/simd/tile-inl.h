@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile: as many vertices as a vector of up to 512 bits has lanes. Included once per SIMD target (Highway's foreach_target),
-// hence the guard's form.
+// A tile: as many vertices as a vector of up to 512 bits has lanes. Included once per SIMD target (Highway's
+// foreach_target), hence the guard's form.
 #if defined(SINEW_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TILE_INL_H_
 #undef SINEW_TILE_INL_H_
@@ -38,7 +38,8 @@ HWY_INLINE void for_each_of_tile(const Body& body) {
     for (std::size_t k = first; k < first + kRow; ++k) body(k);
 }
 
-/// The same in rows that a compiler does not unroll: what `body` leaves in registers would not fit them for a whole tile.
+/// The same in rows that a compiler does not unroll: what `body` leaves in registers would not fit them for a whole
+/// tile.
 template <class Body>
 HWY_INLINE void for_each_of_tile_by_rows(const Body& body) {
   constexpr std::size_t kRow = kTileSize < 4 ? kTileSize : 4;
@@ -56,7 +57,8 @@ HWY_INLINE void for_each_lane_not_in(hn::Mask<TileTag> mask, const Body& body) {
   if (HWY_LIKELY(hn::AllTrue(d, mask))) return;
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, hn::Not(mask), bits);
-  for (unsigned left = bits[0] | unsigned{bits[1]} << 8; left != 0; left &= left - 1) body(static_cast<std::size_t>(std::countr_zero(left)));
+  for (unsigned left = bits[0] | unsigned{bits[1]} << 8; left != 0; left &= left - 1)
+    body(static_cast<std::size_t>(std::countr_zero(left)));
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -29,8 +29,9 @@ struct TileInfluences {
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
 
-  /// What a palette has for joint `i` of vertex `k`. Four numbers are read at once, since loads and instructions are what blending
-  /// spends its time on, and rotated to be offsets in bytes: to shift them would take a copy of all four each time.
+  /// What a palette has for joint `i` of vertex `k`. Four numbers are read at once, since loads and instructions are
+  /// what blending spends its time on, and rotated to be offsets in bytes: to shift them would take a copy of all four
+  /// each time.
   template <class Entry>
   HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
     if constexpr (!kFourAtOnce) return palette + at(k).joints[i];
@@ -38,7 +39,8 @@ struct TileInfluences {
     const std::size_t number = k * kCount + i, number_of_four = kCount % 4 == 0 ? i % 4 : number % 4;
     std::uint64_t four;
     hwy::CopyBytes<sizeof(four)>(first.joints + (number - number_of_four), &four);
-    const std::uint64_t offset = std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(sizeof(Entry)));
+    const std::uint64_t offset =
+        std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(sizeof(Entry)));
     return reinterpret_cast<const Entry*>(reinterpret_cast<const char*>(palette) + (offset & (0xffff * sizeof(Entry))));
   }
 
@@ -46,7 +48,8 @@ struct TileInfluences {
   static constexpr bool kFourAtOnce = kCount > 0 && kTileSize % 4 == 0 && std::endian::native == std::endian::little;
 };
 
-/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs nothing.
+/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs
+/// nothing.
 template <class V3, class V4>
 struct TileAttributes {
   V3* positions;
@@ -74,7 +77,8 @@ struct TileCopies {
     if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
-  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first one.
+  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first
+  /// one.
   TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
     if constexpr (kCount == 0) return {in, 0};
     for (std::size_t k = 0; k < kTileSize; ++k) {
@@ -84,7 +88,9 @@ struct TileCopies {
     }
     return {{joints, weights, kCount}, kCount};
   }
-  TileOutput in_place_of(const TileOutput& out) { return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr}; }
+  TileOutput in_place_of(const TileOutput& out) {
+    return {out_positions, out.normals ? out_normals : nullptr, out.tangents ? out_tangents : nullptr};
+  }
   void store(const TileOutput& out, std::size_t count) const {
     std::copy_n(out_positions, count, out.positions);
     if (out.normals) std::copy_n(out_normals, count, out.normals);
@@ -101,12 +107,14 @@ struct TileCopies {
 /// Joint numbers and weights of a tile in the numbers that kernels work with.
 template <int kCount>
 struct WidenedTile {
-  static constexpr std::size_t kRoom = kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
+  static constexpr std::size_t kRoom =
+      kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
   std::uint16_t joints[kRoom];
   float weights[kRoom];
 
   /// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2)
-  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count, std::size_t influence_count) {
+  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count,
+                             std::size_t influence_count) {
     const std::size_t count = vertex_count * influence_count;
     std::visit([&](auto all) { std::copy_n(all.data() + first, count, joints); }, from.joints);
     std::visit(
@@ -114,8 +122,10 @@ struct WidenedTile {
           using Number = typename decltype(all)::value_type;
           for (std::size_t i = 0; i < count; ++i) {
             const auto number = static_cast<float>(all[first + i]);
-            if constexpr (std::is_integral_v<Number>) weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
-            else weights[i] = number;
+            if constexpr (std::is_integral_v<Number>)
+              weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
+            else
+              weights[i] = number;
           }
         },
         from.weights);

@@ -16,7 +16,8 @@ namespace sinew::HWY_NAMESPACE {
 /// Writes what `out` wants. Answers the lanes whose directions are long enough to keep their digits; the others are for
 /// turn_directions.h. Directions are made unit before they are turned: the square root does not wait for the blend.
 template <bool kStretch>
-HWY_INLINE hn::Mask<TileTag> turn_directions(const MotionLanes& motion, const StretchLanes& stretch, const TileInput& in, const TileOutput& out) {
+HWY_INLINE hn::Mask<TileTag> turn_directions(const MotionLanes& motion, const StretchLanes& stretch,
+                                             const TileInput& in, const TileOutput& out) {
   auto sound = motion.sound;
   if (out.normals) {
     Lanes3 n = load3(in.normals);

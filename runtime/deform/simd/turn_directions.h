@@ -4,10 +4,11 @@
 
 namespace sinew {
 
-/// The normal and the tangent of vertex `v`, stretched and then turned: what dual quaternions and centers of rotation share.
-/// eq   n' = R sign(det S) cof(S) n, t' = R S t, unit   (conventions.h)
+/// The normal and the tangent of vertex `v`, stretched and then turned: what dual quaternions and centers of rotation
+/// share. eq   n' = R sign(det S) cof(S) n, t' = R S t, unit   (conventions.h)
 template <bool kStretch, class In, class Out>
-void turn_directions(const Quat<float>& rotation, const Mat3<float>& stretch, const In& in, const Out& out, std::size_t v) noexcept {
+void turn_directions(const Quat<float>& rotation, const Mat3<float>& stretch, const In& in, const Out& out,
+                     std::size_t v) noexcept {
   if (out.normals) {
     glm::vec3 n = in.normals[v];
     if constexpr (kStretch) n = transform_normal_outward(stretch, n);

@@ -33,24 +33,28 @@ struct TileRow {
   TileInput all_in;
   TileOutput all_out;
 
-  HWY_INLINE TileInfluences<kCount> joints(std::size_t tile) const { return {all_joints.at(tile * kTileSize), all_joints.runtime_stride}; }
+  HWY_INLINE TileInfluences<kCount> joints(std::size_t tile) const {
+    return {all_joints.at(tile * kTileSize), all_joints.runtime_stride};
+  }
   HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 };
 
-/// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is done as a tile
-/// that ends with the group: some vertices twice, with the same result, and so is what comes before the first aligned vertex where
-/// output is streamed. A group of fewer vertices goes through copies.
+/// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is
+/// done as a tile that ends with the group: some vertices twice, with the same result, and so is what comes before the
+/// first aligned vertex where output is streamed. A group of fewer vertices goes through copies.
 template <int kCount, class Row>
-HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, Row skin,
-                               const StreamedOutput& streamed = {}) {
+HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
+                               const VertexOutput& out, Row skin, const StreamedOutput& streamed = {}) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
   const bool is_wide = wide_joints && wide_weights;
   const std::size_t stride = group.influence_count;
-  const TileInput all_in{in.positions.data(), wanted.normals ? in.normals.data() : nullptr, wanted.tangents ? in.tangents.data() : nullptr};
-  const TileOutput all_out{out.positions.data(), wanted.normals ? out.normals.data() : nullptr, wanted.tangents ? out.tangents.data() : nullptr};
+  const TileInput all_in{in.positions.data(), wanted.normals ? in.normals.data() : nullptr,
+                         wanted.tangents ? in.tangents.data() : nullptr};
+  const TileOutput all_out{out.positions.data(), wanted.normals ? out.normals.data() : nullptr,
+                           wanted.tangents ? out.tangents.data() : nullptr};
   WidenedTile<kCount> widened;
   TileCopies<kCount> copies;
   std::size_t done = 0;
@@ -64,25 +68,30 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
     const bool past_caches = whole && is_wide && streamed.begins_at(at);
     const std::size_t first = group.first_influence + v * stride;
     TileInfluences<kCount> joints{{}, stride};
-    if (is_wide) joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
-    else joints.first = widened.widen(influences, first, done, stride);
+    if (is_wide)
+      joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
+    else
+      joints.first = widened.widen(influences, first, done, stride);
     TileInput from = all_in.from(at);
     const TileOutput to = all_out.from(at);
     if (!whole) joints = copies.load(joints.first, done), from = copies.load(from, done);
     // A copy that no store can change, so that loops over tiles keep it in registers.
-    const TileRow<kCount> row{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from, whole ? to : copies.in_place_of(to)};
+    const TileRow<kCount> row{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from,
+                              whole ? to : copies.in_place_of(to)};
     skin(row);
     if (!whole) copies.store(to, done);
   }
 }
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, one tile after the other. Inlining is
-/// left to the compiler: forced, long tiles as those of centers of rotation come out slower.
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, one tile after the
+/// other. Inlining is left to the compiler: forced, long tiles as those of centers of rotation come out slower.
 template <int kCount, class Tile>
-void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in, const VertexOutput& out, const Tile& tile) {
+void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
+                   const VertexOutput& out, const Tile& tile) {
   for_each_row<kCount>(influences, group, in, out, [&tile](const TileRow<kCount>& row) HWY_ATTR {
     TilePlace place = row.place;
-    for (std::size_t t = 0; t < row.tile_count; ++t, place.first_vertex += kTileSize) tile(place, row.joints(t), row.in(t), row.out(t));
+    for (std::size_t t = 0; t < row.tile_count; ++t, place.first_vertex += kTileSize)
+      tile(place, row.joints(t), row.in(t), row.out(t));
   });
 }
 

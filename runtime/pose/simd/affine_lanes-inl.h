@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Products of affine matrices, a row of four floats a block; included once per SIMD target, so without `#pragma once`. Single
-// multiplications and additions only, never fused, each row summed in the order x, y, z, translation as affine.h does: all targets
-// give the same bits (N27, N28).
+// Products of affine matrices, a row of four floats a block; included once per SIMD target, so without `#pragma once`.
+// Single multiplications and additions only, never fused, each row summed in the order x, y, z, translation as affine.h
+// does: all targets give the same bits (N27, N28).
 #if defined(SINEW_AFFINE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_AFFINE_LANES_INL_H
 #undef SINEW_AFFINE_LANES_INL_H
@@ -72,7 +72,8 @@ HWY_INLINE Rows product(const Affine& a, const RowsAt& b) {
   const RowTag d;
   const auto x = hn::LoadU(d, b.x), y = hn::LoadU(d, b.y), z = hn::LoadU(d, b.z);
   const auto row = [&](const glm::vec4& of_a) HWY_ATTR {
-    const auto linear = hn::Add(hn::Add(hn::Mul(hn::Set(d, of_a.x), x), hn::Mul(hn::Set(d, of_a.y), y)), hn::Mul(hn::Set(d, of_a.z), z));
+    const auto linear = hn::Add(hn::Add(hn::Mul(hn::Set(d, of_a.x), x), hn::Mul(hn::Set(d, of_a.y), y)),
+                                hn::Mul(hn::Set(d, of_a.z), z));
     const auto moved = hn::Add(linear, hn::Set(d, of_a.w));
     return hn::ConcatUpperLower(d, hn::OddEven(moved, linear), linear);
   };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so without
-// `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never fused: all
-// targets give the same bits (N27, N28).
+// Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so
+// without
+// `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never
+// fused: all targets give the same bits (N27, N28).
 #if defined(SINEW_PACKED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_LANES_INL_H
 #undef SINEW_PACKED_LANES_INL_H
@@ -20,7 +21,8 @@ HWY_INLINE Lanes value(const TrackBlock& block, Whole whole, std::size_t compone
   const Floats d;
   const std::size_t at = component * block.lane_count + lane;
   const Lanes number = hn::ConvertTo(d, whole);
-  return hn::Add(hn::Mul(number, hn::LoadU(d, block.packed.step.data() + at)), hn::LoadU(d, block.packed.low.data() + at));
+  return hn::Add(hn::Mul(number, hn::LoadU(d, block.packed.step.data() + at)),
+                 hn::LoadU(d, block.packed.low.data() + at));
 }
 
 /// eq   (1 - s) v0 + s v1
@@ -31,15 +33,18 @@ HWY_INLINE void lerp_components(const TrackBlock& block, const PackedKeys& keys,
   for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const auto numbers = unpack<kComponents>(block, keys, place.lane());
     for (std::size_t c = 0; c < kComponents; ++c) {
-      const Lanes v0 = value(block, numbers.begin[c], c, place.lane()), v1 = value(block, numbers.end[c], c, place.lane());
+      const Lanes v0 = value(block, numbers.begin[c], c, place.lane()),
+                  v1 = value(block, numbers.end[c], c, place.lane());
       place.store(c, hn::Add(hn::Mul(v0, r), hn::Mul(v1, s)));
     }
   });
 }
 
 HWY_NOINLINE void lerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
-  if (component_count(block.property) == 3) lerp_components<3>(block, keys, out);
-  else lerp_components<1>(block, keys, out);
+  if (component_count(block.property) == 3)
+    lerp_components<3>(block, keys, out);
+  else
+    lerp_components<1>(block, keys, out);
 }
 
 struct QuatLanes {
@@ -50,8 +55,10 @@ struct QuatLanes {
 HWY_INLINE QuatLanes rotation(const TrackBlock& block, const Whole (&numbers)[4], std::size_t lane) {
   const Floats d;
   const hn::RebindToSigned<Floats> whole;
-  const auto derived = hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.derived.data() + lane));
-  QuatLanes q{value(block, numbers[0], 0, lane), value(block, numbers[1], 1, lane), value(block, numbers[2], 2, lane), value(block, numbers[3], 3, lane)};
+  const auto derived =
+      hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.derived.data() + lane));
+  QuatLanes q{value(block, numbers[0], 0, lane), value(block, numbers[1], 1, lane), value(block, numbers[2], 2, lane),
+              value(block, numbers[3], 3, lane)};
   const Lanes rest = hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, 1.0f), dot4(q.x, q.y, q.z, q.w)), hn::Zero(d)));
   const auto put = [&](Lanes stored, std::int32_t component) HWY_ATTR {
     return hn::IfThenElse(hn::RebindMask(d, hn::Eq(derived, hn::Set(whole, component))), rest, stored);
@@ -77,11 +84,13 @@ HWY_INLINE Lanes arc_ratio(Lanes squared) {
 
 /// eq   sin(x) / x from x^2, x <= pi / 2: the polynomial of `sine`
 HWY_INLINE Lanes sine_ratio(Lanes squared) {
-  constexpr float kCoefficients[] = {0.999999994686f, -0.16666656684f, 0.00833302513895f, -0.000198074187248f, 2.60190306065e-6f};
+  constexpr float kCoefficients[] = {0.999999994686f, -0.16666656684f, 0.00833302513895f, -0.000198074187248f,
+                                     2.60190306065e-6f};
   return polynomial(kCoefficients, squared);
 }
 
-/// eq   slerp on the short arc (G01): normalise(q0 sin(r a) + q1 sin(s a)), a = 2 asin(|q1 - q0| / 2) of the keys as packed. Both
+/// eq   slerp on the short arc (G01): normalise(q0 sin(r a) + q1 sin(s a)), a = 2 asin(|q1 - q0| / 2) of the keys as
+/// packed. Both
 ///      weights are divided by a, so that only its square is needed, and no arc is too small (N01).
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
@@ -89,11 +98,14 @@ HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, 
   for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const auto numbers = unpack<4>(block, keys, place.lane());
     const QuatLanes q0 = rotation(block, numbers.begin, place.lane()), q1 = rotation(block, numbers.end, place.lane());
-    const Lanes dot = hn::Add(hn::Add(hn::Mul(q0.x, q1.x), hn::Mul(q0.y, q1.y)), hn::Add(hn::Mul(q0.z, q1.z), hn::Mul(q0.w, q1.w)));
+    const Lanes dot =
+        hn::Add(hn::Add(hn::Mul(q0.x, q1.x), hn::Mul(q0.y, q1.y)), hn::Add(hn::Mul(q0.z, q1.z), hn::Mul(q0.w, q1.w)));
     const Lanes side = hn::IfThenElse(hn::Lt(dot, hn::Zero(d)), hn::Set(d, -1.0f), one);
     const auto apart = [&](Lanes a, Lanes b) HWY_ATTR { return hn::Sub(hn::Mul(b, side), a); };
-    const Lanes quarter = hn::Mul(hn::Set(d, 0.25f), dot4(apart(q0.x, q1.x), apart(q0.y, q1.y), apart(q0.z, q1.z), apart(q0.w, q1.w)));
-    const Lanes ratio = arc_ratio(quarter), squared = hn::Mul(hn::Mul(hn::Set(d, 4.0f), quarter), hn::Mul(ratio, ratio));
+    const Lanes quarter =
+        hn::Mul(hn::Set(d, 0.25f), dot4(apart(q0.x, q1.x), apart(q0.y, q1.y), apart(q0.z, q1.z), apart(q0.w, q1.w)));
+    const Lanes ratio = arc_ratio(quarter),
+                squared = hn::Mul(hn::Mul(hn::Set(d, 4.0f), quarter), hn::Mul(ratio, ratio));
     const Lanes w0 = hn::Mul(r, sine_ratio(hn::Mul(hn::Mul(r, r), squared)));
     const Lanes w1 = hn::Mul(hn::Mul(s, side), sine_ratio(hn::Mul(hn::Mul(s, s), squared)));
     const auto mixed = [&](Lanes a, Lanes b) HWY_ATTR { return flushed(hn::Add(hn::Mul(a, w0), hn::Mul(b, w1))); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole numbers of packed keys, taken out of their rows; included once per SIMD target, so without `#pragma once`. Rows are
-// read as little-endian numbers.
+// The whole numbers of packed keys, taken out of their rows; included once per SIMD target, so without `#pragma once`.
+// Rows are read as little-endian numbers.
 #if defined(SINEW_PACKED_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_NUMBERS_INL_H
 #undef SINEW_PACKED_NUMBERS_INL_H
@@ -36,7 +36,8 @@ HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys
   for (std::size_t c = 0; c < kComponents; ++c) {
     const std::uint32_t width = block.packed.width[c * block.lane_count + lane];
     const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-    out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask)), out.end[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(e & mask));
+    out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask)),
+    out.end[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(e & mask));
     b >>= width, e >>= width;
   }
   return out;
@@ -63,7 +64,8 @@ HWY_INLINE WordPairs gather(const std::uint8_t* row, const WordPairs& first_byte
   const WordTag d;
   const hn::RebindToSigned<WordTag> offsets;
   const auto* words = reinterpret_cast<const std::uint64_t*>(row);
-  return {hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.even)), hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.odd))};
+  return {hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.even)),
+          hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.odd))};
 }
 
 /// The numbers that begin at bit `shift` of the words.
@@ -78,13 +80,15 @@ template <std::size_t kComponents>
 HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane) {
   const WholeTag whole;
   const Whole one = hn::Set(whole, 1);
-  const Whole first_bit = hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint16_t, Floats>(), block.packed.first_bit.data() + lane));
+  const Whole first_bit =
+      hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint16_t, Floats>(), block.packed.first_bit.data() + lane));
   const WordPairs first_byte = widened(hn::ShiftRight<3>(first_bit));
   const WordPairs begin = gather(keys.begin, first_byte), end = gather(keys.end, first_byte);
   Whole shift = hn::And(first_bit, hn::Set(whole, 7));
   Numbers<kComponents> out;
   for (std::size_t c = 0; c < kComponents; ++c) {
-    const Whole width = hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.width.data() + c * block.lane_count + lane));
+    const Whole width = hn::PromoteTo(
+        whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.width.data() + c * block.lane_count + lane));
     const Whole mask = hn::Sub(hn::Shl(one, width), one);
     const WordPairs shifts = widened(shift);
     out.begin[c] = numbers_at(begin, shifts, mask), out.end[c] = numbers_at(end, shifts, mask);

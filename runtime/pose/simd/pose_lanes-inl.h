@@ -10,8 +10,8 @@
 
 #include <hwy/highway.h>
 
-#include "runtime/pose/blend_poses.h"
 #include "runtime/math/negligible.h"
+#include "runtime/pose/blend_poses.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -38,17 +38,21 @@ HWY_INLINE TransformLanes load(const PoseSpan& p, std::size_t j) {
 HWY_INLINE void store(const TransformLanes& t, const PoseSpan& p, std::size_t j) {
   const Floats d;
   using P = PoseSpan;
-  hn::StoreU(t.tx, d, p.plane(P::tx) + j), hn::StoreU(t.ty, d, p.plane(P::ty) + j), hn::StoreU(t.tz, d, p.plane(P::tz) + j);
-  hn::StoreU(t.rx, d, p.plane(P::rx) + j), hn::StoreU(t.ry, d, p.plane(P::ry) + j), hn::StoreU(t.rz, d, p.plane(P::rz) + j);
+  hn::StoreU(t.tx, d, p.plane(P::tx) + j), hn::StoreU(t.ty, d, p.plane(P::ty) + j),
+      hn::StoreU(t.tz, d, p.plane(P::tz) + j);
+  hn::StoreU(t.rx, d, p.plane(P::rx) + j), hn::StoreU(t.ry, d, p.plane(P::ry) + j),
+      hn::StoreU(t.rz, d, p.plane(P::rz) + j);
   hn::StoreU(t.rw, d, p.plane(P::rw) + j);
-  hn::StoreU(t.sx, d, p.plane(P::sx) + j), hn::StoreU(t.sy, d, p.plane(P::sy) + j), hn::StoreU(t.sz, d, p.plane(P::sz) + j);
+  hn::StoreU(t.sx, d, p.plane(P::sx) + j), hn::StoreU(t.sy, d, p.plane(P::sy) + j),
+      hn::StoreU(t.sz, d, p.plane(P::sz) + j);
 }
 
 template <class Mask>
 HWY_INLINE TransformLanes choose(Mask m, const TransformLanes& a, const TransformLanes& b) {
-  return {hn::IfThenElse(m, a.tx, b.tx), hn::IfThenElse(m, a.ty, b.ty), hn::IfThenElse(m, a.tz, b.tz), hn::IfThenElse(m, a.rx, b.rx),
-          hn::IfThenElse(m, a.ry, b.ry), hn::IfThenElse(m, a.rz, b.rz), hn::IfThenElse(m, a.rw, b.rw), hn::IfThenElse(m, a.sx, b.sx),
-          hn::IfThenElse(m, a.sy, b.sy), hn::IfThenElse(m, a.sz, b.sz)};
+  return {hn::IfThenElse(m, a.tx, b.tx), hn::IfThenElse(m, a.ty, b.ty), hn::IfThenElse(m, a.tz, b.tz),
+          hn::IfThenElse(m, a.rx, b.rx), hn::IfThenElse(m, a.ry, b.ry), hn::IfThenElse(m, a.rz, b.rz),
+          hn::IfThenElse(m, a.rw, b.rw), hn::IfThenElse(m, a.sx, b.sx), hn::IfThenElse(m, a.sy, b.sy),
+          hn::IfThenElse(m, a.sz, b.sz)};
 }
 
 /// Weight of a layer for the joints from `j` on; masks have no padding, so their tail is copied.

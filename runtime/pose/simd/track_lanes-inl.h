@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Interpolation of blocks of tracks, written once over Highway's lanes; included once per SIMD target, so without `#pragma once`.
-// Every lane computes its own track in the same order of single multiplications and additions, never fused: all targets
-// give the same bits (N27, N28).
+// Interpolation of blocks of tracks, written once over Highway's lanes; included once per SIMD target, so without
+// `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never
+// fused: all targets give the same bits (N27, N28).
 #if defined(SINEW_TRACK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_LANES_INL_H
 #undef SINEW_TRACK_LANES_INL_H
@@ -31,7 +31,8 @@ HWY_NOINLINE void lerp_block(const TrackBlock& block, const BetweenKeys& at, con
   const KeyRow begin(block, at.key), end(block, at.key + 1);
   for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    for (std::size_t c = 0; c < place.kComponents; ++c) place.store(c, hn::Add(hn::Mul(begin.load(c, lane), r), hn::Mul(end.load(c, lane), s)));
+    for (std::size_t c = 0; c < place.kComponents; ++c)
+      place.store(c, hn::Add(hn::Mul(begin.load(c, lane), r), hn::Mul(end.load(c, lane), s)));
   });
 }
 
@@ -48,8 +49,10 @@ struct HermiteRows {
   HWY_INLINE Lanes component(std::size_t c, std::size_t lane) const {
     const Floats d;
     const std::size_t n = value_plane;
-    const Lanes v0 = hn::Mul(begin.load(n + c, lane), hn::Set(d, weights.value0)), b0 = hn::Mul(begin.load(2 * n + c, lane), hn::Set(d, weights.out0));
-    const Lanes v1 = hn::Mul(end.load(n + c, lane), hn::Set(d, weights.value1)), a1 = hn::Mul(end.load(c, lane), hn::Set(d, weights.in1));
+    const Lanes v0 = hn::Mul(begin.load(n + c, lane), hn::Set(d, weights.value0)),
+                b0 = hn::Mul(begin.load(2 * n + c, lane), hn::Set(d, weights.out0));
+    const Lanes v1 = hn::Mul(end.load(n + c, lane), hn::Set(d, weights.value1)),
+                a1 = hn::Mul(end.load(c, lane), hn::Set(d, weights.in1));
     return hn::Add(hn::Add(v0, b0), hn::Add(v1, a1));
   }
 };
@@ -77,7 +80,9 @@ HWY_INLINE Lanes dot4(Lanes x, Lanes y, Lanes z, Lanes w) {
   return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Add(hn::Mul(z, z), hn::Mul(w, w)));
 }
 
-HWY_INLINE Lanes flushed(Lanes v) { return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v); }
+HWY_INLINE Lanes flushed(Lanes v) {
+  return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v);
+}
 
 /// eq   slerp: normalise(q0 sin(r a) + q1 sin(s a)); a is the stored arc, whose sign turns q1 to the short side (G01)
 HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
@@ -86,9 +91,12 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   const KeyRow begin(block, at.key), end(block, at.key + 1);
   for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    const Lanes arc = place.tracks(begin.load(4, lane));  // beyond them, tiny numbers would make products that are no normal numbers (N26)
+    const Lanes arc = place.tracks(
+        begin.load(4, lane));  // beyond them, tiny numbers would make products that are no normal numbers (N26)
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
-    const auto mix = [&](std::size_t c) HWY_ATTR { return flushed(hn::Add(hn::Mul(begin.load(c, lane), w0), hn::Mul(end.load(c, lane), w1))); };
+    const auto mix = [&](std::size_t c) HWY_ATTR {
+      return flushed(hn::Add(hn::Mul(begin.load(c, lane), w0), hn::Mul(end.load(c, lane), w1)));
+    };
     const Lanes x = mix(0), y = mix(1), z = mix(2), w = mix(3);
     const Lanes scale = hn::Div(one, hn::Sqrt(dot4(x, y, z, w)));
     place.store(0, hn::Mul(x, scale));
@@ -98,7 +106,8 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   });
 }
 
-/// eq   Hermite form of four components, then normalised without sign flip (G04, G05); a sum without direction falls back to
+/// eq   Hermite form of four components, then normalised without sign flip (G04, G05); a sum without direction falls
+/// back to
 ///      the nearer key. The sum is first divided by its largest component, so that any finite length works.
 HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
@@ -106,7 +115,8 @@ HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenK
   const KeyRow nearer(block, at.s < 0.5f ? at.key : at.key + 1);
   for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane), w = rows.component(3, lane);
+    Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane),
+          w = rows.component(3, lane);
     const Lanes largest = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), hn::Abs(w)));
     x = hn::Div(x, largest), y = hn::Div(y, largest), z = hn::Div(z, largest), w = hn::Div(w, largest);
     const Lanes sum = dot4(x, y, z, w), length = hn::Sqrt(sum);

@@ -6,7 +6,8 @@
 
 namespace sinew {
 
-/// Where the values of one block of tracks go: planes `plane_stride` floats apart, a lane's place is the block's target.
+/// Where the values of one block of tracks go: planes `plane_stride` floats apart, a lane's place is the block's
+/// target.
 struct TrackOutput {
   float* first_plane = nullptr;
   std::size_t plane_stride = 0;
@@ -18,10 +19,14 @@ struct TrackOutput {
 struct BetweenKeys {
   std::size_t key;
   double fraction, interval_s;
-  float s, r;                       ///< fraction of the interval, and 1 - s
+  float s, r;  ///< fraction of the interval, and 1 - s
 
   explicit BetweenKeys(const KeyPosition& at) noexcept
-      : key(at.key), fraction(at.fraction), interval_s(at.interval_s), s(static_cast<float>(at.fraction)), r(static_cast<float>(1.0 - at.fraction)) {}
+      : key(at.key),
+        fraction(at.fraction),
+        interval_s(at.interval_s),
+        s(static_cast<float>(at.fraction)),
+        r(static_cast<float>(1.0 - at.fraction)) {}
 };
 
 /// Rows of the two keys of packed tracks that a time lies between; on a key that one twice.

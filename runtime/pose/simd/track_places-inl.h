@@ -18,12 +18,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kLanePadding>;
 using Lanes = hn::Vec<Floats>;
 
-/// The planes of one key. What it has of the block is its own, as below: after a store, the compiler reads again what that may have changed.
+/// The planes of one key. What it has of the block is its own, as below: after a store, the compiler reads again what
+/// that may have changed.
 class KeyRow {
  public:
-  HWY_INLINE KeyRow(const TrackBlock& block, std::size_t key) : first_plane_(block.plane(key, 0)), lane_count_(block.lane_count) {}
+  HWY_INLINE KeyRow(const TrackBlock& block, std::size_t key)
+      : first_plane_(block.plane(key, 0)), lane_count_(block.lane_count) {}
 
-  HWY_INLINE Lanes load(std::size_t plane, std::size_t lane) const { return hn::LoadU(Floats(), first_plane_ + plane * lane_count_ + lane); }
+  HWY_INLINE Lanes load(std::size_t plane, std::size_t lane) const {
+    return hn::LoadU(Floats(), first_plane_ + plane * lane_count_ + lane);
+  }
 
  private:
   const float* first_plane_;
@@ -52,13 +56,19 @@ class NumberPlace {
   std::size_t lane_, count_;
 };
 
-/// Lanes of joints from `lane` on, and where they go: to the vector of joints from `joint` on, where lane_of has their lane.
+/// Lanes of joints from `lane` on, and where they go: to the vector of joints from `joint` on, where lane_of has their
+/// lane.
 class JointPlace {
  public:
   static constexpr std::size_t kComponents = 3;  // of translations and scales
 
-  HWY_INLINE JointPlace(const TrackOutput& out, std::size_t lane, std::size_t count, std::size_t joint, const std::int32_t* lane_of)
-      : to_(out.first_plane + joint), plane_stride_(out.plane_stride), lane_(lane), count_(count - lane), lanes_(hn::LoadU(Whole(), lane_of)) {}
+  HWY_INLINE JointPlace(const TrackOutput& out, std::size_t lane, std::size_t count, std::size_t joint,
+                        const std::int32_t* lane_of)
+      : to_(out.first_plane + joint),
+        plane_stride_(out.plane_stride),
+        lane_(lane),
+        count_(count - lane),
+        lanes_(hn::LoadU(Whole(), lane_of)) {}
 
   HWY_INLINE std::size_t lane() const { return lane_; }
   /// 0 in lanes beyond the last track.
@@ -68,7 +78,8 @@ class JointPlace {
     float* to = to_ + component * plane_stride_;
     const auto here = hn::Max(hn::Sub(lanes_, hn::Set(Whole(), static_cast<std::int32_t>(lane_))), hn::Zero(Whole()));
     const auto placed = hn::TableLookupLanes(values, hn::IndicesFromVec(d, here));
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(d, hn::Gt(lanes_, hn::Set(Whole(), -1))), placed, hn::LoadU(d, to)), d, to);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(d, hn::Gt(lanes_, hn::Set(Whole(), -1))), placed, hn::LoadU(d, to)), d,
+               to);
   }
 
  private:
@@ -102,7 +113,8 @@ HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput&
 template <class Body>
 HWY_INLINE void for_each_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   if (moves_joints(block.property)) return for_each_joint_place(block, out, body);
-  for (std::size_t lane = 0, count = block.lane_count; lane < count; lane += hn::Lanes(Floats())) body(NumberPlace(block, out, lane));
+  for (std::size_t lane = 0, count = block.lane_count; lane < count; lane += hn::Lanes(Floats()))
+    body(NumberPlace(block, out, lane));
 }
 
 }  // namespace sinew::HWY_NAMESPACE

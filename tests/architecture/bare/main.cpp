@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A program without RTTI and exceptions, linked with the jobs and the running of plans compiled in the same way: frames need
-// neither. Exit status 0 when the frame is right.
+// A program without RTTI and exceptions, linked with the jobs and the running of plans compiled in the same way: frames
+// need neither. Exit status 0 when the frame is right.
 #include <cstdio>
 
-#include "runtime/playback/playback_clock.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/playback/playback_clock.h"
 #include "tests/scenes/hand_scenes.h"
 
 #if defined(__cpp_exceptions) || defined(__cpp_rtti)
@@ -22,6 +22,7 @@ int main() {
   const sinew::ClipLayer layer{0, clock.time_s()};
   if (run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frame) != sinew::ErrorCode::ok) return 1;
   const glm::vec3 tip = frame.result().primitives[0].positions[1];
-  std::printf("the arm's tip is at %.6f %.6f %.6f\n", static_cast<double>(tip.x), static_cast<double>(tip.y), static_cast<double>(tip.z));
+  std::printf("the arm's tip is at %.6f %.6f %.6f\n", static_cast<double>(tip.x), static_cast<double>(tip.y),
+              static_cast<double>(tip.z));
   return glm::dot(tip - glm::vec3(-1, 1, 0), tip - glm::vec3(-1, 1, 0)) < 1e-10f ? 0 : 1;
 }
