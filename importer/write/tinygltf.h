@@ -13,6 +13,7 @@
 #pragma GCC diagnostic ignored "-Wextra"
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wconversion"
-#include <tiny_gltf.h>
 #include <nlohmann/json.hpp>
+// tiny_gltf.h expects it to be there already.
+#include <tiny_gltf.h>
 #pragma GCC diagnostic pop
