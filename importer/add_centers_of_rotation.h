@@ -5,11 +5,13 @@
 
 namespace sinew {
 
-/// Gives Primitive::centers_of_rotation to every skinned primitive that has none, for Skinning::center_of_rotation. All
-/// primitives of a mesh are one surface, whatever their materials: vertices that coincide get the same center, and no
-/// seam opens. Vertices without a center of their own get their own position (centers_of_rotation.h). in   scene   that
-/// passed check(Scene); only meshes that some instance hangs on a skin are looked at cost that of centers_of_rotation;
-/// progress runs once from 0 to 1 over all meshes
+/// Fills Primitive::centers_of_rotation of every skinned primitive that has none, for Skinning::center_of_rotation.
+/// Only meshes that an instance uses with a skin are looked at. All primitives of a mesh are treated as one surface,
+/// whatever their materials: vertices at the same place get the same center, so no seam opens between materials.
+/// A vertex without a center of its own gets its own position (see centers_of_rotation.h).
+/// in    scene     has passed check(Scene)
+///       options   progress runs once from 0 to 1 over all meshes
+/// cost  that of centers_of_rotation() for each mesh
 void add_centers_of_rotation(Scene& scene, const CentersOptions& options = {});
 
 }  // namespace sinew

@@ -11,24 +11,29 @@
 
 namespace sinew {
 
-/// What a file says about itself beside the scene.
+/// What the file says besides the scene, and who is told about progress.
 struct ExportOptions {
   std::string copyright;                                                ///< asset.copyright
   std::function<void(const char* stage, double done_0_to_1)> progress;  ///< may be empty
 };
 
-/// The scene as one binary glTF 2.0 file: nodes, meshes, skins, animations, morph targets (sparse where that is
-/// smaller), materials, images (as they were where Image::encoded has them, else PNG), cameras, lights. Importing it
-/// again gives equal assets. Normals that the importer made flat are left out, since a missing NORMAL means flat;
-/// vertices keep the numbers that they had in their file where that is possible. What glTF cannot leave empty gets a
-/// harmless entry: a clip without tracks a channel without node, a missing image one visible pixel.
-/// Centers of rotation are left out: an import that wants them makes them again.
-/// Correctives have no place in glTF and are not written.
-/// The overload with a file writes it whole or not at all.
-/// err  "squad-in-gltf" (glTF has no such interpolation), "glb-size" (4 GiB and more), "write-file"
-/// cost O(scene); holds the binary part twice while writing
+/// Writes a scene as one binary glTF 2.0 file: nodes, meshes, skins, animations, morph targets (sparse where that is
+/// smaller), materials, images, cameras and lights. Importing the file again gives equal assets.
+/// - Images keep their encoded bytes where Image::encoded has them; others are written as PNG.
+/// - Normals that the importer made for flat shading are left out: in glTF a missing NORMAL means flat.
+/// - Vertices keep the numbers of the file that they came from where that is possible.
+/// - glTF forbids some empty entries. A clip without tracks gets one channel without a node, and a missing image
+/// becomes
+///   one visible pixel.
+/// - Not written: centers of rotation, which an import computes again on request, and pose correctives, which glTF has
+///   no place for.
+/// The overload that takes a path writes the file completely or not at all, and returns the number of bytes.
+/// in    scene   has passed check(Scene)
+/// out   the bytes of the file, owned by the caller
+/// err   "squad-in-gltf" (glTF has no squad interpolation), "glb-size" (the file would have 4 GiB or more),
+/// "write-file" cost  O(scene); holds the binary part twice while writing
 ImportResult<std::vector<std::byte>> export_glb(const Scene& scene, const ExportOptions& options = {});
 ImportResult<std::size_t> export_glb(const Scene& scene, const std::filesystem::path& file,
-                                     const ExportOptions& options = {});  ///< answers bytes written
+                                     const ExportOptions& options = {});
 
 }  // namespace sinew

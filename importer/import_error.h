@@ -10,17 +10,16 @@ namespace sinew {
 
 enum class Severity { error, warning };
 
-/// One broken rule of a file: where and why. `rule` is a stable identifier such as "accessor-fit", listed with one
-/// sentence each in importer/rules.h.
+/// One rule that a file breaks: which rule, where in the file, and the numbers of this case.
 struct ImportIssue {
   Severity severity = Severity::error;
-  std::string rule;
-  std::string json_pointer;  ///< RFC 6901, for example /accessors/3/count; empty for the container or file itself
-  std::string detail;        ///< this case, with the numbers that broke the rule and, for a warning, the repair
+  std::string rule;          ///< stable identifier such as "accessor-fit"; importer/rules.inc lists them all
+  std::string json_pointer;  ///< RFC 6901, for example /accessors/3/count; empty for the whole file
+  std::string detail;        ///< what is wrong here, with its numbers; for a warning also the repair
 };
 
-/// Why an import failed: the first error, the other errors of the file as far as they can be told apart from their
-/// consequences, and every warning.
+/// Why an import failed: the first error, further errors of the file that are not mere consequences of another one, and
+/// all warnings.
 struct ImportError {
   std::string file;
   ImportIssue issue;
@@ -31,7 +30,7 @@ struct ImportError {
 template <class T>
 using ImportResult = tl::expected<T, ImportError>;
 
-/// "FILE: /accessors/3/count: accessor-fit: ..." : what programs print.
+/// One line as programs print it: "FILE: /accessors/3/count: error: accessor-fit: ...".
 std::string describe(std::string_view file, const ImportIssue& issue);
 
 }  // namespace sinew

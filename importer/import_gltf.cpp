@@ -40,8 +40,8 @@ namespace {
 using gltf::Bytes;
 using gltf::Document;
 
-/// One import from bytes to scene. Each step may rely on what the steps before it proved. After errors the import goes
-/// on without what is broken, to name the other errors too, and ends without a scene.
+/// One import, from bytes to scene. Each step relies on what the steps before it have proved. After an error the import
+/// goes on without what is broken, so that it can name further errors, and ends without a scene.
 class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
@@ -89,7 +89,7 @@ class Import {
     return go_on();
   }
 
-  /// After a step: all is well, or what is broken has been put aside.
+  /// After each step: true when there is no error, or when everything broken has been put aside.
   bool go_on() { return log_.error_count() == 0 || quarantine_.isolate(document_, log_); }
 
   bool load() {
@@ -168,6 +168,7 @@ class Import {
 
 /// Runs an import so that nothing but a result leaves: what a library throws becomes an error like any other.
 template <class Run>
+/// Runs an import and turns every exception of a library into an error, so that only a result leaves.
 ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
   try {
     if (auto out = run()) return std::move(*out);

@@ -14,53 +14,59 @@
 
 namespace sinew {
 
-/// What to read and how much of it to allow. The defaults suit files of unknown origin.
+/// What to read from a file, and how much memory it may take. The defaults suit files of unknown origin.
 struct ImportOptions {
-  bool decode_images = true;         ///< false: images stay empty, nothing is missing
-  bool probe_images = false;         ///< where they are not decoded: kind and size all the same, from their headers
-  bool keep_encoded_images = false;  ///< Image::encoded, for writing images back unchanged
-  bool make_normals = true;          ///< where triangles have none
-  bool make_tangents = true;         ///< where a normal map needs them and the file has none
-  bool make_centers_of_rotation = false;  ///< of skinned meshes, for Skinning::center_of_rotation; may take long
-  std::filesystem::path centers_cache;    ///< folder that keeps them for the next import; empty = none
-  bool check_bounds = false;              ///< compare min and max of accessors, which are never used, with the data
-  bool animate_default_weights = true;    ///< what moves mesh.weights moves the nodes without weights of their own;
-                                          ///< false: only channels of nodes do
-  std::uint64_t max_file_bytes = std::uint64_t{4} << 30;  ///< of the file and all that it refers to
-  std::uint64_t max_unpacked_bytes = std::uint64_t{16}
-                                     << 30;  ///< decompressed, and as vertices and keys; at most 64 MiB + 64 x file
-  std::uint32_t max_nodes = 1'000'000;       ///< and accessors, buffer views, meshes; of other lists at most 65536
+  bool decode_images = true;              ///< false: images stay empty, without a warning
+  bool probe_images = false;              ///< read type and size from the headers of images that are not decoded
+  bool keep_encoded_images = false;       ///< fill Image::encoded, so that images can be written unchanged
+  bool make_normals = true;               ///< flat normals for triangles that have none
+  bool make_tangents = true;              ///< where a normal map needs tangents and the file has none
+  bool make_centers_of_rotation = false;  ///< for skinned meshes (Skinning::center_of_rotation); may take long
+  std::filesystem::path centers_cache;    ///< folder that caches centers of rotation; empty = no cache
+  bool check_bounds = false;              ///< compare min and max of accessors with the data; nothing else uses them
+  bool animate_default_weights = true;    ///< a channel that animates mesh.weights animates each node that shows the
+                                          ///< mesh and has no weights; false: such channels are ignored
+  std::uint64_t max_file_bytes = std::uint64_t{4} << 30;  ///< the file with all buffers and images it names
+  /// Limit of decompressed data, and again of vertices and keys in memory. Neither goes above 64 MiB + 64 x file.
+  std::uint64_t max_unpacked_bytes = std::uint64_t{16} << 30;
+  std::uint32_t max_nodes = 1'000'000;  ///< also accessors, buffer views and meshes; other lists have at most 65536
   std::uint32_t max_node_depth = 1'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;
-  std::function<void(const char* stage, double done_0_to_1)>
-      progress;  ///< called on the importing thread, may be empty
+  /// Called on the thread that imports; may be empty.
+  std::function<void(const char* stage, double done_0_to_1)> progress;
 };
 
-/// A file as the runtime sees it, and what was odd about it. Vertex and node indices of the file are kept in
-/// Primitive::source_vertex and Skeleton::node_of_joint.
+/// The scene of a file as the runtime uses it, with what was odd about the file. The file's own vertex and node numbers
+/// are in Primitive::source_vertex and Skeleton::node_of_joint.
 struct ImportedFile {
   Scene scene;
   std::vector<ImportIssue> warnings;
   struct Facts {
     std::string generator, copyright, version;
     std::vector<std::string> extensions_used, extensions_required;
-    std::uint64_t file_bytes = 0;  ///< with all buffers and images read
+    std::uint64_t file_bytes = 0;  ///< including all buffers and images that were read
   } facts;
 };
 
-/// What the importer does about an extension: reads it; reads past it, since it only refines what is read; or does not
-/// know it, and refuses files that require it (G57).
+/// How the importer handles a glTF extension.
+/// - read: its data is in the scene.
+/// - read_past: it only refines data that is read, for example a surface's reflection; the file loads without it.
+/// - unknown: a file that requires it is refused (G57); a file that merely uses it loads.
 enum class ExtensionSupport : std::uint8_t { read, read_past, unknown };
 ExtensionSupport extension_support(std::string_view name) noexcept;
 
-/// Reads a .gltf or .glb file (told apart by content) with its buffers and images. URIs are relative to the file's
-/// folder and cannot leave it. No exception escapes, nothing is guessed: a broken rule that would make data unusable is
-/// an error with file, JSON pointer and rule; one that has a safe, usual repair is a warning. cost O(file), memory
-/// below a small multiple of the file
+/// Reads a .gltf or .glb file, told apart by its first bytes, with its buffers and images. URIs are relative to the
+/// folder of the file and cannot leave it. Nothing is guessed: a broken rule that makes data unusable is an error that
+/// names file, JSON pointer and rule; a broken rule with a safe and usual repair is a warning that names the repair.
+/// No exception leaves the function.
+/// out   the scene, which has passed check(Scene)
+/// err   the identifiers in importer/rules.inc
+/// cost  O(file); memory below a small multiple of the file, bounded by the options
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options = {});
 
-/// The same from memory: a whole .glb, or .gltf text whose buffers are data URIs. `name` stands in for the file in
-/// messages.
+/// The same for a file in memory: a whole .glb, or .gltf text whose buffers are data URIs.
+/// in    bytes   stay valid during the call
+///       name    stands for the file in messages
 ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const std::string& name,
                                        const ImportOptions& options = {});
 

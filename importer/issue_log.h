@@ -12,36 +12,37 @@
 
 namespace sinew {
 
-/// Text of the file for a message: in quotes, cut when long.
+/// Text from the file, for a message: in double quotes, cut after 80 bytes.
 std::string in_quotes(std::string_view text);
 
-/// What one import has found so far. Passes report here and go on while that is safe; between passes the import settles
-/// what they found, or ends.
+/// The broken rules that one import has found so far. A step of the import reports here and goes on while that is safe.
+/// Between steps the import calls settle(), puts aside what is broken, and goes on or ends.
 class IssueLog {
  public:
-  /// `json_pointer` names the place ("/accessors/3/count", or empty for the container), `detail` this case with its
-  /// numbers.
+  /// in    json_pointer   the place, such as "/accessors/3/count"; empty for the whole file
+  ///       detail         what is wrong here, with its numbers
   void report(Rule rule, std::string json_pointer, std::string detail);
 
-  /// No error since the last settle().
+  /// True while there is no error since the last settle().
   bool ok() const noexcept { return error_count_ == settled_; }
 
-  /// Errors so far; a pass compares two of them to see whether a part of it went wrong.
+  /// All errors so far, muted ones included. A step compares two values to see whether a part of it failed.
   std::size_t error_count() const noexcept { return error_count_; }
 
-  /// The places of the errors since the last call, for who goes on without what is broken there; nothing where they
-  /// were too many to remember.
+  /// Returns the places of the errors since the last call, for code that goes on without what is broken there.
+  /// out   nothing when there were more than kMaxPlaces errors
   std::optional<std::vector<std::string>> settle();
 
-  /// Reports at this place or below it are dropped from here on, though errors count: they follow from what is known.
+  /// From now on, drops the text of reports at this place and below it, because they only follow from an error that is
+  /// already known. Errors there still count.
   void mute(std::string json_pointer) { muted_.insert(std::move(json_pointer)); }
 
-  /// Everything as the caller of import_gltf gets it. Repeated warnings of one rule are cut after kMaxPerRule.
+  /// Moves the reports out, as import_gltf() returns them. Of each rule the first kMaxPerRule reports are kept.
   std::vector<ImportIssue> take_warnings();
   ImportError take_error(std::string file);
 
   static constexpr std::size_t kMaxPerRule = 64;
-  static constexpr std::size_t kMaxPlaces = 4096;  ///< errors between two settle() calls
+  static constexpr std::size_t kMaxPlaces = 4096;  ///< between two settle() calls
 
  private:
   std::vector<ImportIssue> issues_;

@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Every rule that the importer checks. The table in rules.cpp gives each its stable identifier, its severity and one
-/// sentence; for a warning the sentence says which repair is made.
+/// Every rule that the importer checks. The table in rules.inc gives each rule a stable identifier, a severity and one
+/// sentence that says what holds in a correct file; for a warning the sentence also says which repair is made.
 enum class Rule : std::uint8_t {
 #define SINEW_RULE(name, id, severity, sentence) name,
 #include "importer/rules.inc"
@@ -24,7 +24,7 @@ struct RuleText {
 
 const RuleText& describe(Rule rule) noexcept;
 
-/// All rules in the order of the enumeration.
+/// All rules, in the order of the enumeration.
 std::span<const RuleText> all_rules() noexcept;
 
 }  // namespace sinew

@@ -21,8 +21,8 @@ Vec3Track vec3_track(SamplerData data) {
   return track;
 }
 
-/// Linear and step keys become unit quaternions (G18, G52). Cubic ones stay as stored: they shape the curve together
-/// with their tangents, and the sampled result is normalised (G04, G05).
+/// Linear and step keys become unit quaternions (G18, G52). Cubic keys stay as stored: together with their tangents
+/// they shape the curve, and the sampled result is normalised (G04, G05).
 QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) {
   QuatTrack track{data.interpolation, std::move(data.times_s), {}};
   track.values.reserve(data.values.size() / 4);
@@ -80,7 +80,7 @@ class ClipBuilder {
       case AnimatedProperty::scale: return add_bone(*target, channel);
       case AnimatedProperty::weights: return add_weights(*target, instances_.of_node[target->node], channel);
       case AnimatedProperty::pointed: return add_property(*target, channel, place);
-      case AnimatedProperty::mesh_weights: return;  // after the nodes, whose own weights go before those of their mesh
+      case AnimatedProperty::mesh_weights: return;  // later: weights of nodes take precedence over those of their mesh
     }
   }
 
@@ -88,7 +88,7 @@ class ClipBuilder {
     return pointer("animations", index_, "channels", channel, "target");
   }
 
-  /// The channel that moves this target, a part of it, or the whole that it is a part of.
+  /// The earlier channel that animates this target, a part of it, or the whole that it is a part of.
   std::optional<std::uint32_t> taken_by(ChannelTarget target) const {
     const auto channel_of = [&](const ChannelTarget& t) -> std::optional<std::uint32_t> {
       const auto found = targets_.find(t);
@@ -145,7 +145,7 @@ class ClipBuilder {
       weights_[{instance, whole ? 0 : target.element}] = number_track(std::move(*data), components);
   }
 
-  /// Default weights of a mesh: those of all nodes that show it and neither have nor animate weights of their own.
+  /// Default weights of a mesh apply to all nodes that show the mesh and neither have nor animate weights of their own.
   void add_mesh_weights(const ChannelTarget& target, std::uint32_t channel) {
     for (std::uint32_t n = 0; n < document_.nodes.size(); ++n) {
       const gltf::Node& node = document_.nodes[n];
@@ -177,7 +177,7 @@ class ClipBuilder {
   std::map<std::uint32_t, BoneAnimation> bones_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, WeightTrack> weights_;  ///< by instance and first target
   std::map<PropertyTarget, WeightTrack> properties_;
-  std::map<ChannelTarget, std::uint32_t> targets_;  ///< and the channel that has it
+  std::map<ChannelTarget, std::uint32_t> targets_;  ///< and the channel that animates it
 };
 
 }  // namespace

@@ -9,15 +9,17 @@
 
 namespace sinew {
 
-/// One instance per node with a mesh, in node order; none for a node that has instances of its own, but none at all.
+/// One mesh instance for each node with a mesh, in node order. A node whose EXT_mesh_gpu_instancing lists no copies
+/// gets none.
 struct Instances {
   std::vector<MeshInstance> list;
-  std::vector<std::uint32_t> of_node;  ///< [N] instance of each node, kNone without a mesh
+  std::vector<std::uint32_t> of_node;  ///< [N] the instance of each node, kNone where there is none
 };
 
-/// Weights are node.weights, else mesh.weights, else zeros (G43). A skin on a mesh without joints is ignored.
-/// err  those of read_mesh_copies; the mesh is shown once then
-/// warning node-weights-count, node-skin-without-mesh, node-skin-unused, instancing-skin
+/// Builds the instances. Rest weights are node.weights, else mesh.weights, else zeros (G43). A skin on a mesh without
+/// joints and weights is ignored.
+/// err      those of read_mesh_copies; the mesh is then shown once
+/// warning  node-weights-count, node-skin-without-mesh, node-skin-unused, instancing-skin
 Instances build_instances(const gltf::Document& document, const JointOrder& order, const std::vector<Mesh>& meshes,
                           IssueLog& log);
 

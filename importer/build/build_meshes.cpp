@@ -16,7 +16,8 @@
 namespace sinew {
 namespace {
 
-/// Joints of the smallest skin that any node uses with each mesh: all its vertices must stay below (G36).
+/// For each mesh the number of joints of the smallest skin that a node uses with it. All joint indices of the mesh must
+/// be below (G36).
 std::vector<std::uint32_t> joint_limits(const gltf::Document& document) {
   std::vector<std::uint32_t> limits(document.meshes.size(), 65536);
   for (const auto& node : document.nodes)
@@ -38,7 +39,7 @@ std::size_t target_count(const gltf::Document& document, std::uint32_t mesh, Iss
   return most;
 }
 
-/// Texture coordinates that the normal map of a material uses, kNone without one.
+/// The texture coordinate set of a material's normal map; kNone without a normal map.
 std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t material) {
   if (material == kNone) return kNone;
   const gltf::TextureInfo& info = document.materials[material].normal_texture;
@@ -50,7 +51,8 @@ std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t 
   return own != transform->end() && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
 }
 
-/// The same of a primitive: its own material, else the first variant's that has a normal map.
+/// The set that the tangents of a primitive are for: of its own material's normal map, else of the first variant with
+/// one.
 std::uint32_t normal_map_texcoord(const gltf::Document& document, const Primitive& primitive) {
   std::uint32_t set = normal_map_texcoord(document, primitive.material);
   for (const VariantMaterial& other : primitive.variant_materials)

@@ -10,10 +10,10 @@
 
 namespace sinew {
 
-/// Every mesh of the document, primitive by primitive: vertices grouped by influence count, morph targets sparse,
-/// missing normals and tangents made where asked for.
-/// err  those of read_primitive, read_morph_target, merge_influences
-/// warning mesh-target-count, mesh-weights-count: short lists are filled with zeros, long ones cut
+/// Builds every mesh of the document, primitive by primitive: vertices are grouped by number of influences, morph
+/// targets are sparse, and missing normals and tangents are made where the options ask for them.
+/// err      those of read_primitive, read_morph_target and merge_influences
+/// warning  mesh-target-count, mesh-weights-count (short lists are filled with zeros, long ones cut)
 std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptions& options, IssueLog& log);
 
 }  // namespace sinew

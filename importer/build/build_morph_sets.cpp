@@ -13,10 +13,10 @@
 namespace sinew {
 namespace {
 
-/// From the file's vertices to those of a primitive that has been put in order; empty = unchanged.
+/// Maps between the file's vertices and those of a primitive that has been reordered; empty = same order.
 struct VertexOrder {
   std::span<const std::uint32_t> source;  ///< the file's vertex of each vertex
-  std::vector<std::uint32_t> position;    ///< and the way there
+  std::vector<std::uint32_t> position;    ///< the inverse: where each of the file's vertices is
 
   explicit VertexOrder(std::span<const std::uint32_t> source_vertex)
       : source(source_vertex), position(source_vertex.size()) {
@@ -24,7 +24,7 @@ struct VertexOrder {
   }
 };
 
-/// One value for each vertex. Counted first, so that the lists take what they need.
+/// For one value per vertex. Non-zero values are counted first, so that the lists take no more memory than they need.
 template <class V>
 SparseDeltas<V> sparse_of_all(const std::vector<V>& values, std::span<const std::uint32_t> source) {
   const auto moves = [](const V& delta) { return flushed(delta) != V(0.0f); };
@@ -41,7 +41,7 @@ SparseDeltas<V> sparse_of_all(const std::vector<V>& values, std::span<const std:
   return out;
 }
 
-/// Values of some vertices, each named.
+/// For values with the numbers of their vertices.
 template <class V>
 SparseDeltas<V> sparse_of_named(Displacements<V> named, const VertexOrder& order) {
   if (!order.position.empty())

@@ -8,10 +8,11 @@
 
 namespace sinew {
 
-/// Morph targets of a primitive as sparse deltas: vertices that a target does not move have no entry (P10).
-/// in   primitive     its vertices in their final order
-///      target_count  of the mesh; missing targets are empty
-/// out  primitive.morphs.   cost O(values in the file), one target at a time
+/// Stores the morph targets of a primitive as sparse deltas: a vertex that a target does not move has no entry (P10).
+/// in    primitive      its vertices are in their final order
+///       target_count   of the mesh; targets that the primitive lacks become empty
+/// out   primitive.morphs
+/// cost  O(values in the file); holds one target at a time
 void build_morph_set(const gltf::Document& document, std::uint32_t mesh, std::uint32_t index, std::size_t target_count,
                      Primitive& primitive, IssueLog& log);
 

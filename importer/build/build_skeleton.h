@@ -8,14 +8,14 @@
 
 namespace sinew {
 
-/// The skeleton of all nodes. A node given as a matrix keeps it verbatim, unless an animation moves the node: then the
-/// matrix is decomposed once (G50).
-/// in   animated[N]   per node: some channel moves its translation, rotation or scale
-/// warning those of read_node_transform, node-matrix-animated
+/// Builds one skeleton of all nodes. A node that the file gives as a matrix keeps the matrix bit for bit. An animation
+/// needs translation, rotation and scale, so the matrix of an animated node is decomposed (G50).
+/// in       animated[N]   true for nodes whose translation, rotation or scale some channel animates
+/// warning  those of read_node_transform, node-matrix-animated
 Skeleton build_skeleton(const gltf::Document& document, const JointOrder& order, const std::vector<bool>& animated,
                         IssueLog& log);
 
-/// Nodes whose translation, rotation or scale some channel moves.
+/// out   [N]   true for nodes whose translation, rotation or scale some channel animates
 std::vector<bool> find_animated_nodes(const gltf::Document& document);
 
 }  // namespace sinew

@@ -8,8 +8,10 @@
 
 namespace sinew {
 
-/// The skins: joints as skeleton joints in the skin's own order, inverse bind matrices, the skeleton hint (G30..G34).
-/// err  those of read_inverse_bind_matrices;  warning skin-common-root
+/// Builds the skins: joints as joints of the skeleton in the skin's own order, inverse bind matrices, and the skeleton
+/// root as a hint (G30 to G34).
+/// err      those of read_inverse_bind_matrices
+/// warning  skin-common-root
 std::vector<Skin> build_skins(const gltf::Document& document, const JointOrder& order, IssueLog& log);
 
 }  // namespace sinew

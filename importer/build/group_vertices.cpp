@@ -26,7 +26,7 @@ void add_group(VertexInfluences& out, std::uint32_t count, std::uint32_t positio
   ++out.groups.back().vertex_count;
 }
 
-/// The lists themselves where the vertices are in order already.
+/// Moves the lists when the vertices are in order already, else copies them vertex by vertex.
 void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::vector<std::uint32_t>& source,
                      bool in_order) {
   std::uint32_t entry = 0;
@@ -49,7 +49,7 @@ void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::
       *joint++ = merged.joints[i], *weight++ = merged.weights[i];
 }
 
-/// Vertices by rising number of influences, those of equal number in their order: a counting sort.
+/// Sorts vertices by their number of influences with a stable counting sort.
 std::vector<std::uint32_t> sorted_by_count(const MergedInfluences& merged, std::size_t vertex_count) {
   std::vector<std::uint32_t> next;  // per number of influences: where its next vertex goes
   for (std::uint32_t v = 0; v < vertex_count; ++v) {

@@ -5,10 +5,11 @@
 
 namespace sinew {
 
-/// Reorders the vertices of a primitive by influence count, so that each skinning kernel runs over whole ranges. Within
-/// a group the file's order stays; source_vertex keeps the way back, indices follow.
-/// in   primitive   in the file's vertex order, without morph targets
-/// out  primitive   with influences, groups by rising count.   cost O(V + indices)
+/// Sorts the vertices of a primitive by their number of influences, so that skinning kernels run over whole ranges with
+/// one count. Inside a group the file's order stays. `source_vertex` maps back to the file; indices are renumbered.
+/// in    primitive   in the file's vertex order, without morph targets
+/// out   primitive   with influences, groups by rising count
+/// cost  O(V + indices)
 void group_vertices(Primitive& primitive, MergedInfluences merged);
 
 }  // namespace sinew

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// The nodes of a document in the order of the skeleton: breadth-first, all roots first, children in the file's order.
+/// The nodes of a document in skeleton order: breadth-first, all roots first, children in the file's order.
 struct JointOrder {
   std::vector<std::uint32_t> node_of_joint;  ///< [N]
   std::vector<std::uint32_t> joint_of_node;  ///< [N]
@@ -16,8 +16,9 @@ struct JointOrder {
   std::vector<std::uint32_t> root_of_node;   ///< [N] node at the top of each node's tree
 };
 
-/// in   nodes that form a forest (check_references).   Nodes of every scene and of none take part: the hierarchy is the
-///      node hierarchy (G32, G33).   cost O(N), no recursion (G55)
+/// Orders all nodes, whether a scene lists them or not: skins and clips may use any node (G32, G33).
+/// in    nodes that form a forest (check_references)
+/// cost  O(N); no recursion, so deep trees are no problem (G55)
 JointOrder order_joints(const gltf::Document& document);
 
 }  // namespace sinew

@@ -14,11 +14,11 @@ struct Influence {
   double weight = 0.0;
 };
 
-/// Sums this close to 1, for each weight, are 1 but for the rounding to floats, and stay as they are: dividing them
-/// again would change the last bits of weights that have been divided before.
+/// Deviation per weight that the rounding to floats explains. Sums within it stay as they are: dividing again would
+/// change the last bits of weights that have been normalised before.
 constexpr double kRounding = 0x1p-24;
 
-/// What was odd, counted over all vertices so that each kind is reported once.
+/// What was odd, counted over all vertices, so that each kind is reported once.
 struct Oddities {
   std::size_t negative = 0, zero_sum = 0, repeated = 0, unused_out_of_range = 0, off_sum = 0;
   double worst_deviation = 0.0, sum_of_deviations = 0.0;
@@ -26,7 +26,8 @@ struct Oddities {
 
 constexpr std::size_t kFew = 32;
 
-/// Four elements as a rule, mostly in order: there insertion beats the general sort, which allocates.
+/// Lists have four entries as a rule and are mostly in order. Insertion sort is then faster than std::stable_sort,
+/// which allocates.
 template <class Less>
 void sort_influences(std::vector<Influence>& list, Less less) {
   if (list.size() > kFew) return std::stable_sort(list.begin(), list.end(), less);
@@ -63,7 +64,7 @@ class Merger {
   }
 
  private:
-  /// The non-zero influences of vertex v; false after an error.
+  /// Collects the non-zero influences of vertex v; false after an error.
   bool gather(std::size_t v) {
     vertex_.clear();
     sum_ = 0.0;

@@ -6,9 +6,8 @@
 
 namespace sinew {
 
-/// How many bytes decompression may produce in all: a fixed amount, and a multiple of the file that good compression
-/// does not reach, or `most` where that is less. Taken before anything is allocated, so that few bytes cannot ask for
-/// gigabytes (G68).
+/// How many bytes decompression may produce in all. Bytes are taken before anything is allocated, so that a small file
+/// cannot ask for gigabytes (G68).
 class DecodeBudget {
  public:
   explicit DecodeBudget(std::uint64_t file_bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max())

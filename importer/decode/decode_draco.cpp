@@ -73,7 +73,7 @@ class DracoDecoder {
     if (mesh == nullptr) return;
 
     auto& indices = document_.accessors[primitive.indices];
-    primitive.mode = gltf::PrimitiveMode::triangles;  // what the decoder gives, whatever went in
+    primitive.mode = gltf::PrimitiveMode::triangles;  // the decoder's result, even for strips
     if (strip) indices.count = 3 * std::uint64_t{mesh->num_faces()};
     fill_indices(*mesh, indices);
     for (const auto& [semantic, id] : extension["attributes"].items()) {
@@ -85,7 +85,7 @@ class DracoDecoder {
   }
 
  private:
-  /// Primitives may share a stream: it is decoded once.
+  /// Decodes a stream once, even when several primitives share it.
   std::shared_ptr<const draco::Mesh> mesh_of(std::uint32_t view) {
     if (view >= document_.buffer_views.size()) {
       log_.report(

@@ -32,7 +32,8 @@ constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
 constexpr JsonObjectShape kObject{kProperties};
 constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
 
-/// The vertex codec spends 2 bits on 16 equal bytes, which no other mode comes near.
+/// Upper bound of decoded bytes per encoded byte: the vertex codec spends 2 bits on 16 equal bytes; other modes are far
+/// from that.
 constexpr std::uint64_t kMaxRatio = 64;
 
 struct Stream {
@@ -54,7 +55,7 @@ Stream read_stream(const Json& json) {
           json.value("filter", "NONE")};
 }
 
-/// Which rule of the extension the description breaks; empty = none.
+/// The rule of the extension that the description breaks; empty = none.
 std::string fault(const Stream& s, const gltf::BufferView& view) {
   const bool attributes = s.mode == "ATTRIBUTES";
   if (s.decoded_bytes() != view.byte_length)
@@ -72,7 +73,7 @@ std::string fault(const Stream& s, const gltf::BufferView& view) {
   return {};
 }
 
-/// What the library at hand cannot decode, though the extension allows it; empty = nothing. The low half of the first
+/// What the linked library cannot decode although the extension allows it; empty = nothing. The low half of the first
 /// byte is the version of the codec.
 std::string unknown_to_decoder(const Stream& s, gltf::Bytes encoded) {
   if (s.filter == "COLOR") return "the filter COLOR";

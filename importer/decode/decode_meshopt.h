@@ -6,12 +6,14 @@
 
 namespace sinew {
 
-/// Fills the views that EXT_meshopt_compression (KHR_meshopt_compression) describes: vertex, triangle and index streams
-/// of version 0, octahedral, quaternion and exponential filters. What a fallback buffer holds is not looked at (G61).
-/// in   buffers with their bytes
-/// out  document.buffer_views[].bytes, owned by document.storage
-/// err  json-type, json-missing, reference, buffer-view-range, decode-failed with a pointer at the view's extension
-/// cost O(decoded bytes)
+/// Fills the views that EXT_meshopt_compression or KHR_meshopt_compression describes: vertex, triangle and index
+/// streams of version 0, and the octahedral, quaternion and exponential filters. What the fallback buffer holds is
+/// ignored, unless the decoder does not know the stream (G61). in       buffers with their bytes out
+/// document.buffer_views[].bytes, owned by document.storage err      json-type, json-missing, reference,
+/// buffer-view-range, decode-failed, meshopt-version, memory-budget, at the
+///          extension of the view
+/// warning  meshopt-fallback
+/// cost     O(decoded bytes)
 void decode_meshopt(gltf::Document& document, DecodeBudget& budget, IssueLog& log);
 
 }  // namespace sinew

@@ -17,7 +17,7 @@ namespace sinew {
 namespace {
 
 constexpr std::uint16_t kMetadataFlag = 0x8000;
-/// Far beyond what meshes compress to, and small enough that a short stream cannot ask for gigabytes.
+/// Far more than meshes compress to, yet small enough that a short stream cannot ask for gigabytes.
 constexpr std::uint64_t kMaxElementsPerByte = 256;
 constexpr std::uint64_t kAlwaysPlausible = 65536;
 

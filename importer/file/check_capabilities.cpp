@@ -21,7 +21,7 @@ constexpr std::string_view kRead[] = {
     "EXT_mesh_gpu_instancing", "KHR_materials_variants",
 };
 
-/// These only refine how a surface reflects light, or say who made the file.
+/// These only refine how a surface reflects light, or describe the file.
 constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",  "KHR_materials_clearcoat",
     "KHR_materials_dispersion",  "KHR_materials_ior",

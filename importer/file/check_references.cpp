@@ -26,7 +26,8 @@ class ReferenceCheck {
   }
 
  private:
-  /// kNone is "absent" and allowed here; what is required was proved by the shape of the JSON.
+  /// kNone means "absent" and is allowed here; the check of the JSON's shape has proved that required indices are
+  /// there.
   template <class List, class... Part>
   void index(std::uint32_t value, const List& list, const Part&... place) {
     if (value != kNone && value >= list.size())
@@ -91,8 +92,8 @@ class ReferenceCheck {
     for (std::size_t n = 0; n < parent.size(); ++n) is_child_[n] = parent[n] != kNone;
   }
 
-  /// Every node has at most one parent here, so a walk upwards ends at a root, at a node seen before, or on itself.
-  /// Every node of a cycle is named.
+  /// Every node has at most one parent here. So a walk upwards ends at a root, at a node that an earlier walk has seen,
+  /// or at a node of its own, which closes a cycle. Every node of a cycle is reported.
   void check_cycles(const std::vector<std::uint32_t>& parent) {
     std::vector<std::uint32_t> seen_by(parent.size(), kNone);
     for (std::uint32_t start = 0; start < parent.size(); ++start) {

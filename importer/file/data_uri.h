@@ -15,8 +15,9 @@ struct DataUri {
 
 bool is_data_uri(std::string_view uri) noexcept;
 
-/// Decodes "data:TYPE;base64,..." of any media type (G65). Nothing where the text is not base64, padding included or
-/// not. cost O(text), 3/4 of it allocated
+/// Decodes "data:TYPE;base64,..." with any media type (G65); base64 padding is optional. Nothing where the text is not
+/// base64.
+/// cost  O(text); allocates 3/4 of it
 std::optional<DataUri> decode_data_uri(std::string_view uri);
 
 }  // namespace sinew

@@ -11,10 +11,10 @@
 #include "importer/file/document_animations.h"
 #include "importer/file/document_materials.h"
 
-/// A parsed glTF 2.0 document as plain data: what the file says, defaults filled in, nothing interpreted. The
-/// rest of the importer reads this, not the JSON. Indices are the file's own, kNone
-/// where absent. After check_references() (importer/file/check_references.h) every index is in range.
-/// `extensions` members hold the JSON object of that name, null where there is none.
+/// A parsed glTF 2.0 document as plain data: what the file says, with defaults filled in and nothing interpreted. The
+/// rest of the importer reads this instead of the JSON. Indices are the file's own, kNone where absent. After
+/// check_references() (importer/file/check_references.h) every index is in range. `extensions` members hold the JSON
+/// object of that name, null where there is none.
 namespace sinew::gltf {
 
 enum class ComponentType : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
@@ -30,9 +30,9 @@ enum class PrimitiveMode : std::uint8_t {
 };
 
 struct Buffer {
-  std::string uri;  ///< empty = the BIN chunk of a .glb (buffer 0), a placeholder, or read
+  std::string uri;  ///< empty for the BIN chunk of a .glb and for placeholders; cleared once the bytes are read
   std::uint64_t byte_length = 0;
-  bool placeholder = false;  ///< holds no bytes: EXT_meshopt_compression fallback (T6), or missing
+  bool placeholder = false;  ///< has no bytes: the fallback of EXT_meshopt_compression (T6), or missing
   Json extensions;
   Bytes bytes;  ///< filled by load_buffers(): byte_length bytes
 };
@@ -53,7 +53,7 @@ struct SparseAccessor {
 };
 
 struct Accessor {
-  std::uint32_t buffer_view = kNone;  ///< kNone = zeros (before sparse)
+  std::uint32_t buffer_view = kNone;  ///< kNone = zeros, which sparse entries then replace
   std::uint64_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::f32;
   ElementType type = ElementType::scalar;
@@ -127,10 +127,10 @@ struct Document {
   std::vector<Camera> cameras;
   std::vector<Scene> scenes;
   std::uint32_t scene = kNone;
-  Json extensions;  ///< of the root, for example KHR_lights_punctual
+  Json extensions;  ///< of the root object, for example KHR_lights_punctual
 
-  /// Owns what `Bytes` members point into, beside the file itself: external files, data URIs, decoded views. A deque,
-  /// so that growing moves nothing.
+  /// Owns the memory that `Bytes` members point into, except the file itself: external files, data URIs, decoded views.
+  /// A deque, because its entries stay where they are when it grows.
   std::deque<std::vector<std::byte>> storage;
 };
 

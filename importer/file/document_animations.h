@@ -6,7 +6,7 @@
 
 #include "runtime/base/index.h"
 
-/// Animations as a glTF document has them.
+/// The part of gltf::Document (document.h) that holds animations.
 namespace sinew::gltf {
 
 struct AnimationSampler {

@@ -10,7 +10,7 @@
 
 #include "runtime/animation/skeleton.h"  // kNone
 
-/// The part of gltf::Document (document.h) that says how surfaces look.
+/// The part of gltf::Document (document.h) that describes how surfaces look.
 namespace sinew::gltf {
 
 using Json = nlohmann::json;
@@ -38,12 +38,12 @@ struct Texture {
   Json extensions;
 };
 
-/// The encoded file of an image, never decoded here. A missing one is no error (G66).
+/// An image in its encoded form; importer/read/images.h decodes it. A missing image is no error (G66).
 struct Image {
   std::string name, uri, mime_type;
   std::uint32_t buffer_view = kNone;
   Bytes encoded;               ///< filled by load_images()
-  std::string missing_reason;  ///< not empty = `encoded` is empty, and why
+  std::string missing_reason;  ///< why `encoded` is empty; empty where it is not
 };
 
 struct TextureSampler {

@@ -8,19 +8,21 @@
 
 namespace sinew {
 
-/// The two parts of a file: its JSON text and, for a .glb, the BIN chunk. Both point into the file's bytes.
+/// The two parts of a file: its JSON text and, in a .glb, the BIN chunk. Both point into the bytes of the file.
 struct Container {
   std::span<const std::byte> json;
   std::optional<std::span<const std::byte>> bin;
 };
 
-/// True where the bytes start like a binary container ("glTF"), whatever the file is called.
+/// True where the bytes start with "glTF", whatever the name of the file.
 bool looks_like_glb(std::span<const std::byte> file) noexcept;
 
-/// Takes a .glb apart. Everything is checked against the true size before it is used.
-/// eq   12 bytes header (magic, version, length), then chunks of 8 bytes header (length, type) and their data, JSON
-///      first, at most one BIN after it; unknown chunks are skipped   (glTF 2.0, "Binary glTF Layout"; G67)
-/// err  glb-header, glb-chunk;  warning glb-extra-data
+/// Splits a .glb into its chunks. Every length is checked against the real size before it is used. Unknown chunks are
+/// skipped.
+/// eq       12 bytes header (magic, version, length), then chunks of 8 bytes header (length, type) and data: JSON
+///          first, then at most one BIN   (glTF 2.0, "Binary glTF Layout"; G67)
+/// err      glb-header, glb-chunk
+/// warning  glb-extra-data
 std::optional<Container> open_glb(std::span<const std::byte> file, IssueLog& log);
 
 }  // namespace sinew

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// One reference token of RFC 6901: "~" and "/" of a name are escaped.
+/// One reference token of RFC 6901: "~" and "/" inside a name are escaped.
 inline std::string pointer_token(std::string_view name) {
   std::string token;
   for (const char c : name) {
@@ -21,8 +21,8 @@ inline std::string pointer_token(std::string_view name) {
   return token;
 }
 
-/// pointer("accessors", 3, "count") is "/accessors/3/count". Names are taken as they are, a first part that already is
-/// a pointer continues it.
+/// Joins parts to a JSON pointer: pointer("accessors", 3, "count") is "/accessors/3/count". Names are not escaped. A
+/// first part that is a pointer already is continued.
 template <class... Part>
 std::string pointer(const Part&... part) {
   std::string text;

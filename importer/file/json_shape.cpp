@@ -35,7 +35,7 @@ bool has_kind(const JsonNode& value, JsonKind kind) {
   return false;
 }
 
-/// A place in the document as a chain of frames, so that text is made only for what is reported.
+/// A place in the document as a chain of frames, so that its text is made only for reports.
 struct Place {
   const Place* parent = nullptr;
   std::string_view name;  ///< of a property; for an array entry empty
@@ -109,7 +109,7 @@ class Checker {
     for (const auto& [name, entry] : value.GetObject()) check(entry, *shape.element, {&place, text_of(name)});
   }
 
-  /// Objects of glTF have a few members; only those with many are sorted.
+  /// Most objects have a few members and are compared pair by pair; large ones are sorted.
   void check_names(const JsonNode& value, const Place& place) {
     constexpr rapidjson::SizeType kMany = 24;
     const auto report = [&](std::string_view name) {

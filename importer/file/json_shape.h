@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// What one JSON property must look like. Tables of these describe a document (gltf_shape.cpp).
+/// What a JSON property must look like. Tables of JsonProperty describe a document (gltf_shape.cpp).
 enum class JsonKind : std::uint8_t { any, boolean, number, integer, string, object, array, index_map };
 
 struct JsonObjectShape;
@@ -33,13 +33,15 @@ struct JsonProperty {
   bool required = false;
 };
 
-/// Properties that the tables do not name are free.
+/// An object. Properties that the table does not name may hold anything.
 struct JsonObjectShape {
   std::span<const JsonProperty> properties;
 };
 
 /// Compares a value with its description and reports every difference with its place.
-/// err  json-type, json-missing;  warning empty-array, json-duplicate.   cost O(value)
+/// err      json-type, json-missing
+/// warning  empty-array, json-duplicate
+/// cost     O(value)
 void check_shape(const JsonNode& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 

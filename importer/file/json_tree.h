@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-/// Where a tree's memory comes from: operator new, so that running out is an exception like everywhere.
+/// Allocator of JSON trees. It uses operator new, so that running out of memory is an exception as elsewhere.
 struct JsonMemory {
   static const bool kNeedFree = true;
   void* Malloc(std::size_t size) { return size == 0 ? nullptr : ::operator new(size); }
@@ -23,8 +23,8 @@ struct JsonMemory {
   static void Free(void* memory) noexcept { ::operator delete(memory); }
 };
 
-/// JSON as it comes from the file. A glTF file has as many small objects as it has accessors: the whole tree lies in a
-/// few large pieces and goes at once.
+/// JSON as it comes from the file. A glTF file has many small objects, so a tree lies in a few large blocks and is
+/// freed as a whole.
 using JsonPool = rapidjson::MemoryPoolAllocator<JsonMemory>;
 using JsonBuilder = rapidjson::GenericDocument<rapidjson::UTF8<>, JsonPool, JsonMemory>;
 using JsonNode = JsonBuilder::ValueType;
@@ -39,7 +39,7 @@ struct JsonTree {
   JsonNode root;
 };
 
-/// The value of a name, null where there is none. Of several with one name the last counts.
+/// The value of a name, null where there is none. Of several values with one name the last counts.
 JsonNode* find_member(JsonNode& object, std::string_view name) noexcept;
 inline const JsonNode* find_member(const JsonNode& object, std::string_view name) noexcept {
   return find_member(const_cast<JsonNode&>(object), name);
@@ -49,7 +49,7 @@ inline std::string_view text_of(const JsonNode& string) noexcept {
   return {string.GetString(), string.GetStringLength()};
 }
 
-/// Parts of a document that outlive the tree, and back.
+/// Converts the parts of a document that outlive the tree, and back.
 nlohmann::json to_json(const JsonNode& node);
 JsonNode from_json(const nlohmann::json& value, JsonPool& pool);
 

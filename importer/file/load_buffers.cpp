@@ -30,9 +30,9 @@ tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, Sa
   return std::move(data->bytes);
 }
 
-/// How the views and accessors use a buffer.
+/// How views and accessors use a buffer.
 struct BufferUse {
-  bool in_accessor = false;  ///< some accessor reads it as it is, not unpacked
+  bool in_accessor = false;  ///< some accessor reads it directly, not after decompression
   bool compressed_view = false, plain_view = false;
 };
 
@@ -52,7 +52,7 @@ std::vector<BufferUse> find_uses(const Document& document) {
   return uses;
 }
 
-/// Only those who read a missing buffer suffer (G66).
+/// A missing buffer is an error only where an accessor reads it (G66).
 void report_missing(gltf::Buffer& buffer, const BufferUse& use, std::string place, std::string detail, IssueLog& log) {
   buffer.placeholder = true;
   log.report(use.in_accessor ? Rule::buffer_missing : Rule::buffer_unread, std::move(place), std::move(detail));

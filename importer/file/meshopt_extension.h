@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// The meshopt compression of a buffer or buffer view, under its first name or the one it was ratified with.
+/// The meshopt compression of a buffer or buffer view, under its vendor name or the name under which it was ratified.
 struct MeshoptExtension {
   const char* name = nullptr;
   const gltf::Json* value = nullptr;

@@ -17,14 +17,14 @@ namespace {
 constexpr unsigned kFlags =
     rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseIterativeFlag;
 
-/// The whole text as a number that T can hold.
+/// Converts the whole text to a number; false where T cannot hold it.
 template <class T>
 bool converts(std::string_view text, T& out) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Hands what the reader finds to the tree. Numbers come as text: the reader's own conversion is not exact.
+/// Passes what the reader finds to the tree. Numbers arrive as text, because the reader's own conversion is not exact.
 class TreeEvents {
  public:
   TreeEvents(JsonBuilder& tree, std::string_view source, const rapidjson::MemoryStream& stream)
@@ -68,7 +68,7 @@ class TreeEvents {
   bool enter() { return ++depth_ <= kMaxJsonDepth; }
   bool fail(const char* reason) { return reason_ = reason, false; }
 
-  /// The reader has checked bytes, but lets half a surrogate pair pass where it is escaped: those encode as ED A0..BF.
+  /// The reader checks bytes but accepts an escaped half of a surrogate pair, which encodes as ED A0..BF.
   bool is_utf8(std::string_view text) {
     for (std::size_t at = text.find('\xed'); at != text.npos; at = text.find('\xed', at + 1))
       if (at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) >= 0xa0)
@@ -76,8 +76,8 @@ class TreeEvents {
     return true;
   }
 
-  /// The source's last bytes before the closing quote: the string itself unless something in it was escaped. Data URIs
-  /// are as long as the file, so the tree has no copy of what is there already.
+  /// The last bytes of the source before the closing quote. They equal the string unless something in it was escaped;
+  /// the tree then needs no copy. Data URIs can be as long as the file.
   std::string_view just_read(std::size_t size) const noexcept {
     const std::size_t end = stream_.Tell() - 1;
     return size < end ? source_.substr(end - size, size) : std::string_view();

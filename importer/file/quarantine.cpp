@@ -34,7 +34,7 @@ constexpr ListTraits kTraits[Quarantine::kLists] = {
     {"textures", "{}"},
 };
 
-/// "/meshes/3/primitives/1/indices": the list, the entry, and the primitive where one is meant.
+/// A parsed place such as "/meshes/3/primitives/1/indices": list, entry, and primitive where one is named.
 struct BrokenPlace {
   std::size_t list = 0;
   std::uint32_t index = 0;
@@ -67,7 +67,7 @@ std::optional<BrokenPlace> parse_place(std::string_view place) {
   return out;
 }
 
-/// Marks those who use what is broken, then empties all that is marked. Each list is walked once.
+/// Marks everything that uses a broken entry, then empties all marked entries. Each list is walked once.
 class Emptying {
  public:
   Emptying(Document& document, std::array<std::set<std::uint32_t>, Quarantine::kLists>& broken,
@@ -94,7 +94,7 @@ class Emptying {
  private:
   bool is(Quarantine::List list, std::uint32_t index) const { return broken_[list].contains(index); }
 
-  /// The entries of a list that are broken; what is said of them from here on is muted.
+  /// The broken entries of a list. Later reports about them are muted.
   template <class T>
   std::vector<T*> marked(std::vector<T>& list, Quarantine::List kind) {
     std::vector<T*> out;
@@ -141,7 +141,7 @@ class Emptying {
                        [&](const auto& t) { return uses_broken_accessor(t.attributes); });
   }
 
-  /// An empty primitive keeps its number of targets: its neighbours are compared with it.
+  /// An emptied primitive keeps its number of targets, because the other primitives of the mesh are compared with it.
   void empty_meshes() {
     for (std::uint32_t m = 0; m < d_.meshes.size(); ++m)
       for (std::uint32_t p = 0; p < d_.meshes[m].primitives.size(); ++p) {
@@ -198,7 +198,7 @@ class Emptying {
     return is(Quarantine::nodes, node) || (node < d_.nodes.size() && has_broken_mesh(d_.nodes[node]));
   }
 
-  /// What a channel moves: its node, or what its pointer names.
+  /// A channel animates its node, or what its pointer names.
   bool has_broken_target(const gltf::AnimationChannel& channel) const {
     const auto place = parse_place(channel.pointer);
     if (!place) return is_broken_node(channel.node);

@@ -15,17 +15,17 @@
 
 namespace sinew {
 
-/// Lets an import go on after errors, so that one run finds all of them: what is broken is emptied, so that later steps
-/// find nothing wrong to rely on, and reports about it, or about others that only suffer from it, are muted.
+/// Lets an import go on after errors, so that one run finds all of them. Broken entries are emptied, so that later
+/// steps can rely on what is left. Reports about these entries, and about entries that only suffer from them, are
+/// muted.
 class Quarantine {
  public:
-  /// After check_shape(): entries of lists that broke their shape become the smallest valid ones.
-  /// out  false where the document as a whole is at fault (root, asset, a list that is none) or there are too many
-  /// errors:
-  ///      the import ends then
+  /// After check_shape(): replaces each list entry of the wrong shape by the smallest valid one.
+  /// out   false when the document as a whole is broken (root, asset, a list that is no array) or there were too many
+  ///       errors to remember; the import then ends
   bool isolate(JsonTree& document, IssueLog& log);
 
-  /// After any later step, with the document read.
+  /// The same after any later step, on the document that was read.
   bool isolate(gltf::Document& document, IssueLog& log);
 
   enum List : std::size_t {
@@ -50,7 +50,7 @@ class Quarantine {
 
   std::array<std::set<std::uint32_t>, kLists> broken_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> broken_primitives_;  ///< mesh, primitive
-  bool broken_scene_ = false;                                            ///< the index of the scene to show
+  bool broken_scene_ = false;                                            ///< the document's own `scene` index is broken
 };
 
 }  // namespace sinew

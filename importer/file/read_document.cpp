@@ -9,8 +9,7 @@
 namespace sinew {
 namespace {
 
-/// The properties of one object, whose types and ranges have been checked. Absent ones take the default that glTF gives
-/// them.
+/// The properties of one object whose types and ranges have been checked. Absent properties take glTF's defaults.
 class Fields {
  public:
   explicit Fields(const JsonNode& object) : object_(object) {}
@@ -22,7 +21,7 @@ class Fields {
     return value == nullptr ? fallback : value->GetDouble();
   }
 
-  /// Whole numbers below 2^53, also where they are written as "3.0".
+  /// Whole numbers below 2^53; also accepts "3.0".
   std::uint64_t size(const char* name) const { return static_cast<std::uint64_t>(number(name, 0.0)); }
 
   std::uint32_t index(const char* name, std::uint32_t fallback = kNone) const {
@@ -40,13 +39,13 @@ class Fields {
     return value != nullptr && value->IsString() ? std::string(text_of(*value)) : fallback;
   }
 
-  /// A part of the document for who reads it later.
+  /// A part of the document that later code reads as JSON.
   gltf::Json part(const char* name) const {
     const JsonNode* value = find(name);
     return value == nullptr ? gltf::Json() : to_json(*value);
   }
 
-  /// Each entry of a list by `read(entry)`.
+  /// A list whose entries are converted by `read(entry)`.
   template <class Read>
   auto list(const char* name, Read read) const {
     std::vector<decltype(read(object_))> out;
@@ -66,7 +65,7 @@ class Fields {
                 [](const JsonNode& value) { return value.IsString() ? std::string(text_of(value)) : std::string(); });
   }
 
-  /// Fills an array whose length the shape has fixed; true where it is there.
+  /// Fills an array whose length the shape has fixed; false where it is absent.
   template <std::size_t N>
   bool fill(const char* name, std::array<double, N>& out) const {
     const JsonNode* values = find(name);
@@ -108,7 +107,7 @@ gltf::BufferView read_view(const JsonNode& json) {
           .byte_offset = in.size("byteOffset"),
           .byte_length = in.size("byteLength"),
           .byte_stride = static_cast<std::uint32_t>(
-              std::min(in.number("byteStride", 0.0), 4294967295.0)),  // T5: any is taken here
+              std::min(in.number("byteStride", 0.0), 4294967295.0)),  // any stride is read here and checked later (T5)
           .extensions = in.part("extensions")};
 }
 
@@ -167,7 +166,7 @@ gltf::Node read_node(const JsonNode& json) {
                  .extensions = in.part("extensions")};
   out.has_matrix = in.fill("matrix", out.matrix);
   const bool translated = in.fill("translation", out.translation), turned = in.fill("rotation", out.rotation);
-  out.has_trs = in.fill("scale", out.scale) || translated || turned;  // T3
+  out.has_trs = in.fill("scale", out.scale) || translated || turned;  // a matrix beside any of them is reported (T3)
   return out;
 }
 
@@ -179,7 +178,7 @@ gltf::Skin read_skin(const JsonNode& json) {
           .skeleton = in.index("skeleton")};
 }
 
-/// Channels without a node stay: they say nothing, or name what they move by a pointer (T2).
+/// Channels without a node stay: they animate nothing, or name their target by a pointer (T2).
 gltf::AnimationChannel read_channel(const JsonNode& json) {
   const Fields in(json), target(*in.find("target"));
   gltf::AnimationChannel out{.sampler = in.index("sampler"), .node = target.index("node"), .path = target.text("path")};
@@ -200,7 +199,7 @@ gltf::Animation read_animation(const JsonNode& json) {
       .name = in.text("name"), .samplers = in.list("samplers", sampler), .channels = in.list("channels", read_channel)};
 }
 
-/// A texture of a material; `factor` is where its own strength goes.
+/// A texture reference of a material. `factor` receives the strength that is stored with the texture.
 gltf::TextureInfo read_texture_info(const Fields& owner, const char* name, const char* factor_name = nullptr,
                                     double* factor = nullptr) {
   const JsonNode* json = owner.find(name);

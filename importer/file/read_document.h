@@ -5,9 +5,9 @@
 
 namespace sinew {
 
-/// A document whose shape has been checked (gltf_shape.h), as plain data. Nothing is read but the JSON:
+/// Turns the JSON of a document, whose shape has been checked (gltf_shape.h), into plain data. It reads only the JSON:
 /// buffers and images keep their URIs (load_buffers.h).
-/// cost O(values)
+/// cost  O(values)
 gltf::Document read_document(const JsonNode& json);
 
 }  // namespace sinew

@@ -41,8 +41,8 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
-/// A file that is open before it is asked what it is, so that it cannot be another one when it is read. Opening neither
-/// waits for the other end of a pipe nor takes over a terminal.
+/// A file that is opened before its type is asked for, so that it cannot be swapped for another one in between. Opening
+/// does not wait for the other end of a pipe and does not take over a terminal.
 class OpenFile {
  public:
   explicit OpenFile(const fs::path& path)
@@ -109,7 +109,7 @@ tl::expected<fs::path, FileFault> SandboxedFiles::resolve(std::string_view uri) 
   std::error_code error;
   const fs::path root = fs::canonical(folder_->empty() ? fs::path(".") : *folder_, error);
   if (error) return fault(Kind::missing, "the folder of the file cannot be opened: " + error.message());
-  // Textually first, so that the answer does not tell what exists outside.
+  // The text of the path is checked first, so that the answer does not reveal which files exist outside the folder.
   const fs::path textual = (root / relative).lexically_normal();
   if (!lies_below(textual, root)) return fault(Kind::forbidden, "the URI leads out of the file's folder");
   const fs::path target = fs::canonical(root / relative, error);

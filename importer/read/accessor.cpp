@@ -22,7 +22,7 @@ T load(const std::byte* at) noexcept {
   return value;
 }
 
-/// What a stored component means: itself, or a fraction of the largest integer.
+/// The value of a stored component: itself, or for normalised integers a fraction of the largest integer.
 template <bool normalized, class Out, class Component>
 Out decoded(Component c) noexcept {
   if constexpr (normalized)
@@ -31,8 +31,8 @@ Out decoded(Component c) noexcept {
     return static_cast<Out>(c);
 }
 
-/// Elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector made from two of these takes
-/// each byte once: its memory is not cleared first.
+/// Iterates over elements that lie `stride` bytes apart, at any alignment, as values of type V. A vector that is filled
+/// from two of these iterators touches its memory once, because it is not zeroed first.
 template <class V, class Component, bool normalized>
 class ElementIterator {
  public:
@@ -71,8 +71,8 @@ class ElementIterator {
   difference_type index_;
 };
 
-/// Calls `use(begin)` with the iterator that fits the stored components. Unsigned integers and doubles come as they are
-/// stored.
+/// Calls `use(begin)` with the iterator for the stored component type. For V = uint32_t and double, normalised integers
+/// are not decoded.
 template <class V, class Use>
 auto with_elements(ComponentType type, bool normalized, const std::byte* first, std::size_t stride, Use use) {
   const auto go = [&]<class Component>(Component) {
@@ -92,7 +92,7 @@ auto with_elements(ComponentType type, bool normalized, const std::byte* first, 
   return go(float{});
 }
 
-/// Components of one V.
+/// Number of components of V.
 template <class V>
 constexpr std::size_t width_of() {
   if constexpr (std::is_arithmetic_v<V>)
@@ -101,7 +101,7 @@ constexpr std::size_t width_of() {
     return static_cast<std::size_t>(V::length());
 }
 
-/// Appends `count` elements: each a V, or all their components, column after column, where V is a number.
+/// Appends `count` elements, each as one V; where V is a number, all components of each element, column after column.
 template <class V>
 void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& layout, const std::byte* first,
             std::size_t stride, std::size_t count) {
@@ -120,7 +120,7 @@ void append(std::vector<V>& out, const Accessor& accessor, const ElementLayout& 
   }
 }
 
-/// V is a vector of the accessor's width, or a number: then there are several values for each index.
+/// V is a vector with as many components as the accessor, or a number; then each index has several values.
 template <class V>
 Replacements<V> replacements(const Document& document, const Accessor& accessor, const ElementLayout& layout) {
   const auto& sparse = accessor.sparse;
@@ -138,7 +138,7 @@ template <class V>
 void apply_sparse(const Document& document, const Accessor& accessor, const ElementLayout& layout,
                   std::vector<V>& out) {
   const auto [indices, values] = replacements<V>(document, accessor, layout);
-  const std::size_t entries = layout.components() / width_of<V>();  // of `out` per element
+  const std::size_t entries = layout.components() / width_of<V>();  // entries of `out` for one element
   for (std::size_t i = 0; i < indices.size(); ++i)
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * entries), entries,
                 out.begin() + static_cast<std::ptrdiff_t>(indices[i] * entries));

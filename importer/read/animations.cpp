@@ -22,7 +22,7 @@ std::optional<AnimatedProperty> property_of(std::string_view path) {
   return std::nullopt;
 }
 
-/// KHR_animation_pointer: pointers to node properties behave as plain channels (G58).
+/// KHR_animation_pointer. A pointer to a property of a node acts like a plain channel (G58).
 std::optional<ChannelTarget> read_pointer(const gltf::Document& document, const gltf::AnimationChannel& channel,
                                           const std::string& place, IssueLog& log) {
   PointerFault fault;
@@ -63,8 +63,8 @@ ElementType element_type_of(const ChannelTarget& target) {
   return kOfCount[component_count(target.pointed.kind)];
 }
 
-/// Translations and scales are floats; rotations and weights may be normalised integers (G17), pointed properties any
-/// integers, flags are bytes (G58).
+/// Translations and scales are floats, rotations and weights may also be normalised integers (G17), pointed properties
+/// may be any integers, and flags are bytes (G58).
 bool output_format_fits(const gltf::Accessor& output, const ChannelTarget& target) {
   if (output.type != element_type_of(target)) return false;
   if (target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind))
@@ -103,7 +103,7 @@ class SamplerReader {
   }
 
  private:
-  /// There is nothing between on and off. Keys with tangents are no list of flags.
+  /// Flags have no values between on and off, so LINEAR becomes STEP. Keys with tangents cannot be read as flags.
   bool step_instead(Interpolation& interpolation) {
     const bool usable = interpolation == Interpolation::linear;
     log_.report(

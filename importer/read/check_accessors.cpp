@@ -17,11 +17,11 @@ using gltf::Document;
 
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 32;
 
-/// Sparse indices looked at in all: many accessors may name one list.
+/// Limit of sparse indices over all accessors, because many accessors may share one list.
 constexpr std::uint64_t kMaxSparse = std::uint64_t{1} << 28;
 
-/// True when `count` elements of `size` bytes, `stride` apart, fit behind `offset` into `available` bytes. Offset is
-/// below 2^53 and stride below 2^32 by the shape of the JSON, count is bounded here, so nothing wraps.
+/// True when `count` elements of `size` bytes, `stride` bytes apart, fit into `available` bytes from `offset` on. The
+/// shape check bounds offset by 2^53 and stride by 2^32, and count is bounded here, so nothing overflows.
 bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size,
           std::uint64_t available) {
   if (count == 0) return offset <= available;
@@ -29,7 +29,7 @@ bool fits(std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::
   return count == 1 || (available - offset - size) / stride >= count - 1;
 }
 
-/// Looks at one accessor, with views as long as `available` says: by the document or by their bytes.
+/// Checks one accessor. `available` tells how long a view is: by the document, or by the bytes that it has.
 class AccessorCheck {
  public:
   AccessorCheck(const Document& document, std::size_t index, IssueLog& log)
@@ -39,7 +39,7 @@ class AccessorCheck {
         place_(pointer("accessors", index)),
         log_(log) {}
 
-  /// What is odd, though it can be read.
+  /// Warns about what is odd but can be read.
   void warn() {
     const bool integer =
         accessor_.component_type != ComponentType::f32 && accessor_.component_type != ComponentType::u32;
@@ -144,7 +144,7 @@ class AccessorCheck {
   IssueLog& log_;
 };
 
-/// Accessors that a Draco stream fills: what they say of views does not count (G62).
+/// Accessors that a Draco stream fills. What they say about views does not count (G62).
 std::vector<bool> filled_by_draco(const Document& document) {
   std::vector<bool> filled(document.accessors.size(), false);
   for (const auto& mesh : document.meshes)

@@ -5,8 +5,11 @@
 
 namespace sinew {
 
-/// Compares min and max of every accessor that has them with its elements. Nothing relies on them: they are often wrong
-/// (G15). in   accessors that passed check_accessors warning accessor-bounds.   cost O(elements)
+/// Compares min and max of every accessor that has them with its elements. They are often wrong, and nothing relies on
+/// them (G15).
+/// in       accessors that have passed check_accessors
+/// warning  accessor-bounds
+/// cost     O(elements)
 void check_bounds(const gltf::Document& document, IssueLog& log);
 
 }  // namespace sinew

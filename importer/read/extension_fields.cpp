@@ -14,7 +14,7 @@ const Json* member(const Json* object, const char* name) {
   return found == object->end() ? nullptr : &*found;
 }
 
-/// NaN is never in range.
+/// False for NaN.
 bool in_range(const Json& value, double lower, double upper) {
   return value.is_number() && value.get<double>() >= lower && value.get<double>() <= upper;
 }

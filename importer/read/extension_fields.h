@@ -9,27 +9,27 @@
 
 namespace sinew {
 
-/// The object of one extension, read field by field. A field with the wrong type or outside its range is reported
-/// (extension-value) and taken as absent; the tables of gltf_shape.h do not reach into extensions.
+/// The JSON object of one extension, read field by field. A field of the wrong type or outside its range is reported
+/// (extension-value) and treated as absent. The shape tables in gltf_shape.h do not cover extensions.
 class ExtensionFields {
  public:
-  /// The extension `name` of an object's `extensions` at `place`; converts to false where there is none.
+  /// Finds the extension `name` in the `extensions` of the object at `place`. Converts to false where there is none.
   ExtensionFields(const gltf::Json& extensions, const std::string& place, const char* name, IssueLog& log);
 
   explicit operator bool() const noexcept { return object_ != nullptr; }
   bool has(const char* field) const;
 
-  /// An object within this one, for example a texture.
+  /// An object inside this one, for example a texture.
   ExtensionFields object(const char* field) const;
 
   bool boolean(const char* field, bool fallback) const;
 
   double number(const char* field, double fallback, double lower = -kAny, double upper = kAny) const;
 
-  /// Fills `count` numbers, or leaves them all as they are.
+  /// Fills `count` numbers, or leaves all of them unchanged.
   void numbers(const char* field, float* out, std::size_t count, double lower = -kAny, double upper = kAny) const;
 
-  /// An index below `limit`, kNone where absent or wrong.
+  /// An index below `limit`; kNone where it is absent or wrong.
   std::uint32_t index(const char* field, std::size_t limit) const;
 
   const gltf::Json& extensions() const;

@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-// The one place that has stb_image, as a private copy of the functions used here. For PNG only: its JPEG decoder writes
-// past its tables when a file lies about them.
+// The only file that includes stb_image, with a private copy of its functions. It decodes PNG only: its JPEG decoder
+// writes past its tables when a file has wrong lengths.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -43,7 +43,7 @@ std::optional<ImageHeader> png_size(Bytes encoded) {
   return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/png"};
 }
 
-/// False where a chunk claims more bytes than the file has left: stb_image takes memory for all of it before it looks.
+/// False where a chunk claims more bytes than the file has left. stb_image would allocate all of them before it checks.
 bool png_chunks_fit(Bytes encoded) noexcept {
   constexpr std::size_t kSignature = 8, kAroundData = 12;  // length, type and checksum
   for (std::size_t at = kSignature; at + kAroundData <= encoded.size();) {
@@ -55,7 +55,7 @@ bool png_chunks_fit(Bytes encoded) noexcept {
   return true;
 }
 
-/// libjpeg-turbo's decompressor for the time of one call.
+/// libjpeg-turbo's decompressor for one call.
 class Jpeg {
  public:
   explicit Jpeg(Bytes encoded) : encoded_(encoded), handle_(tjInitDecompress(), &tjDestroy) {}
@@ -70,7 +70,7 @@ class Jpeg {
     return ImageHeader{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), "image/jpeg"};
   }
 
-  /// A file of ever more progressive scans is refused; one that merely ends early shows what it has.
+  /// A file with an excessive number of progressive scans is refused. A file that ends early gives the pixels it has.
   tl::expected<std::vector<std::uint8_t>, std::string> pixels(const ImageHeader& size) const {
     std::vector<std::uint8_t> rgba(4 * size.pixels());
     const int failed =

@@ -17,14 +17,18 @@ struct ImageHeader {
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };
 
-/// Size and kind of an encoded image from its first bytes, without decoding. Told apart by content, not by name: PNG,
-/// JPEG, WebP. err  a sentence for people.   cost O(header)
+/// Size and type of an encoded image from its first bytes, without decoding. PNG, JPEG and WebP are told apart by
+/// content, not by name.
+/// err   a sentence for people
+/// cost  O(header)
 tl::expected<ImageHeader, std::string> probe_image(std::span<const std::byte> encoded);
 
-/// Pixels as RGBA, 8 bits each, rows from the top; 16-bit channels are reduced, missing ones filled (grey, opaque).
-/// in   encoded     one that probe_image accepts
-/// out  [4 * width * height]
-/// err  a sentence for people.   cost O(pixels)
+/// Decodes an image to RGBA with 8 bits a channel, rows from the top. 16-bit channels are reduced; missing channels are
+/// filled (grey to red, green and blue; opaque).
+/// in    encoded   an image that probe_image accepts
+/// out   [4 * width * height]
+/// err   a sentence for people
+/// cost  O(pixels)
 tl::expected<std::vector<std::uint8_t>, std::string> decode_image(std::span<const std::byte> encoded);
 
 }  // namespace sinew

@@ -12,12 +12,12 @@
 namespace sinew {
 namespace {
 
-/// No codec packs more: deflate reaches 1032 bytes a byte, and a byte holds 8 pixels at most. Lossless WebP can, for
-/// pictures of one colour, which are let through up to a common texture size.
+/// No codec packs more pixels into a byte: deflate expands a byte to at most 1032, and a byte holds at most 8 pixels.
+/// Only lossless WebP of a single colour does; sizes up to a common texture size are therefore always accepted.
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
 
-/// Takes an image's pixels out of the allowance, or says why not.
+/// Takes the pixels of an image out of the allowance; returns why not, or an empty string.
 std::string admit(gltf::Bytes encoded, std::uint64_t& pixels_left, Image& image) {
   const auto size = probe_image(encoded);
   if (!size) return size.error();
@@ -65,7 +65,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
     if (options.keep_encoded_images && images[i].missing_reason.empty())
       images[i].encoded.assign(encoded.begin(), encoded.end());
   });
-  // What could not even be fetched has been reported where that was found out.
+  // Images whose bytes could not be read have been reported by load_images().
   for (std::size_t i = 0; i < count; ++i)
     if (!images[i].missing_reason.empty() && document.images[i].missing_reason.empty())
       log.report(Rule::image_missing, pointer("images", i), images[i].missing_reason + "; a placeholder is shown");

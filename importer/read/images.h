@@ -9,12 +9,13 @@
 
 namespace sinew {
 
-/// Pixels of every image of the document, or what its header says alone (options.probe_images). One that is missing,
-/// damaged or too large stays empty with its reason, and the rest of the file still loads (G66). in
-/// options.max_image_pixels bounds all images together; each must also be plausible for its bytes, so that a few
-///      bytes cannot ask for gigabytes (G68)
-/// out  as many as document.images, in their order
-/// warning image-missing.   cost O(pixels), spread over cores
+/// Decodes every image of the document, or reads only the headers (options.probe_images). An image that is missing,
+/// damaged or too large stays empty and says why; the rest of the file still loads (G66).
+/// in       options.max_image_pixels bounds the pixels of all images together. The size of each image must also be
+///          plausible for its bytes, so that a few bytes cannot ask for gigabytes (G68)
+/// out      one entry for each of document.images, in their order
+/// warning  image-missing
+/// cost     O(pixels), spread over all cores
 std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options, IssueLog& log);
 
 }  // namespace sinew

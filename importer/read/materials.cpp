@@ -89,8 +89,8 @@ class MaterialReader {
 
     const bool textured_specular = extension.has("specularGlossinessTexture");
     const MetallicRoughness surface = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), glossiness});
-    // The factors alone say nothing of a surface whose specular colour is in a texture: most such surfaces are no
-    // metals.
+    // Where the specular colour is in a texture, the factors say nothing about the surface. Most such surfaces are not
+    // metal.
     out_.base_color = textured_specular ? diffuse : glm::vec4(glm::vec3(surface.base_color), diffuse.a);
     out_.metallic = textured_specular ? 0.0f : static_cast<float>(surface.metallic);
     out_.roughness = static_cast<float>(surface.roughness);

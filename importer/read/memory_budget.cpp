@@ -16,7 +16,7 @@ class Budget {
  public:
   explicit Budget(const gltf::Document& document) : document_(document) {}
 
-  /// As floats, which is what attributes become.
+  /// Counts components as floats, because attributes become floats.
   void add(std::uint32_t accessor, std::uint64_t times = 1) {
     if (accessor == kNone) return;
     const auto& source = document_.accessors[accessor];
@@ -32,7 +32,7 @@ class Budget {
   std::uint64_t total_ = 0;
 };
 
-/// How many nodes one channel moves something for: each gets a track of its own.
+/// How many nodes a channel animates; each gets a track of its own.
 class Users {
  public:
   explicit Users(const gltf::Document& document)

@@ -7,10 +7,12 @@
 
 namespace sinew {
 
-/// Vertices, keys and indices that the document will grow to, before anything grows: many primitives may name one
-/// accessor, and an accessor without a view costs no byte of the file (G68).
-/// in   references in range;  file_bytes  with all buffers;  most  never more than this
-/// err  memory-budget
+/// Adds up how many bytes the document will grow to as vertices, keys and indices, before anything grows. Many
+/// primitives may share one accessor, and an accessor without a view costs no bytes in the file (G68).
+/// in    references in range
+///       file_bytes   with all buffers
+///       most         upper limit, whatever the size of the file
+/// err   memory-budget
 void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log);
 
 }  // namespace sinew

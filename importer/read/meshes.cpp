@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kUnitTolerance = 0.00674f;  // of an 8-bit normal, as common validators take it
+constexpr float kUnitTolerance = 0.00674f;  // rounding of an 8-bit normal; common validators use the same
 
 std::vector<glm::vec4> opaque(const std::vector<glm::vec3>& colors) {
   std::vector<glm::vec4> out;
@@ -105,7 +105,7 @@ class PrimitiveReader {
     }
   }
 
-  /// Lengths near 1 stay as they are: morphed normals are sums of stored values.
+  /// Lengths near 1 stay as they are, because morphed normals are sums of stored values.
   void make_unit(const std::string& place) {
     std::size_t odd = 0;
     float worst = 1.0f;

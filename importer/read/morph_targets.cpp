@@ -30,7 +30,7 @@ Displacements<glm::vec4> without_alpha(const Displacements<glm::vec3>& colors) {
   return out;
 }
 
-/// Where only replacements move anything, nothing else is read: the zeros beneath would be dropped again.
+/// Where only sparse replacements displace anything, only they are read: the zeros beneath would be dropped later.
 template <class V>
 Displacements<V> read_displacements(const gltf::Document& document, std::uint32_t index, const std::string& place,
                                     IssueLog& log) {

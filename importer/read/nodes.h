@@ -9,15 +9,16 @@
 
 namespace sinew {
 
-/// Where a node is in its parent's space: either a transform, or a matrix that is kept verbatim (G50).
+/// The transform of a node in its parent's space: translation, rotation and scale, or a matrix that is kept bit for bit
+/// (G50).
 struct NodeTransform {
-  Transform transform;  ///< of a matrix: its decomposition, for what cannot use the matrix
+  Transform transform;  ///< where there is a matrix: its decomposition, for code that cannot use the matrix
   bool is_matrix = false;
   Affine matrix;
 };
 
-/// Reads one node. Rotations that are not unit quaternions are normalised, a zero one becomes the identity (G52).
-/// warning node-matrix-trs (the matrix is used), node-matrix-row, node-rotation, node-rotation-zero
+/// Reads one node. Rotations that are not unit quaternions are normalised; a zero rotation becomes the identity (G52).
+/// warning  node-matrix-trs (the matrix is used), node-matrix-row, rotation-length, rotation-zero
 NodeTransform read_node_transform(const gltf::Node& node, std::uint32_t index, IssueLog& log);
 
 }  // namespace sinew

@@ -10,16 +10,17 @@
 
 namespace sinew {
 
+/// Strips, fans and loops are unrolled on import, so three topologies remain.
 Topology topology_of(gltf::PrimitiveMode mode) noexcept;
 
-/// Strips, fans and loops as plain lists; vertices that complete no element are dropped.
-/// eq   strip triangle i = {i, i + (1 + i % 2), i + (2 - i % 2)}, fan triangle i = {i + 1, i + 2, 0}   (glTF 2.0,
-/// "Meshes")
+/// Turns strips, fans and loops into plain lists. Vertices that do not complete an element are dropped.
+/// eq   strip triangle i = {i, i + (1 + i % 2), i + (2 - i % 2)}, fan triangle i = {i + 1, i + 2, 0}
+///      (glTF 2.0, "Meshes")
 std::vector<std::uint32_t> unroll(gltf::PrimitiveMode mode, std::vector<std::uint32_t> indices);
 
-/// The index list of a primitive, unrolled; without an accessor the vertices in order.
-/// err  mesh-indices (format), mesh-index (past the vertices);  warning mesh-mode (count does not fit),
-/// mesh-indices-stride
+/// Reads the index list of a primitive, unrolled. Without an accessor it is all vertices in order.
+/// err      mesh-indices (format), mesh-index (past the last vertex)
+/// warning  mesh-mode (the count does not fit the mode), mesh-indices-stride
 std::vector<std::uint32_t> read_indices(const gltf::Document& document, const gltf::Primitive& primitive,
                                         std::uint32_t vertex_count, const std::string& place, IssueLog& log);
 

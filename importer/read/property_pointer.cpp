@@ -65,7 +65,7 @@ bool take(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Array indices of RFC 6901: digits without a leading zero.
+/// An array index of RFC 6901: digits without a leading zero.
 std::optional<std::uint32_t> take_index(std::string_view& text) {
   std::uint32_t index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -126,7 +126,7 @@ bool material_defines(const gltf::Material& material, const PropertyTarget& targ
   }
 }
 
-/// The object that holds the property is there, and the property too unless it has a default.
+/// True where the file has the object that holds the property, and the property itself unless glTF gives it a default.
 bool is_defined(const gltf::Document& document, List list, std::string_view path, const PropertyTarget& target) {
   switch (list) {
     case List::nodes: return member(&document.nodes[target.index].extensions, "KHR_node_visibility") != nullptr;
@@ -138,7 +138,7 @@ bool is_defined(const gltf::Document& document, List list, std::string_view path
   return true;
 }
 
-/// "weights/3" of a node or mesh, or a whole property of a node.
+/// Accepts "weights" and "weights/3" of a node or mesh, and whole properties of a node.
 bool read_node_path(std::string_view path, PointedProperty& out) {
   if (path == "weights") {
     out.node_path = "weights";

@@ -10,27 +10,30 @@
 
 namespace sinew {
 
-/// What a pointer of KHR_animation_pointer names, in the file's indices.
+/// The property that a pointer of KHR_animation_pointer names, in the file's indices.
 struct PointedProperty {
   enum class List : std::uint8_t { nodes, meshes, cameras, lights, materials };
   List list = List::nodes;
   std::uint32_t index = 0;
-  std::string_view node_path;     ///< translation, rotation, scale or weights of a node or mesh, else empty
-  std::uint32_t element = kNone;  ///< one of the weights
-  PropertyTarget target;          ///< where `node_path` is empty; its index is the file's
+  std::string_view
+      node_path;  ///< translation, rotation, scale or weights of a node or mesh; empty for other properties
+  std::uint32_t element = kNone;  ///< index of a single weight; kNone = all
+  PropertyTarget target;          ///< only where `node_path` is empty
 };
 
-/// Reads a pointer of the glTF object model, "/materials/0/alphaCutoff". The property must be one that the runtime has,
-/// and be defined or have a default in the file (G58). out  why the pointer means nothing here, in `fault`, when the
-/// answer is empty;  `past_end` when its index is what is wrong
+/// Why a pointer cannot be used. `past_end` is true when only its index is wrong.
 struct PointerFault {
   std::string text;
   bool past_end = false;
 };
+/// Reads a pointer of the glTF object model such as "/materials/0/alphaCutoff". The runtime must have the property, and
+/// the file must define it or glTF give it a default (G58).
+/// out   fault   the reason, where nothing is returned
 std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text,
                                                      PointerFault& fault);
 
-/// The pointer of a property of a scene whose lists are written in their order, nodes by Skeleton::node_of_joint.
+/// The pointer that names a property in a file written from `scene`: lists are in the scene's order, nodes are numbered
+/// by Skeleton::node_of_joint.
 std::string property_pointer(const PropertyTarget& target, const Scene& scene);
 
 }  // namespace sinew

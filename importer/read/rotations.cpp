@@ -7,7 +7,7 @@ namespace sinew {
 namespace {
 
 constexpr double kNoLength = 1e-12;
-constexpr double kUnitTolerance = 0.00769;  // what normalised bytes and shorts lose
+constexpr double kUnitTolerance = 0.00769;  // rounding of normalised bytes and shorts
 
 }  // namespace
 

@@ -8,23 +8,24 @@
 
 namespace sinew {
 
-/// How a stored quaternion became a unit one.
+/// A rotation after normalisation, with the length that the file stored.
 struct UnitRotation {
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
   double length = 1.0;  ///< as stored
 };
 
-/// Numbers of a quaternion as stored, as a unit quaternion. Within the rounding of floats they are left alone, so that
-/// stored keys stay exact (G06); zero becomes the identity (G52). Finite input.
+/// Makes a stored quaternion a unit quaternion. A length within float rounding of 1 is left alone, so that stored keys
+/// stay exact (G06); zero becomes the identity (G52).
+/// in    finite numbers
 UnitRotation unit_rotation(double x, double y, double z, double w) noexcept;
 
-/// What was odd about a list of rotations, said once for all of them.
+/// Counts what is odd about a list of rotations, so that it is reported once for the whole list.
 class RotationTally {
  public:
   void add(double length) noexcept;
 
-  /// `one` and `many` name them: "a rotation key", "rotation keys".
-  /// warning rotation-zero, rotation-length (beyond what normalised bytes and shorts lose)
+  /// in       one, many   name the rotations: "a rotation key", "rotation keys"
+  /// warning  rotation-zero, rotation-length (beyond the rounding of normalised bytes and shorts)
   void report(const std::string& place, const char* one, const char* many, IssueLog& log) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// Column-major numbers of one matrix; false when the fourth row is not 0 0 0 1.
+/// Reads one matrix from 16 column-major numbers; false when its fourth row is not 0 0 0 1.
 bool to_affine(const float* m, Affine& out) {
   for (std::size_t row = 0; row < 3; ++row) out.row[row] = {m[row], m[4 + row], m[8 + row], m[12 + row]};
   return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f;

@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// Factors of KHR_materials_pbrSpecularGlossiness, linear.
+/// Factors of KHR_materials_pbrSpecularGlossiness; colours are linear.
 struct SpecularGlossiness {
   glm::dvec3 diffuse{1.0}, specular{1.0};
   double glossiness = 1.0;
@@ -15,12 +15,13 @@ struct MetallicRoughness {
   double metallic = 1.0, roughness = 1.0;
 };
 
-/// The metallic-roughness surface that looks most like it. Exact where the specular colour is that of a dielectric
-/// (0.04) or the diffuse colour is black; in between the metallic part is the one that keeps the brightness of both
-/// lobes. eq   solves  0.04 m^2 + (d (1 - s) / 0.96 + p - 0.08) m + 0.04 - p = 0  for m in [0, 1], with d and p the
-/// perceived
-///      brightness of the colours, s the largest component of the specular one   (derived from
-///      diffuse (1 - s) = base (1 - 0.04)(1 - m), specular = lerp(0.04, base, m)); roughness = 1 - glossiness
+/// Finds the metallic-roughness surface that looks most like a specular-glossiness surface. Exact where the specular
+/// colour is that of a dielectric (0.04) or the diffuse colour is black. In between, `metallic` is chosen so that both
+/// lobes keep their brightness.
+/// eq   m in [0, 1] solves  0.04 m^2 + (d (1 - s) / 0.96 + p - 0.08) m + 0.04 - p = 0,  d and p the perceived
+/// brightness
+///      of the diffuse and the specular colour, s the largest component of the specular colour; roughness =
+///      1 - glossiness.   Derived from  diffuse (1 - s) = base (1 - 0.04)(1 - m),  specular = lerp(0.04, base, m)
 MetallicRoughness to_metallic_roughness(const SpecularGlossiness& surface) noexcept;
 
 }  // namespace sinew

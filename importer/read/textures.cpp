@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-// Numbers of OpenGL, which glTF uses.
+// glTF uses the numbers of OpenGL.
 constexpr int kNearest = 9728, kLinear = 9729;
 constexpr int kNearestMipmapNearest = 9984, kLinearMipmapNearest = 9985, kNearestMipmapLinear = 9986,
               kLinearMipmapLinear = 9987;

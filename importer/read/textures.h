@@ -8,13 +8,14 @@
 
 namespace sinew {
 
-/// Every texture with its sampler. EXT_texture_webp names an image that goes before `source`.
-/// in   references in range.   out  as many as document.textures, in their order
-/// warning sampler-values, extension-value
+/// Reads every texture with its sampler. An image named by EXT_texture_webp is preferred to `source`.
+/// in       references in range
+/// out      one entry for each of document.textures, in their order
+/// warning  sampler-values, extension-value
 std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log);
 
-/// How a material uses a texture; KHR_texture_transform may name another texture coordinate set (G60).
-/// in   `place` points at the texture info
+/// Reads how a material uses a texture. KHR_texture_transform may select another texture coordinate set (G60).
+/// in    place   JSON pointer of the texture info
 TextureUse read_texture_use(const gltf::TextureInfo& info, const std::string& place, IssueLog& log);
 
 }  // namespace sinew

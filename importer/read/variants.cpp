@@ -12,7 +12,7 @@ using gltf::Json;
 
 constexpr const char* kExtension = "KHR_materials_variants";
 
-/// The array of that name in the extension; null where there is none.
+/// The array `name` of the extension; null where there is none.
 const Json* list_in(const Json& extensions, const char* name, const std::string& place, IssueLog& log) {
   if (!extensions.is_object()) return nullptr;
   const auto extension = extensions.find(kExtension);

@@ -10,12 +10,12 @@
 
 namespace sinew {
 
-/// Names of the file's material variants (KHR_materials_variants).
-/// warning extension-value
+/// Reads the names of the file's material variants (KHR_materials_variants).
+/// warning  extension-value
 std::vector<std::string> read_variants(const gltf::Document& document, IssueLog& log);
 
-/// The materials that variants give a primitive. Of two for one variant the first counts.
-/// warning extension-value: what names no variant or material is ignored
+/// Reads the materials that variants give a primitive. Of two materials for one variant the first counts.
+/// warning  extension-value: entries that name no variant or no material are ignored
 std::vector<VariantMaterial> read_variant_materials(const gltf::Document& document, std::uint32_t mesh,
                                                     std::uint32_t primitive, IssueLog& log);
 

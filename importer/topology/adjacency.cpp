@@ -16,7 +16,8 @@ using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
 constexpr std::size_t next_corner(std::size_t c) noexcept { return c % 3 == 2 ? c - 2 : c + 1; }
 
-/// An edge of a face: from the vertex of `corner` to the next one, its ends in rising order.
+/// An edge of a face, from the vertex of `corner` to that of the next corner. `low` and `high` are its ends in rising
+/// order; `rising` tells the direction.
 struct Edge {
   std::uint32_t low, high, corner;
   bool rising;
@@ -36,7 +37,8 @@ std::vector<Edge> sorted_edges(std::span<const std::uint32_t> triangles, const s
   return edges;
 }
 
-/// Joins the corners of every two faces that share an edge as a surface does: exactly two faces, in opposite order.
+/// Joins corners across every edge that has exactly two faces which wind alike (they run along the edge in opposite
+/// directions).
 void join_fans(CornerSets& sets, const std::vector<Edge>& edges) {
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     while (end < edges.size() && edges[end].low == edges[first].low && edges[end].high == edges[first].high) ++end;
@@ -47,7 +49,7 @@ void join_fans(CornerSets& sets, const std::vector<Edge>& edges) {
   }
 }
 
-/// One half-edge vertex for each set of corners, in order of its first corner.
+/// Numbers the sets of corners: one half-edge vertex each, in order of the first corner.
 void number_vertices(CornerSets& sets, std::span<const std::uint32_t> triangles, const std::vector<bool>& whole,
                      Adjacency& out) {
   out.corner_vertex.assign(triangles.size(), kNone);
@@ -70,8 +72,8 @@ HalfEdgeMesh build_mesh(const Adjacency& a, std::vector<std::uint32_t>& triangle
   const auto vertex = [&](std::size_t c) { return HalfEdgeMesh::VertexHandle(static_cast<int>(a.corner_vertex[c])); };
   for (std::size_t f = 0; f < a.face_count(); ++f) {
     if (a.corner_vertex[3 * f] == kNone) continue;
-    // Every vertex is a single fan, and at most the two ends of a fan share a cut edge, in opposite order: no half-edge
-    // is taken twice, so OpenMesh accepts the face.
+    // Every vertex is a single fan, and only the two ends of a fan can share a cut edge, in opposite directions. So no
+    // half-edge is used twice, and OpenMesh accepts the face.
     const auto face = mesh.add_face(vertex(3 * f), vertex(3 * f + 1), vertex(3 * f + 2));
     CONTRACT(face.is_valid());
     triangle_of_face.push_back(static_cast<std::uint32_t>(f));

@@ -9,17 +9,17 @@
 
 namespace sinew {
 
-/// A file that holds the centers of rotation of one primitive, named by a hash of everything that they depend on.
+/// A file with the centers of rotation of one primitive. Its name is a hash of everything that the centers depend on.
 class CentersCache {
  public:
   /// An empty folder switches the cache off.
   CentersCache(const std::filesystem::path& folder, const Primitive& primitive, double sigma);
 
-  /// Nothing when the file is absent, of another version or size, or damaged.
+  /// Nothing when the file is absent, damaged, or of another version or size.
   std::optional<std::vector<glm::vec3>> load() const;
 
-  /// Writes beside the target and renames, so that a reader never sees half a file. A cache that cannot be written is
-  /// not an error: the centers are computed again next time.
+  /// Writes a temporary file and renames it, so that a reader never sees half a file. A cache that cannot be written is
+  /// no error: the centers are computed again next time.
   void store(const std::vector<glm::vec3>& centers) const;
 
  private:

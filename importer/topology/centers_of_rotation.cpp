@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// Joints with their weights, joints rising.
+/// Joints and their weights, sorted by joint.
 using Weights = std::vector<std::pair<std::uint16_t, double>>;
 
 struct Triangle {
@@ -58,13 +58,13 @@ std::vector<Triangle> triangles_of(const Primitive& primitive, const std::vector
   return triangles;
 }
 
-/// The part of one joint in the weights of a vertex or a triangle.
+/// The weight of one joint in a vertex or a triangle.
 struct Share {
   std::uint32_t owner;
   double weight;
 };
 
-/// Shares by joint, owners rising.
+/// For each joint its shares, sorted by owner.
 class SharesByJoint {
  public:
   void add(std::uint32_t owner, const Weights& weights) {
@@ -74,7 +74,7 @@ class SharesByJoint {
     }
   }
 
-  /// Calls `take(owner, weight of j, weight of k)` for every owner that both joints have a share in.
+  /// Calls `take(owner, weight of j, weight of k)` for every owner in which both joints have a share.
   template <class Take>
   void for_each_of_both(std::uint16_t j, std::uint16_t k, const Take& take) const {
     if (std::max(j, k) >= shares_.size()) return;
@@ -90,7 +90,7 @@ class SharesByJoint {
   std::vector<std::vector<Share>> shares_;
 };
 
-/// A sum of points by weight.
+/// A weighted sum of points and the sum of their weights.
 struct WeightedSum {
   glm::dvec3 points{0.0};
   double weight = 0.0;
@@ -98,7 +98,7 @@ struct WeightedSum {
   void add(const glm::dvec3& weighted_points, double w) { points += weighted_points, weight += w; }
 };
 
-/// Surface on which two joints have the weights j and k: triangles of equal weights count as one.
+/// The part of the surface where two joints have the weights j and k. Triangles of equal weights count as one.
 struct PairSurface {
   double j, k;
   WeightedSum area;
@@ -114,8 +114,8 @@ struct PairVertex {
   double j, k;
 };
 
-/// The sum over triangles and pairs of joints, taken pair by pair: only what both joints of a pair move has a part in
-/// it.
+/// Computes the sum of the equation pair by pair of joints: a pair contributes only to vertices and triangles that both
+/// joints move.
 class CenterSearch {
  public:
   CenterSearch(const Primitive& primitive, const CentersOptions& options) : options_(options) {
@@ -186,7 +186,8 @@ class CenterSearch {
     return all;
   }
 
-  /// The terms of one pair of joints in one vertex. Each unordered pair counts twice in the paper's sum over j != k.
+  /// Adds the terms of one pair of joints to one vertex. The paper sums over ordered pairs j != k, so each unordered
+  /// pair counts twice.
   void add(const std::vector<PairSurface>& surface, const PairVertex& v, WeightedSum& sum) const {
     for (const PairSurface& s : surface) {
       const double difference = (v.j * s.k - v.k * s.j) / options_.sigma;
@@ -197,8 +198,8 @@ class CenterSearch {
 
   const CentersOptions& options_;
   std::vector<Triangle> triangles_;
-  SharesByJoint triangle_shares_, vertex_shares_;     // of vertices: of each distinct weight vector
-  std::vector<std::vector<std::uint32_t>> vertices_;  // that have this weight vector
+  SharesByJoint triangle_shares_, vertex_shares_;     // a vertex share belongs to one distinct list of weights
+  std::vector<std::vector<std::uint32_t>> vertices_;  // the vertices of each distinct list of weights
   std::set<std::pair<std::uint16_t, std::uint16_t>> pairs_;
   std::vector<WeightedSum> sums_;
 };

@@ -8,25 +8,24 @@
 
 namespace sinew {
 
+/// How to compute centers of rotation.
 struct CentersOptions {
   double sigma = 0.1;                                ///< width of the similarity kernel; the paper's value
-  std::function<void(double done_0_to_1)> progress;  ///< called now and then, on the calling thread
-  std::filesystem::path cache_folder;                ///< empty = no cache; one file per mesh content and sigma
+  std::function<void(double done_0_to_1)> progress;  ///< called now and then on the calling thread; may be empty
+  std::filesystem::path cache_folder;                ///< empty = no cache; holds one file per surface and sigma
 };
 
-/// Optimised centers of rotation: for every vertex the point of the rest shape around which similarly weighted parts of
-/// the surface turn. eq   p*_i = sum_t s(w_i, w_t) a_t v_t / sum_t s(w_i, w_t) a_t over triangles t with area a_t,
-/// centroid v_t and mean
-///      weights w_t;  s(u, v) = sum_{j != k} u_j u_k v_j v_k exp(-(u_j v_k - u_k v_j)^2 / sigma^2)
-///      (Le and Hodgins 2016, "Real-time skeletal skinning with optimized centers of rotation", eqs. 1 and 4)
-/// in   primitive   skinned triangles: positions, indices, influences
-/// out  [V]  mesh space. A vertex without two influences, or without any similar triangle, gets its own position, which
-/// makes
-///      center-of-rotation skinning equal to linear-blend skinning there (N21)
-/// cost O(V * triangles that share a pair of joints), in double, over all cores; vertices of equal weights are done
-/// once,
-///      triangles of equal weights count as one.
-///      With a cache folder a second call reads the result; a damaged cache file is replaced.
+/// Optimised centers of rotation: for each vertex the point of the bind shape around which the similarly weighted parts
+/// of the surface turn.
+/// eq    p*_i = sum_t s(w_i, w_t) a_t v_t / sum_t s(w_i, w_t) a_t over triangles t with area a_t, centroid v_t and mean
+///       weights w_t;  s(u, v) = sum_{j != k} u_j u_k v_j v_k exp(-(u_j v_k - u_k v_j)^2 / sigma^2)
+///       (Le and Hodgins 2016, "Real-time skeletal skinning with optimized centers of rotation", eqs. 1 and 4)
+/// in    primitive   skinned triangles: positions, indices, influences
+/// out   [V] points in mesh space. A vertex with fewer than two influences, or without a similar triangle, gets its own
+///       position; center-of-rotation skinning then equals linear-blend skinning there (N21)
+/// cost  O(V * triangles that share a pair of joints), in double, on all cores. Vertices of equal weights are computed
+///       once, and triangles of equal weights count as one. With a cache folder a second call reads the result; a
+///       damaged cache file is replaced
 std::vector<glm::vec3> centers_of_rotation(const Primitive& primitive, const CentersOptions& options = {});
 
 }  // namespace sinew

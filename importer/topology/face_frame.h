@@ -7,30 +7,31 @@
 
 namespace sinew {
 
-/// The corners of face f in double: products of float coordinates neither overflow nor vanish.
+/// The corners of face f in double, so that products of float coordinates neither overflow nor underflow.
 inline std::array<glm::dvec3, 3> face_positions(const Primitive& p, std::size_t f) noexcept {
   return {glm::dvec3(p.positions[p.indices[3 * f]]), glm::dvec3(p.positions[p.indices[3 * f + 1]]),
           glm::dvec3(p.positions[p.indices[3 * f + 2]])};
 }
 
-/// Normal with twice the face's area as length, counter-clockwise front.
+/// Normal of a face whose front is counter-clockwise; its length is twice the area.
 inline glm::dvec3 face_area_normal(const std::array<glm::dvec3, 3>& p) noexcept {
   return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
 
-/// v / |v|, or `fallback` where v has no direction.
+/// v / |v|, or `fallback` where v is zero or not finite.
 inline glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& fallback) noexcept {
   const double length = std::sqrt(glm::dot(v, v));
   return length > 0.0 && std::isfinite(length) ? v / length : fallback;
 }
 
-/// Angle between a and b, 0 where one is zero. From both sine and cosine, so that it is exact near 0 and pi (N03).
+/// Angle between a and b in radians; 0 where one of them is zero. It uses sine and cosine, so it is accurate near 0 and
+/// near pi (N03).
 inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) noexcept {
   const glm::dvec3 normal = glm::cross(a, b);
   return std::atan2(std::sqrt(glm::dot(normal, normal)), glm::dot(a, b));
 }
 
-/// Interior angle of the face at corner k, radians.
+/// Interior angle of the face at corner k, in radians.
 inline double corner_angle(const std::array<glm::dvec3, 3>& p, std::size_t k) noexcept {
   return angle_between(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
 }

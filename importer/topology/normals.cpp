@@ -16,7 +16,7 @@ constexpr glm::vec3 kUp{0.0f, 0.0f, 1.0f};
 
 bool has_faces(const Primitive& p) noexcept { return p.topology == Topology::triangles && p.indices.size() >= 3; }
 
-/// Normals of the half-edge vertices: face normals weighted by their angle.
+/// Normals of the half-edge vertices: normals of their faces, weighted by angle.
 std::vector<glm::dvec3> vertex_normals(const Primitive& p, const Adjacency& adjacency) {
   std::vector<glm::dvec3> sums(adjacency.source.size(), glm::dvec3(0.0)), fallback = sums;
   for (std::size_t f = 0; f < adjacency.face_count(); ++f) {

@@ -9,14 +9,14 @@
 namespace sinew {
 namespace {
 
-/// Where the copies of each old vertex lie: copies of v are first[v] .. first[v + 1] - 1.
+/// The copies of each old vertex v are first[v] .. first[v + 1] - 1.
 struct Copies {
   std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> old_of_new;
   std::vector<std::uint32_t> new_of_corner;
 };
 
-/// Corners of each vertex: those of v are corners[begin[v] .. begin[v + 1] - 1], rising.
+/// The corners of each vertex v, rising: corners[begin[v] .. begin[v + 1] - 1].
 struct CornersOfVertex {
   std::vector<std::uint32_t> begin, corners;
 

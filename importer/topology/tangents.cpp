@@ -13,8 +13,8 @@
 namespace sinew {
 namespace {
 
-/// How a face's texture lies on it. `turn` is +1 where (u, v) turn like the face, -1 against it, 0 without texture
-/// area.
+/// How the texture lies on a face. `turn` is +1 where (u, v) turn like the face, -1 where they turn against it, and 0
+/// without texture area.
 struct FaceTexture {
   glm::dvec3 rising_u{0.0};  ///< dp/du, any length
   int turn = 0;
@@ -30,7 +30,7 @@ FaceTexture face_texture(const Primitive& p, std::size_t f, std::uint32_t set) n
   return {((corners[1] - corners[0]) * b.y - (corners[2] - corners[0]) * a.y) * double(turn), turn};
 }
 
-/// Any unit vector perpendicular to n: across the axis that n leans on least.
+/// Any unit vector perpendicular to n: its cross product with the axis of its smallest component.
 glm::dvec3 perpendicular(const glm::dvec3& n) noexcept {
   const glm::dvec3 size = glm::abs(n);
   const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
@@ -39,7 +39,7 @@ glm::dvec3 perpendicular(const glm::dvec3& n) noexcept {
   return unit_or(glm::cross(n, axis), glm::dvec3(1, 0, 0));
 }
 
-/// Half-edge mesh over vertices that agree in all that a tangent depends on.
+/// Half-edge mesh over vertices that agree in everything a tangent depends on.
 Adjacency textured_adjacency(const Primitive& p, std::uint32_t set) {
   std::vector<float> keys;
   keys.reserve(8 * p.vertex_count());
@@ -54,7 +54,7 @@ Adjacency textured_adjacency(const Primitive& p, std::uint32_t set) {
   return make_adjacency(triangles, p.vertex_count());
 }
 
-/// Faces without texture area take the turn of a neighbour, the nearest over edges, so that they do not part groups.
+/// Gives faces without texture area the turn of the nearest neighbour over edges, so that they do not separate groups.
 void spread_turn(std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
   std::vector<std::uint32_t> queue;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -68,7 +68,7 @@ void spread_turn(std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
     }
 }
 
-/// Corners that share a tangent: around one half-edge vertex, over edges between faces of equal turn.
+/// Groups corners that share a tangent: around one half-edge vertex, across edges between faces of equal turn.
 std::vector<std::uint32_t> tangent_groups(const std::vector<FaceTexture>& faces, const Adjacency& adjacency) {
   const auto corner_at = [&](std::size_t face, std::uint32_t vertex) {
     std::size_t c = 3 * face;
@@ -89,8 +89,8 @@ std::vector<std::uint32_t> tangent_groups(const std::vector<FaceTexture>& faces,
   return group;
 }
 
-/// The face's part in the tangent of corner k: direction in the plane of the normal, weighted by the angle seen along
-/// it.
+/// What a face adds to the tangent of its corner k: its direction of u in the plane of the normal, weighted by the
+/// angle at the corner in that plane.
 glm::dvec3 contribution(const Primitive& p, std::size_t f, std::size_t k, const FaceTexture& face,
                         const glm::dvec3& n) {
   const auto corners = face_positions(p, f);
@@ -116,7 +116,7 @@ void make_tangents(Primitive& primitive, std::uint32_t texcoord_set) {
   spread_turn(faces, adjacency);
   const auto group = tangent_groups(faces, adjacency);
 
-  std::vector<glm::dvec3> sums(corner_count, glm::dvec3(0.0));  // by group, that is by its leading corner
+  std::vector<glm::dvec3> sums(corner_count, glm::dvec3(0.0));  // of each group, at the index of its leading corner
   const auto normal_at = [&](std::size_t v) { return unit_or(glm::dvec3(primitive.normals[v]), glm::dvec3(0, 0, 1)); };
   for (std::size_t c = 0; c < corner_count; ++c)
     if (group[c] != kNone)

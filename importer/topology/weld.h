@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// For each vertex the first vertex with the same key; -0 and +0 are the same number, other bits must match.
-/// in   keys[V * stride]  `stride` floats per vertex.   cost O(V * stride) expected
+/// For each vertex, the first vertex with the same key. -0 equals +0; all other bits must match.
+/// in    keys[V * stride]   `stride` floats for each vertex
+/// cost  O(V * stride) expected
 std::vector<std::uint32_t> weld(std::span<const float> keys, std::size_t stride);
 
 }  // namespace sinew

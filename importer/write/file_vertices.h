@@ -7,15 +7,15 @@
 
 namespace sinew::write {
 
-/// Which vertices of a primitive are written, and in which order: those of the file that it came from, so that vertex
-/// numbers survive and reading again groups and splits them in the same way.
+/// Which vertices of a primitive are written, and in which order. The order is that of the file that the primitive came
+/// from, so that vertex numbers survive and a later import groups and splits the vertices in the same way.
 struct FileVertices {
-  std::vector<std::uint32_t> scene_vertex;  ///< [written] the vertex of the primitive that each written one is
+  std::vector<std::uint32_t> scene_vertex;  ///< [written] the primitive's vertex behind each written vertex
   std::vector<std::uint32_t> file_vertex;   ///< [V] where each vertex of the primitive is written
 
   std::size_t count() const noexcept { return scene_vertex.size(); }
 
-  /// Values of the primitive's vertices in the order in which they are written.
+  /// Values of the primitive's vertices, in the order in which they are written.
   template <class T>
   std::vector<T> gather(const std::vector<T>& values) const {
     std::vector<T> out;
@@ -24,7 +24,7 @@ struct FileVertices {
     return out;
   }
 
-  /// The same for displacements; of copies the first counts.
+  /// The same for displacements. Of several copies of a vertex the first counts.
   template <class T>
   SparseDeltas<T> gather(const SparseDeltas<T>& deltas) const {
     std::vector<T> dense(count(), T(0.0f));
@@ -36,9 +36,9 @@ struct FileVertices {
   }
 };
 
-/// Copies that the importer made of one vertex are written once where they differ in flat normals only, which are not
-/// written. The order of the scene stays where `source_vertex` is empty, has gaps, or copies differ in their tangents.
-/// cost O(V)
+/// Chooses the vertices. Copies that the importer made for flat normals are written once, because flat normals are not
+/// written. The order of the scene is kept where `source_vertex` is empty or has gaps, or where copies differ
+/// otherwise. cost  O(V)
 FileVertices file_vertices(const Primitive& primitive);
 
 }  // namespace sinew::write

@@ -16,8 +16,8 @@ constexpr int kType<glm::vec3> = TINYGLTF_TYPE_VEC3;
 template <>
 constexpr int kType<glm::vec4> = TINYGLTF_TYPE_VEC4;
 
-/// Per component over `count` elements of `width` floats; `includes_zero` for sparse accessors, whose other elements
-/// are 0.
+/// Writes min and max per component of `count` elements with `width` floats. `includes_zero` is for sparse accessors:
+/// their other elements are 0.
 void set_bounds(tinygltf::Accessor& accessor, const float* values, std::size_t count, std::size_t width,
                 bool includes_zero) {
   for (std::size_t c = 0; c < width; ++c) {

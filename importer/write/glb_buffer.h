@@ -9,22 +9,24 @@
 
 namespace sinew::write {
 
-/// What a buffer view holds, which decides its `target`.
+/// What a buffer view holds; it decides the `target` of the view.
 enum class ViewUse { vertices, indices, other };
 
-/// Appends typed arrays to the one buffer of `model`, a view and an accessor each, aligned to four bytes.
+/// Appends typed arrays to the only buffer of `model`. Each array gets a view and an accessor and starts at a multiple
+/// of four bytes.
 class GlbBuffer {
  public:
   explicit GlbBuffer(tinygltf::Model& model) : model_(model) { model_.buffers.resize(1); }
 
   int add_view(std::span<const std::byte> bytes, ViewUse use);
 
-  /// All answer the accessor's index. `with_bounds` writes min and max, which positions and key times must have.
+  /// All functions below return the index of the new accessor. `with_bounds` writes min and max, which glTF demands for
+  /// positions and key times.
   int add(std::span<const float> values, bool with_bounds = false);
   int add(std::span<const glm::vec2> values);
   int add(std::span<const glm::vec3> values, bool with_bounds = false, ViewUse use = ViewUse::vertices);
   int add(std::span<const glm::vec4> values);
-  /// Values of `components` numbers each, 1 to 4.
+  /// Values of 1 to 4 numbers each.
   int add_numbers(std::span<const float> values, std::uint32_t components);
   int add_flags(std::span<const float> values);
   int add_rotations(std::span<const glm::quat> values);
@@ -32,7 +34,7 @@ class GlbBuffer {
   int add_joints(std::span<const std::uint16_t> four_per_vertex);
   int add_matrices(std::span<const Affine> values);
 
-  /// Displacements of `vertex_count` vertices: sparse when that takes fewer bytes than writing every vertex.
+  /// Displacements of `vertex_count` vertices: sparse where that takes fewer bytes than one value per vertex.
   int add_deltas(const SparseDeltas<glm::vec2>& deltas, std::size_t vertex_count);
   int add_deltas(const SparseDeltas<glm::vec3>& deltas, std::size_t vertex_count, bool with_bounds = false);
   int add_deltas(const SparseDeltas<glm::vec4>& deltas, std::size_t vertex_count);

@@ -16,15 +16,15 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::uint64_t kLargestGlb = 0xffffffffu;
 
-/// Calls `change` for every entry of a list of the document, if it has that list.
+/// Calls `change` for each entry of the list `list`, if the object has it.
 template <class Change>
 void for_each(Json& object, const char* list, Change change) {
   if (const auto found = object.find(list); found != object.end())
     for (auto& entry : *found) change(entry);
 }
 
-/// Removes what tinygltf writes although glTF does not allow it: null for an object without properties, 0 for an
-/// infinite far plane, -1 for a channel without node.
+/// Removes what tinygltf writes but glTF forbids: null for an object without properties, a far plane of 0 for infinity,
+/// and node -1 for a channel without a node.
 void mend(Json& root) {
   for (auto& [name, list] : root.items())
     if (list.is_array())

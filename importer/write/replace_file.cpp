@@ -11,7 +11,7 @@ namespace sinew::write {
 namespace fs = std::filesystem;
 namespace {
 
-/// A new file beside `target`, removed again unless it was renamed.
+/// A new file next to `target`. The destructor removes it unless it was renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)

@@ -8,9 +8,9 @@
 
 namespace sinew::write {
 
-/// Writes a file whole or not at all: into a temporary file of the same folder, then renamed over what was there.
-/// Through a symbolic link the file behind it is replaced. out  nothing, or why the file could not be written; an older
-/// file of that name is then as it was
+/// Writes a file completely or not at all: into a temporary file in the same folder, which is then renamed over the old
+/// file. Where `file` is a symbolic link, the file behind it is replaced.
+/// out   nothing, or why the file could not be written; an older file is then unchanged
 std::optional<std::string> replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 }  // namespace sinew::write

@@ -18,7 +18,7 @@ const char* name_of(Interpolation interpolation) {
   return nullptr;
 }
 
-/// Writes the channels of one animation; key times that several tracks share are written once.
+/// Writes the channels of one animation. Key times that several tracks share are written once.
 class AnimationWriter {
  public:
   explicit AnimationWriter(GlbBuffer& buffer) : buffer_(buffer) {}
@@ -30,7 +30,7 @@ class AnimationWriter {
     return add(std::move(channel), interpolation, times_s, values);
   }
 
-  /// What a pointer into the document names.
+  /// A channel whose target is named by a pointer into the document.
   bool add(const std::string& pointer, Interpolation interpolation, const std::vector<float>& times_s, int values) {
     tinygltf::AnimationChannel channel;
     has_pointers_ = true;
@@ -40,7 +40,7 @@ class AnimationWriter {
     return add(std::move(channel), interpolation, times_s, values);
   }
 
-  /// Keeps the place of an animation that moves nothing: readers ignore a channel without node.
+  /// Keeps the place of an animation that animates nothing: readers ignore a channel without a node.
   void add_nothing() {
     const std::vector<glm::vec3> value(1);
     add(-1, "translation", Interpolation::step, {0.0f},
@@ -86,7 +86,7 @@ bool add_bone(const BoneAnimation& bone, int node, AnimationWriter& writer, GlbB
   return ok;
 }
 
-/// All weights of a node, or one of them.
+/// All weights of a node, or a single one of them.
 bool add_weights(const WeightAnimation& animated, const Scene& scene, int node, AnimationWriter& writer,
                  GlbBuffer& buffer) {
   const WeightTrack& track = animated.weights;

@@ -12,7 +12,7 @@ namespace {
 using Object = tinygltf::Value::Object;
 using Array = tinygltf::Value::Array;
 
-/// Also where nothing is transformed at rest: what a clip moves has to be there.
+/// A texture that a clip transforms needs the extension even where nothing is transformed at rest.
 bool has_transform(const TextureUse& use, bool animated) {
   return animated || use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
 }
@@ -21,7 +21,7 @@ tinygltf::Value pair(const glm::vec2& v) {
   return tinygltf::Value(Array{tinygltf::Value(static_cast<double>(v.x)), tinygltf::Value(static_cast<double>(v.y))});
 }
 
-/// Fills the fields that every kind of texture reference has.
+/// Fills the members that all kinds of texture references have.
 template <class Info>
 void reference(const TextureUse& use, bool animated, tinygltf::Model& model, Info& info) {
   if (!use.used()) return;
@@ -44,7 +44,7 @@ const char* name_of(AlphaMode mode) {
   return "OPAQUE";
 }
 
-/// What clips move of one material.
+/// What the clips animate of one material.
 class MovedParts {
  public:
   MovedParts(const PropertyTable& table, std::uint32_t material) : table_(table), material_(material) {}
@@ -78,7 +78,8 @@ tinygltf::Material written(const Material& material, const MovedParts& moved, ti
   reference(material.occlusion_texture, moved.texture(TextureSlot::occlusion), model, out.occlusionTexture);
   out.occlusionTexture.strength = material.occlusion_strength;
   reference(material.emissive_texture, moved.texture(TextureSlot::emissive), model, out.emissiveTexture);
-  // A factor is at most 1: what is above goes into the strength, as a power of two, so that the product is exact.
+  // A factor is at most 1. Larger values are divided by a power of two that goes into the strength, so that the product
+  // of factor and strength stays exact.
   const auto& e = material.emissive;
   const float largest = std::max({e.x, e.y, e.z});
   int exponent = 0;
@@ -127,13 +128,13 @@ void write_materials(const Scene& scene, tinygltf::Model& model) {
 
 namespace {
 
-/// An image goes into the file as it was where it is of a kind that glTF knows.
+/// True for images whose encoded bytes can go into the file: glTF knows their type.
 bool is_kept(const Image& image) {
   const std::string& kind = image.mime_type;
   return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || kind == "image/webp");
 }
 
-/// WebP is an extension's source of a texture, without another one to fall back to.
+/// A WebP image is named by EXT_texture_webp only, without a fallback, so readers must know the extension.
 void set_source(const Scene& scene, std::uint32_t image, tinygltf::Model& model, tinygltf::Texture& texture) {
   constexpr const char* kWebp = "EXT_texture_webp";
   if (!is_kept(scene.images[image]) || scene.images[image].mime_type != "image/webp") {
@@ -155,7 +156,7 @@ void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer)
     const bool keep = is_kept(image);
     out.mimeType = keep ? image.mime_type : "image/png";
     const Image placeholder{
-        .name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // missing images stay visible
+        .name = "", .width = 1, .height = 1, .rgba = {255, 0, 255, 255}};  // a missing image is seen
     out.bufferView =
         buffer.add_view(keep ? image.encoded : encode_png(image.rgba.empty() ? placeholder : image), ViewUse::other);
     model.images.push_back(std::move(out));

@@ -46,7 +46,7 @@ void write_copies(const std::vector<Transform>& copies, tinygltf::Model& model, 
       tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(attributes))}});
 }
 
-/// KHR_node_visibility, also where a clip hides what is shown at rest.
+/// KHR_node_visibility: for hidden nodes, and for nodes that clips hide or show.
 void write_visibility(const Scene& scene, tinygltf::Model& model) {
   const auto write = [&](std::uint32_t joint, bool visible) {
     declare_extension(model, "KHR_node_visibility");
@@ -58,7 +58,7 @@ void write_visibility(const Scene& scene, tinygltf::Model& model) {
   for (const std::uint32_t joint : scene.hidden_joints) write(joint, false);
 }
 
-/// Newer releases of tinygltf have a member for it, and drop the extension of nodes where that is not set.
+/// Newer releases of tinygltf have a member `light` and drop the extension where that is not set.
 template <class Node>
 void attach_light(Node& node, int light) {
   node.extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(light)}});

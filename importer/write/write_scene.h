@@ -9,23 +9,25 @@
 
 namespace sinew::write {
 
-/// Adds a name to extensionsUsed, once.
+/// Adds a name to extensionsUsed, unless it is there.
 void declare_extension(tinygltf::Model& model, const char* name);
 
-/// The parts of export_glb, in the order in which they run; each appends to `model` and `buffer`.
+/// The parts of export_glb() in the order in which they run. Each appends to `model` and `buffer`.
 void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 void write_materials(const Scene& scene, tinygltf::Model& model);
 void write_meshes(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model);
 
-/// Nodes keep the file's indices (Skeleton::node_of_joint). A joint that carries several mesh instances gets a child
-/// node for each one after the first. Answers the node of each mesh instance.
+/// Nodes keep the file's indices (Skeleton::node_of_joint). A joint with several mesh instances gets a child node for
+/// each instance after the first.
+/// out   the node of each mesh instance
 std::vector<int> write_nodes(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 
-/// KHR_materials_variants: the names, and on the meshes written before which materials they give.
+/// KHR_materials_variants: the names of the variants, and on the meshes, which must be written already, the materials
+/// that each variant gives.
 void write_variants(const Scene& scene, tinygltf::Model& model);
 
-/// Answers the issue when a track cannot be said in glTF.
+/// err   the issue, where glTF cannot express a track ("squad-in-gltf")
 std::optional<ImportIssue> write_animations(const Scene& scene, const std::vector<int>& node_of_instance,
                                             tinygltf::Model& model, GlbBuffer& buffer);
 
