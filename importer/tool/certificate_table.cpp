@@ -12,7 +12,6 @@
 namespace sinew::tool {
 namespace {
 
-/// Names of files are escaped: terminals obey what they are shown.
 std::string quoted(const std::string& name) {
   return name.empty() ? "" : nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

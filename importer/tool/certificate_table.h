@@ -7,9 +7,10 @@
 
 namespace sinew::tool {
 
-/// What the clips' certificates say, a row each: asked, measured, where, keys kept, bytes, bytes per joint per second,
-/// and the time of a sample, as it is and with its keys unpacked, measured now. Clips without certificate are left out.
-/// in   joint_names  of the skeleton; may be empty, then joints are numbers
+/// A table of what the certificates of clips say, one row per clip: budget asked for, error measured and where, keys
+/// kept, bytes, bytes per joint and second. The last two columns are the time of one sample, of the clip as it is and
+/// with its keys unpacked, measured by this call. Clips without a certificate are left out.
+/// in    joint_names   of the skeleton; may be empty, then joints are shown as numbers
 std::string certificate_table(std::span<const Clip> clips, std::span<const std::string> joint_names);
 
 }  // namespace sinew::tool

@@ -11,12 +11,12 @@
 
 namespace sinew::tool {
 
-/// The poses that a person asks for: kNone stands for the rest pose.
+/// The clips that somebody asks for; kNone stands for the rest pose.
 using ClipChoice = std::vector<std::uint32_t>;
 
-/// Reads `--clip INDEX|NAME|none`; without it the rest pose and all clips. A number is an index first, a name second;
-/// of several clips of one name the first is meant.
-/// err  a sentence that names the clips there are
+/// Reads `--clip INDEX|NAME|none`. Without the option it is the rest pose and all clips. A number is taken as an index
+/// if there is such a clip, else as a name; of several clips with one name the first is taken.
+/// err   a sentence that lists the clips of the file
 tl::expected<ClipChoice, std::string> choose_clips(const Scene& scene, const std::optional<std::string>& wanted);
 
 }  // namespace sinew::tool

@@ -34,7 +34,7 @@ constexpr const char* kEnding =
     "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
     "`sinew COMMAND --help` explains one command.";
 
-/// What is wrong, and whose help says what is right: that of the command, once there is one.
+/// What is wrong, and which help says what is right: that of the command when one was recognised, else that of sinew.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<const CLI::App*> chosen =
       program.get_subcommands([](const CLI::App* command) { return command->parsed(); });

@@ -6,7 +6,7 @@
 
 namespace sinew::tool {
 
-/// Each adds one command to the program; when that command is called, it runs and leaves its outcome in `outcome`.
+/// Each function adds one command to the program. The command runs when it is parsed, and sets `outcome`.
 void add_info(CLI::App& program, ExitCode& outcome);
 void add_sample(CLI::App& program, ExitCode& outcome);
 void add_verify(CLI::App& program, ExitCode& outcome);
@@ -16,7 +16,7 @@ void add_compile(CLI::App& program, ExitCode& outcome);
 void add_convert(CLI::App& program, ExitCode& outcome);
 void add_cost(CLI::App& program, ExitCode& outcome);  ///< in builds with Google Benchmark
 
-/// The whole command line; `main` is only this.
+/// Runs the whole command line. `main` only calls this.
 ExitCode run_command_line(int argc, const char* const* argv);
 
 }  // namespace sinew::tool

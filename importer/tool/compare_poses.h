@@ -9,7 +9,7 @@
 
 namespace sinew::tool {
 
-/// One value that moved: by how much, and how much was allowed.
+/// One value that differs: by how much, and how much is allowed.
 struct Deviation {
   std::string where;    ///< "clip 0, 1.5 s, node 3, primitive 0, vertex 17, positions"
   double amount = 0.0;  ///< infinite when the value is missing
@@ -19,28 +19,29 @@ struct Deviation {
   double severity() const noexcept { return amount / tolerance; }
 };
 
-/// How far values may move. Lengths are in the unit of the file, metres by the specification.
-/// - positions, dqs, translations of nodes: the distance. Turns and scales of nodes: the distance by which they move a
-///   point that is one model size away, relative to the node's largest matrix entry.
-/// - directions and weights: absolute. Weights beyond 1 are compared relative to the largest.
-/// Everything widens by 1.5 times Pose::non_unit of the golden sample: such rotations may be normalised or not.
+/// How far values may differ. Lengths are in the unit of the file, metres by the specification.
+/// - Positions, dqs and translations of nodes: the distance. Rotation and scale of nodes: the distance by which they
+///   move a point that is one model size away, relative to the node's largest matrix entry.
+/// - Directions and weights: the absolute difference. Weights beyond 1 are compared relative to the largest.
+/// All tolerances grow by 1.5 times Pose::non_unit of the golden sample, because rotations that are not unit
+/// quaternions may be normalised or not.
 struct PoseTolerance {
-  std::optional<double> distance_m;  ///< nothing = `relative` times the larger of the model's size and the value
+  std::optional<double> distance_m;  ///< empty = `relative` times the larger of model size and value
   double relative = 1e-4;
   double direction = 1e-3;
   double weight = 1e-4;
   double model_size_m = 1.0;
-  bool exact = false;  ///< every hash of Pose::bits must be the same as well
+  bool exact = false;  ///< every hash of Pose::bits must be equal, too
 };
 
-/// Everything that `golden` holds is looked up in `pose` and compared; null entries are passed over.
+/// Compares poses: looks up everything that the golden pose holds. Null entries of the golden pose are skipped.
 class PoseComparison {
  public:
   PoseComparison(const PoseTolerance& tolerance, std::size_t keep_worst)
       : tolerance_(tolerance), keep_worst_(keep_worst) {}
 
   void compare(std::uint32_t clip, const Pose& golden, const Pose& pose);
-  void missing(std::string where);  ///< a whole clip or sample is not there
+  void missing(std::string where);  ///< a whole clip or sample is missing
 
   std::uint64_t compared() const noexcept { return compared_; }
   std::uint64_t failed() const noexcept { return failed_; }

@@ -28,7 +28,7 @@ struct ConvertOptions {
   std::optional<std::string> budget;
 };
 
-/// Why OUT cannot be what is written, before any work is done; empty when it can.
+/// Why OUT cannot be written, found before any work is done; empty when it can.
 std::string objection(const ConvertOptions& options) {
   const fs::path out(options.out), folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
   std::error_code error;
@@ -38,14 +38,14 @@ std::string objection(const ConvertOptions& options) {
   return {};
 }
 
-/// The scene as bytes of a .glb, with progress on a terminal.
+/// The scene as the bytes of a .glb, with progress on a terminal.
 ImportResult<std::vector<std::byte>> export_shown(const ImportedFile& file) {
   ProgressLine progress;
   return export_glb(file.scene,
                     {file.facts.copyright, [&](const char* stage, double done) { progress.show(stage, done); }});
 }
 
-/// The same with as few keys as the budget allows, and what was measured after reading those bytes again.
+/// The same with as few keys as the budget allows. Prints what is measured after reading these bytes again.
 ImportResult<std::vector<std::byte>> export_within(ImportedFile& file, double budget_m) {
   Scene& scene = file.scene;
   const VirtualVertices vertices = virtual_vertices(scene);

@@ -40,9 +40,9 @@ std::string description_of(const std::string& file, const Scene& scene) {
                      counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
 
-constexpr double kDoneBefore = 0.8;  // when ambient occlusion begins
+constexpr double kDoneBefore = 0.8;  // share of the progress line before the study of ambient occlusion
 
-/// What the study of ambient occlusion looks at: the same clip of the same file, or a built-in scene of its own.
+/// Arguments for the study of ambient occlusion: the same clip of the same file, or its own built-in scene.
 std::vector<std::string> study_arguments(const CostOptions& options, const Scene& scene,
                                          std::optional<std::uint32_t> clip) {
   std::vector<std::string> arguments;

@@ -3,12 +3,12 @@
 
 namespace sinew::tool {
 
-/// How the program ends. Other programs rely on these numbers.
+/// The exit status of the program. Scripts rely on these numbers.
 enum class ExitCode : int {
   done = 0,
-  input_at_fault = 1,  ///< the file, or the pose that it no longer gives; a message on stderr says what and where
-  wrong_usage = 2,     ///< options or arguments that make no sense, for any file or for this one
-  machine_lacks = 3,   ///< the disk is full, memory ran out
+  input_at_fault = 1,  ///< a file is broken, or its poses differ; a message on stderr says what and where
+  wrong_usage = 2,     ///< options or arguments that do not make sense
+  machine_lacks = 3,   ///< no disk space, no memory, an output that cannot be written
 };
 
 }  // namespace sinew::tool

@@ -83,7 +83,7 @@ Json mesh_json(const Mesh& mesh) {
   return out;
 }
 
-/// Channels of an animation by property, their keys and interpolation modes.
+/// Counts the channels of an animation by property, with their keys and interpolation modes.
 struct ChannelTally {
   std::map<std::string, std::uint64_t> by_property, by_mode;
   std::uint64_t channels = 0, keys = 0, most_keys = 0, bytes = 0;
@@ -206,7 +206,7 @@ Json extensions_json(const ImportedFile::Facts& facts) {
   return out;
 }
 
-/// One entry per element of `list`, made by `entry`.
+/// A JSON array with `entry(element)` for each element of `list`.
 template <class T, class Entry>
 Json array_of(const std::vector<T>& list, const Entry& entry) {
   Json out = Json::array();

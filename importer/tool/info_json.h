@@ -8,7 +8,7 @@
 
 namespace sinew::tool {
 
-/// Everything that `sinew info` tells about a file, as one document; the readable text is made from it.
+/// Everything that `sinew info` says about a file, as one JSON document. The text is made from it.
 nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& file);
 
 }  // namespace sinew::tool

@@ -22,7 +22,7 @@ std::string text_of(const Json& value) { return value.get<std::string>(); }
 /// A name of the file, with quotes and control characters escaped: terminals obey what they are shown.
 std::string quoted(const Json& name) { return name.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// "a: 1, b: 2" of an object with numbers.
+/// "a: 1, b: 2" for an object with numbers.
 std::string pairs(const Json& object, const char* separator) {
   std::string out;
   for (const auto& [key, value] : object.items())
@@ -30,14 +30,14 @@ std::string pairs(const Json& object, const char* separator) {
   return out;
 }
 
-/// "a", "b" of an array with names.
+/// The names of an array in quotes: "a", "b".
 std::string names(const Json& list) {
   std::string out;
   for (const Json& name : list) out += (out.empty() ? "" : ", ") + quoted(name);
   return out;
 }
 
-/// "1.5 MB", so that sizes can be compared at a glance.
+/// "1.5 MB".
 std::string size_text(const Json& bytes) {
   const double size = bytes.get<double>();
   if (size < 10'000) return fmt::format("{:.0f} B", size);
@@ -49,7 +49,7 @@ std::string number(const Json& value) { return value.is_number() ? fmt::format("
 
 std::string flag(const Json& value, const char* word) { return value.get<bool>() ? word : ""; }
 
-/// The textures of a material that are used, "base color, normal".
+/// The textures that a material uses: "base color, normal".
 std::string texture_names(const Json& textures) {
   std::string out;
   for (const auto& [name, used] : textures.items())
@@ -97,7 +97,7 @@ class InfoText {
     if (!info_["hidden_nodes"].empty()) line("hidden nodes: {}", info_["hidden_nodes"].size());
   }
 
-  /// A heading with the count, then one row per entry, numbered; `cells` says what follows number and name.
+  /// A heading with the number of entries, then one row per entry. `cells` gives what follows its number and name.
   template <class Cells>
   void table(const char* title, const Json& list, std::vector<std::string> columns, const Cells& cells) {
     line("{}: {}", title, list.size());

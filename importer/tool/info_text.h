@@ -6,7 +6,7 @@
 
 namespace sinew::tool {
 
-/// The document of info_json.h as text for people.
+/// The document that info_json() makes, as text for people.
 std::string info_text(const nlohmann::ordered_json& info);
 
 }  // namespace sinew::tool

@@ -9,12 +9,12 @@
 namespace sinew::tool {
 namespace {
 
-/// By its node, where it has no name.
+/// A joint's name, or the number of its node where it has none.
 std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
   return skeleton.names[joint].empty() ? fmt::format("node {}", skeleton.node_of_joint[joint]) : skeleton.names[joint];
 }
 
-/// [J] how many joints go with a joint that hangs on one that is kept, itself included; 0 for all others.
+/// [J] for each left-out joint below a kept one: the number of joints in its branch, itself included; 0 for all others.
 std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vector<JointPlace>& places) {
   std::vector<std::uint32_t> sizes(places.size(), 0), top(places.size());
   for (std::uint32_t j = 0; j < places.size(); ++j) {

@@ -9,11 +9,11 @@
 
 namespace sinew::tool {
 
-/// A table of the branches that a plan leaves out: the uppermost joint, how many go with it, and the joint that they
-/// follow.
+/// A list of the branches that a skeleton LOD leaves out: the uppermost joint, how many joints go with it, and the
+/// joint that they follow.
 std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
 
-/// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out; lengths in metres.
+/// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out. Lengths in metres.
 nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
 
 }  // namespace sinew::tool

@@ -7,8 +7,8 @@
 
 namespace sinew::tool {
 
-/// Imports a file with progress on a terminal; warnings and the error go to stderr.
-/// out  nothing when the file is at fault: the command then ends with ExitCode::input_at_fault
+/// Imports a file. Progress is shown on a terminal; warnings and errors go to stderr.
+/// out   nothing when the file cannot be imported; the command then ends with ExitCode::input_at_fault
 std::optional<ImportedFile> load_file(const std::string& file, ImportOptions options = {});
 
 }  // namespace sinew::tool

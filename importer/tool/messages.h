@@ -8,14 +8,14 @@
 
 namespace sinew::tool {
 
-/// Messages go to stderr, results to stdout, so that results can be piped.
+/// Prints "sinew: TEXT" to stderr. Messages go to stderr and results to stdout, so that results can be piped.
 void say_error(std::string_view text);
 
 /// "1 clip", "2 clips".
 std::string counted(std::size_t count, std::string_view thing);
 
-/// "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left out when
-/// the container or the whole file is meant.
+/// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left
+/// out when the whole file is meant.
 void say_issue(std::string_view file, const ImportIssue& issue);
 
 }  // namespace sinew::tool

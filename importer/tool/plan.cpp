@@ -31,7 +31,7 @@ struct PlanOptions {
   bool json = false;
 };
 
-/// What --needs may name, beside kMasks.
+/// What --needs may name, besides kMasks.
 const std::map<std::string, bool Needs::*> kNeeds = {
     {"joints", &Needs::joints},           {"weights", &Needs::weights},
     {"positions", &Needs::positions},     {"normals", &Needs::normals},
@@ -91,7 +91,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"bounds_vertices", work.bounds_vertices}};
 }
 
-/// Runs the plan once, in the middle of the clip, and answers what the frame really did.
+/// Runs the plan once, in the middle of the clip, and returns the work that the frame counted.
 Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
   FrameBuffer frame(plan);
   ClipLayer layer{clip, 0.0, 1.0f};
@@ -101,7 +101,7 @@ Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
   return frame.result().work;
 }
 
-/// The joints that --joint-tolerance leaves out, over the clip that is chosen or all.
+/// The joints that --joint-tolerance leaves out, over the chosen clip or over all clips.
 struct LeftOut {
   double asked_m = 0.0;
   CompiledSkeletonLod within;

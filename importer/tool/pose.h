@@ -28,8 +28,8 @@ inline constexpr std::array<VertexKindTraits, 7> kVertexKinds{{{"positions", 3, 
                                                                {"cors", 3, false},
                                                                {"corNormals", 3, true}}};
 
-/// Deformed vertices of one primitive hung on one node, in world space. Node, mesh, primitive and vertex numbers are
-/// the file's. A NaN stands for "no value" (null in the file).
+/// The deformed vertices of one primitive on one node, in world space. Node, mesh, primitive and vertex numbers are the
+/// file's. NaN means "no value" (null in the file).
 struct PrimitivePose {
   std::uint32_t node = 0, mesh = 0, primitive = 0;
   std::vector<std::uint32_t> vertices;                          ///< increasing
@@ -52,11 +52,12 @@ struct NodeWeights {
 /// One pose of one clip at one time.
 struct Pose {
   double time_s = 0.0;
-  double non_unit = 0.0;  ///< of a golden file: how much rotations that are not unit may change the pose
+  double non_unit = 0.0;  ///< golden files only: how much rotations that are not unit quaternions may change the pose
   std::vector<NodeWorld> nodes;
   std::vector<NodeWeights> weights;
   std::vector<PrimitivePose> primitives;
-  std::map<std::string, std::string> bits;  ///< hashes of all joints ("pose") and of all vertices by kind of skinning
+  std::map<std::string, std::string>
+      bits;  ///< hashes: of all joints ("pose"), and of all vertices for each skinning method
 };
 
 struct ClipPoses {
@@ -64,9 +65,9 @@ struct ClipPoses {
   std::vector<Pose> samples;
 };
 
-/// A pose file: golden poses of a model.
+/// The contents of a pose file: golden poses of a model.
 struct PoseFile {
-  std::optional<double> extent;  ///< largest side of the rest pose's box, the model's size
+  std::optional<double> extent;  ///< the model's size: the longest side of the box around its rest pose
   std::vector<ClipPoses> clips;
 };
 

@@ -24,7 +24,7 @@ using nlohmann::json;
 
 ImportIssue file_issue(std::string detail) { return {Severity::error, "pose-file", "", std::move(detail)}; }
 
-/// Walks the document and keeps the first complaint; after it every answer is empty and nothing is read any more.
+/// Reads the document and keeps the first error. After an error all results are empty and nothing more is read.
 class PoseReader {
  public:
   std::optional<ImportIssue> issue;
@@ -59,7 +59,8 @@ class PoseReader {
     return complain(at, "is not a finite number of single precision"), 0.0;
   }
 
-  /// Values of a pose were floats once and are so again: an unchanged pose compares equal.
+  /// Values of a pose were floats when they were written and become floats again, so that an unchanged pose compares
+  /// equal.
   double rounded(const json& value, const std::string& at) {
     return static_cast<double>(static_cast<float>(number(value, at)));
   }
@@ -74,7 +75,7 @@ class PoseReader {
     return complain(at, "is not an index"), 0;
   }
 
-  /// Appends a vector of `width` numbers, or as many NaN for null.
+  /// Appends a vector of `width` numbers, or as many NaNs for null.
   void vector(const json& value, const std::string& at, std::size_t width, std::vector<double>& out) {
     if (value.is_null()) return out.insert(out.end(), width, std::numeric_limits<double>::quiet_NaN()), void();
     if (!value.is_array() || value.size() != width)
@@ -119,7 +120,7 @@ class PoseReader {
     }
   }
 
-  /// Two values for one thing would leave open which of them holds.
+  /// Two entries for one thing would leave open which of them counts.
   template <class Entry, class Name>
   void named_once(const std::vector<Entry>& list, const std::string& at, const Name& name) {
     std::set<decltype(name(list.front()))> names;

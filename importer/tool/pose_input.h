@@ -9,9 +9,9 @@
 
 namespace sinew::tool {
 
-/// Reads a pose file (.json, or .json.gz, told apart by content). Keys that the format does not know are passed over.
-/// err  rules "pose-file" (missing, unreadable, not JSON) and "pose-format" (with the JSON pointer of the wrong value)
-/// cost O(file); a compressed file may unpack to 256 times its size, not more
+/// Reads a pose file, .json or .json.gz, told apart by content. Unknown keys are skipped.
+/// err   rules "pose-file" (missing, unreadable, not JSON) and "pose-format" (with the JSON pointer of the wrong value)
+/// cost  O(file); a compressed file may unpack to at most 256 times its size
 tl::expected<PoseFile, ImportIssue> read_poses(const std::string& file);
 
 /// The same from text.

@@ -25,7 +25,7 @@ std::string quoted(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Nine digits give every float back exactly. JSON has no NaN or infinity: such a vector is null.
+/// Nine digits reproduce every float exactly. JSON has no NaN or infinity: a vector that holds one is written as null.
 void put_vector(Text& text, std::span<const double> numbers) {
   for (const double number : numbers)
     if (!std::isfinite(number)) return put(text, "null");

@@ -12,10 +12,10 @@
 
 namespace sinew::tool {
 
-/// Writes a pose file while poses are being made, so that memory does not grow with their number. Each sample has a key
-/// "bits" beside the format's own: hashes of all joints and weights ("pose") and of all vertices by kind of skinning. A
-/// name that ends in .gz is compressed; no name means stdout. err  every call answers whether all went well so far; the
-/// reason is in errno of the first failure
+/// Writes a pose file while poses are made, so that memory does not grow with their number. Besides the format's own
+/// keys each sample has "bits": hashes of all joints and weights ("pose") and of all vertices for each skinning method.
+/// A file name that ends in .gz is compressed; an empty name means stdout.
+/// err   end() returns false when something could not be written; errno has the reason of the first failure
 class PoseOutput {
  public:
   explicit PoseOutput(const std::string& file_or_empty);
@@ -26,7 +26,7 @@ class PoseOutput {
   bool opened() const noexcept { return file_ != nullptr; }
   void begin(std::string_view model, double extent);
   void begin_clip(std::uint32_t clip, std::string_view name);  ///< kNone = rest pose
-  void begin_sample(const Pose& pose);                         ///< its primitives as well, if it has any
+  void begin_sample(const Pose& pose);                         ///< with the primitives that the pose holds
   void add(const PrimitivePose& primitive);
   void end_sample();
   void end_clip();

@@ -27,14 +27,15 @@ void append_chosen(std::vector<double>& out, const VertexChoice& choice, std::sp
   for (const std::uint32_t v : choice.in_primitive) append(out, values[v]);
 }
 
-/// Values of a deformed attribute, or the primitive's own where the plan leaves it alone.
+/// The deformed values of an attribute, or the primitive's own where the plan does not deform it.
 template <class V>
 std::span<const V> deformed_or_own(std::span<const V> deformed, const std::vector<V>& own) {
   return deformed.empty() ? std::span<const V>(own) : deformed;
 }
 
-/// eq   cof(M) has the cross products of M's columns; cof(M) = det(M) * transpose(inverse(M)), so multiplied with the
-///      sign of det(M) it turns normals like the inverse transpose, without dividing (hard case N22)
+/// Matrix that transforms normals: the cofactor matrix times the sign of the determinant. It turns normals like the
+/// inverse transpose but needs no division (N22).
+/// eq   cof(M) has the cross products of M's columns;  cof(M) = det(M) * transpose(inverse(M))
 Mat3<double> normal_matrix(const Affined& m) {
   const Mat3<double> a = linear_part(m);
   const double sign = determinant(m) < 0.0 ? -1.0 : 1.0;
@@ -49,7 +50,7 @@ Vec3d direction(const Vec3d& v, const Vec3d& fallback) {
   return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
-/// True where a palette matrix mirrors or collapses space, so that no rotation stands for it.
+/// True where a palette matrix mirrors or flattens space, so that no rotation represents it.
 bool has_no_rotation(const Affined& j) {
   const Mat3<double> a = linear_part(j);
   const double volume = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
@@ -162,7 +163,7 @@ PrimitivePose PoseSampler::primitive(std::size_t i) const {
   return out;
 }
 
-/// Morphed vertices come in mesh space; the node's matrix brings them into the world, as a shader would.
+/// Morphed vertices are in mesh space. The matrix of the node brings them into world space, as a shader would.
 void PoseSampler::add_rigid(const Drawn& drawn, PrimitivePose& out) const {
   const MeshInstance& instance = scene_.instances[drawn.instance];
   const Primitive& own = scene_.meshes[instance.mesh].primitives[drawn.primitive];
@@ -199,7 +200,7 @@ void PoseSampler::add_linear(const Drawn& drawn, PrimitivePose& out) const {
   if (!deformed.tangents.empty()) append_chosen(out.of(VertexKind::tangents), choice_of(drawn), deformed.tangents);
 }
 
-/// Kinds of skinning that blend rotations have no value where a joint has none.
+/// Skinning methods that blend rotations give no value where a joint's matrix has no rotation.
 void PoseSampler::add_turned(const Method& method, const Drawn& drawn, VertexKind positions, VertexKind normals,
                              PrimitivePose& out) const {
   const MeshInstance& instance = scene_.instances[drawn.instance];

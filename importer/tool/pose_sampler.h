@@ -20,24 +20,24 @@ struct PoseContent {
   bool bits = true;  ///< Pose::bits
 };
 
-/// Poses of a scene as a program that links sinew gets them: every sample is one run of a compiled plan per kind of
-/// skinning (one without centers of rotation is skinned linearly instead). Positions, normals and tangents of unskinned
-/// primitives, morphed or not, are always there.
+/// Samples poses of a scene in the same way as a program that links sinew: each sample runs one compiled plan for each
+/// skinning method. A primitive without centers of rotation is skinned linearly in place of that method. Positions,
+/// normals and tangents of unskinned primitives are always there.
 class PoseSampler {
  public:
   /// The scene must outlive the sampler.
   PoseSampler(const Scene& scene, const PoseContent& content);
 
-  /// Evaluates one pose; what follows reads it, until the next call.
-  /// in   clip  index, or kNone for the rest pose
-  /// err  as run_plan
+  /// Evaluates one pose. The functions below read it until the next call.
+  /// in    clip   index, or kNone for the rest pose
+  /// err   as run_plan
   ErrorCode run(std::uint32_t clip, double time_s);
 
   Pose pose() const;  ///< nodes and weights, without primitives
   std::size_t primitive_count() const noexcept { return drawn_.size(); }
-  PrimitivePose primitive(std::size_t i) const;  ///< one at a time: all of them may not fit into memory
+  PrimitivePose primitive(std::size_t i) const;  ///< one at a time, because all of them may not fit into memory
 
-  /// All of it at once.
+  /// Runs and returns the whole pose with all primitives.
   Result<Pose> sample(std::uint32_t clip, double time_s);
 
  private:
@@ -65,7 +65,7 @@ class PoseSampler {
   std::unique_ptr<Method> center_of_rotation_;
   double time_s_ = 0.0;
   bool with_bits_ = true;
-  std::vector<VertexChoice> choices_;  // of each primitive of each mesh
+  std::vector<VertexChoice> choices_;  // for each primitive of each mesh
   std::vector<Drawn> drawn_;
 };
 

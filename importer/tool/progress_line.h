@@ -5,8 +5,8 @@
 
 namespace sinew::tool {
 
-/// One line on the terminal that says how far long work is. Silent when stderr is not a terminal, and for the first
-/// moment, so that quick work leaves no trace.
+/// One line on the terminal that shows how far long work is. It is silent when stderr is not a terminal, and during the
+/// first moment, so that quick work prints nothing.
 class ProgressLine {
  public:
   ProgressLine();

@@ -31,9 +31,9 @@ struct SampleOptions {
   std::string skinning = "all", vertices = "64";
 };
 
-constexpr double kMostFrames = 1e6;  // of one clip: a typing error in --fps must not fill the disk
+constexpr double kMostFrames = 1e6;  // of one clip, so that a typing error in --fps does not fill the disk
 
-/// One clip with the times to sample it at.
+/// One clip and the times to sample.
 struct Task {
   std::uint32_t clip = kNone;
   std::vector<double> times_s;
@@ -58,7 +58,7 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
   }
   std::vector<Task> tasks;
   for (const std::uint32_t clip : *clips) {
-    Task task{clip, {0.0}};  // one look at the rest pose is enough, unless it was asked for by name
+    Task task{clip, {0.0}};  // the rest pose is written once, unless the user names it
     const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
     if (named && (clip != kNone || options.clip))
       task.times_s = *named;
@@ -73,7 +73,7 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
   return tasks;
 }
 
-/// Writes all tasks. Answers the outcome and says what went wrong.
+/// Samples and writes all tasks; prints what went wrong.
 ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const SampleOptions& options,
                      const PoseContent& content) {
   const double size_m = model_size_m(scene);
@@ -115,7 +115,7 @@ ExitCode sample_file(const SampleOptions& options) {
   const auto asks_for = [&](const char* kind) { return options.skinning == kind || options.skinning == "all"; };
   const PoseContent content{asks_for("linear"), asks_for("dual-quaternion"), asks_for("center-of-rotation"), *limit};
   import.make_centers_of_rotation = content.center_of_rotation;
-  import.animate_default_weights = false;  // a pose file holds what channels of nodes move
+  import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto tasks = tasks_for(file->scene, options);

@@ -12,9 +12,9 @@ namespace sinew::tool {
 /// Reads `--times T,T,...`: finite seconds, in the order given.
 tl::expected<std::vector<double>, std::string> parse_times(const std::string& list);
 
-/// Times worth looking at when nobody names any: the start, the first and last key, three keys between them and the
-/// middles of the key intervals that follow them. Increasing, and exact float32 values so that keys are hit.
-/// in   animation  may be empty: the answer is {0}
+/// Times for `sinew sample` when the user names none: the start, the first and last key, three keys between them, and
+/// the middles of the key intervals after these keys. Increasing; exact float32 values, so that keys are hit.
+/// in    animation   may be empty; the result is then {0}
 std::vector<double> telling_times(const Animation& animation);
 
 /// 0, 1/fps, 2/fps, ... up to the clip's end, and the end itself.

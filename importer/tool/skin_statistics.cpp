@@ -8,7 +8,7 @@
 namespace sinew::tool {
 namespace {
 
-/// For each vertex whether it is the first copy of its vertex in the file.
+/// [V] true for the first copy of each vertex of the file.
 std::vector<bool> first_copies(const Primitive& primitive) {
   std::vector<bool> first(primitive.vertex_count(), true);
   const auto& source = primitive.source_vertex;

@@ -8,12 +8,12 @@
 
 namespace sinew::tool {
 
-/// The kinds of skinning by their names on the command line.
+/// The skinning methods by their names on the command line.
 inline const std::map<std::string, Skinning> kSkinningNames = {{"linear", Skinning::linear},
                                                                {"dual-quaternion", Skinning::dual_quaternion},
                                                                {"center-of-rotation", Skinning::center_of_rotation}};
 
-/// These names, with `more` at the end.
+/// All names, with `more` at the end.
 inline std::vector<std::string> skinning_names(std::vector<std::string> more = {}) {
   for (const auto& [name, kind] : kSkinningNames) more.insert(more.begin(), name);
   return more;

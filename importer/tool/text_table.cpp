@@ -6,12 +6,12 @@
 namespace sinew::tool {
 namespace {
 
-/// Characters of UTF-8 text: bytes that do not continue another.
+/// Number of characters in UTF-8 text: bytes that do not continue another one.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// "12.5 kB" is one, "1: 20" and "1, 2" are lists.
+/// "12.5 kB" counts as a number; "1: 20" and "1, 2" are lists.
 bool is_number(const std::string& cell) {
   if (cell.find_first_of(":,") != cell.npos) return false;
   const std::size_t first = cell.starts_with('-') ? 1 : 0;

@@ -5,15 +5,15 @@
 
 namespace sinew::tool {
 
-/// Rows of cells under a heading, as text with aligned columns: numbers to the right, others to the left.
+/// Rows of cells under a heading, printed with aligned columns: numbers to the right, other text to the left.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> heading) : rows_{std::move(heading)} {}
 
-  /// As many cells as the heading has; UTF-8.
+  /// Adds a row with as many cells as the heading has, in UTF-8.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
 
-  /// Indented by two; columns that are empty in every row are left out, and so is a table without rows.
+  /// The table, indented by two. Columns that are empty in every row are left out; a table without rows is empty.
   std::string text() const;
 
  private:

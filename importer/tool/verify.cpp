@@ -48,7 +48,7 @@ bool holds_centers(const PoseFile& golden, bool exact) {
          (exact && holds_bits(golden, "centerOfRotation"));
 }
 
-/// Samples the scene at the golden times and compares.
+/// Samples the scene at the times of the golden file and compares the poses.
 Result<void> compare_all(const Scene& scene, const PoseFile& golden, bool exact, PoseComparison& comparison) {
   PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), holds_centers(golden, exact),
                       kAllVertices, exact};
@@ -95,7 +95,7 @@ ExitCode verify_file(const VerifyOptions& options) {
   ImportOptions import;
   import.decode_images = false;
   import.make_centers_of_rotation = holds_centers(*golden, options.exact);
-  import.animate_default_weights = false;  // a pose file holds what channels of nodes move
+  import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
 

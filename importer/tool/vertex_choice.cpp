@@ -8,7 +8,7 @@
 namespace sinew::tool {
 namespace {
 
-/// (vertex of the file, first vertex of the primitive that stands for it), increasing.
+/// Pairs of (vertex of the file, first vertex of the primitive that stands for it), increasing.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> file_vertices(const Primitive& primitive) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(primitive.vertex_count());
   for (std::uint32_t v = 0; v < pairs.size(); ++v)

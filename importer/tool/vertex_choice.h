@@ -10,15 +10,15 @@ namespace sinew::tool {
 
 inline constexpr std::size_t kAllVertices = std::numeric_limits<std::size_t>::max();
 
-/// Which vertices of a primitive are written: at most `limit` of the file's vertices, spread evenly. Vertices that the
-/// import split, for flat normals say, stand for one vertex of the file and are written once.
+/// Which vertices of a primitive are written: at most `limit` vertices of the file, spread evenly. Vertices that the
+/// import split, for example for flat normals, stand for one vertex of the file and are written once.
 struct VertexChoice {
   struct Influences {
     std::uint32_t first = 0, count = 0;
   };  ///< into VertexInfluences::joints
 
   std::vector<std::uint32_t> in_file;       ///< increasing
-  std::vector<std::uint32_t> in_primitive;  ///< parallel: where its deformed values are
+  std::vector<std::uint32_t> in_primitive;  ///< parallel: the vertex with its deformed values
   std::vector<Influences> influences;       ///< parallel, empty without a skin
 };
 

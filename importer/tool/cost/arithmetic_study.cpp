@@ -15,9 +15,9 @@
 namespace sinew::cost {
 namespace {
 
-/// The work of all variants, and room for its outcome.
+/// The data of all variants, and memory for their results.
 struct Bench {
-  Limb limb;  // stands in where the file has nothing to skin
+  Limb limb;  // used where the file has nothing to skin
   SkinnedPart part;
   DeformedVertices found;
   PlainVertices<float> plain;
@@ -50,6 +50,7 @@ struct Bench {
 
 /// Steps of float at the size of the model, by which positions are off.
 template <class V>
+/// The largest error of a position, in float steps at the size of the model.
 double error_ulp(const std::vector<V>& found, const std::vector<Vec3<double>>& truth) {
   double size = 0.0;
   for (const auto& p : truth) size = std::max(size, largest_component(p));

@@ -7,11 +7,11 @@
 
 namespace sinew::cost {
 
-/// At most `count` influences a vertex: the heaviest, which come first, with weights of sum 1 again.
+/// Keeps at most `count` influences of each vertex: the heaviest, which come first. Their weights are normalised again.
 VertexInfluences heaviest_influences(const VertexInfluences& influences, std::uint32_t count);
 
-/// Weights as normalised integers of type N, of sum 1 in each vertex: each rounded, the heaviest takes what is missing.
-/// Those that round to 0 stay as influences of weight 0: the work is the same.
+/// Weights as normalised integers of type N whose sum is 1 in each vertex: all are rounded, and the heaviest takes the
+/// difference. Weights that round to 0 stay as influences, so the amount of work does not change.
 template <class N>
 std::vector<N> whole_weights(const VertexInfluences& influences);
 extern template std::vector<std::uint8_t> whole_weights(const VertexInfluences&);

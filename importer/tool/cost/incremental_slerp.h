@@ -4,21 +4,22 @@
 
 namespace sinew {
 
-/// Slerp at a constant step: one multiplication and two additions per frame.
+/// Slerp in constant steps: one multiplication and two additions per frame. `sinew cost` compares it with slerp; it
+/// cannot seek, so the runtime does not use it.
 /// eq   q[k+1] = q[k] + d[k+1], d[k+1] = d[k] - 4 sin^2(a / 2) q[k]: the recurrence q[k+1] = 2 cos(a) q[k] - q[k-1] of
-///      any evenly stepped circle (Barrera, Hast and Bengtsson 2004) in Reinsch's form, which does not lose small
+///      evenly spaced points on a circle (Barrera, Hast and Bengtsson 2004), in Reinsch's form, which keeps small
 ///      angles
-/// The state is kept in double, so that 100 000 steps of float rotations stay within rounding of the exact slerp.
+/// The state is in double, so that 100 000 steps of float rotations stay within rounding of slerp.
 template <class T>
 class IncrementalSlerp {
  public:
-  /// Walks the shorter arc from `from` to `to` in `steps` > 0 equal steps, and on past it if asked to.
+  /// Walks the shorter arc from `from` to `to` in `steps` > 0 equal steps; further steps continue beyond `to`.
   IncrementalSlerp(const Quat<T>& from, const Quat<T>& to, int steps) noexcept
       : current_(normalised(quat_cast<double>(from))) {
     const Quat<double> end = normalised(aligned_with(current_, quat_cast<double>(to)));
     const double step = arc_angle(current_, end) / steps, half_sine = std::sin(0.5 * step);
-    // First step from the direction of the arc, not as a difference of neighbours, which would lose a tiny step's
-    // digits.
+    // The first step comes from the direction of the arc. A difference of neighbours would lose the digits of a tiny
+    // step.
     const Quat<double> chord = end - current_, none(0.0, 0.0, 0.0, 0.0);
     const Quat<double> tangent = normalised_or(chord - current_ * quat_dot(current_, chord), none);
     delta_ = tangent * std::sin(step) - current_ * (2.0 * half_sine * half_sine);

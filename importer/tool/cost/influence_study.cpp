@@ -15,8 +15,8 @@
 namespace sinew::cost {
 namespace {
 
-/// Largest distance in mm of positions skinned by `influences` from those of the part's own influences in double
-/// precision.
+/// Largest distance in mm between positions skinned with `influences` and those skinned with all influences of the part
+/// in double precision.
 double error_mm(const SkinnedPart& part, const InfluenceStreams& influences) {
   PlainVertices<double> truth(part.vertex_count());
   DeformedVertices found(part.vertex_count());

@@ -7,20 +7,19 @@
 
 namespace sinew::cost {
 
-/// Instructions that this build has kernels for and this machine can run.
+/// An instruction set for which this build has kernels and which this machine can run.
 struct InstructionSet {
-  std::int64_t target = 0;  ///< of Highway
+  std::int64_t target = 0;  ///< Highway's number of the target
   std::string name;
   std::size_t float_lanes = 1;
   bool fused = false;    ///< a * b + c rounds once
-  bool is_best = false;  ///< the one that is used
+  bool is_best = false;  ///< the set that is used by default
 };
 
-/// The best first.
+/// All sets, the best first.
 std::vector<InstructionSet> instruction_sets();
 
-/// Keeps the jobs of this process to one set, until all are allowed again. Asking the processor what it can may take
-/// long.
+/// Restricts the jobs of this process to one set, until all are allowed again. May be slow: it queries the processor.
 void allow_only(const InstructionSet& set);
 void allow_all_instruction_sets();
 

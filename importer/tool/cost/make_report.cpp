@@ -10,7 +10,7 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kShareOfErrors = 0.3;  // of the whole time: working out the errors comes before the times
+constexpr double kShareOfErrors = 0.3;  // of the whole time; the errors are computed before the times are measured
 
 }  // namespace
 

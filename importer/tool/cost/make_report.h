@@ -12,17 +12,16 @@ namespace sinew::cost {
 
 using Progress = std::function<void(const char* work, double done_0_to_1)>;
 
-/// The scenes that the groups look at: one file's for all, or those of the showcase, each where it has something to
-/// show.
+/// The scenes that the studies look at: one file's scene for all, or scenes of the showcase that suit each study.
 struct Scenes {
   const Scene* moving = nullptr;
   const Scene* skinned = nullptr;
   const Scene* morphed = nullptr;
 };
 
-/// Looks at every choice, on one clip of each scene, and measures all of them together.
-/// in   clip  of a file's scene; nothing = the one that moves most joints
-/// cost about a second (quick) or twenty, on the calling thread
+/// Runs every study on one clip of each scene, and measures the times of all of them together.
+/// in    clip   of a file's scene; empty = the clip that animates most joints
+/// cost  about one second (quick) or twenty, on the calling thread
 Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, const Effort& effort,
                    const Progress& progress);
 

@@ -13,7 +13,7 @@
 namespace sinew::cost {
 namespace {
 
-/// Keeps the time of every single repetition, by the name of its benchmark.
+/// Keeps the time of every repetition, by the name of its benchmark.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -55,9 +55,8 @@ Middle middle_of(std::span<double> values) {
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double)>& progress) {
   std::size_t works = 0, begun = 0;
   for (const Study& study : studies) works += study.works.size();
-  const double all_runs =
-      static_cast<double>(works) *
-      static_cast<double>(effort.repetitions + 2);  // and looking for how many iterations fill the time
+  const double all_runs = static_cast<double>(works) *
+                          static_cast<double>(effort.repetitions + 2);  // 2 more to find the number of iterations
   const auto begin = [&] {
     if (progress) progress(std::min(1.0, static_cast<double>(begun++) / all_runs));
   };

@@ -7,13 +7,14 @@
 
 namespace sinew::cost {
 
-/// Fills in time and spread of all points of all studies: medians over repetitions that are run in random order, so
-/// that a disturbance of the machine falls on all alike. Then marks the fronts and lets each study say what it found.
-/// in   progress  called now and then with the share that is done; may be empty
-/// cost about repetitions * (seconds_per_repetition + one run) per point, on the calling thread
+/// Fills in time and spread of all points of all studies: medians over repetitions in random order, so that a
+/// disturbance of the machine affects all points alike. Then marks the Pareto fronts and lets each study write its
+/// findings.
+/// in    progress   called now and then with the share that is done; may be empty
+/// cost  about repetitions * (seconds_per_repetition + one run) per point, on the calling thread
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double done_0_to_1)>& progress);
 
-/// Median of `values` and their interquartile range over it. Sorts them.
+/// The median of `values`, and their interquartile range divided by it. Sorts the values.
 struct Middle {
   double median = 0.0, spread = 0.0;
 };

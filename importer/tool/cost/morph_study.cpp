@@ -16,7 +16,7 @@ namespace {
 
 using Weights = std::vector<float>;
 
-/// The primitive with the most displacements, and weights to look at it with.
+/// The primitive with the most displacements, and the weights to test it with.
 struct MorphedPart {
   const Primitive* primitive = nullptr;
   std::uint32_t instance = 0;
@@ -33,7 +33,7 @@ std::size_t displacement_count(const Primitive& primitive) {
   return count;
 }
 
-/// Weights of one instance at times spread over the clip; none where no track of the clip moves them.
+/// Weights of an instance at times spread over the clip; empty where the clip does not animate them.
 std::vector<Weights> animated_weights(const Subject& subject, std::uint32_t instance) {
   constexpr int kMoments = 16;
   std::vector<Weights> moments;
@@ -49,7 +49,7 @@ std::vector<Weights> animated_weights(const Subject& subject, std::uint32_t inst
   return moments;
 }
 
-/// For files whose clip moves no weights: one target in four is half way, others barely.
+/// For files whose clip animates no weights: one target in four at 0.5, one in four barely active.
 Weights made_up_weights(std::size_t count) {
   Weights weights(count, 0.0f);
   for (std::size_t t = 0; t < count; ++t) weights[t] = t % 4 == 0 ? 0.5f : t % 4 == 1 ? 0.004f : 0.0f;
@@ -70,7 +70,7 @@ MorphedPart morphed_part(const Subject& subject) {
   return part;
 }
 
-/// Positions, and unit normals, in double precision.
+/// Positions and unit normals in double precision.
 PlainVertices<double> true_vertices(const Primitive& primitive, const Weights& weights) {
   PlainVertices<double> out;
   out.positions.assign(primitive.positions.begin(), primitive.positions.end());
@@ -89,7 +89,7 @@ PlainVertices<double> true_vertices(const Primitive& primitive, const Weights& w
 
 struct Variant {
   std::string name, note;
-  std::function<float(float)> weight;  // in place of the weight given
+  std::function<float(float)> weight;  // replaces each weight
   bool normalise = true;
 };
 
@@ -100,7 +100,7 @@ Weights changed(const Weights& weights, const Variant& variant) {
 }
 
 std::vector<Variant> variants() {
-  // The smallest weight that the job does not take for zero changes no digit of the sum, and has the work of any other.
+  // The smallest weight that the job does not treat as zero. It takes the full work and changes no digit of the sum.
   constexpr float kNothing = 2e-20f;
   const auto as_given = [](float w) { return w; };
   const auto from = [](float least) { return [least](float w) { return std::abs(w) < least ? 0.0f : w; }; };
@@ -116,8 +116,8 @@ std::vector<Variant> variants() {
   };
 }
 
-/// The largest distance of a vertex, and the largest difference of a normal: the angle whose chord it is, so that a
-/// wrong length counts.
+/// The largest distance of a vertex, and the largest difference of a normal as the angle of that chord, so that a wrong
+/// length counts, too.
 struct MorphError {
   double distance_mm = 0.0, normal_deg = 0.0;
 };

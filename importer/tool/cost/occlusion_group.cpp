@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kHardlyBetter = 1.05;  // times the least error: what is within it is as good
+constexpr double kHardlyBetter = 1.05;  // times the least error; variants within it count as equally good
 
 Group empty_group() {
   Group group;
@@ -39,7 +39,7 @@ Point point_of(const Json& trial, double pixels) {
   return point;
 }
 
-/// The half-size, blurred ways by their number of samples, rising.
+/// The variants at half size with blur, sorted by their number of samples.
 std::vector<std::pair<int, const Point*>> by_samples(const Group& group, const Json& trials) {
   std::vector<std::pair<int, const Point*>> rising;
   for (std::size_t i = 0; i < group.points.size(); ++i)

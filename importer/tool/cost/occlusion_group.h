@@ -7,12 +7,12 @@
 
 namespace sinew::cost {
 
-/// Ambient occlusion of the viewer on this machine's Vulkan device, each way with its error against ray casting. A
-/// program of its own (viewer/study) measures, so that this one needs no Vulkan; the group says why where it cannot. in
-/// arguments  of sinew-occlusion-study: FILE, --clip, --quick
+/// Measures the viewer's ambient occlusion on the Vulkan device of this machine, each variant with its error against
+/// ray casting. A separate program (viewer/study) does it, so that this program needs no Vulkan. Where that fails, the
+/// group says why. in    arguments   of sinew-occlusion-study: FILE, --clip, --quick
 Group look_at_occlusion(const std::vector<std::string>& arguments);
 
-/// The group that its answer makes: JSON as viewer/study/main.cpp writes it.
+/// Makes the group from the output of that program: JSON as viewer/study/main.cpp writes it.
 Group occlusion_group(const std::string& answer);
 
 }  // namespace sinew::cost

@@ -46,7 +46,7 @@ Json group_json(const Group& group) {
   return out;
 }
 
-/// RFC 4180.
+/// Quotes a cell as RFC 4180 says.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -54,7 +54,7 @@ std::string csv_cell(const std::string& text) {
   return quoted + '"';
 }
 
-/// A number as JSON writes it, shortest that reads back the same.
+/// A number as JSON writes it: the shortest text that reads back as the same double.
 std::string csv_number(double value) { return fmt::format("{}", value); }
 
 std::string csv_row(const Group& group, const Point& point) {
@@ -70,7 +70,7 @@ std::string csv_row(const Group& group, const Point& point) {
                      csv_cell(group.size_unit), csv_cell(more), csv_cell(point.note));
 }
 
-/// JSON that may stand inside a script element: no "</script" and no "<!--" can begin in it.
+/// JSON that is safe inside a script element: it contains no "</script" and no "<!--".
 std::string inside_script(const Json& json) {
   std::string safe;
   for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))

@@ -6,14 +6,14 @@
 
 namespace sinew::cost {
 
-/// The whole report; numbers that are not finite become null.
+/// The whole report as JSON; numbers that are not finite become null.
 nlohmann::ordered_json report_json(const Report& report);
 
-/// A header and one row per point: group, name, error, unit, time, spread, flags, size, and what else is known as
-/// NAME=VALUE.
+/// The report as CSV: a header, then one row per point with group, name, error, unit, time, spread, flags, size, and
+/// further values as NAME=VALUE.
 std::string report_csv(const Report& report);
 
-/// One page that needs nothing else: the template with the JSON in it.
+/// The report as one HTML page without other files: the template with the JSON in it.
 std::string report_page(const Report& report);
 
 }  // namespace sinew::cost

@@ -17,7 +17,7 @@ using sinew::HWY_NAMESPACE::for_each_place;
 using sinew::HWY_NAMESPACE::KeyRow;
 using sinew::HWY_NAMESPACE::Lanes;
 
-constexpr std::size_t kArcPlane = 4;  // its sign turns the next key to the short side
+constexpr std::size_t kArcPlane = 4;  // its sign flips the next key to the near hemisphere
 
 struct Rotations {
   Lanes x, y, z, w;
@@ -40,7 +40,7 @@ HWY_INLINE Rotations unit(const Rotations& a) {
   return times(a, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot(a, a))));
 }
 
-/// The keys on both sides, the later one turned to the short side of the earlier.
+/// The keys on both sides of the time, the later one in the hemisphere of the earlier one.
 struct Keys {
   Rotations from, to;
 };
@@ -54,7 +54,7 @@ HWY_INLINE Keys keys_of(const KeyRow& begin, const KeyRow& end, std::size_t lane
   return {key_of(begin, lane), times(key_of(end, lane), side)};
 }
 
-/// Calls `between(keys)` for all lanes and stores what it gives.
+/// Calls `between(keys)` for all lanes and stores the result.
 template <class Between>
 HWY_INLINE void for_each_arc(const TrackBlock& block, std::size_t key, const TrackOutput& out, const Between& between) {
   const KeyRow begin(block, key), end(block, key + 1);

@@ -5,12 +5,13 @@
 
 namespace sinew::cost {
 
-/// Ways to go from one rotation key to the next in place of slerp (approximate_slerp.h says what each of them is).
+/// Ways to go from one rotation key to the next in place of slerp; approximate_slerp.h describes them.
 enum class ArcRule : unsigned char { nlerp, corrected_nlerp, polynomial_slerp };
 
-/// Samples a clip as SampleClipJob does, in lanes over the same data, but goes between rotation keys by another rule.
-/// in   clip  whose rotation tracks are all linear; nothing else is sampled
-/// out  pose  of the clip's joint count                cost as SampleClipJob's, no allocation
+/// Samples a clip in lanes as SampleClipJob does, over the same data, but with another rule between rotation keys.
+/// in    clip   all its rotation tracks are linear; nothing else is sampled
+/// out   pose   with the clip's joint count
+/// cost  that of SampleClipJob; no allocation
 void sample_rotations(const Clip& clip, double time_s, ArcRule rule, const PoseSpan& pose) noexcept;
 
 }  // namespace sinew::cost

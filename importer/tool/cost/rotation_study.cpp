@@ -16,7 +16,7 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kChance = 1.5;  // times the error of the exact way, which is rounding: no variant is worse up to there
+constexpr double kChance = 1.5;  // times the error of exact slerp, which is rounding: errors up to it count as equal
 constexpr double kFramesPerSecond = 60.0;
 constexpr std::size_t kCrowdJoints = 64;  // timed at least
 constexpr std::size_t kMomentsTimed = 16;
@@ -26,9 +26,9 @@ using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSp
 
 struct Variant {
   const char* name;
-  Interpolation interpolation;  // that the clip is compiled with
+  Interpolation interpolation;  // for which the clip is compiled
   Sampler sample;
-  bool is_exact;  // what the runtime does with tracks of that interpolation
+  bool is_exact;  // how the runtime plays tracks of that interpolation
   const char* note;
 };
 
@@ -54,7 +54,7 @@ std::vector<Variant> variants() {
   };
 }
 
-/// The largest differences between poses that share all but rotations.
+/// The largest differences between poses that differ only in rotations.
 struct Difference {
   double angle_rad = 0.0, distance_m = 0.0;
 
@@ -66,7 +66,7 @@ struct Difference {
   }
 };
 
-/// The truth at every moment that is looked at.
+/// The true pose at every time that is looked at.
 struct Truth {
   std::vector<double> times_s;
   std::vector<LocalPose> local;
@@ -94,7 +94,7 @@ Difference difference_of(const Subject& subject, const Truth& truth, const Anima
   return difference;
 }
 
-/// Moments of a clip, spread over it, that are on none of its keys.
+/// Times spread over a clip, none of them on a key.
 std::vector<double> timed_moments(const Animation& animation) {
   std::vector<double> times_s;
   for (std::size_t i = 0; i < kMomentsTimed; ++i)
@@ -132,7 +132,7 @@ Point point_of(const char* name, const Difference& difference, const char* note)
   return point;
 }
 
-/// Incremental slerp knows frames only: it is played, track by track, instead of sampled.
+/// Incremental slerp cannot seek, so it is played track by track instead of being sampled.
 void add_incremental(Study& study, const Subject& subject, const Animation& turned) {
   const auto count = static_cast<std::size_t>(std::max(1.0, turned.duration_s * kFramesPerSecond));
   const std::size_t frame_count = std::min(count, kMostFrames);
@@ -159,7 +159,7 @@ void add_incremental(Study& study, const Subject& subject, const Animation& turn
              }});
 }
 
-/// What most of the file's own tracks ask for.
+/// The interpolation of most tracks of the file.
 Interpolation usual_interpolation(const Animation& animation) {
   std::map<Interpolation, std::size_t> tracks;
   for (const BoneAnimation& bone : animation.bones)

@@ -10,7 +10,7 @@
 namespace sinew::cost {
 namespace {
 
-/// The keys' own values, each on the side of the one before it.
+/// The values of the keys, each in the hemisphere of the one before.
 std::vector<glm::quat> aligned_keys(const QuatTrack& track) {
   const bool cubic = track.interpolation == Interpolation::cubic_spline;
   std::vector<glm::quat> keys;
@@ -21,8 +21,7 @@ std::vector<glm::quat> aligned_keys(const QuatTrack& track) {
   return keys;
 }
 
-/// eq   slope at key k of the parabola through the keys around it; at an end or a jump the slope of the one side there
-/// is
+/// Slope at key k of the parabola through the keys around it; at an end or a jump, the slope of the only side.
 glm::quat slope_at(const std::vector<glm::quat>& keys, const std::vector<float>& times_s, std::size_t k) {
   const glm::quat none(0.0f, 0.0f, 0.0f, 0.0f);
   const float before = k > 0 ? times_s[k] - times_s[k - 1] : 0.0f;

@@ -26,7 +26,7 @@ std::string read_all(int from) {
   return text;
 }
 
-/// Starts a program with its stdout in `out` and its stderr nowhere; false when that fails.
+/// Starts a program with its stdout going to `out` and its stderr discarded; false when that fails.
 bool start(const std::string& path, const std::vector<std::string>& arguments, int out, pid_t& process) {
   std::vector<std::string> words{path};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -8,9 +8,9 @@
 
 namespace sinew::cost {
 
-/// Points of the model's surface that tell how far a pose is from another where a viewer sees it: vertices, skinned
+/// Points on the model's surface that tell how far apart two poses are where a viewer sees it: vertices, skinned
 /// linearly in double precision or carried by their joint. A scene without vertices gets three points around every
-/// joint, at right angles and a twentieth of the skeleton's size away (C13).
+/// joint, on perpendicular axes, a twentieth of the skeleton's size away (C13).
 class SkinProbe {
  public:
   SkinProbe(const Scene& scene, std::size_t most_points);
@@ -20,11 +20,11 @@ class SkinProbe {
 
   std::size_t point_count() const noexcept { return first_pull_.size() - 1; }
   bool has_vertices() const noexcept { return has_vertices_; }
-  /// "4000 of its 28338 vertices", "three points around each of its joints"
+  /// "4000 of the 28338 vertices", "three points around each joint, ..."
   std::string description() const;
 
  private:
-  /// One joint's share of a point: weight, and the point in the joint's own space.
+  /// One joint's share in a point: its weight, and the point in the joint's space.
   struct Pull {
     std::uint32_t joint = 0;
     double weight = 1.0;

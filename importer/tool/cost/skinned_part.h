@@ -11,7 +11,7 @@
 
 namespace sinew::cost {
 
-/// The matrices of one skin in one pose: what the jobs read, and the same numbers in double for the truth.
+/// The matrices of a skin in one pose: as the jobs read them, and the same numbers in double for the truth.
 struct PosedSkin {
   std::vector<JointMatrix> palette;
   std::vector<Affined> exact;
@@ -32,10 +32,10 @@ struct SkinnedPart {
   VertexInput in() const { return {primitive->positions, primitive->normals, {}}; }
 };
 
-/// out  nothing where the scene has no skinned vertices
+/// The part of a scene; nothing where it has no skinned vertices.
 std::optional<SkinnedPart> skinned_part(const Subject& subject);
 
-/// Room for deformed vertices.
+/// Memory for deformed vertices.
 struct DeformedVertices {
   std::vector<glm::vec3> positions, normals;
 

@@ -18,7 +18,7 @@
 namespace sinew::cost {
 namespace {
 
-/// Skins one primitive in any of the three kinds, with what each of them needs beforehand.
+/// Skins one primitive with any of the three methods, and keeps what each of them needs.
 class Skinner {
  public:
   Skinner(const SkinnedPart& part, std::span<const glm::vec3> centers)
@@ -29,7 +29,7 @@ class Skinner {
         pairs_(sharing_pairs(part.primitive->influences, split_.size())),
         out_(part.vertex_count()) {}
 
-  /// Splitting the joints' matrices is part of the rigid kinds, once a frame.
+  /// Splitting the joint matrices belongs to the rigid methods; it is done once a frame.
   void run(Skinning kind, const PosedSkin& pose) {
     const VertexInfluences* influences = &part_.primitive->influences;
     if (kind != Skinning::linear) sinew::run(SplitPaletteJob{pose.palette, split_, &any_stretch_, edges_});
@@ -49,7 +49,7 @@ class Skinner {
 
   std::span<const glm::vec3> positions() const { return out_.positions; }
   const SkinnedPart& part() const { return part_; }
-  /// In the pose that was run last in a rigid kind: their first phase was needed, and took its time.
+  /// Of the pose that a rigid method ran last: true when its stretch phase was needed, and took its time.
   bool any_stretch() const { return any_stretch_; }
 
  private:
@@ -61,14 +61,14 @@ class Skinner {
   DeformedVertices out_;
 };
 
-/// Percent of its volume that the limb has left in one pose.
+/// Percentage of its volume that the limb keeps in one pose.
 double volume_kept(Skinner& limb, Skinning kind, const PosedSkin& pose) {
   const Primitive& primitive = *limb.part().primitive;
   limb.run(kind, pose);
   return 100.0 * volume_of(limb.positions(), primitive.indices) / volume_of(primitive.positions, primitive.indices);
 }
 
-/// Largest distance of a vertex from where linear blending puts it, in mm.
+/// Largest distance of a vertex from its linearly blended position, in mm.
 double apart_from_linear_mm(Skinner& skinner, Skinning kind) {
   double largest_m = 0.0;
   for (const PosedSkin& pose : skinner.part().poses) {

@@ -18,12 +18,13 @@
 namespace sinew::cost {
 namespace {
 
-constexpr double kChance = 1.5;  // times the error of the keys as they are, which is rounding
+constexpr double kChance = 1.5;  // times the error of unchanged keys, which is rounding
 constexpr double kRates[] = {24.0, 30.0, 60.0, 120.0};
 constexpr std::uint32_t kBits[] = {16, 12, 8};
-constexpr double kMostKeys = 200'000.0;  // of one resampled track: longer clips are left at the rates below
+constexpr double kMostKeys =
+    200'000.0;  // of one resampled track; long clips are resampled only at rates that stay below
 
-/// Powers of ten in metres, largest last: 0.1 mm and 1 mm, and around a ten-thousandth of the model's size.
+/// Powers of ten in metres, rising: 0.1 mm and 1 mm, and those around a ten-thousandth of the model's size.
 std::vector<double> budgets_m(double size_m) {
   const int hardly_seen = size_m > 0.0 ? static_cast<int>(std::lround(std::log10(1e-4 * size_m))) : -4;
   std::vector<double> budgets;
@@ -41,7 +42,7 @@ std::vector<float> even_times(double duration_s, double fps) {
   return times_s;
 }
 
-/// The same motion with keys at even times, linear between them. Step tracks keep their jumps, which no rate catches.
+/// The same motion with linear keys at even times. Step tracks stay as they are, because no rate catches their jumps.
 template <class V>
 Track<V> resampled(const Track<V>& track, const std::vector<float>& times_s) {
   if (track.key_count() < 2 || track.interpolation == Interpolation::step) return track;

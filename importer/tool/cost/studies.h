@@ -5,9 +5,8 @@
 
 namespace sinew::cost {
 
-/// Each looks at one choice of the runtime on the subject: the errors are worked out at once, the times are for
-/// measure() to find. A study that has nothing to say about the subject says why in Group::left_out. The subject must
-/// outlive the study.
+/// Each function studies one choice of the runtime on the subject. It computes the errors; measure() finds the times. A
+/// study that does not apply to the subject says why in Group::left_out. The subject must outlive the study.
 Study study_rotation(const Subject& subject);
 Study study_storage(const Subject& subject);
 Study study_influences(const Subject& subject);

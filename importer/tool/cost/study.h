@@ -9,18 +9,18 @@
 
 namespace sinew::cost {
 
-/// Work that is timed: one run over `item_count` joints or vertices. It must not depend on earlier runs.
+/// Work to time: one run over `item_count` joints or vertices. Runs must not depend on each other.
 struct Work {
   std::size_t item_count = 1;
   std::function<void()> run;
-  std::function<void()> before = {}, after = {};  ///< around many runs, not timed
+  std::function<void()> before = {}, after = {};  ///< called around many runs, not timed
 };
 
-/// A group on its way: the errors of its points are known, their times are not.
+/// A group in the making: the errors of its points are known, the times are not yet.
 struct Study {
   Group group;
   std::vector<Work> works;                                         ///< parallel to the group's points
-  std::function<std::vector<std::string>(const Group&)> findings;  ///< once the times are known
+  std::function<std::vector<std::string>(const Group&)> findings;  ///< called when the times are known
 
   void add(Point point, Work work) {
     group.points.push_back(std::move(point));
@@ -28,12 +28,12 @@ struct Study {
   }
 };
 
-/// How long to look: few repetitions for a first impression, or enough of them for numbers worth keeping.
+/// How long to measure: a few repetitions for a first impression, or enough for reliable numbers.
 struct Effort {
   int repetitions = 15;
   double seconds_per_repetition = 0.02;
-  std::size_t key_intervals = 64;   ///< of a clip, looked at between its keys
-  std::size_t probe_points = 4000;  ///< of the model's surface
+  std::size_t key_intervals = 64;   ///< how many of a clip's key intervals are looked at
+  std::size_t probe_points = 4000;  ///< how many points of the surface are looked at
 
   static Effort quick() { return {7, 0.004, 16, 1000}; }
 };

@@ -8,27 +8,27 @@
 
 namespace sinew::cost {
 
-/// A scene to look at, one clip of it, and where to look. The scene must outlive it.
+/// What a study looks at: a scene, one of its clips, and points of its surface. The scene must outlive it.
 struct Subject {
   Subject(const Scene& looked_at, std::uint32_t chosen_clip, const Effort& effort);
 
   const Scene& scene;
   std::uint32_t clip;  ///< kNone = the scene has no clips
-  double size_m;       ///< largest side of the box around it at rest
+  double size_m;       ///< longest side of the box around the rest pose
   SkinProbe probe;
   Effort effort;
 
   const Animation* animation() const { return clip == kNone ? nullptr : &scene.animations[clip]; }
   /// "the clip "Walk""
   std::string clip_name() const;
-  /// Model matrices of all joints for the moments that vertices are looked at: up to eight of the clip, else one made
+  /// Model matrices of all joints in the poses for which vertices are compared: up to eight of the clip, else one made
   /// up.
   std::vector<ModelPose> telling_poses() const;
-  /// What a viewer hardly sees: a ten-thousandth of the model's size, in mm.
+  /// An error that a viewer hardly sees: a ten-thousandth of the model's size, in mm.
   double hardly_seen_mm() const { return 0.1 * size_m; }
 };
 
-/// The clip with the most animated joints, the first of several; kNone without clips.
+/// The clip that animates most joints, the first of several; kNone without clips.
 std::uint32_t busiest_clip(const Scene& scene);
 
 }  // namespace sinew::cost

@@ -10,19 +10,19 @@ namespace sinew::cost {
 using LocalPose = std::vector<Transformd>;
 using ModelPose = std::vector<Affined>;
 
-/// Local transforms of all joints in double precision, from the authoring form: what everything is compared with.
+/// Local transforms of all joints in double precision, from the authoring form. Everything is compared with them.
 LocalPose true_local_pose(const Skeleton& skeleton, const Animation& animation, double time_s);
 LocalPose rest_pose(const Skeleton& skeleton);
 
-/// A pose for files without clips: every joint that has a parent is turned by 30 degrees more, about one of the three
-/// axes in turn.
+/// A pose for files without clips: every joint with a parent is rotated by 30 degrees about x, y or z in turn.
 LocalPose crooked_pose(const Skeleton& skeleton);
 
+/// Model matrices of a pose.
 /// eq   M[j] = M[parent(j)] * T * R * S, in double
 ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local);
 
-/// Times between the keys of an animation: of at most `most_intervals` key intervals, evenly picked, the key that
-/// begins it, its middle, and the two places where nlerp is farthest from slerp (N04). Increasing; {0} without any
+/// Times at which errors between keys show. In each of at most `most_intervals` key intervals, evenly picked: the key
+/// that begins it, its middle, and the two places where nlerp is farthest from slerp (N04). Increasing; {0} without
 /// keys.
 std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kFiles[] = {"report.json", "report.csv", "report.html"};
 
-/// DIR and DIR/ are the same folder.
+/// "DIR" for "DIR/", because both name the same folder.
 fs::path without_slash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
 fs::path beside(const fs::path& folder, std::string_view ending) {
@@ -44,7 +44,7 @@ std::optional<std::string> fill(const Report& report, const fs::path& folder) {
   return std::nullopt;
 }
 
-/// Puts `made` where `folder` is or will be.
+/// Renames `made` to `folder`. An older folder is moved aside first and comes back if that fails.
 std::optional<std::string> put_in_place(const fs::path& made, const fs::path& folder) {
   std::error_code error;
   const fs::path older = beside(folder, "old");

@@ -8,12 +8,13 @@
 
 namespace sinew::cost {
 
-/// Why `folder` cannot become the folder of a report; empty when it can. It may be new, empty, or hold an older report
-/// and nothing else.
+/// Why `folder` cannot become the folder of a report; empty when it can. It may be new, empty, or hold nothing but an
+/// older report.
 std::string objection_to(const std::filesystem::path& folder);
 
-/// Writes report.json, report.csv and report.html into `folder`, which appears complete or not at all: an older report
-/// stays until the new one is there. out  nothing, or why it could not be written
+/// Writes report.json, report.csv and report.html into `folder`. The folder appears complete or not at all: an older
+/// report stays until the new one is there.
+/// out   nothing, or why it could not be written
 std::optional<std::string> write_report(const Report& report, const std::filesystem::path& folder);
 
 }  // namespace sinew::cost
