@@ -47,16 +47,27 @@ double BoneAnimation::end_time() const noexcept {
   return end;
 }
 
+namespace {
+
 template <class T>
-TransformT<T> BoneAnimation::interpolate(double time_s, const TransformT<T>& rest) const noexcept {
+TransformT<T> interpolate_tracks(const BoneAnimation& bone, double time_s, const TransformT<T>& rest) noexcept {
   TransformT<T> out = rest;
-  if (!translation.empty()) out.translation = sample_track<T>(translation, time_s);
-  if (!rotation.empty()) out.rotation = sample_track<T>(rotation, time_s);
-  if (!scale.empty()) out.scale = sample_track<T>(scale, time_s);
+  if (!bone.translation.empty()) out.translation = sample_track<T>(bone.translation, time_s);
+  if (!bone.rotation.empty()) out.rotation = sample_track<T>(bone.rotation, time_s);
+  if (!bone.scale.empty()) out.scale = sample_track<T>(bone.scale, time_s);
   return out;
 }
 
-template TransformT<float> BoneAnimation::interpolate(double, const TransformT<float>&) const noexcept;
-template TransformT<double> BoneAnimation::interpolate(double, const TransformT<double>&) const noexcept;
+}  // namespace
+
+template <>
+TransformT<float> BoneAnimation::interpolate(double time_s, const TransformT<float>& rest) const noexcept {
+  return interpolate_tracks(*this, time_s, rest);
+}
+
+template <>
+TransformT<double> BoneAnimation::interpolate(double time_s, const TransformT<double>& rest) const noexcept {
+  return interpolate_tracks(*this, time_s, rest);
+}
 
 }  // namespace sinew

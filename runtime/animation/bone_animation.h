@@ -40,8 +40,10 @@ class BoneAnimation {
   TransformT<T> interpolate(double time_s, const TransformT<T>& rest = {}) const noexcept;
 };
 
-extern template TransformT<float> BoneAnimation::interpolate(double, const TransformT<float>&) const noexcept;
-extern template TransformT<double> BoneAnimation::interpolate(double, const TransformT<double>&) const noexcept;
+template <>
+TransformT<float> BoneAnimation::interpolate(double time_s, const TransformT<float>& rest) const noexcept;
+template <>
+TransformT<double> BoneAnimation::interpolate(double time_s, const TransformT<double>& rest) const noexcept;
 
 /// Morph weights of one mesh instance over time: all of them, or `weights.target_count` from `first_target` on.
 struct WeightAnimation {

@@ -161,10 +161,8 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
 template <class T>
 constexpr double kRounding = 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
-}  // namespace
-
 template <class T>
-PolarT<T> decompose_polar(const Mat3<T>& m) noexcept {
+PolarT<T> polar_in(const Mat3<T>& m) noexcept {
   const PolarT<double> p = polar_of(Mat(m), kRounding<T>);
   PolarT<T> out{Mat3<T>(p.rotation), quat_cast<T>(p.quat), {}, p.status};
   for (int i = 0; i < 6; ++i) out.stretch[i] = static_cast<T>(p.stretch[i]);
@@ -172,15 +170,32 @@ PolarT<T> decompose_polar(const Mat3<T>& m) noexcept {
 }
 
 template <class T>
-TrsT<T> decompose_trs(const AffineT<T>& m) noexcept {
+TrsT<T> trs_in(const AffineT<T>& m) noexcept {
   const TrsT<double> d = trs_of(affine_cast<double>(m), kRounding<T>);
   const auto& t = d.transform;
   return {{Vec3<T>(t.translation), quat_cast<T>(t.rotation), Vec3<T>(t.scale)}, d.status};
 }
 
-template PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
-template PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
-template TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
-template TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
+}  // namespace
+
+template <>
+PolarT<float> decompose_polar(const Mat3<float>& m) noexcept {
+  return polar_in(m);
+}
+
+template <>
+PolarT<double> decompose_polar(const Mat3<double>& m) noexcept {
+  return polar_in(m);
+}
+
+template <>
+TrsT<float> decompose_trs(const AffineT<float>& m) noexcept {
+  return trs_in(m);
+}
+
+template <>
+TrsT<double> decompose_trs(const AffineT<double>& m) noexcept {
+  return trs_in(m);
+}
 
 }  // namespace sinew

@@ -52,9 +52,13 @@ struct TrsT {
 template <class T>
 TrsT<T> decompose_trs(const AffineT<T>& m) noexcept;
 
-extern template PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
-extern template PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
-extern template TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
-extern template TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
+template <>
+PolarT<float> decompose_polar(const Mat3<float>&) noexcept;
+template <>
+PolarT<double> decompose_polar(const Mat3<double>&) noexcept;
+template <>
+TrsT<float> decompose_trs(const AffineT<float>&) noexcept;
+template <>
+TrsT<double> decompose_trs(const AffineT<double>&) noexcept;
 
 }  // namespace sinew

@@ -4,9 +4,10 @@
 #include "runtime/math/rotation_about.h"
 
 namespace sinew {
+namespace {
 
 template <class T>
-Mat3<T> matrix_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept {
+Mat3<T> matrix_of(const HeadPitchRollT<T>& e) noexcept {
   const T ch = std::cos(e.head_rad), sh = std::sin(e.head_rad);
   const T cp = std::cos(e.pitch_rad), sp = std::sin(e.pitch_rad);
   const T cr = std::cos(e.roll_rad), sr = std::sin(e.roll_rad);
@@ -17,7 +18,7 @@ Mat3<T> matrix_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept {
 }
 
 template <class T>
-Quat<T> quat_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept {
+Quat<T> quat_of(const HeadPitchRollT<T>& e) noexcept {
   const T h = e.head_rad / 2, p = e.pitch_rad / 2, r = e.roll_rad / 2;
   const T zero = T(0);
   return quat_xyzw(zero, zero, std::sin(r), std::cos(r)) * quat_xyzw(std::sin(p), zero, zero, std::cos(p)) *
@@ -25,7 +26,7 @@ Quat<T> quat_from_head_pitch_roll(const HeadPitchRollT<T>& e) noexcept {
 }
 
 template <class T>
-HeadPitchRollT<T> head_pitch_roll_from_matrix(const Mat3<T>& m) noexcept {
+HeadPitchRollT<T> head_pitch_roll_of(const Mat3<T>& m) noexcept {
   const T roll = std::atan2(-m[1][0], m[1][1]);
   const T c = std::cos(roll), s = std::sin(roll);
   return {std::atan2(c * m[2][0] + s * m[2][1], c * m[0][0] + s * m[0][1]),
@@ -33,7 +34,7 @@ HeadPitchRollT<T> head_pitch_roll_from_matrix(const Mat3<T>& m) noexcept {
 }
 
 template <class T>
-Mat3<T> matrix_from_euler(const EulerOrder& order, const Vec3<T>& angles_rad) noexcept {
+Mat3<T> matrix_of(const EulerOrder& order, const Vec3<T>& angles_rad) noexcept {
   const Mat3<T> first = rotation_about_axis(order.axes[0], angles_rad.x);
   const Mat3<T> second = rotation_about_axis(order.axes[1], angles_rad.y);
   const Mat3<T> third = rotation_about_axis(order.axes[2], angles_rad.z);
@@ -43,7 +44,7 @@ Mat3<T> matrix_from_euler(const EulerOrder& order, const Vec3<T>& angles_rad) no
 /// R = Ra(outer) Rb(middle) Rc(inner). As for head, pitch and roll the outer angle is found first, from the column that
 /// Rc leaves alone, and taken out of the matrix; middle and inner angle then follow without dividing by anything.
 template <class T>
-Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept {
+Vec3<T> euler_of(const EulerOrder& order, const Mat3<T>& m) noexcept {
   const int a = order.fixed ? order.axes[2] : order.axes[0], b = order.axes[1];
   const int c = order.fixed ? order.axes[0] : order.axes[2];
   const bool repeated = a == c;
@@ -62,15 +63,56 @@ Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept {
   return order.fixed ? Vec3<T>(inner, middle, outer) : Vec3<T>(outer, middle, inner);
 }
 
-template Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
-template Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
-template HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>&) noexcept;
-template Mat3<float> matrix_from_euler(const EulerOrder&, const Vec3<float>&) noexcept;
-template Vec3<float> euler_from_matrix(const EulerOrder&, const Mat3<float>&) noexcept;
-template Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
-template Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
-template HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>&) noexcept;
-template Mat3<double> matrix_from_euler(const EulerOrder&, const Vec3<double>&) noexcept;
-template Vec3<double> euler_from_matrix(const EulerOrder&, const Mat3<double>&) noexcept;
+}  // namespace
+
+template <>
+Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>& e) noexcept {
+  return matrix_of(e);
+}
+
+template <>
+Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>& e) noexcept {
+  return quat_of(e);
+}
+
+template <>
+HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>& m) noexcept {
+  return head_pitch_roll_of(m);
+}
+
+template <>
+Mat3<float> matrix_from_euler(const EulerOrder& order, const Vec3<float>& angles_rad) noexcept {
+  return matrix_of(order, angles_rad);
+}
+
+template <>
+Vec3<float> euler_from_matrix(const EulerOrder& order, const Mat3<float>& m) noexcept {
+  return euler_of(order, m);
+}
+
+template <>
+Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>& e) noexcept {
+  return matrix_of(e);
+}
+
+template <>
+Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>& e) noexcept {
+  return quat_of(e);
+}
+
+template <>
+HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>& m) noexcept {
+  return head_pitch_roll_of(m);
+}
+
+template <>
+Mat3<double> matrix_from_euler(const EulerOrder& order, const Vec3<double>& angles_rad) noexcept {
+  return matrix_of(order, angles_rad);
+}
+
+template <>
+Vec3<double> euler_from_matrix(const EulerOrder& order, const Mat3<double>& m) noexcept {
+  return euler_of(order, m);
+}
 
 }  // namespace sinew

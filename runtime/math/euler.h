@@ -53,15 +53,25 @@ Mat3<T> matrix_from_euler(const EulerOrder& order, const Vec3<T>& angles_rad) no
 template <class T>
 Vec3<T> euler_from_matrix(const EulerOrder& order, const Mat3<T>& m) noexcept;
 
-extern template Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
-extern template Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
-extern template Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
-extern template Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
-extern template HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>&) noexcept;
-extern template HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>&) noexcept;
-extern template Mat3<float> matrix_from_euler(const EulerOrder&, const Vec3<float>&) noexcept;
-extern template Mat3<double> matrix_from_euler(const EulerOrder&, const Vec3<double>&) noexcept;
-extern template Vec3<float> euler_from_matrix(const EulerOrder&, const Mat3<float>&) noexcept;
-extern template Vec3<double> euler_from_matrix(const EulerOrder&, const Mat3<double>&) noexcept;
+template <>
+Mat3<float> matrix_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
+template <>
+Mat3<double> matrix_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
+template <>
+Quat<float> quat_from_head_pitch_roll(const HeadPitchRollT<float>&) noexcept;
+template <>
+Quat<double> quat_from_head_pitch_roll(const HeadPitchRollT<double>&) noexcept;
+template <>
+HeadPitchRollT<float> head_pitch_roll_from_matrix(const Mat3<float>&) noexcept;
+template <>
+HeadPitchRollT<double> head_pitch_roll_from_matrix(const Mat3<double>&) noexcept;
+template <>
+Mat3<float> matrix_from_euler(const EulerOrder&, const Vec3<float>&) noexcept;
+template <>
+Mat3<double> matrix_from_euler(const EulerOrder&, const Vec3<double>&) noexcept;
+template <>
+Vec3<float> euler_from_matrix(const EulerOrder&, const Mat3<float>&) noexcept;
+template <>
+Vec3<double> euler_from_matrix(const EulerOrder&, const Mat3<double>&) noexcept;
 
 }  // namespace sinew
