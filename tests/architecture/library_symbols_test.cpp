@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The library has no state of its own: no variable that anything writes to, but what the solver of correctives keeps
-// about cache sizes. (Highway's choice of the instruction set is in libhwy; the tables of kernels are constants.)
+// The archives of the runtime call their own copies of inline functions, and have no state of their own: no variable
+// that anything writes to, but what the solver of correctives keeps about cache sizes. (Highway's choice of the
+// instruction set is in libhwy; the tables of kernels are constants.)
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -42,18 +44,31 @@ bool is_allowed(const std::string& name) {
 }
 
 TEST(library_symbols, the_runtime_has_no_globals) {
-  const std::string table = output_of("objdump -t -C " SINEW_RUNTIME_ARCHIVE);
+  const std::string table = output_of("objdump -t -C " SINEW_RUNTIME_ARCHIVES);
   ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));  // it was really read
   for (const std::string& name : writable_variables(table)) EXPECT_TRUE(is_allowed(name)) << name;
 }
 
 TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_casting) {
-  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVE);
+  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVES);
   ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // what it does ask for is seen
   for (const char* name :
        {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate",
         "vkCreate", "glfw", "ImGui", "fopen", "std::basic_ifstream", "import_gltf", "ambient_occlusion"})
     EXPECT_THAT(table, testing::Not(testing::HasSubstr(name)));
+}
+
+TEST(library_symbols, the_runtime_defines_no_weak_symbol_that_an_engine_could_replace) {
+  if (!SINEW_OWN_COPIES)
+    GTEST_SKIP() << "the linker of this build cannot make copies of inline functions the library's own";
+  std::istringstream lines(output_of("nm -C --defined-only " SINEW_RUNTIME_ARCHIVES));
+  std::size_t strong = 0;
+  for (std::string text; std::getline(lines, text);) {
+    const std::string kind = text.substr(std::min(text.size(), text.find(' ')), 3);  // " T " between value and name
+    strong += kind == " T ";
+    EXPECT_FALSE(kind == " W " || kind == " V " || kind == " u ") << text;
+  }
+  EXPECT_GT(strong, 100u);
 }
 
 TEST(library_symbols, a_variable_is_found_and_a_constant_is_not) {
