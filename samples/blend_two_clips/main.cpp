@@ -65,7 +65,10 @@ Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, 
   const BlendPosesJob blend{.layers = layers, .rest = rest, .pose = mixed};
   const LocalToModelJob to_model{.skeleton = &leg, .local = mixed, .root = {}, .model = world};
   for (const ErrorCode code : {check(blend), check(to_model)})
-    if (code != ErrorCode::ok) std::fprintf(stderr, "%s\n", describe(code).data()), std::exit(1);
+    if (code != ErrorCode::ok) {
+      std::fprintf(stderr, "%s\n", describe(code).data());
+      std::exit(1);
+    }
   run(blend);
   run(to_model);
   return translation_of(world[1]);
@@ -75,11 +78,17 @@ Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, 
 
 int main(int argc, char** argv) {
   const std::optional<float> weight = argc < 2 ? 0.5f : parse_weight(argv[1]);
-  if (argc > 2 || !weight) return std::fprintf(stderr, "usage: blend_two_clips [WEIGHT of the run, 0 to 1]\n"), 2;
+  if (argc > 2 || !weight) {
+    std::fprintf(stderr, "usage: blend_two_clips [WEIGHT of the run, 0 to 1]\n");
+    return 2;
+  }
 
   const Skeleton leg = make_leg();
   const auto walk = make_swing("walk", 0.4f, 0.1f), dash = make_swing("run", 1.2f, 0.4f);
-  if (!walk || !dash) return std::fprintf(stderr, "the keys are refused\n"), 1;
+  if (!walk || !dash) {
+    std::fprintf(stderr, "the keys are refused\n");
+    return 1;
+  }
   const Clip clips[] = {compile_clip(*walk, leg, {}, {}), compile_clip(*dash, leg, {}, {})};
 
   alignas(64) PoseMemory memory[3]{};

@@ -42,8 +42,10 @@ float largest_difference_m(const showcase::ShowcaseScene& shown, double degrees)
 int main(int argc, char** argv) {
   char* end = nullptr;
   const double step_deg = argc < 2 ? 15.0 : std::strtod(argv[1], &end);
-  if (argc > 2 || (end && (end == argv[1] || *end)) || !(step_deg >= 1.0 && step_deg <= 150.0))
-    return std::fprintf(stderr, "usage: correct_a_twist [STEP in degrees, 1 to 150]\n"), 2;
+  if (argc > 2 || (end && (end == argv[1] || *end)) || !(step_deg >= 1.0 && step_deg <= 150.0)) {
+    std::fprintf(stderr, "usage: correct_a_twist [STEP in degrees, 1 to 150]\n");
+    return 2;
+  }
 
   const showcase::ShowcaseScene plain = showcase::twisted_arms(), corrected = showcase::corrected_arms();
   std::printf("largest distance from the dual-quaternion arm\n  twist        linear   with correctives\n");

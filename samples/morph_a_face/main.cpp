@@ -41,8 +41,10 @@ bool parse_weight(const char* text, float& weight) {
 int main(int argc, char** argv) {
   std::array<float, 2> weights = {1.0f, 0.5f};
   if ((argc != 1 && argc != 3) ||
-      (argc == 3 && (!parse_weight(argv[1], weights[0]) || !parse_weight(argv[2], weights[1]))))
-    return std::fprintf(stderr, "usage: morph_a_face [SMILE OPEN]   weights, for example 1 0.5 or -0.4 1.5\n"), 2;
+      (argc == 3 && (!parse_weight(argv[1], weights[0]) || !parse_weight(argv[2], weights[1])))) {
+    std::fprintf(stderr, "usage: morph_a_face [SMILE OPEN]   weights, for example 1 0.5 or -0.4 1.5\n");
+    return 2;
+  }
 
   const MorphSet targets = make_targets();
   std::array<glm::vec3, kVertices> moved{}, scratch{};
@@ -51,8 +53,10 @@ int main(int argc, char** argv) {
                                .vertices = {.positions = kFace, .normals = {}, .tangents = {}},
                                .out = {.positions = moved, .normals = {}, .tangents = {}},
                                .scratch = scratch};
-  if (const ErrorCode code = check(morph); code != ErrorCode::ok)
-    return std::fprintf(stderr, "%s\n", describe(code).data()), 1;
+  if (const ErrorCode code = check(morph); code != ErrorCode::ok) {
+    std::fprintf(stderr, "%s\n", describe(code).data());
+    return 1;
+  }
   run(morph);
 
   std::printf("smile %g, open %g\n", weights[0], weights[1]);

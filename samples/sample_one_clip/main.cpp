@@ -63,11 +63,17 @@ std::optional<double> parse_seconds(const char* text) {
 
 int main(int argc, char** argv) {
   const std::optional<double> time_s = argc < 2 ? 0.5 : parse_seconds(argv[1]);
-  if (argc > 2 || !time_s) return std::fprintf(stderr, "usage: sample_one_clip [SECONDS]\n"), 2;
+  if (argc > 2 || !time_s) {
+    std::fprintf(stderr, "usage: sample_one_clip [SECONDS]\n");
+    return 2;
+  }
 
   const Skeleton arm = make_arm();
   const Result<Animation> wave = make_wave();
-  if (!wave) return std::fprintf(stderr, "%s\n", describe(wave.error()).data()), 1;
+  if (!wave) {
+    std::fprintf(stderr, "%s\n", describe(wave.error()).data());
+    return 1;
+  }
   const Clip clip = compile_clip(*wave, arm, {}, {});
 
   // Buffers belong to the caller. Jobs are structs of views; check() says whether the views fit, run() does the work.
@@ -78,7 +84,10 @@ int main(int argc, char** argv) {
   const SampleClipJob sample{.clip = &clip, .time_s = *time_s, .pose = pose, .weights = {}};
   const LocalToModelJob to_model{.skeleton = &arm, .local = pose, .root = {}, .model = world};
   for (const ErrorCode code : {check(sample), check(to_model)})
-    if (code != ErrorCode::ok) return std::fprintf(stderr, "%s\n", describe(code).data()), 1;
+    if (code != ErrorCode::ok) {
+      std::fprintf(stderr, "%s\n", describe(code).data());
+      return 1;
+    }
   run(sample);
   run(to_model);
 

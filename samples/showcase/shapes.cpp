@@ -78,7 +78,9 @@ Primitive box(const glm::vec3& centre, const glm::vec3& half_size) {
       const std::array<glm::vec2, 4> counter_clockwise = {{{-1.0f, -1.0f}, {side, -side}, {1.0f, 1.0f}, {-side, side}}};
       for (const glm::vec2& xy : counter_clockwise) {
         glm::vec3 corner(0.0f);
-        corner[axis] = side, corner[right] = xy.x, corner[up] = xy.y;
+        corner[axis] = side;
+        corner[right] = xy.x;
+        corner[up] = xy.y;
         out.positions.push_back(centre + half_size * corner);
         out.normals.push_back(normal);
       }

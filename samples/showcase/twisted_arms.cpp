@@ -102,7 +102,8 @@ BoneAnimation twist(std::uint32_t joint) {
 
 Affine moved(float x, float y) {
   Affine m;
-  m.row[0].w = x, m.row[1].w = y;
+  m.row[0].w = x;
+  m.row[1].w = y;
   return m;
 }
 

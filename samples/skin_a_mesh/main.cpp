@@ -80,23 +80,27 @@ Radii twist(const Tube& tube, float angle_rad) {
 
   std::array<JointMatrix, 2> palette;
   const JointPaletteJob to_palette{.skin = &skin, .model = world, .palette = palette};
-  require(check(to_palette)), run(to_palette);
+  require(check(to_palette));
+  run(to_palette);
 
   const VertexInput in{.positions = tube.positions, .normals = tube.normals, .tangents = {}};
   std::vector<glm::vec3> positions(tube.positions.size()), normals(positions.size());
   const VertexOutput out{.positions = positions, .normals = normals, .tangents = {}};
 
   const SkinLinearJob linear{.influences = &tube.influences, .palette = palette, .vertices = in, .out = out};
-  require(check(linear)), run(linear);
+  require(check(linear));
+  run(linear);
   const float linear_m = middle_radius_m(positions);
 
   std::array<RigidStretch, 2> split;
   bool any_stretch = false;
   const SplitPaletteJob to_split{.palette = palette, .split = split, .any_stretch = &any_stretch};
-  require(check(to_split)), run(to_split);
+  require(check(to_split));
+  run(to_split);
   const SkinDualQuaternionJob dual{
       .influences = &tube.influences, .split = split, .any_stretch = any_stretch, .vertices = in, .out = out};
-  require(check(dual)), run(dual);
+  require(check(dual));
+  run(dual);
   return {linear_m, middle_radius_m(positions)};
 }
 
@@ -105,8 +109,10 @@ Radii twist(const Tube& tube, float angle_rad) {
 int main(int argc, char** argv) {
   char* end = nullptr;
   const double most_deg = argc < 2 ? 179.0 : std::strtod(argv[1], &end);
-  if (argc > 2 || (end && (end == argv[1] || *end)) || !(most_deg > 0.0 && most_deg < 180.0))
-    return std::fprintf(stderr, "usage: skin_a_mesh [DEGREES, more than 0 and less than 180]\n"), 2;
+  if (argc > 2 || (end && (end == argv[1] || *end)) || !(most_deg > 0.0 && most_deg < 180.0)) {
+    std::fprintf(stderr, "usage: skin_a_mesh [DEGREES, more than 0 and less than 180]\n");
+    return 2;
+  }
 
   const Tube tube = make_tube();
   std::printf("radius of the middle ring, 1 m at rest\n  twist      linear   dual quaternion\n");

@@ -35,7 +35,8 @@ class Largest {
  public:
   void add(double error, double ulp_size) {
     if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
-    error_ = std::fmax(error_, error), ulp_ = std::fmax(ulp_, error / ulp_size);
+    error_ = std::fmax(error_, error);
+    ulp_ = std::fmax(ulp_, error / ulp_size);
   }
   /// Two rotations of any length and sign.
   template <class A, class B>

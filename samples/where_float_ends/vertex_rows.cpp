@@ -38,7 +38,8 @@ struct Crowd {
         palette.push_back(joint_matrix_from(affine_from_dual_quat(motion)));
       }
     }
-    out_positions = positions, out_normals = normals;
+    out_positions = positions;
+    out_normals = normals;
   }
 
   VertexInput in() const { return {positions, normals, {}}; }

@@ -24,13 +24,17 @@ Combinations::Combinations(const VertexInfluences& influences, std::size_t joint
       if (group.influence_count > 1) {
         const auto [at, is_new] = known.try_emplace(combination, joint_count + count);
         if (is_new) {
-          ++count, ++combinations_.groups.back().vertex_count;
-          for (const auto& [joint, weight] : combination)
-            combinations_.joints.push_back(joint), combinations_.weights.push_back(weight);
+          ++count;
+          ++combinations_.groups.back().vertex_count;
+          for (const auto& [joint, weight] : combination) {
+            combinations_.joints.push_back(joint);
+            combinations_.weights.push_back(weight);
+          }
         }
         matrix = at->second;
       }
-      single_.joints.push_back(static_cast<std::uint16_t>(matrix)), single_.weights.push_back(1.0f);
+      single_.joints.push_back(static_cast<std::uint16_t>(matrix));
+      single_.weights.push_back(1.0f);
     }
   }
   single_.groups = {{0, vertex, 1, 0}};

@@ -146,7 +146,8 @@ void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std
   const auto planned = std::make_shared<PlannedFrames>(*scene, needs);
   const auto plain = std::make_shared<PlainFrames>(*scene, needs);
   const test::SlowFrame truth = test::evaluate_slowly(*scene, needs, planned->input(layer_count));
-  planned->next(layer_count), plain->next(layer_count);
+  planned->next(layer_count);
+  plain->next(layer_count);
   require_same(planned->frame.result(), *plain);
   const Facts facts{error_of(planned->frame.result(), truth), 0};
   add(

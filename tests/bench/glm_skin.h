@@ -68,7 +68,8 @@ inline void skin_dual_quaternion(const VertexInfluences& influences, std::span<c
         dual += next.dual * w;
       }
       const float length = glm::length(real);
-      real /= length, dual /= length;
+      real /= length;
+      dual /= length;
       const glm::quat t = (dual * 2.0f) * glm::conjugate(real);
       out.positions[v] = real * in.positions[v] + glm::vec3(t.x, t.y, t.z);
       if (wanted.normals) out.normals[v] = real * in.normals[v];

@@ -55,8 +55,9 @@ struct PosedModel {
     for (const MeshInstance& instance : scene->instances)
       for (const Primitive& p : scene->meshes[instance.mesh].primitives) {
         if (instance.skin == kNone || p.influences.empty()) continue;
-        parts.emplace_back(p, instance.skin, scene->skins[instance.skin].joints.size()),
-            vertex_count += p.vertex_count(), normals = normals && !p.flat_normals;
+        parts.emplace_back(p, instance.skin, scene->skins[instance.skin].joints.size());
+        vertex_count += p.vertex_count();
+        normals = normals && !p.flat_normals;
       }
   }
 

@@ -76,7 +76,8 @@ struct Layers {
     Room room(c);
     for (std::size_t l = 0; l < layer_count; ++l) {
       const double time_s = std::fmod(0.3 + 0.37 * static_cast<double>(l), c->animation.duration_s);
-      room.sample(time_s), room.sample_glm(time_s);
+      room.sample(time_s);
+      room.sample_glm(time_s);
       poses.push_back(room.pose);
       glm_layers.push_back(room.glm_joints);
     }
@@ -113,7 +114,8 @@ struct Walker {
   explicit Walker(const Shared& c) : from(c), to(c), mean(c), glm_layers(2, from.glm_joints) {}
 
   void step(double time_s, double later_s) {
-    from.sample(time_s), to.sample(later_s);
+    from.sample(time_s);
+    to.sample(later_s);
     const BlendLayer layers[] = {{from.pose.span(), 0.7f, {}}, {to.pose.span(), 0.3f, {}}};
     run(BlendPosesJob{layers, from.pose.span(), mean.pose.span()});
     run(LocalToModelJob{&mean.of->skeleton, mean.pose.span(), {}, mean.model});
@@ -200,10 +202,12 @@ void add_sample() {
   for (const Shared& c : characters()) {
     const auto room = std::make_shared<Room>(c);
     const auto sampled = [&](double t) {
-      return room->sample(t), [r = room.get()](std::size_t j) { return r->joint(j); };
+      room->sample(t);
+      return [r = room.get()](std::size_t j) { return r->joint(j); };
     };
     const auto glm_sampled = [&](double t) {
-      return room->sample_glm(t), [r = room.get()](std::size_t j) { return r->glm_joint(j); };
+      room->sample_glm(t);
+      return [r = room.get()](std::size_t j) { return r->glm_joint(j); };
     };
     const Facts ours{sampling_error_rad(*c, sampled), 0}, plain{sampling_error_rad(*c, glm_sampled), 0};
     for (const bool forward : {true, false}) {
@@ -218,8 +222,8 @@ void add_sample() {
       const auto error = [&](const Clip& clip) {
         return Facts{sampling_error_rad(*c,
                                         [&](double t) {
-                                          return room->sample(clip, t),
-                                                 [r = room.get()](std::size_t j) { return r->joint(j); };
+                                          room->sample(clip, t);
+                                          return [r = room.get()](std::size_t j) { return r->joint(j); };
                                         }),
                      0};
       };
@@ -256,10 +260,12 @@ void add_blend() {
 void add_local_to_model() {
   for (const Shared& c : characters()) {
     const auto room = std::make_shared<Room>(c);
-    room->sample(0.4 * c->animation.duration_s), room->sample_glm(0.4 * c->animation.duration_s);
+    room->sample(0.4 * c->animation.duration_s);
+    room->sample_glm(0.4 * c->animation.duration_s);
     const auto ours = [room] { run(LocalToModelJob{&room->of->skeleton, room->pose.span(), {}, room->model}); };
     const auto plain = [room] { glm_pose::local_to_model(room->of->skeleton, room->glm_joints, room->glm_model); };
-    ours(), plain();
+    ours();
+    plain();
     const double error = model_error(
         *c, [&](std::size_t j) { return room->joint(j); },
         [&](std::size_t j) { return translation_of(room->model[j]); });

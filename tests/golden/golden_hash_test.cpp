@@ -78,7 +78,8 @@ Hashes hashes_of(const std::vector<GoldenScene>& scenes, std::int64_t target) {
       for (std::size_t i = 0; i < frames.count(); ++i) {
         const FrameResult& frame = frames.run(i);
         const std::uint64_t pose = hash_pose(frame), vertex = hash_vertices(frame);
-        poses.add(std::span(&pose, 1)), vertices.add(std::span(&vertex, 1));
+        poses.add(std::span(&pose, 1));
+        vertices.add(std::span(&vertex, 1));
       }
       out[name + " pose"] = poses.value();
       out[name + " " + method.name + vertex_suffix(target)] = vertices.value();

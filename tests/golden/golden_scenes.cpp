@@ -30,14 +30,25 @@ void snap(std::vector<T>& values) {
 }
 
 void snap(Primitive& p) {
-  snap(p.positions), snap(p.normals), snap(p.tangents), snap(p.colors), snap(p.influences.weights);
-  for (MorphTarget& t : p.morphs.targets)
-    snap(t.positions.deltas), snap(t.normals.deltas), snap(t.tangents.deltas), snap(t.colors.deltas);
+  snap(p.positions);
+  snap(p.normals);
+  snap(p.tangents);
+  snap(p.colors);
+  snap(p.influences.weights);
+  for (MorphTarget& t : p.morphs.targets) {
+    snap(t.positions.deltas);
+    snap(t.normals.deltas);
+    snap(t.tangents.deltas);
+    snap(t.colors.deltas);
+  }
 }
 
 void snap(Animation& animation) {
-  for (BoneAnimation& bone : animation.bones)
-    snap(bone.translation.values), snap(bone.rotation.values), snap(bone.scale.values);
+  for (BoneAnimation& bone : animation.bones) {
+    snap(bone.translation.values);
+    snap(bone.rotation.values);
+    snap(bone.scale.values);
+  }
   for (WeightAnimation& animated : animation.weights) snap(animated.weights.values);
 }
 
@@ -49,12 +60,19 @@ void place_centers(Primitive& p) {
 }
 
 Scene snapped(Scene scene) {
-  for (Transform& t : scene.skeleton.rest) snap(t.translation), snap(t.rotation), snap(t.scale);
+  for (Transform& t : scene.skeleton.rest) {
+    snap(t.translation);
+    snap(t.rotation);
+    snap(t.scale);
+  }
   snap(scene.skeleton.fixed_matrices);
   for (Skin& skin : scene.skins) snap(skin.inverse_bind);
   for (Mesh& mesh : scene.meshes) {
     snap(mesh.default_weights);
-    for (Primitive& p : mesh.primitives) snap(p), place_centers(p);
+    for (Primitive& p : mesh.primitives) {
+      snap(p);
+      place_centers(p);
+    }
   }
   for (MeshInstance& instance : scene.instances) snap(instance.rest_weights);
   for (Animation& animation : scene.animations) snap(animation);

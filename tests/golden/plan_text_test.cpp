@@ -27,8 +27,9 @@ class Samples {
  public:
   Samples() : folder_(fs::path(::testing::TempDir()) / ("sinew-plan-texts-" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
-    add("skull.glb", showcase::skull_flight().scene), add("arms.glb", showcase::twisted_arms().scene),
-        add("face.glb", showcase::morphed_face().scene);
+    add("skull.glb", showcase::skull_flight().scene);
+    add("arms.glb", showcase::twisted_arms().scene);
+    add("face.glb", showcase::morphed_face().scene);
     fs::copy_file(SINEW_SOURCE_DIR "/samples/link_from_an_engine/lift.gltf", file("lift.gltf"),
                   fs::copy_options::overwrite_existing);
   }

@@ -130,7 +130,8 @@ inline Row solve(std::vector<Row> a, Row b) {
     std::size_t pivot = c;
     for (std::size_t r = c + 1; r < n; ++r)
       if (std::abs(a[r][c]) > std::abs(a[pivot][c])) pivot = r;
-    std::swap(a[c], a[pivot]), std::swap(b[c], b[pivot]);
+    std::swap(a[c], a[pivot]);
+    std::swap(b[c], b[pivot]);
     for (std::size_t r = c + 1; r < n; ++r) {
       const Real f = a[r][c] / a[c][c];
       for (std::size_t k = c; k < n; ++k) a[r][k] -= f * a[c][k];
@@ -186,7 +187,9 @@ inline Row correct_pose(const PoseSamples& samples, const Pose& pose) {
     Real value = 0, low = samples.values[i], high = low;
     for (std::size_t s = 0; s < count; ++s) {
       const Real v = samples.values[s * samples.weights.size() + i];
-      value += shares[s] * v, low = std::min(low, v), high = std::max(high, v);
+      value += shares[s] * v;
+      low = std::min(low, v);
+      high = std::max(high, v);
     }
     out.push_back(samples.clamp ? std::max(low, std::min(high, value)) : value);
   }

@@ -20,7 +20,8 @@ struct Shear {
   explicit Shear(const glm::dvec3& d) {
     const glm::dvec3 size = glm::abs(d);
     z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    x = (z + 1) % 3, y = (z + 2) % 3;
+    x = (z + 1) % 3;
+    y = (z + 2) % 3;
     if (d[z] < 0.0) std::swap(x, y);  // keeps the winding
     factor = {d[x] / d[z], d[y] / d[z], 1.0 / d[z]};
   }

@@ -43,7 +43,10 @@ int self_hits(const RayTriangle& t, bool leave, int count, test::FixedRandom& ra
   int hits = 0;
   for (int i = 0; i < count; ++i) {
     double a = random.unit(), b = random.unit();
-    if (a + b > 1) a = 1 - a, b = 1 - b;
+    if (a + b > 1) {
+      a = 1 - a;
+      b = 1 - b;
+    }
     const glm::dvec3 p =
         rounded_to_float(t.corners[0] + a * (t.corners[1] - t.corners[0]) + b * (t.corners[2] - t.corners[0]));
     const glm::dvec3 start = leave ? leave_surface(p, n, kFloatRoundoff) : p;

@@ -112,9 +112,13 @@ std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& 
           if (other.distance == 0.0) continue;
           const double access = half.access[index(half.width, at_x, at_y)];
           const double away = glm::length(other.point - p);
-          if (away < nearest_m) nearest_m = away, nearest = access;
+          if (away < nearest_m) {
+            nearest_m = away;
+            nearest = access;
+          }
           if (!same_surface(s, p, n, other.point, other.normal, image.distance[i] / pixels_per_metre(image))) continue;
-          sum += access, weights += 1.0;
+          sum += access;
+          weights += 1.0;
         }
       const bool drawn = image.distance[i] > 0.0 && n != glm::dvec3(0.0);
       full.push_back(!drawn ? 1.0 : weights > 0.0 ? sum / weights : nearest);

@@ -126,7 +126,8 @@ class Maker {
     const InfluenceGroup& group = influences.groups.back();
     for (std::uint32_t i = 0; i < group.influence_count; ++i) {
       const std::size_t at = group.first_influence + index * group.influence_count + i;
-      influences.joints.push_back(influences.joints[at]), influences.weights.push_back(influences.weights[at]);
+      influences.joints.push_back(influences.joints[at]);
+      influences.weights.push_back(influences.weights[at]);
     }
   }
 

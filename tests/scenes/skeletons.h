@@ -56,7 +56,8 @@ inline Skeleton biped() {
   std::vector<std::uint32_t> parents;
   std::vector<glm::vec3> offsets;
   const auto add = [&](std::uint32_t parent, glm::vec3 offset) {
-    parents.push_back(parent), offsets.push_back(offset);
+    parents.push_back(parent);
+    offsets.push_back(offset);
     return static_cast<std::uint32_t>(parents.size() - 1);
   };
   const auto chain = [&](std::uint32_t parent, glm::vec3 first, glm::vec3 step, int count) {

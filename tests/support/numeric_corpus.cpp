@@ -56,7 +56,10 @@ NumericReport run_numeric(const std::vector<Json>& cases, const NumericVariant& 
     if (!(miss <= 1) && ++report.failed <= kShown)
       report.failures +=
           "  " + entry["name"].get<std::string>() + ": " + std::to_string(miss) + " times the tolerance\n";
-    if (!(miss <= report.worst)) report.worst = miss, report.worst_case = entry["name"].get<std::string>();
+    if (!(miss <= report.worst)) {
+      report.worst = miss;
+      report.worst_case = entry["name"].get<std::string>();
+    }
   }
   return report;
 }

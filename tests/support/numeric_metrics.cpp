@@ -177,7 +177,10 @@ double polar(const Json& entry, const Outcome& got) {
   const Json &out = entry["out"], &accept = entry["accept"];
   const Numbers m = numbers_of(entry["in"]["m"]), &r = need(got, "rotation"), &s = need(got, "stretch");
   Mat3<double> rotation, linear;
-  for (int i = 0; i < 9; ++i) rotation[i / 3][i % 3] = r.at(i), linear[i / 3][i % 3] = m[i / 3 * 4 + i % 3];
+  for (int i = 0; i < 9; ++i) {
+    rotation[i / 3][i % 3] = r.at(i);
+    linear[i / 3][i % 3] = m[i / 3 * 4 + i % 3];
+  }
   const Mat3<double> stretch(s.at(0), s.at(3), s.at(4), s.at(3), s.at(1), s.at(5), s.at(4), s.at(5), s.at(2));
   const Mat3<double> square = glm::transpose(rotation) * rotation - Mat3<double>(1.0),
                      rest = rotation * stretch - linear;
