@@ -2,11 +2,13 @@
 #include "tests/architecture/source_tree.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace sinew::test {
 namespace fs = std::filesystem;
@@ -18,6 +20,25 @@ std::vector<std::string> includes(const std::string& text, const char* pattern) 
   for (const std::string& line : lines_of(text))
     if (std::smatch match; std::regex_search(line, match, include)) names.push_back(match[1]);
   return names;
+}
+
+bool is_of_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Past the comment or literal that starts at `i`; i + 1 where none does.
+std::size_t end_of_piece(const std::string& text, std::size_t i) {
+  const auto past = [&](std::string_view mark, std::size_t from) {
+    const std::size_t found = text.find(mark, from);
+    return found == std::string::npos ? text.size() : found + mark.size();
+  };
+  const char previous = i > 0 ? text[i - 1] : '\0';
+  if (text.compare(i, 2, "//") == 0) return std::min(text.find('\n', i), text.size());
+  if (text.compare(i, 2, "/*") == 0) return past("*/", i + 2);
+  if (text[i] == '"' && previous == 'R') return past(")" + text.substr(i + 1, text.find('(', i) - i - 1) + "\"", i + 1);
+  const bool digit_separator = text[i] == '\'' && is_of_a_name(previous);
+  if ((text[i] != '"' && text[i] != '\'') || digit_separator) return i + 1;
+  std::size_t end = i + 1;
+  while (end < text.size() && text[end] != text[i] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+  return std::min(end + 1, text.size());
 }
 
 }  // namespace
@@ -53,34 +74,13 @@ std::vector<std::string> system_includes(const std::string& text) {
 }
 
 std::string without_comments(const std::string& text) {
-  enum class In { code, line_comment, block_comment, string } in = In::code;
   std::string out = text;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
-    const In before = in;
-    if (in == In::code && text[i] == '/' && next == '/')
-      in = In::line_comment;
-    else if (in == In::code && text[i] == '/' && next == '*')
-      in = In::block_comment;
-    else if (in == In::code && text[i] == '"') {
-      in = In::string;
-      continue;
-    } else if (in == In::line_comment && text[i] == '\n')
-      in = In::code;
-    else if (in == In::block_comment && text[i] == '*' && next == '/') {
-      out[i] = out[i + 1] = ' ';
-      ++i;
-      in = In::code;
-      continue;
-    } else if (in == In::string && text[i] == '\\') {
-      out[i] = ' ';
-      if (next != '\n' && next) out[++i] = ' ';
-      continue;
-    } else if (in == In::string && (text[i] == '"' || text[i] == '\n')) {
-      in = In::code;
-      continue;
-    }
-    if ((in != In::code || before != In::code) && text[i] != '\n') out[i] = ' ';
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = end_of_piece(text, i);
+    const bool quoted = text[i] == '"' || text[i] == '\'';
+    for (std::size_t k = i + quoted; end > i + 1 && k < end - quoted; ++k)
+      if (text[k] != '\n') out[k] = ' ';
+    i = end;
   }
   return out;
 }

@@ -4,7 +4,7 @@
 
     table.py [--all] BENCH.json [DIR]
                                    table of a finished run (--benchmark_out of sinew-bench), with the instructions that callgrind
-                                   counted in DIR when there are any; the README's rows, or all of them
+                                   counted in DIR when there are any; the rows of README.md in this folder, or all of them
     table.py --run SINEW_BENCH     runs every benchmark once, briefly, and fails when one of ours has no GLM partner
 """
 import glob
@@ -20,7 +20,7 @@ PAIRS = ("sample", "blend", "local_to_model", "correct_pose", "morph", "skin_lin
 HEADLINES = re.compile(r"""
     (blend|local_to_model|sample) / (CesiumMan|Fox-0|biped67|tree1024|crowd1024) (/.*)? | frame/.* | crowd/.* | correct_pose/.*
     | import/(arms|corpus|face|flight) | memory/(32k|4M|64M) | morph/.* | pose/(CesiumMan|biped)/.* | skin_center_of_rotation/PN/4/(10k|1M) | skin_dual_quaternion/(PN/1/10k|(P|PN|PNT)/4/10k|PN/4/1M)
-    | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/(300|1k|10k/cold|100k|1M|1M/2threads)|CesiumMan|Fox)""", re.VERBOSE)  # what the README shows, without the ways that lost
+    | skin_linear/(PN/1/10k|PN/8/10k|(P|PN|PNT)/4/10k|PN/4/(300|1k|10k/cold|100k|1M|1M/2threads)|CesiumMan|Fox)""", re.VERBOSE)  # what README.md of this folder shows, without the ways that lost
 BASELINES = ("glm", "tinygltf", "stream", "copy")
 
 

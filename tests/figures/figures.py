@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes again what the README shows: figures.py BUILD CORPUS [NAME...]       all of them without a NAME
+"""Makes the tables and pictures of the documentation again: figures.py BUILD CORPUS [NAME...]       all of them without a NAME
 
-speed     the table of `./run bench --instructions`
-budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models
+speed     the table of `./run bench --instructions` in tests/bench/README.md, and its few rows in README.md (`headlines`)
+budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models, in runtime/compress/README.md
 cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
 showcase  samples/showcase/showcase.png
 
-Tables go between the lines `<!-- figures: NAME -->` and `<!-- end -->`. Models come from CORPUS; without it what needs them is
-left as it is. Leave the machine alone meanwhile.
+A table goes between the lines `<!-- figures: NAME -->` and `<!-- end -->` of its file. Models come from CORPUS; without it,
+figures that need them stay as they are. Leave the machine alone meanwhile.
 """
 import json
 import os
@@ -20,13 +20,31 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-README = ROOT / "README.md"
+TABLES = {  # where each marked table stands
+    "headlines": ROOT / "README.md",
+    "speed": ROOT / "tests/bench/README.md",
+    "budgets": ROOT / "runtime/compress/README.md",
+}
 sys.path.append(str(ROOT / "tests/support"))
 from browser import browser, run
 
 BUDGET_MODELS = ("CesiumMan", "Fox", "Knight", "InfiniteSkinnedTentacle")
 COST_MODEL = "CesiumMan"
 WIDTH = 988  # of the picture, pixels
+
+# The rows of the speed table that a user compares, in their order: (job, case), words, unit.
+HEADLINES = (
+    ("sample", "biped67/forward", "sample a clip of 67 joints, playing forward", "joint"),
+    ("sample", "biped67/seek", "sample it at times all over the clip", "joint"),
+    ("blend", "biped67/4", "blend four poses", "joint"),
+    ("local_to_model", "biped67", "local pose to model matrices", "joint"),
+    ("morph", "PN/16targets/4active/10k", "morph positions and normals, 4 of 16 targets active", "vertex"),
+    ("skin_linear", "PN/4/10k", "skin positions and normals, 4 influences, linear blend", "vertex"),
+    ("skin_dual_quaternion", "PN/4/10k", "the same with dual quaternions", "vertex"),
+    ("skin_center_of_rotation", "PN/4/10k", "the same about centers of rotation", "vertex"),
+    ("frame", "biped/1layer/PN/4/3k", "whole frame of a character of 3,273 vertices", "frame"),
+    ("crowd", "biped67/1024/2threads", "poses of 1,024 characters that blend two clips, two threads", "joint"),
+)
 
 # Leaves one chart of the page, without the table under it, and says how high that is.
 ONE_CHART = """<style>main { padding: 0 !important } main > :not(#groups), .scroll, .about, .detail, section:not(#rotation) { display: none !important }
@@ -40,19 +58,33 @@ def model(corpus, name):
 
 
 def with_table(text, name, table):
-    """The README with a table in place of the one between its marks."""
+    """The text with a table in place of the one between its marks."""
     marks = re.compile(rf"(<!-- figures: {name} -->\n).*?(<!-- end -->)", re.DOTALL)
-    assert len(marks.findall(text)) == 1, f"README.md has to hold <!-- figures: {name} --> and <!-- end --> once"
+    assert len(marks.findall(text)) == 1, f"{TABLES[name]} has to hold <!-- figures: {name} --> and <!-- end --> once"
     return marks.sub(lambda m: f"{m[1]}\n{table.strip()}\n\n{m[2]}", text)
 
 
 def write_table(name, table):
-    README.write_text(with_table(README.read_text(), name, table))
+    TABLES[name].write_text(with_table(TABLES[name].read_text(), name, table))
+
+
+def headlines(table):
+    """The few rows of the speed table, each in words."""
+    rows = {}
+    for line in table.splitlines():
+        cells = [cell.strip() for cell in line.strip("| ").split("|")]
+        rows[tuple(cells[:2])] = cells
+    head = ["| work | ns per | sinew | plain GLM | ratio |", "|---|---|---|---|---|"]
+    for job, case, words, unit in HEADLINES:
+        _, _, ours, _, plain, ratio = rows[job, case][:6]
+        head.append(f"| {words} | {unit} | {ours} | {plain} | {ratio} |")
+    return "\n".join(head)
 
 
 def speed(build, corpus):
     done = subprocess.run([ROOT / "run", "--preset", build.name, "bench", "--instructions"], stdout=subprocess.PIPE, text=True, check=True)
     write_table("speed", done.stdout)
+    write_table("headlines", headlines(done.stdout))
 
 
 def budget_rows(build, name, file, folder):
