@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cross-fading: the local poses of two clips are mixed joint by joint, then made into matrices once. A third run
-// mixes the second clip into the upper joint only, with a weight per joint.
+// Cross-fading: the local poses of two clips are blended joint by joint, then made into matrices once. A last blend
+// takes the hip from one clip and the foot from the other, with a weight per joint.
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -57,7 +57,7 @@ std::optional<float> parse_weight(const char* text) {
   return error == std::errc{} && stop == end && weight >= 0.0f && weight <= 1.0f ? std::optional(weight) : std::nullopt;
 }
 
-/// Mixes the layers, and says where the foot comes to be.
+/// Blends the layers and returns the place of the foot.
 Vec3<float> foot_after(const Skeleton& leg, std::span<const BlendLayer> layers, PoseSpan rest) {
   alignas(64) PoseMemory memory{};
   std::array<Affine, kJoints> world{};
@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
     reach_m[i] = std::hypot(foot.x, foot.y);
     std::printf("  %-24s foot at %9.6f %9.6f m, %.6f m from the hip\n", rows[i].what, foot.x, foot.y, reach_m[i]);
   }
-  // Translations mix linearly, so the length of the leg does.
+  // Translations blend linearly, and so does the length of the leg.
   const double expected_m = (1.0 - *weight) * reach_m[0] + *weight * reach_m[1];
   return std::fabs(reach_m[2] - expected_m) < 1e-5 ? 0 : 1;
 }

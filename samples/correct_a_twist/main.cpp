@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pose-space deformation: an arm under linear blending loses its volume when the wrist turns. Corrective shapes,
-// sculpted at five twists and mixed by the wrist's rotation, give it back; the truth is the same arm under dual
+// Pose-space deformation: an arm under linear blending loses volume when the wrist turns. Corrective shapes, sculpted
+// at five twists and weighted by the wrist's rotation, restore it. The result is compared with the same arm under dual
 // quaternions.
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,8 @@ using namespace sinew;
 
 constexpr std::uint32_t kLeftArm = 1, kRightArm = 2;
 
-/// Largest distance of corresponding vertices of the two arms, which stand apart, at a twist of the wrist.
+/// Largest distance between corresponding vertices of the two arms at a twist of the wrist; the arms stand side by
+/// side.
 float largest_difference_m(const showcase::ShowcaseScene& shown, double degrees) {
   const Plan plan = compile_plan(shown.scene, shown.needs);
   FrameBuffer frame(plan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole idea in one page: an arm of three joints, one animation, and where every joint is at some time.
+// The whole idea in one page: an arm of three joints, one animation, and the place of every joint at some time.
 //
 //   authoring form (BoneAnimation)  --compile_clip-->  Clip  --sample_clip-->  local pose  --local_to_model--> matrices
 #include <array>
@@ -20,7 +20,7 @@ using namespace sinew;
 constexpr std::size_t kJoints = 3;
 constexpr const char* kNames[kJoints] = {"shoulder", "elbow", "hand"};
 
-/// Parents stand before their children; a joint's rest transform is relative to its parent.
+/// Parents come before their children. A joint's rest transform is relative to its parent.
 Skeleton make_arm() {
   Skeleton arm;
   arm.parents = {kNone, 0, 1};
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   }
   const Clip clip = compile_clip(*wave, arm, {}, {});
 
-  // Buffers belong to the caller. Jobs are structs of views; check() says whether the views fit, run() does the work.
+  // Buffers belong to the caller. A job is a struct of views: check() says whether they fit, run() does the work.
   alignas(64) std::array<float, PoseSpan::floats_for(kJoints)> pose_memory{};
   std::array<Affine, kJoints> world{};
   const PoseSpan pose = pose_over(pose_memory, kJoints);
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     std::printf("  %-8s %9.6f %9.6f %9.6f m\n", kNames[j], at.x, at.y, at.z);
   }
 
-  // The authoring form, evaluated in double, is the truth that the fast path is held to.
+  // The authoring form, evaluated in double, is the truth. The fast path is compared with it.
   const Transformd elbow = wave->bones[0].interpolate<double>(*time_s);
   const Affined hand = affine_from_transform(elbow) * affine_from_transform(Transformd{.translation = {0.0, 1.0, 0.0}});
   const double off_m = glm::length(translation_of(hand) - Vec3<double>(translation_of(world[2])));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tube around two joints, the upper one twisted about the tube's axis. Linear blending pulls the middle of the tube
-// together (at 180 degrees to a point), dual quaternions keep its radius: that is what the second method is for.
+// A tube around two joints, the upper one twisted about the tube's axis. Linear blending narrows the middle of the
+// tube, at 180 degrees to a point. Dual quaternions keep its radius.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +25,7 @@ struct Tube {
   VertexInfluences influences;
 };
 
-/// Vertices are grouped by their number of influences: both end rings follow one joint, the rings between follow two.
+/// Vertices are grouped by number of influences: the rings at both ends follow one joint, those between follow two.
 Tube make_tube() {
   Tube tube;
   const auto add_ring = [&](std::size_t ring) {
@@ -39,7 +39,7 @@ Tube make_tube() {
         tube.influences.weights.push_back(1.0f);
         continue;
       }
-      const std::uint16_t heavier = t > 0.5f ? 1 : 0;  // influences fall in weight
+      const std::uint16_t heavier = t > 0.5f ? 1 : 0;  // the heaviest influence comes first
       tube.influences.joints.insert(tube.influences.joints.end(), {heavier, static_cast<std::uint16_t>(1 - heavier)});
       tube.influences.weights.insert(tube.influences.weights.end(), {std::fmax(t, 1.0f - t), std::fmin(t, 1.0f - t)});
     }
@@ -69,7 +69,7 @@ struct Radii {
 };
 
 Radii twist(const Tube& tube, float angle_rad) {
-  // Two joints on top of each other in the tube's axis; inverse_bind undoes where they were when the skin was made.
+  // Two joints, one above the other on the tube's axis. An inverse bind matrix undoes a joint's place in the bind pose.
   Skin skin;
   skin.joints = {0, 1};
   skin.inverse_bind = {Affine{}, Affine{{{1, 0, 0, 0}, {0, 1, 0, -kLength_m}, {0, 0, 1, 0}}}};
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     const double angle_rad = most_deg * step / 4 * 3.14159265358979 / 180.0;
     const auto [linear_m, dual_quaternion_m] = twist(tube, static_cast<float>(angle_rad));
     std::printf("  %5.1f deg  %7.4f  %7.4f m\n", most_deg * step / 4, linear_m, dual_quaternion_m);
-    // Hard case N20: half and half of two matrices keeps cos(angle / 2) of the radius; a blended rotation keeps all.
+    // The mean of two matrices keeps cos(angle / 2) of the radius; a blended rotation keeps all of it (hard case N20).
     as_known =
         as_known && std::fabs(linear_m - std::cos(angle_rad / 2)) < 1e-5 && std::fabs(dual_quaternion_m - 1.0f) < 1e-5f;
   }

@@ -30,7 +30,7 @@ void add_pose_rows(Rows& rows);
 /// Kinds of skinning, normals, morph targets.
 void add_vertex_rows(Rows& rows);
 
-/// Keeps the largest of many errors; one that is not a number counts as infinite.
+/// Keeps the largest of many errors; NaN counts as infinite.
 class Largest {
  public:
   void add(double error, double ulp_size) {
@@ -86,7 +86,7 @@ class Sweep {
 
 constexpr double kDegree = 0.017453292519943295;
 
-/// The float numbers of a quaternion, read as double: what a kernel got is what the truth gets.
+/// A quaternion rounded to float and back: kernel and truth get the same input.
 inline Quat<double> as_stored(const Quat<double>& q) { return quat_cast<double>(quat_cast<float>(q)); }
 
 }  // namespace sinew::sample

@@ -9,7 +9,7 @@
 
 namespace sinew::bench {
 
-inline constexpr double kPackedBudgetM = 1e-4;  ///< that a packed clip may move a vertex by
+inline constexpr double kPackedBudgetM = 1e-4;  ///< how far a packed clip may move a vertex
 
 /// A skeleton with one clip, in both forms.
 struct Character {
@@ -17,14 +17,14 @@ struct Character {
   Skeleton skeleton;
   Animation animation;
   Clip clip;
-  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; of models only
+  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; for models only
 
   Character(std::string named, Skeleton s, Animation a);
   std::size_t joint_count() const { return skeleton.joint_count(); }
 };
 
-/// Generated ones, those of the showcase, and those of the corpus when there is one: models of at least sixteen joints,
-/// up to three clips of each, of linear tracks, which is what the plain GLM version samples.
+/// Generated characters, those of the showcase, and those of the corpus when there is one: models of at least sixteen
+/// joints, up to three clips of each. Tracks are linear, since the plain GLM version samples no others.
 const std::vector<std::shared_ptr<const Character>>& characters();
 
 /// Skinned and animated files of the corpus whose clips the plain GLM version can play.

@@ -8,20 +8,21 @@
 
 namespace sinew::bench {
 
-/// Linear-blend skinning that blends each combination of joints and weights once, however many vertices share it (C06).
-/// The runtime's way where combine_influences finds enough of them: a third faster on a model with 60 combinations of
-/// 956 vertices, a quarter slower on one with 2023 of 2815, whose matrices are written and read once more.
+/// Linear-blend skinning that blends the matrix of each combination of joints and weights once, however many vertices
+/// share it. The runtime does so where combine_influences finds few combinations for many vertices. With nearly one
+/// combination a vertex it is slower, since every blended matrix is written and read once more (rows
+/// skin_linear/MODEL).
 class Combinations {
  public:
   Combinations(const VertexInfluences& influences, std::size_t joint_count);
 
-  /// Bits as SkinLinearJob gives them.
+  /// The same bits as SkinLinearJob.
   void skin(std::span<const JointMatrix> palette, const VertexInput& in, const VertexOutput& out);
 
  private:
-  VertexInfluences combinations_;      // of two joints and more
+  VertexInfluences combinations_;      // of two or more joints
   VertexInfluences single_;            // one matrix a vertex
-  std::vector<JointMatrix> matrices_;  // the joints' own, then those of combinations
+  std::vector<JointMatrix> matrices_;  // of the joints, then of the combinations
 };
 
 }  // namespace sinew::bench

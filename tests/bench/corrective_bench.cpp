@@ -39,7 +39,7 @@ struct Corrected {
     run(CorrectPoseJob{.corrective = &corrective, .pose = pose.span(), .scratch = scratch, .weights = weights});
   }
 
-  /// The same as plain GLM code: in float, angles by arc cosines, which lose half their digits near a sample.
+  /// The same in plain GLM code: in float, angles by arc cosine, which loses half its digits near a sample.
   void correct_glm() {
     const PoseSamples& samples = corrective.samples;
     const std::size_t drivers = samples.drivers.size();
@@ -58,7 +58,7 @@ struct Corrected {
     }
   }
 
-  /// Largest difference of a weight from long double, of the largest value of a sample.
+  /// Largest error of a weight against long double, relative to the largest value of a sample.
   double error() const {
     reference::Pose turned;
     for (const glm::quat& rotation : rotations) turned.push_back(reference::rotation_of(rotation));

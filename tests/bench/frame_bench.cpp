@@ -35,7 +35,7 @@ double clip_time(const Scene& scene, std::uint32_t clip, double time_s) {
   return std::fmod(time_s, scene.animations[clip].duration_s);
 }
 
-/// One frame after the other through the plan.
+/// Frames one after the other, run by the plan.
 struct PlannedFrames {
   const Scene& scene;
   Plan plan;
@@ -58,7 +58,7 @@ struct PlannedFrames {
   ClipLayer layers_[2];
 };
 
-/// The same frames as plain GLM code: sample, blend, matrices, palette, skin.
+/// The same frames in plain GLM code: sample, blend, matrices, palette, skin.
 struct PlainFrames {
   struct Skinned {
     const Primitive* primitive;
@@ -115,7 +115,7 @@ struct PlainFrames {
   }
 };
 
-/// Largest distance of a deformed vertex from the slow evaluation in double precision, metres over the size of the
+/// Largest distance of a deformed vertex from the slow evaluation in double precision, relative to the size of the
 /// frame.
 double error_of(const FrameResult& frame, const test::SlowFrame& truth) {
   double worst = 0.0, size = 1e-9;
@@ -155,8 +155,8 @@ void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
 }
 
-/// Poses and palettes, as consumers take them that skin elsewhere: with all joints, without the deeper half of them,
-/// and between two poses that are there.
+/// Poses and palettes for consumers that skin elsewhere: with all joints, with a skeleton LOD without the deeper half,
+/// and interpolated between two poses that were sampled before.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
   Needs needs;
   needs.positions = needs.normals = needs.tangents = false;
@@ -184,7 +184,7 @@ void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& na
   });
 }
 
-/// The plain version has no flat normals: where a file has none, both sides leave normals out.
+/// The plain version makes no flat normals: where a file has no normals, both sides leave them out.
 bool has_flat_normals(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes)
     for (const Primitive& primitive : mesh.primitives)

@@ -11,7 +11,7 @@
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/skeleton.h"
 
-/// The pose jobs as plain GLM code writes them: arrays of structures, one binary search per track, glm::slerp, mat4.
+/// The pose jobs in plain GLM code: arrays of structures, one binary search per track, glm::slerp, mat4.
 namespace sinew::bench::glm_pose {
 
 struct Joint {

@@ -9,7 +9,7 @@
 #include "runtime/deform/vertex_streams.h"
 #include "runtime/model/mesh.h"
 
-/// The vertex jobs as plain GLM code writes them.
+/// The vertex jobs in plain GLM code.
 namespace sinew::bench::glm_skin {
 
 /// Adds all targets of non-zero weight to positions and normals.

@@ -28,7 +28,7 @@ struct Source {
   std::size_t bytes = 0;  ///< with all buffers
 };
 
-/// Time spent in each stage of imports, as their progress names them.
+/// Time spent in each stage of an import; stages are named by its progress reports.
 class StageClock {
  public:
   using Clock = std::chrono::steady_clock;
@@ -40,7 +40,7 @@ class StageClock {
     since_ = now;
   }
 
-  /// Adds each stage's part of the time to the counters of the case.
+  /// Adds each stage's share of the time to the counters of the case.
   void report(benchmark::State& state) {
     double total_s = 0.0;
     for (const auto& [stage, seconds] : spent_s_) total_s += seconds;
@@ -77,7 +77,7 @@ void add_sources(const std::string& name, std::shared_ptr<const std::vector<Sour
   options.progress = [clock](const char* stage, double) { clock->enter(stage); };
   Facts facts;
   facts.bytes = bytes;
-  facts.wall_time = true;  // what runs on other threads counts
+  facts.wall_time = true;  // work on other threads counts too
   facts.report = [clock](benchmark::State& state) { clock->report(state); };
   add(
       "import/sinew/" + name, bytes,
@@ -103,7 +103,7 @@ bool is_compressed(const ImportedFile& file) {
   return std::any_of(used.begin(), used.end(), [](const std::string& name) { return name.ends_with("_compression"); });
 }
 
-/// Every model of the corpus that both sides read and that unpacks nothing.
+/// Every uncompressed model of the corpus that both sides can read.
 std::vector<Source> corpus_sources() {
   std::vector<Source> out;
   ImportOptions options;

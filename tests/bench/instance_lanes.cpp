@@ -36,8 +36,8 @@ HWY_INLINE Matrix local_matrix(const float* pose, std::size_t stride, Offsets at
            {hn::Mul(difference(x, z, y), sx), hn::Mul(sum(y, z, x), sy), hn::Mul(diagonal(x, y), sz), plane(2)}}};
 }
 
-/// Matrices of a vector of instances, from `poses` and to `model` on; those of all joints stay in `kept` for their
-/// children, behind them the one above the roots.
+/// Matrices of one vector of instances, read from `poses` and written to `model`. `kept` holds the matrices of all
+/// joints for their children, and after them the matrix above the roots.
 void compose(const Skeleton& skeleton, const float* poses, std::size_t pose_pitch, Affine* model, float* kept) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;

@@ -7,17 +7,17 @@
 
 namespace sinew::bench {
 
-/// Model matrices of many instances of one skeleton, an instance a lane. Lost: the products take no shuffles, but poses
-/// are joint after joint and matrices instance after instance, so that every number is gathered and scattered, which
-/// takes longer than all the rest of either way.
+/// Model matrices of many instances of one skeleton, one instance per lane. It lost: the products take no shuffles, but
+/// poses lie joint after joint and matrices instance after instance, so every number is gathered and scattered. That
+/// takes longer than all other work of either variant.
 class InstanceLanes {
  public:
   /// in   instance_count  a multiple of sixteen
   InstanceLanes(const Skeleton& skeleton, std::size_t instance_count)
       : skeleton_(skeleton), instance_count_(instance_count), kept_((skeleton.joint_count() + 1) * 12) {}
 
-  /// in   poses  each behind the one before by `pose_pitch` floats
-  /// out  model  each behind the one before by all joints' matrices; bits as LocalToModelJob gives them
+  /// in   poses  `pose_pitch` floats from one pose to the next
+  /// out  model  [instance][joint]; the same bits as LocalToModelJob
   void local_to_model(const float* poses, std::size_t pose_pitch, Affine* model);
 
  private:

@@ -20,8 +20,8 @@ Scene skeleton_alone(const Character& character) {
   return scene;
 }
 
-/// A crowd of poses on the job thread, each character at a time of its own, over as many threads as each frame asks
-/// for.
+/// A crowd of poses on the job thread, each character at its own time. Every frame says which threads
+/// it runs on.
 class Crowd {
  public:
   Crowd(const Character& character, std::size_t count, std::size_t part_bytes)
@@ -32,7 +32,7 @@ class Crowd {
         inputs_(count) {
     for (std::size_t c = 0; c < count; ++c) jobs_.add_character(plan_);
   }
-  /// in   arena  of the threads; null = the worker alone
+  /// in   arena  the threads; null = the worker alone
   void next(bool held, tbb::task_arena* arena) {
     arena_ = arena;
     if (!held) time_s_ += 1.0 / 60.0;
@@ -62,7 +62,7 @@ class Crowd {
 
 }  // namespace
 
-/// `one_by_one` hands each character to the executor alone, as if all were large.
+/// `one_by_one` gives the executor one character per call, as if all were large.
 void add_job_thread() {
   const Character& character = *characters().front();
   for (const std::size_t count : {std::size_t{16}, std::size_t{64}, std::size_t{1024}})

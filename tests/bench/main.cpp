@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   add_crowd();
   add_correctives();
   add_morph();
-  const std::size_t most_vertices = instructions ? 10'000 : 1'000'000;  // valgrind takes its time over the larger ones
+  const std::size_t most_vertices = instructions ? 10'000 : 1'000'000;  // valgrind is slow on the larger ones
   add_skin(most_vertices);
   add_model_skin();
   add_frame(most_vertices);

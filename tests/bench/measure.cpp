@@ -46,7 +46,7 @@ bool count_instructions() {
   if (RUNNING_ON_VALGRIND == 0) return false;
   for (const Case& c : cases()) {
     if (c.item_count > 100'000 || c.name.starts_with("import/") || c.name.starts_with("memory/")) continue;
-    c.work();  // pages and caches of the program, once
+    c.work();  // once untimed: loads pages and caches
     const std::string label = c.name + " " + std::to_string(c.item_count);
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;

@@ -12,11 +12,11 @@
 
 namespace sinew::bench {
 
-/// What is known of a case besides its time.
+/// What a case reports besides its time.
 struct Facts {
   double error =
       std::numeric_limits<double>::quiet_NaN();   ///< largest, against double precision: radians, metres, or relative
-  std::size_t bytes = 0;                          ///< that one run reads and writes at least
+  std::size_t bytes = 0;                          ///< read and written by one run, at least
   bool wall_time = false;                         ///< instead of the calling thread's own time
   std::function<void(benchmark::State&)> report;  ///< adds counters after the runs; may be empty
 };
@@ -37,13 +37,13 @@ void add(const std::string& name, std::size_t item_count, Work work, Facts facts
   cases().push_back({name, item_count, std::move(work), facts});
 }
 
-/// Hands all cases to Google Benchmark. The column `per_item` is the time of one item, in seconds with an SI prefix.
+/// Registers all cases with Google Benchmark. Its column `per_item` is the time of one item, in seconds with SI prefix.
 void register_cases();
 
-/// 1, 2, 4, ... and what the machine has; 1 and 2 on every machine.
+/// 1, 2, 4, ... up to the number of cores of the machine; always at least 1 and 2.
 std::vector<std::size_t> thread_counts();
 
-/// Runs each case of at most 100,000 items once under callgrind and dumps the instructions of each.
+/// Runs each case of at most 100,000 items once under callgrind, which dumps its instruction count.
 /// err  false: not under valgrind
 bool count_instructions();
 

@@ -6,7 +6,7 @@
 
 namespace sinew::bench {
 
-/// What copying costs on this machine: the floor under every job that reads and writes as many bytes.
+/// Cost of copying on this machine: no job that reads and writes as many bytes can be faster.
 void add_memory() {
   struct Buffers {
     std::vector<char> from, to;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Linear-blend skinning of whole models, whose vertices repeat each other's joints and weights, and how much that is
-// worth.
+// Linear-blend skinning of whole models. Their vertices share combinations of joints and weights: the cases say how
+// much that saves.
 #include <cstdlib>
 #include <cstring>
 
@@ -81,7 +81,7 @@ struct PosedModel {
   }
 };
 
-/// The variant gives the kernel's bits.
+/// The variant must give the bits of the kernel.
 void require_same(PosedModel& model) {
   model.skin();
   std::vector<std::vector<glm::vec3>> expected;

@@ -21,7 +21,7 @@ namespace {
 
 using Shared = std::shared_ptr<const Character>;
 
-/// Room for one pose and its matrices in both forms.
+/// Memory of one pose and its matrices, for both implementations.
 struct Room {
   Shared of;
   test::PoseBuffer pose;
@@ -49,7 +49,7 @@ struct Room {
   }
 };
 
-/// Times of steady play at 60 Hz, or of jumps all over the clip.
+/// Times of steady play at 60 Hz, or of jumps to anywhere in the clip.
 struct Times {
   bool forward;
   double duration_s, now_s = 0.0;
@@ -88,7 +88,7 @@ struct Layers {
 
 constexpr std::size_t kCrowd = 1024;
 
-/// Many characters that play one clip, each at a time of its own: their poses together are larger than the nearest
+/// Many characters that play one clip, each at its own time. Their poses together are larger than the nearest
 /// caches.
 struct Crowd {
   std::vector<std::unique_ptr<Room>> rooms;
@@ -106,7 +106,7 @@ struct Crowd {
   }
 };
 
-/// What one character of a crowd needs a frame: two clips' worth of poses, their mean, model matrices.
+/// One character of a crowd, per frame: two sampled poses, their blend, model matrices.
 struct Walker {
   Room from, to, mean;
   std::vector<std::vector<glm_pose::Joint>> glm_layers;
@@ -129,7 +129,7 @@ struct Walker {
   }
 };
 
-/// Walkers of one clip, each at a time of its own, cut into as many ranges as there are threads.
+/// Walkers that play one clip, each at its own time, split into one range per thread.
 struct Walkers {
   std::vector<std::unique_ptr<Walker>> all;
   double time_s = 0.0, duration_s;
@@ -153,7 +153,7 @@ struct Walkers {
   }
 };
 
-/// Poses of many instances of one skeleton behind one another, and their matrices.
+/// Poses of many instances of one skeleton, one after the other in memory, and their matrices.
 struct Instances {
   static constexpr std::size_t kCount = 64;
   Shared of;
@@ -300,7 +300,7 @@ void add_crowd() {
         const std::string tail = c->name + "/" + std::to_string(count) + "/" + std::to_string(threads) + "threads";
         const std::size_t all_joints = count * c->joint_count();
         Facts facts;
-        facts.wall_time = true;  // what the other thread does counts
+        facts.wall_time = true;  // work of the other threads counts
         add(
             "crowd/sinew/" + tail, all_joints,
             [walkers, threads] { walkers->each(threads, [](Walker& w, double a, double b) { w.step(a, b); }); }, facts);

@@ -11,7 +11,7 @@
 /// Largest errors of poses against the same work in double precision.
 namespace sinew::bench {
 
-/// eq   4 asin(|a - b| / 2), b on the side of a: keeps its digits for small angles
+/// eq   4 asin(|a - b| / 2), b aligned with a: keeps its digits for small angles
 inline double angle_between_rad(const glm::quat& a, const Quat<double>& b) {
   const Quat<double> q = quat_cast<double>(a), near = quat_dot(q, b) < 0 ? -b : b;
   const Quat<double> d = q - near;
@@ -23,7 +23,7 @@ template <class Sample>
 double sampling_error_rad(const Character& c, const Sample& sample) {
   double worst = 0.0;
   for (int i = 0; i <= 10; ++i) {
-    // a time that float holds exactly: the plain version samples in float
+    // a time that is exact in float, since the plain version samples in float
     const double time_s = static_cast<double>(static_cast<float>(c.animation.duration_s * (0.07 + 0.083 * i)));
     const auto joint = sample(time_s);
     for (const BoneAnimation& bone : c.animation.bones)
@@ -34,7 +34,7 @@ double sampling_error_rad(const Character& c, const Sample& sample) {
   return worst;
 }
 
-/// eq   normalised sum of the layers' rotations of equal weight, on the side of the first
+/// eq   normalised sum of the layers' rotations of equal weight, each aligned with the first
 template <class Input, class Output>
 double blending_error_rad(const Character& c, std::size_t layers, const Input& input, const Output& output) {
   double worst = 0.0;
@@ -50,7 +50,7 @@ double blending_error_rad(const Character& c, std::size_t layers, const Input& i
   return worst;
 }
 
-/// Largest distance of a joint, over the size of the skeleton.
+/// Largest distance of a joint from its true place, relative to the size of the skeleton.
 template <class Local, class Position>
 double model_error(const Character& c, const Local& local, const Position& position) {
   std::vector<Affined> model(c.joint_count());

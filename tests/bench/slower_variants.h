@@ -6,11 +6,11 @@
 #include "runtime/deform/simd/blend_motion.h"
 #include "runtime/deform/vertex_streams.h"
 
-/// Ways of our own that lost, kept to be measured beside the winner.
+/// Variants that lost, kept so that they are measured beside the winner.
 namespace sinew::bench {
 
-/// One vertex after the other, as the scalar target does. Lost: a compiler fills four lanes of sixteen, and divides
-/// once a normal.
+/// One vertex after the other, as the scalar target does. It lost because the compiler fills four lanes of sixteen and
+/// divides once per normal.
 inline void vertexwise_linear(const VertexInfluences& influences, std::span<const JointMatrix> palette,
                               const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {
@@ -20,7 +20,7 @@ inline void vertexwise_linear(const VertexInfluences& influences, std::span<cons
   });
 }
 
-/// The same with dual quaternions. Lost by as much: rotation and normalisation have no lanes to fill.
+/// The same with dual quaternions. It lost by as much: rotation and normalisation of one vertex fill no lanes.
 inline void vertexwise_dual_quaternion(const VertexInfluences& influences, std::span<const RigidStretch> split,
                                        const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {

@@ -26,7 +26,7 @@
 namespace sinew::bench {
 namespace {
 
-/// Room for deformed vertices.
+/// Memory of deformed vertices.
 struct Deformed {
   std::vector<glm::vec3> positions, normals, scratch;
   std::vector<glm::vec4> tangents;
@@ -69,7 +69,7 @@ struct Surface {
   }
   VertexOutput output() { return {out.positions, out.normals, out.tangents}; }
 
-  /// Bytes that one vertex takes in, and that it gives.
+  /// Bytes read and bytes written per vertex.
   std::size_t bytes_in(glm_skin::Attributes wanted) const {
     return bytes_out(wanted) + primitive.influences.groups[0].influence_count * (sizeof(float) + sizeof(std::uint16_t));
   }
@@ -77,14 +77,14 @@ struct Surface {
     return sizeof(glm::vec3) + (wanted.normals ? sizeof(glm::vec3) : 0) + (wanted.tangents ? sizeof(glm::vec4) : 0);
   }
 
-  /// A little below each vertex.
+  /// Centers of rotation, a little below each vertex.
   std::vector<glm::vec3> centers() const {
     std::vector<glm::vec3> around = primitive.positions;
     for (std::size_t v = 0; v < around.size(); ++v) around[v] -= 0.03f * primitive.normals[v];
     return around;
   }
 
-  /// Largest distance in metres of the last output from double precision, over a thousandth of the vertices at least.
+  /// Largest distance in metres of the last output from double precision, over at least a thousandth of the vertices.
   double error_m(Skinning kind) const {
     const std::vector<glm::vec3> around =
         kind == Skinning::center_of_rotation ? centers() : std::vector<glm::vec3>(primitive.vertex_count());
@@ -175,7 +175,7 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
   });
 }
 
-/// Both ways of one case.
+/// Both sides of one case.
 void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::string& tail) {
   const auto centers = std::make_shared<std::vector<glm::vec3>>(s->centers());
   const glm_skin::Attributes wanted{true, false};
@@ -190,7 +190,7 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
   });
 }
 
-/// The same cut into `threads` ranges, one a thread: what the memory of two cores gives beside that of one.
+/// The same split into one range per thread: how much more memory bandwidth two cores have than one.
 void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::size_t threads) {
   const auto parts = std::make_shared<std::vector<std::shared_ptr<Surface>>>();
   for (std::size_t t = 0; t < threads; ++t)
@@ -220,7 +220,7 @@ void add_threads_case(const std::string& tail, std::uint32_t vertex_count, std::
       facts);
 }
 
-/// Characters that take turns, their vertices together larger than the caches: every one is cold when its turn comes.
+/// Characters that take turns. Their vertices together are larger than the caches, so each one is cold at its turn.
 void add_cold_case(const std::string& tail, std::uint32_t vertex_count) {
   struct Turns {
     std::vector<Surface> characters;
@@ -259,7 +259,7 @@ void add_skin(std::size_t most_vertices) {
     for (const Kind& kind : kinds)
       add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/10k");
   }
-  // From the nearest cache to memory.
+  // Sizes from the nearest cache up to memory.
   for (const auto& [label, count] : {std::pair{"300", 300u}, {"1k", 1'000u}, {"100k", 100'000u}, {"1M", 1'000'000u}}) {
     if (count > most_vertices) continue;
     const auto surface = std::make_shared<Surface>(count, 4u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Poses and vertices have the bits that hashes.txt stores: for every thread count, and on every instruction set; for
-// vertices there is one set of bits where multiply-add is fused, and one where it is not (conventions.h). After a
+// Poses and vertices have the bits that hashes.txt stores, for every thread count and on every instruction set.
+// Vertices have one set of bits where multiply-add is fused, and another where it is not (conventions.h). After a
 // deliberate change of arithmetic, on a machine with fused multiply-add:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-golden     writes the new hashes into hashes.txt
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace sinew::test {
 namespace {
 
-/// What is run over each scene: name of the hash, and what it needs.
+/// What is run over each scene: the name of the hash, and its needs.
 struct Method {
   const char* name;
   Needs needs;
@@ -38,7 +38,7 @@ std::vector<Method> methods() {
           {"center-of-rotation", center_of_rotation}};
 }
 
-/// Frames of one scene under one method: each clip alone at the golden times, and two clips blended.
+/// Frames of one scene with one method: each clip alone at the golden times, then two clips blended.
 class Frames {
  public:
   Frames(const Scene& scene, const Needs& needs) : plan_(compile_plan(scene, needs)), buffer_(plan_) {
@@ -113,7 +113,7 @@ void expect_stored(const Hashes& found, const std::string& where) {
   }
 }
 
-/// What all instruction sets of this machine give; where they disagree the first one counts, and the tests tell.
+/// Hashes of all instruction sets of this machine. Where they disagree the first one counts, and the tests fail.
 Hashes hashes_everywhere(const std::vector<GoldenScene>& scenes) {
   Hashes out;
   for (const std::int64_t target : simd_targets()) out.merge(hashes_of(scenes, target));
@@ -143,8 +143,7 @@ TEST_F(golden_hash, every_scene_and_method_has_bits_of_its_own) {
   std::vector<std::uint64_t> values;
   const auto stored = stored_hashes();
   for (const auto& [name, value] : stored) {
-    const std::string rigid =
-        "tree-1 cofactor";  // neither scale nor blends are uneven there: cofactors are left out (P08)
+    const std::string rigid = "tree-1 cofactor";  // no uneven scale or blend there, so the plan leaves cofactors out
     if (name.starts_with(rigid))
       EXPECT_EQ(value, stored.at("tree-1 linear" + name.substr(rigid.size()))) << name;
     else
@@ -191,9 +190,9 @@ std::vector<float> numbers_of(const Scene& scene, const Needs& needs) {
 }
 
 TEST_F(golden_hash, N27_two_roundings_instead_of_one_move_vertices_by_less_than_a_fifty_thousandth) {
-  // The bound is for blends of joints that point anywhere; sensible rigs stay near 1e-6.
+  // The bound covers blends of joints that point anywhere; ordinary rigs stay near 1e-6.
   for (const auto& [name, scene] : scenes()) {
-    if (name == "collapsing") continue;  // directions of what has almost none differ by more than any bound
+    if (name == "collapsing") continue;  // the direction of a vector near zero differs by more than any bound
     for (const Method& method : methods()) {
       const std::vector<float> expected = numbers_of(scene, method.needs);
       float size = 1;

@@ -52,7 +52,7 @@ void snap(Animation& animation) {
   for (WeightAnimation& animated : animation.weights) snap(animated.weights.values);
 }
 
-/// Halfway between each vertex and the origin, so that center-of-rotation skinning is neither of the other two.
+/// Centers halfway between each vertex and the origin: center-of-rotation skinning then differs from the other two.
 void place_centers(Primitive& p) {
   p.centers_of_rotation.clear();
   if (p.influences.empty()) return;
@@ -86,7 +86,7 @@ Scene swinging_scene(const Skeleton& skeleton, std::uint32_t vertices, std::uint
   return scenes::swinging_surface(skeleton, scenes::swinging(skeleton, 60), vertices, influences);
 }
 
-/// Every third joint shrinks to a plane, then to a point, and grows again: blends without normals among ordinary ones.
+/// Every third joint shrinks to a plane, then to a point, and grows again: degenerate blends among ordinary ones.
 Scene collapsing_scene() {
   Scene scene = random_scene(9, {.joints = 20, .targets = 0, .triangles = 30});
   for (Animation& animation : scene.animations)

@@ -14,10 +14,11 @@ struct GoldenScene {
 };
 
 /// A biped, a tree, random scenes with every kind of track, skin and morph target, and one whose joints collapse. All
-/// numbers are rounded to multiples of 2^-16: the last bits of the machine's sines and logarithms do not reach them.
+/// numbers are rounded to multiples of 2^-16, so that they do not depend on the last bits of the machine's sine and
+/// log.
 std::vector<GoldenScene> golden_scenes();
 
-/// Times at which each clip is looked at, in seconds: keys, between keys, outside.
+/// Times at which each clip is sampled, in seconds: at keys, between keys, outside the clip.
 inline constexpr double kGoldenTimes_s[] = {0.0, 1.0 / 60, 0.4, 0.75, 1.3125, 1.9, 2.5};
 
 }  // namespace sinew::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sinew plan` says of the project's own samples, word for word, as plans/ has it: no stage more and none without
-// its reason. After a deliberate change:
+// `sinew plan` prints for the project's samples, word for word, what plans/ stores: which stages run, and why. After a
+// deliberate change:
 //     SINEW_RECORD=1 build/release/bin/sinew-test-plan-text     writes the new texts
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kPlans = SINEW_SOURCE_DIR "/tests/golden/plans";
 
-/// The samples as files, in a folder of this process that goes away with this object.
+/// The samples as files, in a folder of this process; the destructor removes it.
 class Samples {
  public:
   Samples() : folder_(fs::path(::testing::TempDir()) / ("sinew-plan-texts-" + std::to_string(getpid()))) {

@@ -11,7 +11,7 @@
 
 namespace sinew::reference {
 
-/// How far a clip is from its animation, in long double and from the equations only: what certificates are held to.
+/// Distance of a clip from its animation, in long double, from the equations only. Certificates are held to it.
 
 /// Three rows of four.
 using Matrix = std::array<std::array<Real, 4>, 3>;

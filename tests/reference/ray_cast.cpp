@@ -62,7 +62,7 @@ std::optional<RayHit> cast(const std::vector<RayTriangle>& triangles, const glm:
 }
 
 glm::dvec3 leave_surface(const glm::dvec3& point, const glm::dvec3& normal, double roundoff) {
-  // Each coordinate is off by roundoff times itself, the normal by a few units in its last place: together below
+  // Each coordinate is off by roundoff times itself, the normal by a few units in its last place: in all less than
   // 2 * roundoff * (|x| + |y| + |z|). Twice that also covers the roundings of the intersection.
   const glm::dvec3 size = glm::abs(point);
   return point + normal * (4.0 * roundoff * (size.x + size.y + size.z));

@@ -25,13 +25,14 @@ struct RayHit {
 std::optional<RayHit> cast(const std::vector<RayTriangle>& triangles, const glm::dvec3& from,
                            const glm::dvec3& direction, double limit = 1e300);
 
-/// Where rays start that leave a surface: the point, moved along the surface's normal by more than its rounding error,
-/// so that it lies in front of the triangle it came from. in   normal    geometric, unit;   roundoff  relative error of
+/// Start of rays that leave a surface: the point, moved along the surface's normal by more than its rounding error, so
+/// that it lies in front of the triangle it came from. in   normal    geometric, unit;   roundoff  relative error of
 /// the point's coordinates (2^-24 when they were floats)
 glm::dvec3 leave_surface(const glm::dvec3& point, const glm::dvec3& normal, double roundoff);
 
-/// Share of the cosine-weighted hemisphere over `normal` from which light reaches `from`, blockers being nearer than
-/// `radius`; directions are the first `ray_count` of a fixed sequence (Hammersley points), the same for every point.
+/// Share of the cosine-weighted hemisphere over `normal` from which light reaches `from`; only blockers nearer than
+/// `radius` count; directions are the first `ray_count` of a fixed sequence (Hammersley points), the same for every
+/// point.
 double open_share(const std::vector<RayTriangle>& triangles, const glm::dvec3& from, const glm::dvec3& normal,
                   double radius, int ray_count);
 

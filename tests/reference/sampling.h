@@ -10,8 +10,8 @@
 
 namespace sinew::reference {
 
-/// Sampling and blending written from the equations only, in long double with linear scans: what the tracks, the clips
-/// and the blend job are held to. It shares no code with the runtime.
+/// Sampling and blending from the equations only, in long double with linear scans. Tracks, clips and the blend job are
+/// held to it. It shares no code with the runtime.
 
 using Real = long double;
 using Numbers = std::vector<Real>;  ///< components of one value

@@ -7,8 +7,8 @@
 
 namespace sinew::reference {
 
-/// Plain skinning of one vertex, written from the equations only: the truth (T = double) that the jobs are held to, and
-/// with T = float what careful single precision reaches. Weights of any positive sum; they are renormalised.
+/// Plain skinning of one vertex, from the equations only. With T = double it is the truth that the jobs are held to;
+/// with T = float it shows what careful single precision reaches. Weights may have any positive sum: it divides by it.
 
 template <class T>
 T weight_sum(std::span<const T> weights) {

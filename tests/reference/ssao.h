@@ -7,8 +7,8 @@
 
 namespace sinew::reference {
 
-/// What ambient occlusion is computed from: distance along the line of sight and view-space unit normal per pixel, rows
-/// from the top. Distance 0 = nothing there; a zero normal = a surface without one.
+/// Input of ambient occlusion: distance along the line of sight and view-space unit normal per pixel, rows from the
+/// top. Distance 0 = nothing was drawn; a zero normal = a surface without one.
 struct DepthAndNormals {
   int width = 0, height = 0;
   std::vector<double> distance;
@@ -16,7 +16,7 @@ struct DepthAndNormals {
   double cot_x = 1.0, cot_y = 1.0;  ///< clip = x * cot_x, y * cot_y over distance
   double near_m = 0.01;
 
-  /// The point that a pixel's middle sees.
+  /// The view-space point seen through the middle of a pixel.
   glm::dvec3 point(int x, int y) const;
 };
 
@@ -35,16 +35,16 @@ struct HalfAccess {
   std::vector<double> access;
 };
 
-/// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power, r = surface seen in the direction
-/// of p
-/// + radius * offset;
-///      offsets are mirrored at the noise vector and flipped into the hemisphere of n
+/// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power
+///      r = surface seen in the direction of p + radius * offset;
+///      offsets are mirrored at the noise vector
+///      and flipped into the hemisphere of n
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);
 
 /// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, over texels of the same surface.
 HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half, bool vertical);
 
-/// Every pixel's access from the half-size texels around it that lie on its surface; 1 where nothing was drawn.
+/// Access of every pixel, from the half-size texels around it that lie on its surface; 1 where nothing was drawn.
 std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
 
 }  // namespace sinew::reference

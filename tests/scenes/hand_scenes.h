@@ -10,7 +10,7 @@ Scene prop_scene();
 /// Joints 0 `upper` and 2 `lower`, one metre above it, and a flat arm of two triangles in the plane z = 0 skinned to
 /// both; the clip "bend" turns `lower` by 90 degrees about +z in one second. Vertices:
 ///   0 (0 0 0) upper;  1 (0 2 0) lower;  2 (0.25 1 0) both, half and half;  3 (-0.25 1 0) both
-/// The joint "holder" is an unmoved node, on which the mesh hangs five metres aside (G29: of no effect).
+/// The mesh hangs on the unmoved node "holder", five metres aside, which has no effect on a skinned mesh (G29).
 Scene arm_scene();
 
 /// A quad of side 2 around the origin, normals +z, with colours and two targets: "lift" moves vertex 0 by (0 0 1) and

@@ -203,7 +203,7 @@ class Maker {
     return times;
   }
 
-  /// Step, linear or cubic in turn; cubic with small tangents, for all that the value maker gives is a value.
+  /// Step, linear or cubic in turn. Cubic keys have no in-tangent, and a tenth of their value as out-tangent.
   template <class T, class Value>
   T make_track(Value value) {
     T track;

@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// What a random scene holds. Everything that a plan can call for or leave out is a switch.
+/// Contents of a random scene: one switch for each feature that a plan can call for or leave out.
 struct RandomSceneOptions {
   std::uint32_t joints = 14;
   std::uint32_t clips = 2;
@@ -24,7 +24,7 @@ struct RandomSceneOptions {
   std::uint32_t correctives = 0;  ///< needs targets
 };
 
-/// A scene made of random numbers that are the same on every machine: valid, finished, and with every kind of track.
+/// A valid, finished scene with every kind of track, from random numbers that are the same on every machine.
 /// Its rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
 Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 

@@ -8,7 +8,7 @@
 /// Skeletons of typical shapes, built in code for tests and benchmarks alike.
 namespace sinew::scenes {
 
-/// Breadth-first skeleton from parents in any order that has parents before children.
+/// A breadth-first skeleton from parents in any order in which parents come before children.
 inline Skeleton breadth_first(const std::vector<std::uint32_t>& parents, const std::vector<glm::vec3>& offsets) {
   const auto count = static_cast<std::uint32_t>(parents.size());
   std::vector<std::uint32_t> depth(count, 0), order(count), place(count);
@@ -32,7 +32,7 @@ inline Skeleton breadth_first(const std::vector<std::uint32_t>& parents, const s
   return s;
 }
 
-/// One joint below the other.
+/// A chain: each joint is the parent of the next.
 inline Skeleton long_chain(std::uint32_t joint_count) {
   std::vector<std::uint32_t> parents(joint_count, kNone);
   for (std::uint32_t j = 1; j < joint_count; ++j) parents[j] = j - 1;

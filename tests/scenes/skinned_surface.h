@@ -8,7 +8,7 @@
 
 namespace sinew::scenes {
 
-/// Rest matrices of all joints, double precision inside.
+/// Rest matrices of all joints, computed in double.
 inline std::vector<Affine> rest_matrices(const Skeleton& skeleton) {
   std::vector<Affined> model(skeleton.joint_count());
   std::vector<Affine> out;

@@ -56,8 +56,8 @@ std::size_t sinew::test::allocation_count_of_all_threads() noexcept { return all
 sinew::test::PeakMemory::PeakMemory() noexcept : before_(in_use.load()) { most_in_use.store(before_); }
 std::size_t sinew::test::PeakMemory::bytes() const noexcept { return most_in_use.load() - before_; }
 
-// The array forms of the standard library call these; its nothrow forms do too, but not the address sanitizer's, which
-// would then miss the delete that belongs to its own new.
+// The array and nothrow forms of the standard library call these. The nothrow forms of the address sanitizer do not:
+// without these replacements it would report its own new as freed by a foreign delete.
 void* operator new(std::size_t size) { return or_throw(allocate(size)); }
 void* operator new(std::size_t size, std::align_val_t alignment) { return or_throw(allocate(size, alignment)); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }

@@ -4,7 +4,7 @@
 
 namespace sinew::test {
 
-/// Number of `operator new` calls of this thread so far, every form counted. Programs that call this have their global
+/// Number of calls of any form of `operator new` by this thread so far. A program that links this has its global
 /// operators replaced (allocation_counter.cpp).
 std::size_t allocation_count() noexcept;
 

@@ -10,7 +10,7 @@ namespace sinew::test {
 /// Unit roundoff of float32: the unit of tolerances. A tolerance of 4 * kEps on a value near 1 is 4 half-ulps.
 inline constexpr double kEps = 0x1p-24;
 
-/// Distances are formed in double: a float comparison would add errors of its own. NaN is never near anything.
+/// Distances are computed in double: a comparison in float would add errors of its own. NaN is near nothing.
 template <class T>
 double distance(const Vec3<T>& a, const Vec3<T>& b) {
   return safe_length(Vec3<double>(a) - Vec3<double>(b));

@@ -9,14 +9,14 @@
 
 namespace sinew::test {
 
-/// Reference data of the folder numeric/ of the corpus: cases of some kind, each with input, truth and acceptance.
+/// Reference data of the corpus, folder numeric/: cases by kind, each with input, truth and what is accepted.
 
 using Json = nlohmann::json;
 
-/// What a kernel answered, by the names that the truth uses: "q", "m", "p", ...
+/// The answer of a kernel, under the names that the truth uses: "q", "m", "p", ...
 using Outcome = std::map<std::string, std::vector<double>>;
 
-/// One implementation of a kind in one precision. An empty outcome: this case is not for it.
+/// One implementation of a kind in one precision. It returns an empty outcome for cases that it does not cover.
 struct NumericVariant {
   std::string name;
   std::function<Outcome(const Json& in)> run;
@@ -32,9 +32,9 @@ std::vector<std::string> numeric_kinds();
 struct NumericReport {
   int run = 0;
   int failed = 0;
-  double worst = 0;  ///< largest error in units of the allowed one
+  double worst = 0;  ///< largest error, in units of the allowed error
   std::string worst_case;
-  std::string failures;  ///< first few, one a line
+  std::string failures;  ///< the first few, one per line
 };
 
 /// Runs every case and measures it with numeric_miss (numeric_metrics.h).

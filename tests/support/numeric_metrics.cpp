@@ -57,7 +57,7 @@ double elements(const Numbers& got, const Numbers& truth, const Json& tolerance)
   return out;
 }
 
-/// |v - truth| relative to |truth|; below 1000 floors only 4 floors absolute are asked.
+/// |v - truth| relative to |truth|; a truth below 1000 floors is only held to 4 floors absolute.
 double relative(const Vec3<double>& got, const Vec3<double>& truth, double tolerance, double floor) {
   const double length = safe_length(truth), error = safe_length(got - truth);
   return length < 1000 * floor ? ratio(error, 4 * floor) : ratio(error, tolerance * length);
@@ -257,7 +257,7 @@ double candy(const Json& entry, const Outcome& got) {
   for (const std::string key : {"lbs_p", "dqs_p", "cor_p"}) {
     const Numbers& p = need(got, key);
     double error = gap(p, numbers_of(out[key]));
-    // Both senses of a half turn are right; dual quaternions and centers of rotation share the rotation.
+    // A half turn is right in both directions; dual quaternions and centers of rotation share the rotation.
     if (out.contains("alt") && key != "lbs_p")
       error = std::min(error, gap(p, numbers_of(out["alt"].value(key, out["alt"]["dqs_p"]))));
     miss = worst({miss, ratio(error, accept["tol"])});

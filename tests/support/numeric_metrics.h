@@ -4,8 +4,8 @@
 
 namespace sinew::test {
 
-/// How far an outcome is from the truth of a case, in units of what the case's `accept` allows: at most 1 is accepted,
-/// infinity for NaN, a missing number or an unknown metric. Formed in double; each metric is written once, in the .cpp.
+/// Distance of an outcome from the truth of a case, in units of the case's `accept`: up to 1 is accepted; NaN, a
+/// missing number or an unknown metric give infinity. Computed in double. Each metric is written once, in the .cpp.
 double numeric_miss(const Json& entry, const Outcome& got);
 
 }  // namespace sinew::test

@@ -23,7 +23,7 @@ inline bool fuses_multiply_add(std::int64_t target) {
   return (target & kRoundTwice) == 0;
 }
 
-/// Keeps the jobs to one instruction set while it lives.
+/// Restricts the jobs to one instruction set during its lifetime.
 class OnlyTarget {
  public:
   explicit OnlyTarget(std::int64_t target) { choose(target); }

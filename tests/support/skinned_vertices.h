@@ -13,7 +13,7 @@
 
 namespace sinew::test {
 
-/// Random vertices with influences and a random palette: inputs of the skinning jobs, and room for their outputs.
+/// Random vertices with influences and a random palette: inputs of the skinning jobs, and memory for their outputs.
 struct SkinnedVertices {
   std::vector<glm::vec3> positions, normals;
   std::vector<glm::vec4> tangents;

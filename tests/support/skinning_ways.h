@@ -11,7 +11,7 @@
 
 namespace sinew::test {
 
-/// Every way in which the jobs skin a vertex and its normal.
+/// Every kind of skinning and rule for normals that the jobs have.
 enum class Way { linear, linear_cofactor, dual_quaternion, center_of_rotation };
 
 inline constexpr Way kWays[] = {Way::linear, Way::linear_cofactor, Way::dual_quaternion, Way::center_of_rotation};
