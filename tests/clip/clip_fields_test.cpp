@@ -67,7 +67,9 @@ ClipFields valid() {
                {full(kTranslation, kLinear, {0, 2}, 3 * 3 * 2), full(kRotation, kSquad, {1}, 3 * 13),
                 full(kWeight, kLinear, {1, 1}, 3 * 2)}},
               {{0.0f, 0.5f}, {packed_rotations(2), packed_vectors(2), full(kNumber, kStep, {0, 1}, 2 * 2)}}};
-  f.translations = steps(3), f.rotations = {0, 0, 1, 0}, f.scales = steps(12);
+  f.translations = steps(3);
+  f.rotations = {0, 0, 1, 0};
+  f.scales = steps(12);
   return f;
 }
 
@@ -135,7 +137,9 @@ const Damage kDamages[] = {
     {"squad of vectors", "squad is for rotations", [](ClipFields& f) { tracks(f, 0, 0).interpolation = kSquad; }},
     {"no targets", "the targets of a block are not rising numbers of the clip",
      [](ClipFields& f) {
-       tracks(f, 0, 2).target_count = 0, tracks(f, 0, 2).target_gaps.clear(), tracks(f, 0, 2).rows.clear();
+       tracks(f, 0, 2).target_count = 0;
+       tracks(f, 0, 2).target_gaps.clear();
+       tracks(f, 0, 2).rows.clear();
      }},
     {"joint, none such", "the targets of a block are not rising numbers of the clip",
      [](ClipFields& f) { tracks(f, 0, 0).target_gaps[1] = 4; }},
@@ -144,7 +148,10 @@ const Damage kDamages[] = {
     {"weight, none such", "the targets of a block are not rising numbers of the clip",
      [](ClipFields& f) { tracks(f, 0, 2).target_gaps[0] = 2; }},
     {"weights, not side by side", "the targets of a block are not rising numbers of the clip",
-     [](ClipFields& f) { tracks(f, 0, 2).target_gaps[0] = 0, tracks(f, 0, 2).target_gaps[1] = 2; }},
+     [](ClipFields& f) {
+       tracks(f, 0, 2).target_gaps[0] = 0;
+       tracks(f, 0, 2).target_gaps[1] = 2;
+     }},
     {"number, none such", "the targets of a block are not rising numbers of the clip",
      [](ClipFields& f) { tracks(f, 1, 2).target_gaps[0] = 1; }},
     {"rows, a key too few", "a block does not have a row for each key",
@@ -217,7 +224,9 @@ TEST(clip_fields, a_block_of_more_lanes_than_bits_can_be_counted_for_is_refused)
          {},
          std::vector<std::uint16_t>(6 * lanes, 0),
          {}};
-    f.translations.clear(), f.rotations.clear(), f.scales.clear();
+    f.translations.clear();
+    f.rotations.clear();
+    f.scales.clear();
     const auto loaded = load_clips(f.block());
     EXPECT_EQ(loaded ? "" : loaded.error().detail,
               lanes == 1024 ? "" : "the tables of a packed block are not of its size");
@@ -235,7 +244,10 @@ TEST(clip_fields, few_bytes_make_little_memory) {
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().detail, "the clip has far more joints than its tracks account for");
   ClipFields without = far;
-  without.groups.clear(), without.translations.clear(), without.rotations.clear(), without.scales.clear();
+  without.groups.clear();
+  without.translations.clear();
+  without.rotations.clear();
+  without.scales.clear();
   EXPECT_LT(loaded.error().offset, without.block().size() + 48) << "before the rows of the block are read";
 
   // What each block takes adds up.

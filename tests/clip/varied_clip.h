@@ -33,7 +33,10 @@ inline Clip varied_clip(std::uint64_t seed) {
   const std::vector<float> rest_weights{0.1f, 0.2f, 0.3f, 0.4f};
   const std::vector<std::uint32_t> first{0, 4};
   ClipCertificate certificate;
-  certificate.asked_m = 1e-4, certificate.measured_m = 9e-5, certificate.worst_joint = 3, certificate.bytes = 77;
+  certificate.asked_m = 1e-4;
+  certificate.measured_m = 9e-5;
+  certificate.worst_joint = 3;
+  certificate.bytes = 77;
   return with_certificate(compile_clip(animation, skeleton, rest_weights, first, {}, rounding), certificate);
 }
 

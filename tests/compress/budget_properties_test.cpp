@@ -101,7 +101,10 @@ RC_GTEST_PROP(budget_properties, no_virtual_vertex_is_ever_farther_off_than_the_
   double largest_m = 0.0, at_s = 0.0;
   for (const double time_s : fine_grid(truth))
     for (const auto error : reference::joint_errors(scene.skeleton, truth, vertices.boxes, within.clip, time_s))
-      if (static_cast<double>(error) > largest_m) largest_m = static_cast<double>(error), at_s = time_s;
+      if (static_cast<double>(error) > largest_m) {
+        largest_m = static_cast<double>(error);
+        at_s = time_s;
+      }
   RC_LOG() << largest_m / budget_m << " of the budget at " << at_s << " s, " << certificate.measured_m / budget_m
            << " measured, at " << certificate.worst_time_s << " s" << std::endl;
   RC_ASSERT(largest_m <= budget_m);

@@ -57,8 +57,10 @@ TEST(blend_combinations, C06_vertices_that_follow_them_have_the_bits_of_those_th
   const std::size_t count = s.positions.size();
   VertexInfluences follow;
   follow.groups = {{0, static_cast<std::uint32_t>(count), 1, 0}};
-  for (std::size_t v = 0; v < count; ++v)
-    follow.joints.push_back(static_cast<std::uint16_t>(v)), follow.weights.push_back(1.0f);
+  for (std::size_t v = 0; v < count; ++v) {
+    follow.joints.push_back(static_cast<std::uint16_t>(v));
+    follow.weights.push_back(1.0f);
+  }
   for (const std::int64_t target : test::simd_targets()) {
     const test::OnlyTarget only(target);
     std::vector<JointMatrix> blended(count);

@@ -47,7 +47,8 @@ TEST(bounds, G54_boxes_hold_all_shown_vertices_in_every_frame) {
   for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion}) {
     const Scene scene = random_scene(31);
     Needs needs;
-    needs.bounds = true, needs.skinning = skinning;
+    needs.bounds = true;
+    needs.skinning = skinning;
     const Plan plan = compile_plan(scene, needs);
     FrameBuffer frame(plan);
     for (double time_s = 0.0; time_s <= 2.0; time_s += 0.125) {
@@ -65,7 +66,8 @@ TEST(bounds, G54_boxes_hold_all_shown_vertices_in_every_frame) {
 TEST(bounds, G54_the_box_of_a_bent_arm_is_tight) {
   const Scene scene = arm_scene();
   Needs needs;
-  needs.bounds = true, needs.positions = needs.normals = needs.tangents = false;
+  needs.bounds = true;
+  needs.positions = needs.normals = needs.tangents = false;
   const Plan plan = compile_plan(scene, needs);
   FrameBuffer frame(plan);
   const ClipLayer layer{0, 1.0, 1.0f};

@@ -63,7 +63,8 @@ struct ManyTargets {
     Truth out{Vec3d(base)};
     for (std::size_t t = 0; t < weights.size(); ++t) {
       const Vec3d term = static_cast<double>(weights[t]) * Vec3d((morphs.targets[t].*attribute).deltas[v]);
-      out.sum += term, out.terms += glm::abs(term);
+      out.sum += term;
+      out.terms += glm::abs(term);
     }
     return out;
   }
@@ -117,7 +118,8 @@ TEST(morph_sums, N26_denormal_weights_move_nothing_among_hundreds) {
     clean.weights[t] = 0.0f;
   }
   face.weights[3] = 9.9e-21f;
-  face.morph(), clean.morph();
+  face.morph();
+  clean.morph();
   EXPECT_EQ(face.moved, clean.moved);
   EXPECT_EQ(face.turned, clean.turned);
 }

@@ -24,7 +24,10 @@ struct Face {
   std::vector<float> weights;
 
   explicit Face(std::size_t count) : positions(count), normals(count, {0, 0, 1}), tangents(count, {1, 0, 0, -1}) {
-    out_positions.resize(count), out_normals.resize(count), out_tangents.resize(count), scratch.resize(count);
+    out_positions.resize(count);
+    out_normals.resize(count);
+    out_tangents.resize(count);
+    scratch.resize(count);
   }
   MorphVerticesJob job() {
     return {.morphs = &morphs,
@@ -181,8 +184,10 @@ TEST(morph_vertices, long_lists_of_runs_and_gaps_have_the_bits_of_the_plain_sum_
       face.morphs.targets.push_back(std::move(target));
       face.weights.push_back(weight);
     }
-    for (std::uint32_t v = 0; v < count; ++v)
-      face.positions[v] = random.vec3(), expected[v] = face.positions[v] + expected[v];
+    for (std::uint32_t v = 0; v < count; ++v) {
+      face.positions[v] = random.vec3();
+      expected[v] = face.positions[v] + expected[v];
+    }
     std::vector<glm::vec3> normals;
     for (const std::int64_t target : test::simd_targets()) {
       const test::OnlyTarget only(target);

@@ -193,7 +193,8 @@ TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {
   Split s(test::random_skinned_vertices(random, kCounts, 10, 16, false));
   for (auto& m : s.vertices.palette) {  // keep rotations close, so that no sign decision is near its edge
     Transform t = random.transform();
-    t.rotation = random.rotation_by(0.5), t.scale = glm::vec3(1);
+    t.rotation = random.rotation_by(0.5);
+    t.scale = glm::vec3(1);
     m = joint_matrix_from(affine_from_transform(t));
   }
   s.refresh();

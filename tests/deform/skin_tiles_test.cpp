@@ -23,7 +23,9 @@ struct Skinned {
   Skinned(Way way, test::SkinnedVertices& s, std::span<const glm::vec3> centers, std::int64_t target) {
     const test::OnlyTarget only(target);
     test::skin(way, s, centers);
-    positions = s.out_positions, normals = s.out_normals, tangents = s.out_tangents;
+    positions = s.out_positions;
+    normals = s.out_normals;
+    tangents = s.out_tangents;
   }
   bool same_bits(const Skinned& other) const {
     const auto same = [](const auto& a, const auto& b) {
@@ -69,7 +71,9 @@ TEST_P(SkinTiles, a_vertex_has_the_bits_that_it_has_alone) {
     for (std::uint32_t v = 0; v < size; ++v) {
       auto alone = s;
       const auto one = [v](auto& values) { values = {values[v]}; };
-      one(alone.positions), one(alone.normals), one(alone.tangents);
+      one(alone.positions);
+      one(alone.normals);
+      one(alone.tangents);
       alone.influences = {{{0, 1, 4, 0}},
                           {s.joints_of(v).begin(), s.joints_of(v).end()},
                           {s.weights_of(v).begin(), s.weights_of(v).end()}};
@@ -86,8 +90,9 @@ TEST_P(SkinTiles, nothing_is_written_beyond_the_vertices) {
   for (const std::uint32_t size : kGroupSizes) {
     auto s = test::random_skinned_vertices(random, kCounts, size, 24, false);
     const std::size_t count = s.positions.size();
-    s.out_positions.assign(count + 16, glm::vec3(77)), s.out_normals.assign(count + 16, glm::vec3(77)),
-        s.out_tangents.assign(count + 16, glm::vec4(77));
+    s.out_positions.assign(count + 16, glm::vec3(77));
+    s.out_normals.assign(count + 16, glm::vec3(77));
+    s.out_tangents.assign(count + 16, glm::vec4(77));
     test::skin(GetParam(), s, s.positions);
     for (std::size_t v = count; v < count + 16; ++v) {
       EXPECT_EQ(s.out_positions[v], glm::vec3(77));

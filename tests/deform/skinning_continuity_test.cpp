@@ -181,7 +181,8 @@ TEST_P(SkinningContinuity, N17_a_body_turned_twice_with_joints_that_sway_below_a
   Sweep sweep(random);
   const Vec3d axis = random.direction<double>();
   for (Turning& joint : sweep.joints) {
-    joint.axis = axis, joint.speed = 1.0;  // the whole turn, in which signs of the quaternions change
+    joint.axis = axis;
+    joint.speed = 1.0;  // the whole turn, in which signs of the quaternions change
     joint.pivot = Vec3d(0);
   }
   for (std::uint32_t j = 0; j < kJoints; j += 2) sweep.joints[j].speed = 0.8;  // lags behind by 144 degrees in the end
@@ -193,7 +194,10 @@ TEST_P(SkinningContinuity, N17_a_body_turned_twice_with_joints_that_sway_below_a
 TEST_P(SkinningContinuity, N17_joints_that_sway_by_85_degrees_about_any_axes_never_leap) {
   test::FixedRandom random(33);
   Sweep sweep(random);
-  for (Turning& joint : sweep.joints) joint.speed = random.in(0.5, 1.0), joint.sway_rad = 85 * 3.141592653589793 / 180;
+  for (Turning& joint : sweep.joints) {
+    joint.speed = random.in(0.5, 1.0);
+    joint.sway_rad = 85 * 3.141592653589793 / 180;
+  }
   const Sweep::Outcome outcome = sweep.run(GetParam());
   EXPECT_EQ(outcome.half_turns, 0);
   EXPECT_EQ(outcome.unexplained, 0);

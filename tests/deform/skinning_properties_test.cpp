@@ -46,7 +46,8 @@ RC_GTEST_PROP(skinning_properties, rigid_motions_commute_with_every_kind_of_skin
   SkinnedVertices moved = still;
   for (JointMatrix& m : moved.palette) m = joint_matrix_from(motion * affine_from(m));
   for (const Way way : test::kWays) {
-    skin(way, still, centers), skin(way, moved, centers);
+    skin(way, still, centers);
+    skin(way, moved, centers);
     for (std::size_t v = 0; v < still.positions.size(); ++v) {
       RC_ASSERT(test::is_near(moved.out_positions[v], transform_point(motion, still.out_positions[v]), 2e-5));
       RC_ASSERT(test::is_near(moved.out_normals[v], transform_vector(motion, still.out_normals[v]), 5e-5));
@@ -102,7 +103,8 @@ RC_GTEST_PROP(skinning_properties, influences_of_weight_zero_change_nothing, (st
   const auto centers = some_centers(random, s);
   SkinnedVertices more = with_zero_weights(s, random);
   for (const Way way : test::kWays) {
-    skin(way, s, centers), skin(way, more, centers);
+    skin(way, s, centers);
+    skin(way, more, centers);
     for (std::size_t v = 0; v < s.positions.size(); ++v) {
       RC_ASSERT(test::is_near(more.out_positions[v], s.out_positions[v], 1e-5));
       RC_ASSERT(test::is_near(more.out_normals[v], s.out_normals[v], 1e-5));

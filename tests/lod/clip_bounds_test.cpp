@@ -22,7 +22,8 @@ float diagonal(const Aabb& box) { return glm::length(box.upper - box.lower); }
 
 Needs boxes_for(Skinning skinning) {
   Needs needs;
-  needs.bounds = true, needs.skinning = skinning;
+  needs.bounds = true;
+  needs.skinning = skinning;
   return needs;
 }
 
@@ -41,7 +42,8 @@ std::vector<Aabb> expect_holds(const Scene& scene, const Needs& needs, std::uint
       const Aabb& box = frame.result().instances[i].bounds;
       EXPECT_FALSE(reach[i].empty()) << i;
       EXPECT_TRUE(holds(reach[i], box)) << "instance " << i << " at " << layer.time_s << " s of clip " << clip;
-      all[i].add(box.lower), all[i].add(box.upper);
+      all[i].add(box.lower);
+      all[i].add(box.upper);
     }
   }
   return all;
@@ -50,7 +52,9 @@ std::vector<Aabb> expect_holds(const Scene& scene, const Needs& needs, std::uint
 TEST(clip_bounds, G54_holds_every_vertex_at_every_time) {
   for (std::uint32_t seed = 0; seed < 24; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed % 3, options.targets = seed % 2 * 3, options.mirrored_joints = seed % 4 == 0;
+    options.skins = seed % 3;
+    options.targets = seed % 2 * 3;
+    options.mirrored_joints = seed % 4 == 0;
     const Scene scene = random_scene(seed, options);
     for (const std::uint32_t clip : {0u, 1u, kNone})
       expect_holds(scene, boxes_for(Skinning::linear), clip, clip == kNone ? 1 : 300);

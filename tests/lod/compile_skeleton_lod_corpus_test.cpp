@@ -35,7 +35,9 @@ TEST(compile_skeleton_lod_corpus, models_keep_their_shape_within_what_is_asked) 
               1.05 * tolerance_m + 3e-6 * off.far_m)
         << file;
     left_out_turned += turned.left_out;
-    ++models, joints += scene.skeleton.joint_count(), left_out += within.left_out;
+    ++models;
+    joints += scene.skeleton.joint_count();
+    left_out += within.left_out;
   }
   EXPECT_GT(models, 5u);
   std::printf("%zu models: %zu of %zu joints left out within 1%% of their size, %zu with dual quaternions\n", models,

@@ -27,7 +27,8 @@ TEST(dual_quaternion, moves_points_as_its_rotation_and_translation_do) {
     EXPECT_TRUE(is_near(transform_point(motion, p), rotate_vector(q, p) + t, 1e-14));
     EXPECT_TRUE(is_near(transform_vector(motion, p), rotate_vector(q, p), 1e-14));
     TransformT<double> local;
-    local.translation = t, local.rotation = q;
+    local.translation = t;
+    local.rotation = q;
     EXPECT_TRUE(is_near(affine_from_dual_quat(motion), affine_from_transform(local), 1e-14));
   }
 }

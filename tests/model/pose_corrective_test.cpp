@@ -21,8 +21,18 @@ TEST(pose_corrective, every_broken_rule_is_found) {
     ErrorCode expected;
   } cases[] = {
       {"no driver", [](PoseSamples& s) { s.drivers.clear(); }, ErrorCode::size_mismatch},
-      {"no sample", [](PoseSamples& s) { s.rotations.clear(), s.values.clear(); }, ErrorCode::size_mismatch},
-      {"no weight", [](PoseSamples& s) { s.weights.clear(), s.values.clear(); }, ErrorCode::size_mismatch},
+      {"no sample",
+       [](PoseSamples& s) {
+         s.rotations.clear();
+         s.values.clear();
+       },
+       ErrorCode::size_mismatch},
+      {"no weight",
+       [](PoseSamples& s) {
+         s.weights.clear();
+         s.values.clear();
+       },
+       ErrorCode::size_mismatch},
       {"half a sample",
        [](PoseSamples& s) {
          s.drivers.resize(2);
@@ -45,10 +55,18 @@ TEST(pose_corrective, every_broken_rule_is_found) {
       {"infinite radius", [](PoseSamples& s) { s.radius_rad = 1 / 0.0f; }, ErrorCode::not_finite},
       {"negative regularisation", [](PoseSamples& s) { s.regularisation = -1; }, ErrorCode::unsupported},
       {"a pose twice", [](PoseSamples& s) { s.rotations[1] = -s.rotations[2]; }, ErrorCode::coincident_poses},
-      {"nearly a pose twice", [](PoseSamples& s) { s.rotations[1] = s.rotations[2], s.rotations[1].w *= 1 + 1e-7f; },
+      {"nearly a pose twice",
+       [](PoseSamples& s) {
+         s.rotations[1] = s.rotations[2];
+         s.rotations[1].w *= 1 + 1e-7f;
+       },
        ErrorCode::coincident_poses},
       {"tail without poses for it", [](PoseSamples& s) { s.tail = PolynomialTail::affine; }, ErrorCode::rank_deficient},
-      {"one pose without tail", [](PoseSamples& s) { test::keep_samples(s, 1), s.kernel = RadialKernel::linear; },
+      {"one pose without tail",
+       [](PoseSamples& s) {
+         test::keep_samples(s, 1);
+         s.kernel = RadialKernel::linear;
+       },
        ErrorCode::rank_deficient},
       {"far too wide", [](PoseSamples& s) { s.radius_rad = 1e5f; }, ErrorCode::rank_deficient},
   };

@@ -84,7 +84,8 @@ TEST(correct_pose, a_sample_pose_gives_its_values_bit_for_bit_whatever_the_sign)
     for (const bool clamp : {false, true})
       for (std::uint32_t drivers = 1; drivers <= 4; ++drivers) {
         PoseSamples samples = test::random_samples(random, drivers, 9, 3);
-        samples.partition = partition, samples.clamp = clamp;
+        samples.partition = partition;
+        samples.clamp = clamp;
         Rig rig(samples);
         for (std::size_t s = 0; s < 9; ++s) {
           std::vector<glm::quat> pose(sample_pose(samples, s).begin(), sample_pose(samples, s).end());
@@ -133,8 +134,11 @@ TEST(correct_pose, all_kinds_agree_with_the_equations_in_long_double) {
   for (const Kind& kind : kinds()) {
     const std::uint32_t drivers = 1 + static_cast<std::uint32_t>(kind_index++ % 3);
     PoseSamples samples = test::random_samples(random, drivers, 12, 2);
-    samples.kernel = kind.kernel, samples.tail = kind.tail, samples.regularisation = kind.regularisation;
-    samples.partition = kind.partition, samples.clamp = kind.clamp;
+    samples.kernel = kind.kernel;
+    samples.tail = kind.tail;
+    samples.regularisation = kind.regularisation;
+    samples.partition = kind.partition;
+    samples.clamp = kind.clamp;
     Rig rig(samples);
     for (int i = 0; i < 20; ++i) {
       std::vector<glm::quat> pose;
@@ -171,8 +175,11 @@ TEST(correct_pose, weights_are_continuous_through_720_degrees) {
   for (const Kind& kind : kinds()) {
     if (kind.tail == PolynomialTail::affine) continue;  // needs poses off the hinge
     PoseSamples samples = test::hinge_samples();
-    samples.kernel = kind.kernel, samples.tail = kind.tail, samples.regularisation = kind.regularisation;
-    samples.partition = kind.partition, samples.clamp = kind.clamp;
+    samples.kernel = kind.kernel;
+    samples.tail = kind.tail;
+    samples.regularisation = kind.regularisation;
+    samples.partition = kind.partition;
+    samples.clamp = kind.clamp;
     Rig rig(samples);
     const double jump = largest_jump(rig, 7200);
     EXPECT_GT(jump, 1e-4);
@@ -225,7 +232,8 @@ TEST(correct_pose, a_partition_stays_within_the_values_and_is_whole_near_the_sam
   for (int i = 0; i < 200; ++i) EXPECT_NEAR(whole.at(random.rotation_by(random.in(0, 2)), 0), 3.0f, 3e-6);
 
   samples = test::hinge_samples();
-  samples.partition = true, samples.radius_rad = 0.1f;
+  samples.partition = true;
+  samples.radius_rad = 0.1f;
   Rig far(samples);
   EXPECT_EQ(far.at(about_z(-3.0), 0), 0.0f);  // no sample reaches here
 }
@@ -240,7 +248,8 @@ TEST(correct_pose, clamped_results_do_not_overshoot) {
   float lowest = 0, highest = 1;
   for (double angle = 0; angle < 2.2; angle += 0.01) {
     const float f = free.at(about_z(angle), 0), c = clamped.at(about_z(angle), 0);
-    lowest = std::min(lowest, f), highest = std::max(highest, f);
+    lowest = std::min(lowest, f);
+    highest = std::max(highest, f);
     EXPECT_EQ(c, std::clamp(f, 0.0f, 1.0f));
   }
   EXPECT_LT(lowest, -0.01f);

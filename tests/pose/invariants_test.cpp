@@ -38,7 +38,9 @@ class Character {
         model_(skeleton.joint_count()),
         palette_(skeleton.joint_count()),
         split_(skeleton.joint_count()) {
-    linear.resize(vertex_count()), dual.resize(vertex_count()), normals.resize(vertex_count());
+    linear.resize(vertex_count());
+    dual.resize(vertex_count());
+    normals.resize(vertex_count());
   }
 
   const Scene& scene() const { return scene_; }
@@ -97,8 +99,10 @@ TEST(invariants, rigid_motion_of_the_root_commutes_with_skinning) {
   for (const Shape& shape : shapes()) {
     Character still(shape.skeleton, 4), moved(shape.skeleton, 4);
     const Affine root = affine_from_transform(Transform{random.vec3(-1, 1), random.rotation(), glm::vec3(1)});
-    still.pose_at(0.31), moved.pose_at(0.31);
-    still.deform(), moved.deform(root);
+    still.pose_at(0.31);
+    moved.pose_at(0.31);
+    still.deform();
+    moved.deform(root);
     for (std::size_t v = 0; v < still.vertex_count(); ++v) {
       ASSERT_TRUE(test::is_near(moved.linear[v], transform_point(root, still.linear[v]), 2e-5)) << shape.name;
       ASSERT_TRUE(test::is_near(moved.dual[v], transform_point(root, still.dual[v]), 2e-5)) << shape.name;
@@ -132,9 +136,12 @@ TEST(invariants, zero_morph_weights_change_nothing) {
 TEST(invariants, the_same_input_gives_the_same_bits) {
   const Skeleton skeleton = scenes::biped();
   Character first(skeleton, 4), second(skeleton, 4);
-  second.pose_at(0.1), second.deform();  // another history
-  first.pose_at(0.5), first.deform();
-  second.pose_at(0.5), second.deform();
+  second.pose_at(0.1);
+  second.deform();  // another history
+  first.pose_at(0.5);
+  first.deform();
+  second.pose_at(0.5);
+  second.deform();
   EXPECT_EQ(first.linear, second.linear);
   EXPECT_EQ(first.dual, second.dual);
   EXPECT_EQ(first.normals, second.normals);

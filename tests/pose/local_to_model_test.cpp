@@ -193,7 +193,10 @@ TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not
     std::vector<std::uint32_t> some;
     std::vector<bool> chosen(count);
     for (std::uint32_t j = 0; j < count; ++j)
-      if ((parents[j] != kNone && chosen[parents[j]]) || random.below(4) == 0) chosen[j] = true, some.push_back(j);
+      if ((parents[j] != kNone && chosen[parents[j]]) || random.below(4) == 0) {
+        chosen[j] = true;
+        some.push_back(j);
+      }
     if (some.empty()) continue;
     for (const std::uint32_t j : some) rig.model[j] = {};
     LocalToModelJob job = rig.job();

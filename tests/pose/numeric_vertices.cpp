@@ -133,9 +133,12 @@ Outcome candy_of(const Json& in) {
   const double w1 = scalar<double>(in["weight1"]);
   Vertices v(vec3<float>(in["p"]), glm::vec3(0, 1, 0), {1 - w1, w1});
   Outcome out;
-  skin_linearly(v, palettes), out["lbs_p"] = numbers(v.position());
-  skin_by_dual_quaternions(v, palettes), out["dqs_p"] = numbers(v.position());
-  skin_about_center(v, palettes, vec3<float>(in["cor"])), out["cor_p"] = numbers(v.position());
+  skin_linearly(v, palettes);
+  out["lbs_p"] = numbers(v.position());
+  skin_by_dual_quaternions(v, palettes);
+  out["dqs_p"] = numbers(v.position());
+  skin_about_center(v, palettes, vec3<float>(in["cor"]));
+  out["cor_p"] = numbers(v.position());
   return out;
 }
 

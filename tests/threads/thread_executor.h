@@ -30,7 +30,11 @@ class ThreadPool {
   void run(std::size_t count, const std::function<void(std::size_t)>& body) {
     {
       const std::lock_guard lock(mutex_);
-      body_ = &body, count_ = count, next_ = 0, helpers_ = threads_.size(), ++round_;
+      body_ = &body;
+      count_ = count;
+      next_ = 0;
+      helpers_ = threads_.size();
+      ++round_;
     }
     changed_.notify_all();
     take_all();
