@@ -7,31 +7,38 @@
 
 namespace sinew {
 
-std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint32_t turn) noexcept {
+std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint32_t phase) noexcept {
   const std::uint64_t period = std::uint64_t{1} << static_cast<unsigned>(level);
-  return static_cast<std::uint32_t>(period - (frame + turn) % period);
+  return static_cast<std::uint32_t>(period - (frame + phase) % period);
 }
 
 InterpolatedInput::InterpolatedInput(const Plan& plan) {
   CONTRACT(plan.needs.between_updates);
-  from_.reserve(plan.tables.input_layer_count), to_.reserve(plan.tables.input_layer_count);
+  from_.reserve(plan.needs.layer_room());
+  to_.reserve(plan.needs.layer_room());
 }
 
 FrameInput InterpolatedInput::next(const FrameInput& now, std::span<const ClipLayer> ahead, UpdateLevel level,
-                                   std::uint64_t frame, std::uint32_t turn) {
+                                   std::uint64_t frame, std::uint32_t phase) {
   if (now.asleep || frame < start_ || frame > end_) moves_ = false;
   if (now.asleep) return now;
   if (!moves_ || frame == end_) {
-    if (level == UpdateLevel::every) return moves_ = false, now;
+    if (level == UpdateLevel::every) {
+      moves_ = false;
+      return now;
+    }
     if (moves_)
       std::swap(from_, to_);
     else
       from_.assign(now.layers.begin(), now.layers.end());
     to_.assign(ahead.begin(), ahead.end());
-    start_ = frame, end_ = frame + frames_to_update(level, frame, turn), moves_ = true;
+    start_ = frame;
+    end_ = frame + frames_to_update(level, frame, phase);
+    moves_ = true;
   }
   FrameInput between = now;
-  between.layers = from_, between.next_layers = to_;
+  between.layers = from_;
+  between.next_layers = to_;
   between.interpolation_factor = static_cast<float>(frame - start_) / static_cast<float>(end_ - start_);
   return between;
 }

@@ -25,24 +25,20 @@ UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& 
   return static_cast<UpdateLevel>(finer);
 }
 
-HeldInput::HeldInput(const Plan& plan) {
-  layers_.reserve(plan.tables.input_layer_count);
-  weights_.reserve(plan.rest_weights.size());
-}
-
-FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t turn) {
+FrameInput HeldInput::next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase) {
   const std::uint64_t period = std::uint64_t{1} << static_cast<unsigned>(level);
-  const bool is_due = (frame + turn) % period == 0;
+  const bool is_due = (frame + phase) % period == 0;
   if (now.asleep) {
     holds_ = false;
     return now;
   }
   if (is_due || !holds_) {
-    layers_.assign(now.layers.begin(), now.layers.end());
-    weights_.assign(now.weights.begin(), now.weights.end());
-    root_ = now.root, holds_ = true;
+    held_.assign(now);
+    holds_ = true;
   }
-  return {.layers = layers_, .weights = weights_, .root = root_, .out_of_view = now.out_of_view};
+  FrameInput input = held_.view();
+  input.out_of_view = now.out_of_view;
+  return input;
 }
 
 }  // namespace sinew

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <vector>
 
-#include "runtime/plan/compile_plan.h"
-#include "runtime/plan/frame_input.h"
+#include "runtime/plan/input_copy.h"
 
 namespace sinew {
 
@@ -31,26 +29,27 @@ UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRat
 /// in   frame_s  from one frame to the next
 UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates = {}) noexcept;
 
-/// Holds a character's input over the frames that its level leaves out: run_plan is given the same input again and does
-/// nothing (P19), neither for joints nor for vertices, and nothing is uploaded. Between poses that are not evaluated
-/// nothing is interpolated: skinning what was interpolated would cost what is saved. err  what is shown is up to 2^k -
-/// 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times. What moves
-///      the whole character is held as well: whoever draws it can put root_now * inverse(input.root) on top
+/// Holds a character's input over the frames that its level leaves out. run_plan is given the same input again and does
+/// nothing (P19), neither for joints nor for vertices, and nothing is uploaded. Poses are not interpolated in between:
+/// skinning interpolated poses would cost what is saved. Everything that decides the pose is held together: layers, the
+/// layers of a later time with their interpolation factor, morph weights, the root. What is out of view or asleep is
+/// always of this frame.
+/// err  what is shown is up to 2^k - 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times.
+///      The root lags as well; to hide that, draw the character with root_now * inverse(input.root) on top
 class HeldInput {
  public:
-  explicit HeldInput(const Plan& plan);
+  explicit HeldInput(const Plan& plan) : held_(plan) {}
 
-  /// The input to run in this frame: `now` in the frames of the level and of this character, and where there is nothing
-  /// to hold, otherwise the last one of these. What is out of view or asleep is always of this frame; who wakes up is
-  /// evaluated. in   turn  of the character, any number: characters that count up share their work out over frames out
-  /// views of this object, valid until the next call.    cost O(layers + weights), no allocation for layers that the
-  /// plan has room for
-  FrameInput next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t turn);
+  /// The input to run in this frame: `now` in frames in which the character is due and when nothing is held yet,
+  /// otherwise the last such input. A character that wakes up is evaluated.
+  /// in   phase  of the character, any number; it is due when frame + phase is a multiple of 2^k. Characters that count
+  ///             up spread their work over frames
+  /// out  views of this object, valid until the next call
+  /// cost O(layers + weights), no allocation for inputs within the room of the plan (Needs::layer_room)
+  FrameInput next(const FrameInput& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase);
 
  private:
-  std::vector<ClipLayer> layers_;
-  std::vector<float> weights_;
-  Affine root_;
+  InputCopy held_;
   bool holds_ = false;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct Needs {
   std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
-  bool between_updates = false;  ///< some frames lie between two poses (FrameInput::interpolation_factor)
+  std::uint32_t max_additive_layers = 8;  ///< most of those in one frame, where `additive`
+  bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
   SkeletonLod skeleton_lod;               ///< joints that poses can do without
   Skinning skinning = Skinning::linear;
@@ -36,6 +38,10 @@ struct Needs {
 
   Skinning skinning_of(std::size_t instance) const noexcept {
     return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;
+  }
+  /// Most layers of one frame, of both kinds; frames keep room for so many.
+  std::size_t layer_room() const noexcept {
+    return std::size_t{max_layers} + (additive ? std::size_t{max_additive_layers} : 0);
   }
   /// Something about the meshes themselves, not just joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <memory_resource>
+#include <optional>
 #include <span>
 
 #include "runtime/base/result.h"
@@ -16,51 +17,88 @@ namespace sinew {
 using Ticket = std::uint64_t;
 
 /// Runs `body(i)` for every i in [0, count) and returns when all are done; may use any threads. An engine passes its
-/// own job system here; it must call each i exactly once and not throw. Which thread runs which i does not matter:
-/// results are the same bits. One i is a run of characters worth handing over, some microseconds of work, so that a
-/// crowd of simple characters needs no batches of the executor's own.
+/// own job system here. It must call each i exactly once and not throw. Which thread runs which i does not matter:
+/// results are the same bits. One i is a run of characters worth handing over, some microseconds of work, so a crowd
+/// of simple characters needs no batches of the executor's own.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
 struct JobThreadOptions {
-  Executor executor;  ///< empty = oneTBB
-  /// A frame of all characters smaller than this runs on the worker itself (P16): the sum of Plan::frame_bytes, which
-  /// goes with the time. Waking threads that slept takes as long as this much work.
+  Executor executor;  ///< empty = oneTBB; without a thread of its own: the thread that polls
+  /// A frame of all characters smaller than this is one task and is not handed to the executor (P16): the sum of
+  /// Plan::frame_bytes, which grows with the time. Waking threads that slept takes as long as this much work.
   std::size_t inline_below_bytes = std::size_t{1} << 19;
-  std::size_t part_bytes = std::size_t{1}
-                           << 17;  ///< consecutive characters that the executor is handed as one: at least so much
+  std::size_t part_bytes = std::size_t{1} << 17;      ///< consecutive characters that are one task: at least so much
   std::pmr::memory_resource* frame_memory = nullptr;  ///< of frame buffers and copies of inputs; null = operator new.
-                                                      ///< Must outlive the job thread; asked by the calling thread only
+                                                      ///< Must outlive the job thread. Asked by add_character and the
+                                                      ///< destructor only
+  bool own_thread = true;  ///< false: no thread is made, frames run where the engine calls poll() or runs tasks
+  /// 3 or 2, per character. With 2 a character takes a third less memory, and submit answers busy until the frame
+  /// before is finished and latest() has taken its result of every character.
+  std::uint8_t frame_buffers = 3;
 };
 
 /// Evaluates frames of many characters beside the caller's thread. Each character has three frame buffers: one being
 /// written, one finished, one being read. So the worker never waits for the reader, and the reader never waits for the
 /// worker unless it calls wait().
-/// owns  one worker thread, the frame buffers of all characters added;   thread-safe: submit and read from one thread
+///
+/// Without a thread of its own (for engines whose jobs are fibres, or that have one thread only) a submitted frame
+/// waits for the engine: poll() runs it, or take_task() hands it out in pieces for any threads or fibres; the last
+/// task to end publishes the results. No call but wait(), add_character() and the destructor blocks.
+/// owns  one worker thread unless own_thread is false, the frame buffers of all characters added
+/// thread-safe  submit and latest from one thread; poll, take_task and tasks from any
 class JobThread {
+  struct State;
+
  public:
   using Character = std::uint32_t;
 
   explicit JobThread(JobThreadOptions options = {});
-  ~JobThread();  ///< finishes the frame in flight, drops the queued one
+  /// Finishes the frame in flight and drops the queued one. Without a thread of its own: drops what has not been
+  /// taken; tasks that were taken must have ended.
+  ~JobThread();
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
 
-  /// Adds a character that runs `plan` (which must outlive the job thread). Not while a frame is in flight: waits for
-  /// it.
+  /// Adds a character that runs `plan` (which must outlive the job thread). Waits for frames in flight and queued.
   Character add_character(const Plan& plan);
   std::size_t character_count() const noexcept;
 
-  /// Queues one frame: inputs[c] is what character c shows. Inputs are copied. No allocation once layer counts have
-  /// been seen before.  err size_mismatch (inputs.size() != characters), busy (a frame waits already)
+  /// Queues one frame: inputs[c] is what character c shows. Inputs are copied; nothing is allocated.
+  /// err  size_mismatch (inputs.size() != characters; an input has more layers than Needs::layer_room of its plan, more
+  ///      weights or more instances than its scene), busy (a frame waits already; see also frame_buffers)
   Result<Ticket> submit(std::span<const FrameInput> inputs);
 
   Ticket last_submitted() const noexcept;  ///< 0 = none yet
   bool done(Ticket ticket) const noexcept;
+  /// Blocks until the frame is done. Without a thread of its own this runs what is pending, as poll() does, and then
+  /// waits for tasks that other threads have taken.
   void wait(Ticket ticket) const;
+
+  /// One run of characters of a frame; a value of two words.
+  class Task {
+   public:
+    Task() = default;  ///< not to be called
+    /// Runs the characters. Each task is called exactly once, on any thread; a frame is done when its last task is.
+    void operator()() const noexcept;
+
+   private:
+    friend class JobThread;
+    Task(State& state, std::size_t index) noexcept : state_(&state), index_(index) {}
+    State* state_ = nullptr;
+    std::size_t index_ = 0;
+  };
+
+  /// Without a thread of its own: the next task of the frame in flight, or the first one of the frame that is queued;
+  /// nothing while all tasks are taken. A task that was taken and never run leaves its frame unfinished.
+  std::optional<Task> take_task() noexcept;
+
+  /// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
+  /// out  whether there was something to run
+  bool poll();
 
   /// Newest finished frame of a character; stays valid and unchanged until the next call of latest() for that
   /// character. A character whose input is as before is not run: it keeps its result, with the number of the frame that
-  /// made it, so that characters who rest or are held (update_rate.h) cost nothing. Null before the first frame is
+  /// made it, so that characters that rest or are held (update_rate.h) cost nothing. Null before the first frame is
   /// done.
   const FrameResult* latest(Character character) noexcept;
 
@@ -69,7 +107,6 @@ class JobThread {
   ErrorCode last_error() const noexcept;
 
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -5,14 +5,31 @@
 
 namespace sinew {
 
-/// Says which of three buffers a writer and a reader may touch, so that neither ever waits: one is being written, one
-/// finished, one being read. One writer thread and one reader thread; lock-free.
+/// Says which of three frame buffers the writer and the reader may touch, so that neither waits: one is being written,
+/// one is finished, one is being read. One writer at a time and one reader; lock-free.
+///
+/// With two buffers one of the three places is empty: the writer has nothing to write into from the moment it has
+/// published a buffer until the reader takes that one and so gives back the buffer before it.
 class TripleSlots {
  public:
+  /// in   buffer_count  3, or 2 (see above)
+  explicit TripleSlots(std::uint8_t buffer_count = 3) noexcept : absent_(buffer_count) {}
+
+  /// Reader, while nothing is written: prepare_to_write will find a buffer. Always true for three buffers.
+  bool can_write() const noexcept {
+    return writing_ != absent_ || (middle_.load(std::memory_order_relaxed) & kFresh) == 0;
+  }
+
+  /// Writer, before it writes: takes the buffer that the reader has given back, where it has none.
+  void prepare_to_write() noexcept {
+    if (writing_ == absent_) writing_ = middle_.exchange(absent_, std::memory_order_acq_rel) & kIndex;
+  }
+
   /// Writer: the buffer to write into.
   std::uint8_t writing() const noexcept { return writing_; }
 
-  /// Writer: the buffer is complete; go on with the one that was finished before and never read, or read long ago.
+  /// Writer: the buffer is complete. The next one to write is the one that was finished before and never read, or that
+  /// the reader has given back.
   void publish() noexcept {
     const std::uint8_t given = static_cast<std::uint8_t>(writing_ | kFresh);
     writing_ = middle_.exchange(given, std::memory_order_acq_rel) & kIndex;
@@ -32,6 +49,7 @@ class TripleSlots {
  private:
   static constexpr std::uint8_t kIndex = 3, kFresh = 4;
 
+  std::uint8_t absent_;  // the index that stands for no buffer: 2 of two buffers, never met with three
   std::uint8_t writing_ = 0;
   alignas(64) std::atomic<std::uint8_t> middle_{1};
   alignas(64) std::uint8_t reading_ = 2;

@@ -71,6 +71,12 @@ TEST(library_symbols, the_runtime_defines_no_weak_symbol_that_an_engine_could_re
   EXPECT_GT(strong, 100u);
 }
 
+TEST(library_symbols, only_the_job_thread_asks_for_onetbb) {
+  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVE);
+  ASSERT_THAT(table, testing::HasSubstr("sinew::run_plan("));
+  EXPECT_THAT(table, testing::Not(testing::HasSubstr("tbb::")));
+}
+
 TEST(library_symbols, a_variable_is_found_and_a_constant_is_not) {
   EXPECT_THAT(writable_variables("0000000000000000 l     O .bss\t0000000000000008 (anonymous namespace)::calls\n"
                                  "0000000000000000 l     O .tbss.x\t0000000000000008 cache\n"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory_resource>
+#include <vector>
+
+#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/frame_input.h"
+
+namespace sinew {
+
+/// A frame's input that owns its arrays, for whoever runs or shows it after the caller's arrays are gone.
+/// owns  copies of all arrays, from `memory`, with room for what the plan declares (Needs::layer_room): assigning an
+///       input of no more layers allocates nothing
+class InputCopy {
+ public:
+  explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
+      : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory) {
+    layers_.reserve(plan.needs.layer_room());
+    if (plan.needs.between_updates) next_layers_.reserve(plan.needs.layer_room());
+    weights_.reserve(plan.scene->weight_count());
+    out_of_view_.reserve(plan.scene->instances.size());
+  }
+
+  /// Assigning the input will allocate nothing.
+  bool has_room_for(const FrameInput& input) const noexcept {
+    return input.layers.size() <= layers_.capacity() && input.next_layers.size() <= next_layers_.capacity() &&
+           input.weights.size() <= weights_.capacity() && input.out_of_view.size() <= out_of_view_.capacity();
+  }
+
+  void assign(const FrameInput& input) {
+    layers_.assign(input.layers.begin(), input.layers.end());
+    next_layers_.assign(input.next_layers.begin(), input.next_layers.end());
+    weights_.assign(input.weights.begin(), input.weights.end());
+    out_of_view_.assign(input.out_of_view.begin(), input.out_of_view.end());
+    numbers_ = input;
+  }
+
+  /// The input assigned last; valid until the next one is assigned.
+  FrameInput view() const noexcept {
+    FrameInput input = numbers_;
+    input.layers = layers_;
+    input.next_layers = next_layers_;
+    input.weights = weights_;
+    input.out_of_view = out_of_view_;
+    return input;
+  }
+
+ private:
+  std::pmr::vector<ClipLayer> layers_, next_layers_;
+  std::pmr::vector<float> weights_;
+  std::pmr::vector<std::uint8_t> out_of_view_;
+  FrameInput numbers_;  // its spans are the caller's, and not used
+};
+
+}  // namespace sinew
