@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/playback.h"
 
-#include <cmath>
-
 #include "runtime/c/boundary.h"
 #include "runtime/playback/event_cursor.h"
 #include "runtime/playback/playback_clock.h"
@@ -25,13 +23,12 @@ PlaybackClock clock_in(const sinew_clock& given) noexcept {
   return clock;
 }
 
-/// Changes the clock in place.
+/// Changes the clock in place. A number that it refuses leaves it as it was.
 template <class Change>
-sinew_error change(sinew_clock* given, double number, Change&& apply) noexcept {
+sinew_error change(sinew_clock* given, Change&& apply) noexcept {
   if (given == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(number)) return SINEW_NOT_FINITE;
   PlaybackClock clock = clock_in(*given);
-  apply(clock);
+  if (const ErrorCode error = apply(clock); error != ErrorCode::ok) return c::error_from(error);
   c::copy_bits(clock, *given);
   return SINEW_OK;
 }
@@ -40,28 +37,31 @@ sinew_error change(sinew_clock* given, double number, Change&& apply) noexcept {
 
 sinew_error sinew_clock_init(sinew_clock* clock, double duration_s, std::uint32_t mode, double speed) {
   if (clock == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!std::isfinite(duration_s) || duration_s < 0.0 || !std::isfinite(speed)) return SINEW_NOT_FINITE;
   if (mode > SINEW_PLAY_ONCE) return SINEW_UNSUPPORTED;
+  const Result<PlaybackClock> made = PlaybackClock::make(duration_s, static_cast<PlayMode>(mode), speed);
+  if (!made) return SINEW_NOT_FINITE;
   *clock = {};
-  c::copy_bits(PlaybackClock(duration_s, static_cast<PlayMode>(mode), speed), *clock);
+  c::copy_bits(*made, *clock);
   return SINEW_OK;
 }
 
 sinew_error sinew_clock_advance(sinew_clock* clock, double dt_s, sinew_step* step) {
-  return change(clock, dt_s, [&](PlaybackClock& own) {
+  return change(clock, [&](PlaybackClock& own) {
     const PlaybackStep played = own.advance(dt_s);
-    if (step == nullptr) return;
-    *step = {};
-    c::copy_bits(played, *step);
+    if (step != nullptr && played.error == ErrorCode::ok) {
+      *step = {};
+      c::copy_bits(played, *step);
+    }
+    return played.error;
   });
 }
 
 sinew_error sinew_clock_seek(sinew_clock* clock, double time_s) {
-  return change(clock, time_s, [&](PlaybackClock& own) { own.seek(time_s); });
+  return change(clock, [&](PlaybackClock& own) { return own.seek(time_s); });
 }
 
 sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed) {
-  return change(clock, speed, [&](PlaybackClock& own) { own.set_speed(speed); });
+  return change(clock, [&](PlaybackClock& own) { return own.set_speed(speed); });
 }
 
 double sinew_clock_time_s(const sinew_clock* clock) { return clock_in(*clock).time_s(); }

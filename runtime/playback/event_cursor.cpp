@@ -7,33 +7,33 @@
 namespace sinew {
 namespace {
 
-bool before(double turn_a, double phase_a, double turn_b, double phase_b) noexcept {
-  return turn_a < turn_b || (turn_a == turn_b && phase_a < phase_b);
+/// A number of rounds as an integer, at most 2^63; NaN, which no clock answers, counts as 0.
+std::uint64_t whole(double rounds) noexcept {
+  constexpr double kMost = 0x1p63;
+  return rounds > 0.0 ? static_cast<std::uint64_t>(std::min(rounds, kMost)) : 0;
 }
 
 }  // namespace
 
 EventCursor::EventCursor(const PlaybackStep& step, std::span<const double> event_times_s) noexcept
-    : step_(step), times_s_(event_times_s), turn_(step.from_turns) {
-  forward_ = !before(step.to_turns, step.to_s, step.from_turns, step.from_s);
+    : step_(step), times_s_(event_times_s) {
+  forward_ = step.to_turns > step.from_turns || (step.to_turns == step.from_turns && !(step.to_s < step.from_s));
   slots_ = step.mode == PlayMode::ping_pong ? 2 * times_s_.size() : times_s_.size();
   first_on_seam_ =
       static_cast<std::size_t>(std::lower_bound(times_s_.begin(), times_s_.end(), step.duration_s) - times_s_.begin());
-  constexpr double kMostRounds = 9.0e15;
-  const double rounds = std::fabs(step.to_turns - step.from_turns) + 1.0;  // both ends included
-  rounds_left_ = slots_ == 0 ? 0 : static_cast<std::uint64_t>(std::min(rounds, kMostRounds));
+  const std::uint64_t touched = whole(std::fabs(step.to_turns - step.from_turns)) + 1;  // both ends included
+  round_count_ = std::min(touched, kMostRounds);
+  rounds_left_out_ = touched - round_count_;
 }
 
 std::optional<std::size_t> EventCursor::next() noexcept {
-  while (rounds_left_ > 0) {
+  for (; round_ < round_count_; ++round_) {
     while (slot_ < slots_) {
       const Stop stop = stop_at(forward_ ? slot_ : slots_ - 1 - slot_);
       ++slot_;
       if (stop.real && crosses(stop)) return stop.event;
     }
     slot_ = 0;
-    --rounds_left_;
-    turn_ += forward_ ? 1.0 : -1.0;
   }
   return std::nullopt;
 }
@@ -53,12 +53,12 @@ EventCursor::Stop EventCursor::stop_at(std::size_t slot) const noexcept {
 }
 
 bool EventCursor::crosses(const Stop& stop) const noexcept {
-  const bool at_start = turn_ == step_.from_turns && stop.phase_s == step_.from_s;
-  if (at_start) return step_.from_included && times_s_[stop.event] == stop.phase_s;
-  return forward_ ? before(step_.from_turns, step_.from_s, turn_, stop.phase_s) &&
-                        !before(step_.to_turns, step_.to_s, turn_, stop.phase_s)
-                  : before(turn_, stop.phase_s, step_.from_turns, step_.from_s) &&
-                        !before(turn_, stop.phase_s, step_.to_turns, step_.to_s);
+  const bool is_first = round_ == 0, is_last = round_ + 1 == round_count_;
+  if (is_first && stop.phase_s == step_.from_s) return step_.from_included && times_s_[stop.event] == stop.phase_s;
+  const double phase_s = stop.phase_s;
+  const bool has_begun = !is_first || (forward_ ? step_.from_s < phase_s : phase_s < step_.from_s);
+  const bool has_ended = is_last && (forward_ ? step_.to_s < phase_s : phase_s < step_.to_s);
+  return has_begun && !has_ended;
 }
 
 }  // namespace sinew

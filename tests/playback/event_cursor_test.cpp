@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -89,6 +90,63 @@ TEST(event_cursor, a_clip_without_length_crosses_its_event_once) {
 TEST(event_cursor, nothing_to_cross_without_events) {
   PlaybackClock clock(1.0);
   EXPECT_EQ(crossed(clock.advance(1e12), {}), Indices{});
+}
+
+/// What a cursor answers, at most `most` times.
+struct Told {
+  Indices events;
+  std::uint64_t rounds_left_out = 0;
+  bool ended = false;
+};
+
+Told told(const PlaybackStep& step, const std::vector<double>& times_s, std::size_t most) {
+  EventCursor cursor(step, times_s);
+  Told seen{{}, cursor.rounds_left_out(), false};
+  while (!seen.ended && seen.events.size() < most) {
+    const auto event = cursor.next();
+    seen.ended = !event;
+    if (event) seen.events.push_back(*event);
+  }
+  return seen;
+}
+
+TEST(event_cursor, a_step_over_no_end_of_rounds_tells_a_bounded_number_of_crossings) {
+  const std::vector<double> times = {0.0, 5e-31};
+  const std::size_t most = 4 * EventCursor::kMostRounds;
+  for (const double dt_s : {1.0 / 60.0, -1.0 / 60.0, 1e200})
+    for (const PlayMode mode : {PlayMode::loop, PlayMode::ping_pong}) {
+      PlaybackClock clock(1e-30, mode);
+      clock.advance(2e-31);
+      for (int frame = 0; frame < 3; ++frame) {
+        const Told seen = told(clock.advance(dt_s), times, most + 1);
+        EXPECT_TRUE(seen.ended) << dt_s;
+        EXPECT_GT(seen.rounds_left_out, std::uint64_t{1} << 62) << dt_s;
+      }
+    }
+}
+
+TEST(event_cursor, rounds_beyond_those_that_are_told_are_counted) {
+  const std::uint64_t most = EventCursor::kMostRounds;
+  const std::vector<double> times = {0.25, 0.75};
+  for (const double sign : {1.0, -1.0}) {
+    PlaybackClock clock(1.0, PlayMode::loop, sign), whole = clock;
+    clock.advance(0.5);
+    const Told seen = told(clock.advance(static_cast<double>(most) + 99.0), times, 4 * most);
+    EXPECT_EQ(seen.rounds_left_out, 100u);  // the step touches kMostRounds + 100 rounds, the first and the last in part
+    ASSERT_EQ(seen.events.size(), 2 * (most - 1));
+    const std::size_t next = sign > 0.0 ? 1 : 0;
+    for (std::size_t i = 0; i < seen.events.size(); ++i) ASSERT_EQ(seen.events[i], (next + i) % 2) << i;
+    whole.advance(0.5);
+    EXPECT_EQ(told(whole.advance(static_cast<double>(most) - 1.0), times, 4 * most).rounds_left_out, 0u);
+  }
+}
+
+TEST(event_cursor, a_step_that_was_refused_crosses_nothing) {
+  PlaybackClock clock(1.0);
+  const std::vector<double> times = {0.0, 0.5, 1.0};
+  EXPECT_EQ(crossed(clock.advance(std::numeric_limits<double>::quiet_NaN()), times), Indices{});
+  EXPECT_EQ(crossed(clock.advance(0.5), times), (Indices{0, 1}));
+  EXPECT_EQ(crossed(clock.advance(std::numeric_limits<double>::infinity()), times), Indices{});
 }
 
 // However play is cut into steps, the same events are seen in the same order: each belongs to exactly one step.

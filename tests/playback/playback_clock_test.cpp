@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace sinew {
 namespace {
@@ -127,6 +128,59 @@ TEST(playback_clock, a_clip_without_length_stands_still) {
     EXPECT_EQ(clock.time_s(), 0.0);
     EXPECT_EQ(clock.finished(), mode == PlayMode::once);
   }
+}
+
+TEST(playback_clock, a_number_that_is_none_is_answered_with_a_code_and_changes_nothing) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  for (const PlayMode mode : {PlayMode::loop, PlayMode::clamp, PlayMode::ping_pong, PlayMode::once}) {
+    PlaybackClock clock(1.0, mode, 2.0);
+    clock.advance(0.125);
+    for (const double bad : {kNan, kInfinity, -kInfinity, 1e308, -1e308}) {
+      const PlaybackStep step = clock.advance(bad);
+      EXPECT_EQ(step.error, ErrorCode::not_finite) << bad;
+      EXPECT_EQ(step.from_s, step.to_s);
+      EXPECT_EQ(clock.set_speed(bad), ErrorCode::not_finite) << bad;
+    }
+    for (const double bad : {kNan, kInfinity, -kInfinity}) EXPECT_EQ(clock.seek(bad), ErrorCode::not_finite) << bad;
+    EXPECT_EQ(clock.speed(), 2.0);
+    EXPECT_EQ(clock.time_s(), 0.25);
+    const PlaybackStep good = clock.advance(0.125);
+    EXPECT_EQ(good.error, ErrorCode::ok);
+    EXPECT_EQ(good.from_s, 0.25);
+    EXPECT_EQ(clock.time_s(), 0.5);
+  }
+}
+
+TEST(playback_clock, a_step_too_large_for_the_speed_is_refused_too) {
+  PlaybackClock clock(1.0, PlayMode::loop, 1e200);
+  EXPECT_EQ(clock.advance(1e150).error, ErrorCode::not_finite);
+  clock.set_speed(0.0);
+  EXPECT_EQ(clock.advance(std::numeric_limits<double>::infinity()).error, ErrorCode::not_finite);
+  EXPECT_EQ(clock.time_s(), 0.0);
+}
+
+TEST(playback_clock, the_largest_steps_leave_a_time_of_the_clip) {
+  for (const PlayMode mode : {PlayMode::loop, PlayMode::clamp, PlayMode::ping_pong, PlayMode::once})
+    for (const double duration_s : {1e-30, 1.0, 1e30, PlaybackClock::kMost})
+      for (const double sign : {1.0, -1.0}) {
+        PlaybackClock clock(duration_s, mode);
+        for (int frame = 0; frame < 5; ++frame) {
+          EXPECT_EQ(clock.advance(sign * PlaybackClock::kMost).error, ErrorCode::ok);
+          EXPECT_TRUE(clock.time_s() >= 0.0 && clock.time_s() <= duration_s) << duration_s;
+          EXPECT_GE(sign * static_cast<double>(clock.rounds()), 0.0);
+        }
+      }
+}
+
+TEST(playback_clock, make_answers_codes_where_the_constructor_breaks_a_contract) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {kNan, kInfinity, -kInfinity, 1e301}) {
+    EXPECT_EQ(PlaybackClock::make(bad).error(), ErrorCode::not_finite);
+    EXPECT_EQ(PlaybackClock::make(1.0, PlayMode::loop, bad).error(), ErrorCode::not_finite);
+    EXPECT_DEATH(PlaybackClock{bad}, "contract broken");
+  }
+  EXPECT_EQ(PlaybackClock::make(-1.0).error(), ErrorCode::unsupported);
+  EXPECT_EQ(PlaybackClock::make(2.0, PlayMode::once, 0.5)->duration_s(), 2.0);
 }
 
 // 24 h at 60 Hz. The truth is the exact sum of the steps: long double carries 2^-64 relative, here 5e-15 s.

@@ -61,12 +61,12 @@ void Playback::step(int direction) noexcept {
 
 void Playback::faster() noexcept {
   for (const double speed : kSpeeds)
-    if (speed > clock_.speed() + 1e-9) return clock_.set_speed(speed);
+    if (speed > clock_.speed() + 1e-9) return set_speed(speed);
 }
 
 void Playback::slower() noexcept {
   for (std::size_t i = kSpeeds.size(); i-- > 0;)
-    if (kSpeeds[i] < clock_.speed() - 1e-9) return clock_.set_speed(kSpeeds[i]);
+    if (kSpeeds[i] < clock_.speed() - 1e-9) return set_speed(kSpeeds[i]);
 }
 
 void Playback::set_mode(PlayMode mode) {
