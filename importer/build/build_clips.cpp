@@ -10,6 +10,7 @@
 #include "importer/file/json_pointer.h"
 #include "importer/read/animations.h"
 #include "importer/read/rotations.h"
+#include "runtime/math/quaternion.h"
 
 namespace sinew {
 namespace {
@@ -22,7 +23,8 @@ Vec3Track vec3_track(SamplerData data) {
 }
 
 /// Linear and step keys become unit quaternions (G18, G52). Cubic keys stay as stored: together with their tangents
-/// they shape the curve, and the sampled result is normalised (G04, G05).
+/// they shape the curve, and the sampled result is normalised (G04, G05). Only values whose square float cannot hold,
+/// or that are zero, become unit too.
 QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) {
   QuatTrack track{data.interpolation, std::move(data.times_s), {}};
   track.values.reserve(data.values.size() / 4);
@@ -33,7 +35,9 @@ QuatTrack quat_track(SamplerData data, const std::string& place, IssueLog& log) 
     const UnitRotation unit = unit_rotation(q[0], q[1], q[2], q[3]);
     const bool is_value = !cubic || i / 4 % 3 == 1;
     if (is_value) tally.add(unit.length);
-    track.values.push_back(cubic ? quat_xyzw(q[0], q[1], q[2], q[3]) : unit.rotation);
+    const glm::quat stored = quat_xyzw(q[0], q[1], q[2], q[3]);
+    const bool stays = cubic && (!is_value || is_safe_square(square_of(stored)));
+    track.values.push_back(stays ? stored : unit.rotation);
   }
   tally.report(place, "a rotation key", "rotation keys", log);
   return track;

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "runtime/model/texture_slot.h"
+#include "runtime/animation/property_track.h"
 
 namespace sinew {
 namespace {

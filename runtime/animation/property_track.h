@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// What a clip can move beside the transforms of joints and morph weights.
+/// What a clip can animate besides joint transforms and morph weights.
 enum class PropertyKind : std::uint8_t {
-  node_visible,  ///< a flag: 1 from one half on. With a joint all below it disappear (KHR_node_visibility)
+  node_visible,  ///< a flag: shown from 0.5 on. Hides a joint and all below it (KHR_node_visibility)
   camera_fov_y,
   camera_aspect,
   camera_half_width,
@@ -38,6 +38,19 @@ enum class PropertyKind : std::uint8_t {
 /// The textures of a material, in the order of its members.
 enum class TextureSlot : std::uint8_t { base_color, metallic_roughness, normal, occlusion, emissive };
 
+/// The texture of a slot, for any material type that has these members.
+template <class AnyMaterial>
+auto& texture_in_slot(AnyMaterial& material, TextureSlot slot) noexcept {
+  switch (slot) {
+    case TextureSlot::metallic_roughness: return material.metallic_roughness_texture;
+    case TextureSlot::normal: return material.normal_texture;
+    case TextureSlot::occlusion: return material.occlusion_texture;
+    case TextureSlot::emissive: return material.emissive_texture;
+    case TextureSlot::base_color: break;
+  }
+  return material.base_color_texture;
+}
+
 /// One property of one thing.
 struct PropertyTarget {
   PropertyKind kind = PropertyKind::node_visible;
@@ -50,22 +63,22 @@ struct PropertyTarget {
 std::uint32_t component_count(PropertyKind kind) noexcept;
 inline bool is_flag(PropertyKind kind) noexcept { return kind == PropertyKind::node_visible; }
 
-/// A property over time: numbers that are interpolated one by one, whatever they mean. Flags have only steps.
+/// A property over time. Its numbers are interpolated one by one, angles and colours too; flags only step.
 struct PropertyTrack {
   PropertyTarget target;
-  WeightTrack values;  ///< the property's components take the place of the morph targets
+  WeightTrack values;  ///< target_count = component_count(target.kind)
 };
 
-/// Where the animated properties of a scene lie in one flat array of numbers, one after another.
+/// Where each animated property of a scene lies in one flat array of numbers.
 struct PropertyTable {
   struct Entry {
     PropertyTarget target;
     std::uint32_t first = 0, count = 0;
   };
-  std::vector<Entry> entries;  ///< rising targets: everything that some clip moves, once
-  std::vector<float> rest;     ///< [P] values while no clip plays
+  std::vector<Entry> entries;  ///< by rising target: each property that some clip animates, once
+  std::vector<float> rest;     ///< [P] values without a clip
 
-  /// Null when no clip moves it.      cost O(log entries)
+  /// Null when no clip animates it.      cost O(log entries)
   const Entry* find(const PropertyTarget& target) const noexcept;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,17 +10,17 @@
 
 namespace sinew {
 
-/// How values between two keys are made. `linear` on rotations is slerp in meaning, on the short arc (G01).
-/// `cubic_spline` is glTF's Hermite form: per key an in-tangent, a value and an out-tangent, tangents per second (G03).
-/// `squad` runs a spherical quadrangle through rotation keys; its control points follow from the keys.
+/// How values between two keys are computed. `linear` is slerp on the short arc for rotations (G01). `cubic_spline` is
+/// glTF's Hermite form: per key an in-tangent, a value and an out-tangent, tangents per second (G03). `squad` is
+/// spherical and quadrangle interpolation of rotations; its control points follow from the keys.
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline, squad };
 
-/// Key times and values of one animated property, as the file has them. Immutable once checked.
+/// Key times and values of one animated property, in the precision of the file; sample_track evaluates them in float or
+/// double (track_sample.h).
 ///
 /// in   times_s[K]   seconds, finite, >= 0, never decreasing; two equal times are a jump: the later key's value holds
 ///                   from that time on (G13)
 ///      values[K]    or [3K] for cubic_spline: in-tangent, value, out-tangent of key 0, then of key 1, ... (G03)
-/// Values are kept in the file's precision; evaluation happens in any precision (track_sample.h).
 template <class V>
 struct Track {
   Interpolation interpolation = Interpolation::linear;
@@ -33,7 +34,7 @@ struct Track {
 using Vec3Track = Track<glm::vec3>;
 using QuatTrack = Track<glm::quat>;
 
-/// All morph weights of one mesh instance share times: frame-major values, `target_count` per key (G19). For
+/// Morph weights of one mesh instance over shared key times: values key after key, `target_count` each (G19). For
 /// cubic_spline a key holds all in-tangents, then all values, then all out-tangents.
 struct WeightTrack {
   Interpolation interpolation = Interpolation::linear;
@@ -45,7 +46,17 @@ struct WeightTrack {
   std::size_t key_count() const noexcept { return times_s.size(); }
 };
 
-/// err  too_few_keys, size_mismatch, not_finite, times_not_increasing (negative or decreasing times).   cost O(K)
+/// Whether a rotation is a unit quaternion as far as jobs rely on it: they use it without dividing by its length.
+inline bool is_unit(const glm::quat& q) noexcept {
+  constexpr float kTolerance = 2e-4f;  // of the squared length
+  return std::abs(((q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w)) - 1.0f) <= kTolerance;
+}
+
+/// Whether keys are what interpolation and jobs rely on. Rotation keys are unit; the values of cubic ones may have any
+/// length from 1e-10 to 1e15, as the curve between them is normalised.
+/// err  too_few_keys, size_mismatch, not_finite, times_not_increasing (negative or decreasing times), not_normalised
+///      (rotations), unsupported (squad for what is no rotation, or no known interpolation)
+/// cost O(K)
 ErrorCode check(const Vec3Track& track) noexcept;
 ErrorCode check(const QuatTrack& track) noexcept;
 ErrorCode check(const WeightTrack& track) noexcept;

@@ -1,27 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 namespace sinew {
 
-/// Whether no number is infinite or NaN. Looks at all of them without a branch, so that compilers make vector code of
-/// it. cost O(n), memory-bound
-inline bool all_finite(std::span<const float> numbers) noexcept {
-  constexpr std::uint32_t kExponent = 0x7f800000u;
-  std::uint32_t odd = 0;
-  for (const float number : numbers) odd |= (std::bit_cast<std::uint32_t>(number) & kExponent) == kExponent ? 1u : 0u;
+/// Whether no number is infinite or NaN. Looks at all numbers without a branch, so that compilers vectorise the loop.
+/// cost O(n), memory-bound
+template <std::floating_point T>
+bool all_finite(std::span<const T> numbers) noexcept {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t>;
+  constexpr Bits kExponent = std::bit_cast<Bits>(std::numeric_limits<T>::infinity());
+  Bits odd = 0;
+  for (const T number : numbers) odd |= (std::bit_cast<Bits>(number) & kExponent) == kExponent ? Bits{1} : Bits{0};
   return odd == 0;
 }
 
-/// The same for vectors of floats.
+/// The same for vectors, quaternions and matrices of floats.
 template <class Element>
 bool all_finite(std::span<const Element> elements) noexcept {
   static_assert(sizeof(Element) % sizeof(float) == 0);
-  return all_finite(
-      std::span(reinterpret_cast<const float*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(float))));
+  return all_finite(std::span<const float>(reinterpret_cast<const float*>(elements.data()),
+                                           elements.size() * (sizeof(Element) / sizeof(float))));
+}
+
+template <class Element>
+bool all_finite(const std::vector<Element>& elements) noexcept {
+  return all_finite(std::span<const Element>(elements));
 }
 
 }  // namespace sinew

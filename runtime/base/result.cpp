@@ -17,6 +17,8 @@ std::string_view describe(ErrorCode code) noexcept {
     case ErrorCode::coincident_poses: return "two sample poses coincide";
     case ErrorCode::rank_deficient: return "a system of equations has no unique solution";
     case ErrorCode::busy: return "the job thread has no free slot for another frame";
+    case ErrorCode::not_normalised:
+      return "a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1";
   }
   return "unknown error";
 }

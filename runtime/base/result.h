@@ -6,8 +6,9 @@
 
 namespace sinew {
 
-/// What a call of the runtime can answer besides `ok`. Bad *files* are reported by the importer with text and place
-/// (importer/import_error.h); these codes are for bad *calls*: wrong sizes, indices or orders of buffers.
+/// What a call of the runtime answers. These codes are for bad *calls* and bad numbers: wrong sizes, indices or orders
+/// of buffers, NaN. The importer reports bad *files* with text and place (importer/import_error.h), and bugs of the
+/// calling program end in a contract (base/contract.h).
 enum class ErrorCode {
   ok,
   size_mismatch,         ///< a buffer is shorter than the job needs, or two parallel buffers differ in length
@@ -21,6 +22,7 @@ enum class ErrorCode {
   coincident_poses,      ///< two sample poses are the same as far as their drivers count
   rank_deficient,        ///< a system of equations has no unique solution within rounding
   busy,                  ///< the job thread has no free slot for another frame
+  not_normalised,        ///< a rotation is not a unit quaternion, or the weights of a vertex do not sum to 1
 };
 
 /// One sentence per code, for logs.

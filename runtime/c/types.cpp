@@ -20,7 +20,8 @@ static_assert(error_from(ErrorCode::ok) == SINEW_OK && error_from(ErrorCode::siz
               error_from(ErrorCode::unsupported) == SINEW_UNSUPPORTED &&
               error_from(ErrorCode::coincident_poses) == SINEW_COINCIDENT_POSES &&
               error_from(ErrorCode::rank_deficient) == SINEW_RANK_DEFICIENT &&
-              error_from(ErrorCode::busy) == SINEW_BUSY);
+              error_from(ErrorCode::busy) == SINEW_BUSY &&
+              error_from(ErrorCode::not_normalised) == SINEW_NOT_NORMALISED);
 static_assert(sizeof(sinew_affine) == sizeof(Affine) && sizeof(sinew_joint_matrix) == sizeof(JointMatrix));
 static_assert(SINEW_VERSION_MAJOR == SINEW_PROJECT_MAJOR && SINEW_VERSION_MINOR == SINEW_PROJECT_MINOR &&
                   SINEW_VERSION_PATCH == SINEW_PROJECT_PATCH,

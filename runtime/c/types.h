@@ -42,6 +42,7 @@ typedef enum sinew_error {
   SINEW_COINCIDENT_POSES = 9,
   SINEW_RANK_DEFICIENT = 10,
   SINEW_BUSY = 11,                ///< a frame waits already
+  SINEW_NOT_NORMALISED = 12,      ///< a rotation is not unit, or the weights of a vertex do not sum to 1
   SINEW_NULL_ARGUMENT = 100,      ///< a pointer that must not be null is
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
                                   ///< library with something in the newer part

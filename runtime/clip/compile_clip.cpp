@@ -76,8 +76,10 @@ bool holds_keys(const QuatTrack& track) noexcept {
   return track.interpolation == Interpolation::step || track.key_count() == 1;
 }
 
-/// Of length 1 within the rounding of four components.
-bool is_unit(const glm::quat& q) noexcept { return std::abs(safe_length(quat_cast<double>(q)) - 1.0) <= 0x1p-23; }
+/// Of length 1 within the rounding of four components, so that normalising changes nothing.
+bool is_rounded_unit(const glm::quat& q) noexcept {
+  return std::abs(safe_length(quat_cast<double>(q)) - 1.0) <= 0x1p-23;
+}
 
 /// True when no weight of the track ever changes. Compares bits.
 bool is_constant(const WeightTrack& track) noexcept {
@@ -221,7 +223,7 @@ class Compiler {
   void add_rotation(const Lane<QuatTrack>& lane) {
     if (lane.track == nullptr) return;
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
-    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_unit(q)) &&
+    if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_rounded_unit(q)) &&
         same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
       layout_.base_pose.set_rotation(lane.target, q);
       ++layout_.counts.folded;

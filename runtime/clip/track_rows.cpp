@@ -16,7 +16,10 @@ void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane
 
 void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, const glm::quat& q) {
   float* row = block.rows.data() + (key * block.plane_count + plane) * block.lane_count + lane;
-  for (const float x : {q.x, q.y, q.z, q.w}) *row = x, row += block.lane_count;
+  for (const float x : {q.x, q.y, q.z, q.w}) {
+    *row = x;
+    row += block.lane_count;
+  }
 }
 
 void put(TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, float x) {

@@ -1,45 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
-#include "runtime/base/all_finite.h"
-#include "runtime/base/index.h"
-#include "runtime/model/scene.h"
+#include "runtime/model/mesh_checks.h"
 
 namespace sinew {
 namespace {
-
-/// Keeps the first broken rule.
-class Findings {
- public:
-  void require(bool holds, ErrorCode otherwise) noexcept {
-    if (!holds && code_ == ErrorCode::ok) code_ = otherwise;
-  }
-  void require_index(std::uint32_t index, std::size_t count) noexcept {
-    require(index < count, ErrorCode::index_out_of_range);
-  }
-  void require_optional_index(std::uint32_t index, std::size_t count) noexcept {
-    require(index == kNone || index < count, ErrorCode::index_out_of_range);
-  }
-  void require_size(std::size_t found, std::size_t expected) noexcept {
-    require(found == expected, ErrorCode::size_mismatch);
-  }
-  void require_size_or_none(std::size_t found, std::size_t expected) noexcept {
-    require(found == 0 || found == expected, ErrorCode::size_mismatch);
-  }
-  void add(ErrorCode code) noexcept { require(code == ErrorCode::ok, code); }
-  template <class Element>
-  void require_finite(const std::vector<Element>& elements) noexcept {
-    require(all_finite(std::span<const Element>(elements)), ErrorCode::not_finite);
-  }
-  template <class Index>
-  void require_indices(const std::vector<Index>& indices, std::size_t count) noexcept {
-    require(all_below(indices, count), ErrorCode::index_out_of_range);
-  }
-  ErrorCode code() const noexcept { return code_; }
-
- private:
-  ErrorCode code_ = ErrorCode::ok;
-};
 
 void check_skeleton(const Skeleton& s, Findings& f) noexcept {
   const std::size_t joints = s.joint_count();
@@ -48,16 +15,16 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
   for (const std::size_t size : {s.names.size(), s.node_of_joint.size(), s.joint_of_node.size()})
     f.require_size_or_none(size, joints);
   f.require_finite(s.rest);
+  f.require_unit(s.rest);
   f.require_finite(s.fixed_matrices);
   for (std::size_t j = 0; j < joints; ++j)
     f.require(s.parents[j] == kNone || s.parents[j] < j, ErrorCode::parents_not_first);
   for (const std::uint32_t i : s.fixed_matrix_of) f.require_optional_index(i, s.fixed_matrices.size());
-  for (const std::uint32_t i : s.node_of_joint) f.require_index(i, joints);
-  for (const std::uint32_t i : s.joint_of_node) f.require_index(i, joints);
-}
-
-void check_hidden(const Scene& scene, Findings& f) noexcept {
-  for (const std::uint32_t j : scene.hidden_joints) f.require_index(j, scene.skeleton.joint_count());
+  f.require_indices(s.node_of_joint, joints);
+  f.require_indices(s.joint_of_node, joints);
+  if (f.code() != ErrorCode::ok) return;
+  for (std::uint32_t j = 0; j < s.node_of_joint.size() && j < s.joint_of_node.size(); ++j)
+    f.require(s.joint_of_node[s.node_of_joint[j]] == j, ErrorCode::index_out_of_range);
 }
 
 /// Levels are contiguous, and each joint's parent lies one level up.
@@ -66,7 +33,7 @@ void check_levels(const Skeleton& s, Findings& f) noexcept {
   if (begin.empty() && s.joint_count() == 0) return;
   f.require(!begin.empty() && begin.front() == 0 && begin.back() == s.joint_count(), ErrorCode::size_mismatch);
   for (std::size_t l = 0; l + 1 < begin.size() && f.code() == ErrorCode::ok; ++l) {
-    f.require(begin[l] <= begin[l + 1], ErrorCode::parents_not_first);
+    f.require(begin[l] <= begin[l + 1] && begin[l + 1] <= s.joint_count(), ErrorCode::parents_not_first);
     if (f.code() != ErrorCode::ok) return;
     for (std::uint32_t j = begin[l]; j < begin[l + 1]; ++j) {
       const std::uint32_t parent = s.parents[j];
@@ -77,9 +44,29 @@ void check_levels(const Skeleton& s, Findings& f) noexcept {
 }
 
 std::size_t things_with(const Scene& scene, PropertyKind kind) noexcept {
+  if (kind > PropertyKind::texture_scale) return 0;
   if (kind == PropertyKind::node_visible) return scene.skeleton.joint_count();
   if (kind <= PropertyKind::camera_far) return scene.cameras.size();
   return kind <= PropertyKind::light_outer_cone ? scene.lights.size() : scene.materials.size();
+}
+
+/// Entries by rising target, their numbers one after another.
+void check_property_table(const Scene& scene, Findings& f) noexcept {
+  const PropertyTable& table = scene.properties;
+  std::size_t first = 0;
+  for (const PropertyTable::Entry& entry : table.entries) {
+    f.require_index(entry.target.index, things_with(scene, entry.target.kind));
+    f.require(entry.target.slot <= TextureSlot::emissive, ErrorCode::index_out_of_range);
+    f.require(entry.first == first && entry.count == component_count(entry.target.kind), ErrorCode::size_mismatch);
+    first += entry.count;
+  }
+  f.require_size(table.rest.size(), first);
+  f.require_finite(table.rest);
+  const auto not_rising = [](const PropertyTable::Entry& a, const PropertyTable::Entry& b) {
+    return !(a.target < b.target);
+  };
+  f.require(std::adjacent_find(table.entries.begin(), table.entries.end(), not_rising) == table.entries.end(),
+            ErrorCode::unsupported);
 }
 
 void check_property(const Scene& scene, const PropertyTrack& track, Findings& f) noexcept {
@@ -118,8 +105,13 @@ void check_clips(const Scene& scene, Findings& f) noexcept {
     f.require_size(clip.property_count(), scene.properties.rest.size());
   }
   f.require_size(scene.first_weight.size(), scene.instances.size() + 1);
-  for (std::size_t i = 0; i + 1 < scene.first_weight.size() && i < scene.instances.size(); ++i)
-    f.require_size(scene.first_weight[i + 1] - scene.first_weight[i], scene.instances[i].rest_weights.size());
+  if (f.code() != ErrorCode::ok) return;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    f.require_size(scene.first_weight[i], first);
+    first += scene.instances[i].rest_weights.size();
+  }
+  f.require_size(scene.first_weight.back(), first);
 }
 
 void check_skins(const Scene& scene, Findings& f) noexcept {
@@ -131,140 +123,65 @@ void check_skins(const Scene& scene, Findings& f) noexcept {
   }
 }
 
-/// Groups cover the vertices in order, and each has its joints and weights.
-void check_influences(const VertexInfluences& influences, std::size_t vertex_count, Findings& f) noexcept {
-  if (influences.empty()) return;
-  f.require_size(influences.weights.size(), influences.joints.size());
-  f.require_finite(influences.weights);
-  std::size_t covered = 0;
-  for (const InfluenceGroup& group : influences.groups) {
-    f.require(group.first_vertex == covered && group.influence_count >= 1, ErrorCode::size_mismatch);
-    covered += group.vertex_count;
-    const std::size_t used = static_cast<std::size_t>(group.vertex_count) * group.influence_count;
-    f.require(group.first_influence + used <= influences.joints.size(), ErrorCode::index_out_of_range);
-  }
-  f.require_size(covered, vertex_count);
-  bool negative = false;
-  for (const float w : influences.weights) negative |= w < 0.0f;
-  f.require(!negative, ErrorCode::unsupported);
-}
-
-template <class V>
-void check_deltas(const SparseDeltas<V>& sparse, std::size_t vertex_count, Findings& f) noexcept {
-  f.require_size(sparse.deltas.size(), sparse.vertices.size());
-  f.require_finite(sparse.deltas);
-  f.require_indices(sparse.vertices, vertex_count);
-  bool rising = true;
-  for (std::size_t i = 1; i < sparse.vertices.size(); ++i) rising &= sparse.vertices[i - 1] < sparse.vertices[i];
-  f.require(rising, ErrorCode::unsupported);
-}
-
-void check_morphs(const MorphSet& morphs, std::size_t target_count, std::size_t vertex_count, Findings& f) noexcept {
-  f.require_size_or_none(morphs.targets.size(), target_count);
-  for (const MorphTarget& target : morphs.targets) {
-    check_deltas(target.positions, vertex_count, f);
-    check_deltas(target.normals, vertex_count, f);
-    check_deltas(target.tangents, vertex_count, f);
-    check_deltas(target.colors, vertex_count, f);
-    for (const auto& set : target.texcoords) check_deltas(set, vertex_count, f);
-  }
-}
-
-void check_primitive(const Primitive& p, std::size_t target_count, std::size_t material_count, Findings& f) noexcept {
-  const std::size_t vertices = p.vertex_count();
-  for (const std::size_t size :
-       {p.normals.size(), p.tangents.size(), p.colors.size(), p.centers_of_rotation.size(), p.source_vertex.size()})
-    f.require_size_or_none(size, vertices);
-  f.require_finite(p.positions);
-  f.require_finite(p.normals);
-  f.require_finite(p.tangents);
-  f.require_finite(p.colors);
-  f.require_finite(p.centers_of_rotation);
-  for (const auto& set : p.texcoords) {
-    f.require_size_or_none(set.size(), vertices);
-    f.require_finite(set);
-  }
-  f.require_indices(p.indices, vertices);
-  const std::size_t per_element = static_cast<std::size_t>(p.topology) + 1;
-  f.require(p.indices.size() % per_element == 0, ErrorCode::size_mismatch);
-  f.require_optional_index(p.material, material_count);
-  check_influences(p.influences, vertices, f);
-  check_morphs(p.morphs, target_count, vertices, f);
-}
-
-void check_variants(const Primitive& p, const Scene& scene, Findings& f) noexcept {
-  for (const VariantMaterial& other : p.variant_materials) {
-    f.require_index(other.variant, scene.variants.size());
-    f.require_index(other.material, scene.materials.size());
-  }
-}
-
-void check_meshes(const Scene& scene, Findings& f) noexcept {
-  for (const Mesh& mesh : scene.meshes) {
-    f.require_finite(mesh.default_weights);
-    f.require_size_or_none(mesh.target_names.size(), mesh.target_count());
-    for (const Primitive& p : mesh.primitives) {
-      check_primitive(p, mesh.target_count(), scene.materials.size(), f);
-      check_variants(p, scene, f);
-    }
-  }
-}
-
-/// Every joint index of the mesh exists in this skin: one mesh may hang on several skins (G36).
-void check_binding(const Mesh& mesh, const Skin& skin, Findings& f) noexcept {
-  for (const Primitive& p : mesh.primitives) f.require_indices(p.influences.joints, skin.joints.size());
-}
-
-void check_instances(const Scene& scene, Findings& f) noexcept {
-  for (const MeshInstance& instance : scene.instances) {
-    f.require_index(instance.joint, scene.skeleton.joint_count());
-    f.require_index(instance.mesh, scene.meshes.size());
-    f.require_optional_index(instance.skin, scene.skins.size());
-    if (f.code() != ErrorCode::ok) return;
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    f.require_size(instance.rest_weights.size(), mesh.target_count());
-    f.require_finite(instance.rest_weights);
-    f.require_finite(instance.copies);
-    f.require(instance.copies.empty() || instance.skin == kNone, ErrorCode::unsupported);
-    if (instance.skin != kNone) check_binding(mesh, scene.skins[instance.skin], f);
-  }
-}
-
 void check_correctives(const Scene& scene, Findings& f) noexcept {
   for (const PoseCorrective& corrective : scene.correctives)
     f.add(check(corrective, scene.skeleton.joint_count(), scene.weight_count()));
 }
 
+bool are_finite(std::initializer_list<float> numbers) noexcept {
+  return all_finite(std::span<const float>(numbers.begin(), numbers.size()));
+}
+
 void check_texture_use(const TextureUse& use, const Scene& scene, Findings& f) noexcept {
   f.require_optional_index(use.texture, scene.textures.size());
+  f.require(are_finite({use.offset.x, use.offset.y, use.rotation_rad, use.scale.x, use.scale.y}),
+            ErrorCode::not_finite);
+}
+
+void check_material(const Material& m, const Scene& scene, Findings& f) noexcept {
+  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+                                &m.occlusion_texture, &m.emissive_texture})
+    check_texture_use(*use, scene, f);
+  f.require(are_finite({m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w, m.metallic, m.roughness,
+                        m.normal_scale, m.occlusion_strength, m.emissive.x, m.emissive.y, m.emissive.z,
+                        m.emissive_strength, m.alpha_cutoff}),
+            ErrorCode::not_finite);
+}
+
+void check_cameras_and_lights(const Scene& scene, Findings& f) noexcept {
+  for (const Camera& c : scene.cameras) {
+    f.require_optional_index(c.joint, scene.skeleton.joint_count());
+    f.require(are_finite({c.fov_y_rad, c.aspect, c.half_width, c.half_height, c.near_m, c.far_m}),
+              ErrorCode::not_finite);
+  }
+  for (const Light& l : scene.lights) {
+    f.require_optional_index(l.joint, scene.skeleton.joint_count());
+    f.require(are_finite({l.color.x, l.color.y, l.color.z, l.intensity, l.range_m, l.inner_cone_rad, l.outer_cone_rad}),
+              ErrorCode::not_finite);
+  }
 }
 
 void check_appearance(const Scene& scene, Findings& f) noexcept {
-  for (const Material& m : scene.materials)
-    for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-                                  &m.occlusion_texture, &m.emissive_texture})
-      check_texture_use(*use, scene, f);
+  for (const Material& m : scene.materials) check_material(m, scene, f);
   for (const Texture& t : scene.textures) f.require_optional_index(t.image, scene.images.size());
   for (const Image& i : scene.images)
     if (!i.rgba.empty())
       f.require_size(i.rgba.size(), std::size_t{4} * i.width * i.height);  // else only its header has been read
-  for (const Camera& c : scene.cameras) f.require_optional_index(c.joint, scene.skeleton.joint_count());
-  for (const Light& l : scene.lights) f.require_optional_index(l.joint, scene.skeleton.joint_count());
-  for (const SceneRoots& roots : scene.scenes)
-    for (const std::uint32_t j : roots.joints) f.require_index(j, scene.skeleton.joint_count());
+  check_cameras_and_lights(scene, f);
+  for (const SceneRoots& roots : scene.scenes) f.require_indices(roots.joints, scene.skeleton.joint_count());
   f.require_optional_index(scene.default_scene, scene.scenes.size());
 }
 
 }  // namespace
 
-ErrorCode check(const Scene& scene) noexcept {
+ErrorCode check(const Scene& scene) {
   Findings f;
   check_skeleton(scene.skeleton, f);
   if (f.code() == ErrorCode::ok) check_levels(scene.skeleton, f);
-  check_hidden(scene, f);
+  f.require_indices(scene.hidden_joints, scene.skeleton.joint_count());
+  check_property_table(scene, f);
   check_skins(scene, f);
   check_meshes(scene, f);
-  check_instances(scene, f);
   check_animations(scene, f);
   check_clips(scene, f);
   check_correctives(scene, f);

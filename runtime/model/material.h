@@ -22,16 +22,16 @@ struct Sampler {
   Wrap wrap_v = Wrap::repeat;
 };
 
-/// Decoded pixels, or an empty image with the reason when the file's image is missing or unreadable: animation still
-/// loads and a visible placeholder is drawn (G66).
+/// Decoded pixels, or an empty image with the reason why the file's image is missing or unreadable. The rest of the
+/// file still loads, and a visible placeholder is drawn (G66).
 struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;  ///< [4 * width * height] rows from the top; empty where only the header was read
   std::string missing_reason;      ///< not empty = draw the placeholder
-  std::string mime_type;           ///< what the file holds, by content, such as "image/png"; empty when missing
-  std::uint64_t encoded_size = 0;  ///< bytes of it in the file
-  std::vector<std::byte> encoded;  ///< these bytes, kept only where the importer was asked to
+  std::string mime_type;           ///< by content, such as "image/png"; empty when missing
+  std::uint64_t encoded_size = 0;  ///< bytes in the file
+  std::vector<std::byte> encoded;  ///< these bytes, if the importer was asked to keep them
 };
 
 struct Texture {

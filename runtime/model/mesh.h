@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// Topology of an index list. Strips, fans and loops of the file are unrolled to plain lists at import.
+/// Topology of an index list. The importer unrolls strips, fans and loops to plain lists.
 enum class Topology : std::uint8_t { points, lines, triangles };
 
 /// Axis-aligned box; empty while lower > upper.
@@ -18,10 +18,13 @@ struct Aabb {
   glm::vec3 upper{-1e30f};
 
   bool empty() const noexcept { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
-  void add(const glm::vec3& p) noexcept { lower = glm::min(lower, p), upper = glm::max(upper, p); }
+  void add(const glm::vec3& p) noexcept {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
 };
 
-/// Another material for a primitive, in one of Scene::variants.
+/// The material of a primitive in one of Scene::variants.
 struct VariantMaterial {
   std::uint32_t variant = 0, material = 0;
 
@@ -29,25 +32,24 @@ struct VariantMaterial {
 };
 
 /// One draw: vertex attributes as separate arrays of V entries each (an absent attribute is empty), an index list and a
-/// material. Vertices may be reordered at import (grouped by influence count): `source_vertex` tells the file's order.
+/// material. The importer groups vertices by influence count; `source_vertex` gives the file's order.
 struct Primitive {
   Topology topology = Topology::triangles;
   std::vector<std::uint32_t> indices;  ///< 1, 2 or 3 per element, always present, always < V
   std::vector<glm::vec3> positions;    ///< [V] metres, mesh space
-  std::vector<glm::vec3> normals;      ///< [V] unit; made at import for triangles that have none
+  std::vector<glm::vec3> normals;      ///< [V] unit; the importer makes them for triangles without
   std::vector<glm::vec4> tangents;     ///< [V] unit xyz, w = handedness; only with texcoords and a normal map
   std::vector<std::vector<glm::vec2>> texcoords;
   std::vector<glm::vec4> colors;  ///< [V] COLOR_0, linear
   VertexInfluences influences;    ///< empty = not skinned
-  std::vector<glm::vec3>
-      centers_of_rotation;  ///< [V] rest space, what Skinning::center_of_rotation turns about; empty =
-                            ///< none, made only when asked for (importer/add_centers_of_rotation.h)
+  /// [V] rest space, for Skinning::center_of_rotation; empty = none (importer/add_centers_of_rotation.h makes them)
+  std::vector<glm::vec3> centers_of_rotation;
   MorphSet morphs;
   std::uint32_t material = kNone;
-  std::vector<VariantMaterial> variant_materials;  ///< rising variants; in those left out `material` stays
+  std::vector<VariantMaterial> variant_materials;  ///< by rising variant; a variant not listed uses `material`
   std::vector<std::uint32_t> source_vertex;        ///< [V] vertex index in the file; empty = unchanged
-  bool flat_normals = false;                       ///< the file has no normals: faces are flat, also when morphed (G46)
-  Aabb bounds;                                     ///< of `positions`
+  bool flat_normals = false;                       ///< the file has no normals: faces stay flat when morphed (G46)
+  Aabb bounds;                                     ///< contains all positions
 
   std::size_t vertex_count() const noexcept { return positions.size(); }
 };
@@ -62,8 +64,8 @@ inline std::uint32_t material_of(const Primitive& primitive, std::uint32_t varia
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<float> default_weights;     ///< [T] mesh.weights, zeros where the file has none
-  std::vector<std::string> target_names;  ///< [T] or empty; extras.targetNames by common practice
+  std::vector<float> default_weights;     ///< [T] mesh.weights of the file, else zeros
+  std::vector<std::string> target_names;  ///< [T] or empty; extras.targetNames, a common practice
 
   std::size_t target_count() const noexcept { return default_weights.size(); }
 };

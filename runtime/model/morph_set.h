@@ -8,11 +8,12 @@
 
 namespace sinew {
 
-/// Displacements of the vertices that a morph target moves; all others have none. `vertices` strictly increases.
+/// Displacements of one attribute by a morph target, for the vertices that it moves only. `vertices` strictly
+/// increases.
 template <class V>
 struct SparseDeltas {
   std::vector<std::uint32_t> vertices;
-  std::vector<V> deltas;  ///< parallel to `vertices`, never the zero vector
+  std::vector<V> deltas;  ///< parallel to `vertices`; the importer leaves out zero vectors
 
   bool empty() const noexcept { return vertices.empty(); }
 };

@@ -3,9 +3,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "runtime/base/all_finite.h"
 #include "runtime/model/pose_basis.h"
 
 namespace sinew {
@@ -95,8 +95,10 @@ ErrorCode check(const PoseCorrective& corrective, std::size_t joint_count, std::
   if (corrective.coefficients.size() != basis_size(samples) * corrective.result_count())
     return ErrorCode::size_mismatch;
   if (corrective.lower.size() != weights || corrective.upper.size() != weights) return ErrorCode::size_mismatch;
-  for (const double c : corrective.coefficients)
-    if (!std::isfinite(c)) return ErrorCode::not_finite;
+  if (!all_finite(corrective.coefficients) || !all_finite(corrective.lower) || !all_finite(corrective.upper))
+    return ErrorCode::not_finite;
+  for (std::size_t i = 0; i < weights; ++i)
+    if (corrective.lower[i] > corrective.upper[i]) return ErrorCode::unsupported;
   for (const PoseDriver& driver : samples.drivers)
     if (driver.joint >= joint_count) return ErrorCode::index_out_of_range;
   for (const std::uint32_t weight : samples.weights)

@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Pose-space deformation: sample poses with their interpolant solved, ready to turn any pose into morph weights.
-/// Made by solve_corrective, evaluated by pose/correct_pose.h; immutable.
+/// Pose-space deformation: sample poses with their solved interpolant, which turns any pose into morph weights.
+/// solve_corrective makes it, pose/correct_pose.h evaluates it; immutable.
 /// eq   f(pose) = sum over basis functions b of b(pose) * coefficients[b], with f = values at each sample pose
 ///      (Lewis, Cordner and Fong 2000, "Pose space deformation", section 4)
 struct PoseCorrective {
@@ -33,7 +33,7 @@ Result<PoseCorrective> solve_corrective(PoseSamples samples);
 
 /// Sizes, indices and numbers of a solved corrective.
 /// in   joint_count, weight_count  of the scene
-/// err  as check(PoseSamples), index_out_of_range
+/// err  as check(PoseSamples), index_out_of_range, unsupported (a range whose lower end is above the upper one)
 ErrorCode check(const PoseCorrective& corrective, std::size_t joint_count, std::size_t weight_count) noexcept;
 
 }  // namespace sinew

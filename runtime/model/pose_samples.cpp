@@ -5,14 +5,11 @@
 #include <cmath>
 #include <span>
 
+#include "runtime/base/all_finite.h"
 #include "runtime/math/quaternion.h"
 
 namespace sinew {
 namespace {
-
-bool all_finite(std::span<const float> numbers) noexcept {
-  return std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); });
-}
 
 template <class V>
 bool has_direction(const V& v) noexcept {

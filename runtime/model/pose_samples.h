@@ -10,7 +10,8 @@
 
 namespace sinew {
 
-/// What of a joint's rotation counts: all of it, only where it points an axis, or only its turn about that axis.
+/// Which part of a joint's rotation counts: all of it, only the direction in which it points an axis (swing), or only
+/// its turn about that axis (twist).
 enum class RotationMeasure : std::uint8_t { full, swing, twist };
 
 /// A joint whose local rotation drives corrective shapes.
@@ -28,14 +29,14 @@ enum class RadialKernel : std::uint8_t {
   thin_plate,  ///< x^2 ln x: biharmonic, least bending, grows far away; use with the affine tail
 };
 
-/// What is fitted beside the radial functions, so that they need not fade to zero or to a mean far away.
+/// A polynomial that is fitted besides the radial functions, so that results far away need not fade to zero.
 enum class PolynomialTail : std::uint8_t {
   none,
   constant,
   affine,  ///< 1 and, per driver, the sines of its rotation from the first sample: full 3, swing 2, twist 1
 };
 
-/// Corrective shapes as an artist gives them: sample poses of some joints, and what morph weights shall be there.
+/// Corrective shapes as an artist gives them: sample poses of some joints, and the morph weights wanted there.
 ///
 /// in   rotations[S * D]  local rotations, sample by sample, any length but zero; the first sample is the neutral
 ///      weights[M]        indices into the scene's flat array of morph weights (Scene::first_weight)
@@ -49,8 +50,8 @@ struct PoseSamples {
   RadialKernel kernel = RadialKernel::gaussian;
   float radius_rad = 1.0f;
   PolynomialTail tail = PolynomialTail::none;
-  float regularisation = 0.0f;  ///< added to the diagonal: smooths, and lets samples lie close to each other
-  bool partition = false;       ///< shares of the samples are made non-negative, and of sum 1
+  float regularisation = 0.0f;  ///< added to the diagonal: smooths, and allows samples close to each other
+  bool partition = false;       ///< makes the shares of the samples non-negative, with sum 1
   bool clamp = false;           ///< results stay within the range of the samples' values
 
   std::size_t sample_count() const noexcept { return drivers.empty() ? 0 : rotations.size() / drivers.size(); }

@@ -13,6 +13,10 @@ void finish_scene(Scene& scene) {
     scene.first_weight.push_back(static_cast<std::uint32_t>(rest_weights.size()));
   }
   scene.properties = make_property_table(scene);
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives)
+      if (primitive.bounds.empty())
+        for (const glm::vec3& position : primitive.positions) primitive.bounds.add(position);
   scene.clips.clear();
   scene.clips.reserve(scene.animations.size());
   for (const Animation& animation : scene.animations)

@@ -14,19 +14,20 @@
 
 namespace sinew {
 
-/// A mesh hung on a joint, perhaps deformed by a skin. Morph weights are state of the instance, not of the mesh (G43).
+/// A mesh on a joint, with or without a skin. Morph weights belong to the instance, not to the mesh (G43).
 struct MeshInstance {
   std::uint32_t joint = 0;
   std::uint32_t mesh = 0;
   std::uint32_t skin = kNone;
-  std::vector<float> rest_weights;     ///< [T] node.weights, else mesh.weights, else zeros
-  std::vector<Transform> copies = {};  ///< where the mesh is shown, in the joint's space; empty = once, at the joint
-                                       ///< itself. Never with a skin (EXT_mesh_gpu_instancing)
+  std::vector<float> rest_weights;  ///< [T] node.weights, else mesh.weights, else zeros
+  /// Places of copies of the mesh in the joint's space; empty = one, at the joint itself. Never with a skin
+  /// (EXT_mesh_gpu_instancing).
+  std::vector<Transform> copies = {};
 };
 
 struct Camera {
   std::string name;
-  std::uint32_t joint = kNone;  ///< kNone = not placed by any node
+  std::uint32_t joint = kNone;  ///< kNone = no node places it
   bool perspective = true;
   float fov_y_rad = 0.8f;                       ///< perspective
   float aspect = 0.0f;                          ///< 0 = use the window's
@@ -47,7 +48,7 @@ struct Light {
   float inner_cone_rad = 0.0f, outer_cone_rad = 0.785398163f;
 };
 
-/// One of the file's scenes: which root joints are shown.
+/// One of the file's scenes: the root joints that it shows.
 struct SceneRoots {
   std::string name;
   std::vector<std::uint32_t> joints;
@@ -78,13 +79,19 @@ struct Scene {
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
-/// Fills `first_weight` and `properties`, and compiles every animation into `clips`. Call once when the rest of the
-/// scene is complete.
+/// Fills `first_weight`, `properties` and the bounds of primitives that have none, and compiles every animation into
+/// `clips`. Call once when the rest of the scene is complete.
 void finish_scene(Scene& scene);
 
-/// Proves once what the jobs rely on: finite numbers, parents before children, indices in range, parallel arrays of
-/// equal length, influence groups that cover their vertices. Jobs then check buffer shapes only.
-/// err  the first broken rule;  cost O(size of the scene)
-ErrorCode check(const Scene& scene) noexcept;
+/// Proves once what jobs and plans rely on; they check the shapes of buffers only. Call it for scenes that are not from
+/// the importer, after finish_scene. What it proves:
+///   numbers     all are finite; rest, key and copy rotations are unit (values of cubic keys have a length);
+///   indices     all are in range, morph displacements and variants rise, positions are within their bounds;
+///   skeleton    parents come before children, levels are contiguous;
+///   influences  groups cover the vertices in order and share no entry; weights of a vertex fall and sum to 1;
+///   tables      parallel arrays are of one length; clips, `first_weight` and `properties` fit the rest of the scene.
+/// What a clip holds inside is proven where clips are made (compile_clip, load_clips), what masks hold by compile_plan.
+/// err  the first broken rule;  cost O(size of the scene), allocates O(meshes)
+ErrorCode check(const Scene& scene);
 
 }  // namespace sinew

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "runtime/base/contract.h"
-#include "runtime/model/texture_slot.h"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// The parts of a scene that property tracks change, for one character: the scene itself never changes.
+/// One character's copy of what property tracks change; the scene itself never changes.
 struct SceneLook {
   std::vector<Material> materials;
   std::vector<Light> lights;
@@ -19,16 +19,16 @@ struct SceneLook {
 
 TextureUse& texture_of(Material& material, TextureSlot slot) noexcept;
 
-/// The numbers of a property where they are kept; empty for node_visible, which is no part of the look.
+/// The numbers of a property in the look; empty for node_visible, which FrameResult::hidden answers.
 /// in   target   its index is in range
 std::span<float> components_of(SceneLook& look, const PropertyTarget& target) noexcept;
 
-/// Puts the property values of a frame in their places.
-/// in   values[P]  FrameResult::properties; empty = nothing is changed;   look  made of the same scene
+/// Writes the property values of a frame into the look.
+/// in   values[P]  FrameResult::properties; empty = change nothing;   look  made from the same scene
 /// cost O(P), no allocation
 void apply_properties(const Scene& scene, std::span<const float> values, SceneLook& look) noexcept;
 
-/// Every property that some animation of the scene moves, with its rest value.
+/// Every property that some animation of the scene animates, with its rest value.
 PropertyTable make_property_table(const Scene& scene);
 
 }  // namespace sinew

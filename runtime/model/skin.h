@@ -8,14 +8,15 @@
 
 namespace sinew {
 
-/// The joints that deform a mesh. A vertex's joint index points into `joints`, never at a node (G36).
-/// eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the mesh node's transform is ignored,
-/// G29)
+/// The joints that deform a mesh. Joint indices of vertices are indices into `joints`, not joints of the skeleton
+/// (G36). eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the transform of the mesh's node
+/// is ignored,
+///      G29)
 struct Skin {
   std::string name;
   std::vector<std::uint32_t> joints;    ///< [N] skeleton joints, in any order
-  std::vector<Affine> inverse_bind;     ///< [N] identity where the file has none (G31)
-  std::uint32_t skeleton_root = kNone;  ///< the file's hint, no effect on the maths (G30)
+  std::vector<Affine> inverse_bind;     ///< [N] inverse bind matrices; identity where the file has none (G31)
+  std::uint32_t skeleton_root = kNone;  ///< a hint of the file that no job reads (G30)
 };
 
 /// A run of vertices with the same number of influences.
@@ -26,9 +27,10 @@ struct InfluenceGroup {
   std::uint32_t first_influence = 0;  ///< into joints / weights of VertexInfluences
 };
 
-/// Which joints move each vertex of a primitive, and how much. Vertices are grouped by influence count at import, the
-/// groups cover all vertices in order. Within a vertex influences are ordered by falling weight, then rising joint;
-/// zero weights and repeated joints are gone, weights sum to 1 (G38, G39, G41).
+/// Which joints move each vertex of a primitive, and how much. Vertices are grouped by influence count; the groups
+/// cover all vertices and all influences in order. Within a vertex weights fall and sum to 1, so that the first joint
+/// is the heaviest; equal weights are by rising joint. The importer removes zero weights and adds up repeated joints
+/// (G38, G39, G41).
 struct VertexInfluences {
   std::vector<InfluenceGroup> groups;
   std::vector<std::uint16_t> joints;  ///< index into Skin::joints, influence_count per vertex, vertex after vertex

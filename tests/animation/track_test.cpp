@@ -52,6 +52,25 @@ TEST(track, G14_any_component_that_is_not_finite_is_found) {
     }
 }
 
+TEST(track, G52_rotation_keys_have_the_length_that_their_interpolation_needs) {
+  for (const Interpolation kind : {Interpolation::step, kLinear, Interpolation::squad})
+    for (const float length : {0.0f, 0.99f, 1.01f, 2.0f, 1e30f}) {
+      QuatTrack track{kind, {0, 1}, std::vector<glm::quat>(2, glm::quat(0.6f, 0.0f, 0.8f, 0.0f))};
+      EXPECT_EQ(check(track), ErrorCode::ok);
+      track.values[1] = track.values[1] * length;
+      EXPECT_EQ(check(track), ErrorCode::not_normalised) << length;
+    }
+  // Cubic values shape the curve with their tangents, and it is normalised: they need only a length that squares.
+  QuatTrack cubic{kCubic, {0, 1}, std::vector<glm::quat>(6, glm::quat(0, 0, 0, 0))};
+  EXPECT_EQ(check(cubic), ErrorCode::not_normalised);
+  for (const float length : {1e-9f, 1.0f, 1e14f}) {
+    cubic.values[1] = cubic.values[4] = glm::quat(0.6f, 0.0f, 0.8f, 0.0f) * length;
+    EXPECT_EQ(check(cubic), ErrorCode::ok) << length;
+  }
+  cubic.values[4] = cubic.values[4] * 1e3f;
+  EXPECT_EQ(check(cubic), ErrorCode::not_normalised);
+}
+
 TEST(track, G19_weights_are_frame_major_with_all_targets_per_key) {
   WeightTrack track{kLinear, {0, 1}, std::vector<float>(6), 3};
   EXPECT_EQ(check(track), ErrorCode::ok);

@@ -30,6 +30,7 @@ void snap(std::vector<T>& values) {
 }
 
 void snap(Primitive& p) {
+  p.bounds = {};  // finish_scene makes it from the new positions
   snap(p.positions);
   snap(p.normals);
   snap(p.tangents);
