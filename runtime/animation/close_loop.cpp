@@ -82,6 +82,8 @@ Result<Animation> close_loop(const Animation& animation, double gap_s) {
     close(bone.scale, 1, end_s, closed_s);
   }
   for (WeightAnimation& weights : closed.weights) close(weights.weights, weights.weights.target_count, end_s, closed_s);
+  for (PropertyTrack& property : closed.properties)
+    close(property.values, property.values.target_count, end_s, closed_s);
   return closed;
 }
 

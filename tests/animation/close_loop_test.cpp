@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -128,6 +129,57 @@ TEST(close_loop, G05_cubic_rotations_close_on_the_short_arc) {
   EXPECT_LT(test::angle_between(pose_at(closed, 2.0).rotation, about_y(0.1)), 1e-7);
 }
 
+TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_changes_sides_with_its_tangents) {
+  Animation open;
+  open.duration_s = 1.0;
+  open.bones.resize(1);
+  const glm::quat none(0, 0, 0, 0), first = about_y(0.1), last = -about_y(0.5), speed(0.01f, 0.02f, 0.03f, 0.04f);
+  open.bones[0].rotation = {Interpolation::cubic_spline, {0, 1}, {none, first, speed, speed, last, none}};
+  const QuatTrack closed = close_loop(open, 1.0).value().bones[0].rotation;
+  ASSERT_EQ(closed.values.size(), 9u);
+  EXPECT_EQ(closed.values[7], -first);  // on the side of the last key
+  EXPECT_EQ(closed.values[6], -speed);  // arrives as the first key leaves
+  EXPECT_EQ(closed.values[5], speed);   // the last key leaves as it was arrived at
+}
+
+PropertyTrack color_of_light(Interpolation kind, std::initializer_list<float> times_s,
+                             std::initializer_list<float> values) {
+  return {{PropertyKind::light_color, 0}, {kind, times_s, values, 3}};
+}
+
+std::array<double, 3> color_at(const Animation& animation, double time_s) {
+  std::array<double, 3> color{};
+  sample_track(animation.properties[0].values, time_s, std::span<double>(color));
+  return color;
+}
+
+using Color = std::array<double, 3>;
+
+TEST(close_loop, G12_properties_close_as_other_tracks_do) {
+  Animation open;
+  open.duration_s = 2.0;
+  open.properties.push_back(color_of_light(Interpolation::linear, {0, 2}, {0, 1, 2, 4, 5, 0}));
+  const Animation linear = close_loop(open, 0.5).value();
+  EXPECT_EQ(color_at(linear, 2.25), (Color{2, 3, 1}));
+  EXPECT_EQ(color_at(linear, 2.5), (Color{0, 1, 2}));
+  open.properties[0].values.interpolation = Interpolation::step;
+  const Animation step = close_loop(open, 0.5).value();
+  EXPECT_EQ(color_at(step, 2.49), (Color{4, 5, 0}));
+  EXPECT_EQ(color_at(step, 2.5), (Color{0, 1, 2}));
+}
+
+TEST(close_loop, G03_a_cubic_property_keeps_its_speed_across_the_seam) {
+  Animation open;
+  open.duration_s = 1.0;  // from 1 with speed 3 to 2 with speed 5: what lies outside of the keys means nothing
+  open.properties.push_back(
+      color_of_light(Interpolation::cubic_spline, {0, 1}, {9, 9, 9, 1, 1, 1, 3, 3, 3, 5, 5, 5, 2, 2, 2, 9, 9, 9}));
+  const Animation closed = close_loop(open, 1.0).value();
+  const double h = 1e-6;
+  EXPECT_NEAR((color_at(closed, 1.0 + h)[1] - 2.0) / h, 5.0, 1e-4);
+  EXPECT_NEAR((1.0 - color_at(closed, 2.0 - h)[1]) / h, 3.0, 1e-4);
+  EXPECT_EQ(color_at(closed, 2.0), (Color{1, 1, 1}));
+}
+
 TEST(close_loop, closed_tracks_are_valid_and_compile) {
   Scene scene;
   scene.skeleton = test::chain_skeleton(1);
@@ -135,6 +187,10 @@ TEST(close_loop, closed_tracks_are_valid_and_compile) {
   scene.instances.push_back({0, 0, kNone, {0.0f, 0.0f}});
   scene.animations.push_back(close_loop(two_tracks(), 0.5).value());
   scene.animations.push_back(close_loop(sine(), 0.5).value());
+  scene.lights.emplace_back();
+  Animation light;
+  light.properties.push_back(color_of_light(Interpolation::linear, {0}, {1, 1, 1}));
+  scene.animations.push_back(close_loop(light, 1.0).value());
   finish_scene(scene);
   EXPECT_EQ(check(scene), ErrorCode::ok);
   EXPECT_EQ(scene.clips[0].duration_s(), 2.5);
