@@ -7,15 +7,15 @@
 #include <fstream>
 #include <span>
 
+#include "runtime/base/checksum.h"
+
 namespace sinew {
 namespace {
 
-/// FNV-1a, 64 bits.
+/// Adds arrays to a checksum, one after another.
 class Hash {
  public:
-  void add(std::span<const std::byte> bytes) {
-    for (const std::byte b : bytes) value_ = (value_ ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3u;
-  }
+  void add(std::span<const std::byte> bytes) { value_ = checksum(bytes, value_); }
   template <class T>
   void add_array(const std::vector<T>& values) {
     add(std::as_bytes(std::span(values)));
@@ -23,23 +23,19 @@ class Hash {
   std::uint64_t value() const { return value_; }
 
  private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
+  std::uint64_t value_ = 0;
 };
 
 struct Header {
   std::array<char, 8> magic{'s', 'i', 'n', 'e', 'w', 'C', 'o', 'R'};
-  std::uint32_t version = 1;
+  std::uint32_t version = 2;
   std::uint32_t vertex_count = 0;
   std::uint64_t data_hash = 0;
 
   friend bool operator==(const Header&, const Header&) = default;
 };
 
-std::uint64_t hash_of(const std::vector<glm::vec3>& centers) {
-  Hash hash;
-  hash.add_array(centers);
-  return hash.value();
-}
+std::uint64_t hash_of(const std::vector<glm::vec3>& centers) { return checksum(std::as_bytes(std::span(centers))); }
 
 }  // namespace
 

@@ -9,6 +9,8 @@ namespace sinew {
 
 /// Hash of numbers by their bits: the step of 64-bit FNV-1a (Fowler, Noll, Vo) taken over 32-bit words. Each step is
 /// one to one, so that two runs that differ in a single number never agree.
+/// Its values are stored: in the pose files that `sinew verify` compares, and in the tests' golden hashes. So the step
+/// stays as it is; checksums of files are base/checksum.h.
 class BitHash {
  public:
   /// in   values  of a type made of 32-bit or 64-bit numbers, without padding

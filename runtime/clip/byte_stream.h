@@ -6,6 +6,7 @@
 #include <cstring>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/contract.h"
@@ -14,7 +15,7 @@ namespace sinew {
 
 static_assert(std::endian::native == std::endian::little, "byte streams are the memory of little-endian machines");
 
-/// Numbers and arrays of numbers one after another; an array is its count and its elements.
+/// Writes numbers and arrays of numbers one after another; an array is its count and its elements.
 class ByteWriter {
  public:
   template <class T>
@@ -39,7 +40,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what ByteWriter wrote. After the end everything reads as 0 or empty, and `ended` tells.
+/// Reads what ByteWriter wrote. Past the end every number is 0 and every array empty, and ended() is true.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes, std::size_t offset = 0) : bytes_(bytes), at_(offset) {}
@@ -47,10 +48,12 @@ class ByteReader {
   template <class T>
   T number() {
     T value{};
-    if (has(sizeof(T))) std::memcpy(&value, bytes_.data() + at_, sizeof(T)), at_ += sizeof(T);
+    if (!has(sizeof(T))) return value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
     return value;
   }
-  /// The count is believed only as far as there are bytes: a wrong one allocates nothing.
+  /// An array whose count exceeds the bytes that are left ends the stream and allocates nothing.
   template <class T>
   std::vector<T> numbers() {
     const auto count = number<std::uint32_t>();
@@ -73,5 +76,69 @@ class ByteReader {
   std::size_t at_;
   bool ended_ = false;
 };
+
+/// A varint (LEB128): groups of seven bits, the lowest first, all but the last with the eighth bit set. Small numbers
+/// take one byte.
+inline void write_varint(std::uint32_t number, ByteWriter& out) {
+  for (std::uint32_t more = 1; more != 0; number >>= 7) {
+    more = number > 0x7f ? 0x80 : 0;
+    out.add(static_cast<std::uint8_t>((number & 0x7f) | more));
+  }
+}
+
+inline std::uint32_t read_varint(ByteReader& in) {
+  std::uint32_t number = 0;
+  std::uint8_t byte = 0x80;
+  for (std::uint32_t shift = 0; (byte & 0x80) != 0 && shift < 32; shift += 7) {
+    byte = in.number<std::uint8_t>();
+    number |= (byte & 0x7fu) << shift;
+  }
+  return number;
+}
+
+/// Rising numbers as the gaps between them.
+inline void write_rising(std::span<const std::uint32_t> numbers, ByteWriter& out) {
+  out.add(static_cast<std::uint32_t>(numbers.size()));
+  std::uint32_t before = 0;
+  for (const std::uint32_t number : numbers) write_varint(number - std::exchange(before, number), out);
+}
+
+inline std::vector<std::uint32_t> read_rising(ByteReader& in) {
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t before = 0;
+  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
+    numbers.push_back(before += read_varint(in));
+  return numbers;
+}
+
+/// A float as a varint of its distance from an expected one, counted in floats between them and zigzag coded: one byte
+/// where it is among the next 63 on either side.
+inline void write_near(float number, float expected, ByteWriter& out) {
+  const std::uint32_t gap = std::bit_cast<std::uint32_t>(number) - std::bit_cast<std::uint32_t>(expected);
+  write_varint(gap << 1 ^ (gap >> 31 != 0 ? ~0u : 0u), out);
+}
+
+inline float read_near(float expected, ByteReader& in) {
+  const std::uint32_t turned = read_varint(in), gap = turned >> 1 ^ ((turned & 1) != 0 ? ~0u : 0u);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(expected) + gap);
+}
+
+/// The key time to expect: as far from the last one as that is from the one before.
+inline float next_time(std::span<const float> times_s) noexcept {
+  const std::size_t n = times_s.size();
+  return n < 2 ? 0.0f : 2.0f * times_s[n - 1] - times_s[n - 2];
+}
+
+inline void write_times(std::span<const float> times_s, ByteWriter& out) {
+  out.add(static_cast<std::uint32_t>(times_s.size()));
+  for (std::size_t k = 0; k < times_s.size(); ++k) write_near(times_s[k], next_time(times_s.first(k)), out);
+}
+
+inline std::vector<float> read_times(ByteReader& in) {
+  std::vector<float> times_s;
+  for (auto left = in.number<std::uint32_t>(); left > 0 && !in.ended(); --left)
+    times_s.push_back(read_near(next_time(times_s), in));
+  return times_s;
+}
 
 }  // namespace sinew

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "runtime/base/all_finite.h"
+#include "runtime/base/checksum.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_layout.h"
-#include "runtime/clip/varint.h"
 
 namespace sinew {
 namespace {
@@ -19,13 +19,6 @@ namespace {
 constexpr char kMagic[8] = {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'};
 /// What is made and not stored (places of joints, base poses) may take this much, and so many times the block.
 constexpr std::uint64_t kMadeBytes = std::uint64_t{16} << 20, kMadeTimes = 64;
-
-/// eq   FNV-1a over 64 bits
-std::uint64_t checksum(std::span<const std::byte> bytes) noexcept {
-  std::uint64_t sum = 0xcbf29ce484222325u;
-  for (const std::byte b : bytes) sum = (sum ^ static_cast<std::uint64_t>(b)) * 0x100000001b3u;
-  return sum;
-}
 
 void write_certificate(const std::optional<ClipCertificate>& certificate, ByteWriter& out) {
   out.add(static_cast<std::uint8_t>(certificate.has_value()));
@@ -285,7 +278,8 @@ class Loader {
   }
 
   void read_ranges(PackedRows& p, std::size_t lanes, std::size_t components, std::span<const std::uint16_t> ranges) {
-    p.low.assign(lanes * components + kLanePadding, 0.0f), p.step = p.low;
+    p.low.assign(lanes * components + kLanePadding, 0.0f);
+    p.step = p.low;
     std::size_t next = 0;
     const auto half = [&] { return next < ranges.size() ? std::uint32_t{ranges[next++]} : (++next, 0u); };
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -313,7 +307,10 @@ class Loader {
 std::vector<std::byte> save_clips(std::span<const Clip* const> clips) {
   ByteWriter body;
   body.add(static_cast<std::uint32_t>(clips.size()));
-  for (const Clip* clip : clips) write_head(clip->layout(), body), write_tracks(clip->layout(), body);
+  for (const Clip* clip : clips) {
+    write_head(clip->layout(), body);
+    write_tracks(clip->layout(), body);
+  }
   ByteWriter out;
   for (const char c : kMagic) out.add(c);
   out.add(kClipFileVersion);
@@ -341,8 +338,10 @@ tl::expected<std::vector<Clip>, ClipFileError> load_clips(std::span<const std::b
   if (!looks_like_clips(block)) return refuse("clip-magic", 0, "these are no compiled clips");
   if (block.size() < kClipFileHead) return refuse("clip-size", block.size(), "the block ends inside of its head");
   ByteReader head(block, sizeof(kMagic));
-  if (head.number<std::uint32_t>() != kClipFileVersion)
-    return refuse("clip-version", 8, "compiled by another version: compile the clips again");
+  if (const auto version = head.number<std::uint32_t>(); version != kClipFileVersion)
+    return refuse("clip-version", 8,
+                  version < kClipFileVersion ? "compiled by an older version of the library: compile the clips again"
+                                             : "compiled by a newer version of the library: compile the clips again");
   if (head.number<std::uint32_t>() != 0) return refuse("clip-value", 12, "reserved bytes are not 0");
   if (head.number<std::uint64_t>() != block.size())
     return refuse("clip-size", 16, "the block is longer or shorter than it says");

@@ -16,6 +16,27 @@ std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
 
 }  // namespace
 
+BasePose::BasePose(const std::vector<Transform>& rest)
+    : stride((rest.size() + 15) / 16 * 16), planes(10 * stride, 0.0f) {
+  for (std::size_t j = 0; j < stride; ++j) {
+    const Transform t = j < rest.size() ? rest[j] : Transform{};
+    set(0, j, {t.translation.x, t.translation.y, t.translation.z});
+    set_rotation(j, t.rotation);
+    set(7, j, {t.scale.x, t.scale.y, t.scale.z});
+  }
+}
+
+JointPlaces::JointPlaces(std::span<const std::uint32_t> joints)
+    : first_joint(static_cast<std::uint32_t>(joints.front() / kStep * kStep)),
+      lane_of((joints.back() - first_joint) / kStep * kStep + kStep, -1),
+      lanes_before(lane_of.size() / kPart + 1, 0) {
+  for (std::size_t lane = 0; lane < joints.size(); ++lane) {
+    lane_of[joints[lane] - first_joint] = static_cast<std::int32_t>(lane);
+    ++lanes_before[(joints[lane] - first_joint) / kPart + 1];
+  }
+  for (std::size_t i = 1; i < lanes_before.size(); ++i) lanes_before[i] += lanes_before[i - 1];
+}
+
 TrackBlock block_of(Property property, Interpolation interpolation, std::size_t lane_count) {
   const bool vector = property == Property::translation || property == Property::scale;
   const std::uint32_t components = vector ? 3 : property == Property::rotation ? 4 : 1;

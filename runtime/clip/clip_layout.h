@@ -4,18 +4,19 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/clip/clip.h"
-#include "runtime/clip/joint_places.h"
 #include "runtime/clip/key_times.h"
 #include "runtime/clip/packed_keys.h"
 
-/// What a compiled clip is made of. Written by compile_clip, read by sample_clip, of no interest to anybody else.
+/// What a compiled clip is made of. compile_clip and load_clips write it, sample_clip reads it; engines need none of
+/// it.
 namespace sinew {
 
-/// `number` is one component of a property that is none of the others.
+/// `number` is one component of an animated property (PropertyTable).
 enum class Property : std::uint8_t { translation, rotation, scale, weight, number };
 
 /// First plane of a property in a pose: translation xyz, rotation xyzw, scale xyz.
@@ -23,9 +24,9 @@ constexpr std::size_t first_plane(Property p) noexcept {
   return p == Property::translation ? 0 : p == Property::rotation ? 3 : p == Property::scale ? 7 : 0;
 }
 
-/// Components of rotations below this are 0, unless a key is returned as it is stored: they turn by less than 1e-18,
-/// their squares are no normal numbers, and real clips have them. Some processors take a hundred times as long for such
-/// a product (N26).
+/// Components of rotations below this are set to 0, unless a key is returned as it is stored. They turn by less than
+/// 1e-18 and their squares are subnormal, which some processors multiply a hundred times slower; real clips have them
+/// (N26).
 inline constexpr float kLeastComponent = 1e-18f;
 inline glm::quat without_tiny(const glm::quat& q) noexcept {
   const auto flushed = [](float x) { return std::abs(x) < kLeastComponent ? 0.0f : x; };
@@ -39,15 +40,7 @@ struct BasePose {
   std::vector<float> planes;
 
   BasePose() = default;
-  explicit BasePose(const std::vector<Transform>& rest)
-      : stride((rest.size() + 15) / 16 * 16), planes(10 * stride, 0.0f) {
-    for (std::size_t j = 0; j < stride; ++j) {
-      const Transform t = j < rest.size() ? rest[j] : Transform{};
-      set(0, j, {t.translation.x, t.translation.y, t.translation.z});
-      set_rotation(j, t.rotation);
-      set(7, j, {t.scale.x, t.scale.y, t.scale.z});
-    }
-  }
+  explicit BasePose(const std::vector<Transform>& rest);
   void set(std::size_t plane, std::size_t joint, std::initializer_list<float> components) noexcept {
     for (const float x : components) planes[plane++ * stride + joint] = x;
   }
@@ -57,8 +50,27 @@ struct BasePose {
   }
 };
 
-/// Tracks of one property and one interpolation that share their key times, side by side: a key is one row of planes,
-/// a plane holds one number of every track, so that lanes are joints and a pose reads two neighbouring rows.
+/// Which lane of a block belongs to which joint, from the joints' side: a vector of neighbouring joints is put together
+/// from neighbouring lanes and stored as one, instead of scattering lanes one by one.
+struct JointPlaces {
+  static constexpr std::size_t kStep = 16, kPart = 4;  ///< joints of the widest and of the narrowest vector
+
+  std::uint32_t first_joint = 0;      ///< a multiple of kStep
+  std::vector<std::int32_t> lane_of;  ///< [multiple of kStep] lane of joint first_joint + i, -1 = none
+  std::vector<std::uint32_t>
+      lanes_before;  ///< [lane_of.size() / kPart + 1] lanes of joints before first_joint + i kPart
+
+  JointPlaces() = default;
+  /// in   joints  of the lanes, increasing, at least one
+  explicit JointPlaces(std::span<const std::uint32_t> joints);
+
+  std::size_t byte_size() const noexcept {
+    return lane_of.size() * sizeof(std::int32_t) + lanes_before.size() * sizeof(std::uint32_t);
+  }
+};
+
+/// Tracks of one property and one interpolation that share their key times, side by side. A key is one row of planes,
+/// and a plane holds one number of every track: lanes are joints, and a pose reads two neighbouring rows.
 ///
 ///     step, linear vectors     x y z
 ///     cubic vectors            in xyz | value xyz | out xyz
@@ -75,9 +87,9 @@ struct TrackBlock {
   std::uint32_t plane_count = 0;       ///< planes per key
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight or number; increasing
-  JointPlaces places;                  ///< of the targets that are joints: weights and numbers are neighbours
+  JointPlaces places;                  ///< where targets are joints; those of weights and numbers are neighbours
   std::vector<float> rows;  ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
-  PackedRows packed;        ///< of step and linear tracks in place of `rows`, where keys are rounded
+  PackedRows packed;        ///< instead of `rows` for step and linear tracks with rounded keys
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {
     return rows.data() + (key * plane_count + p) * lane_count;
@@ -86,11 +98,11 @@ struct TrackBlock {
 
 inline constexpr std::size_t kLanePadding = 16;
 
-/// A block without keys; what follows from its kind is filled in.
+/// A block without keys: fills in what follows from its kind.
 TrackBlock block_of(Property property, Interpolation interpolation, std::size_t lane_count);
 
-/// Below this arc the ratio of the sines in slerp is that of the fractions to within arc^2 / 6 = 2e-9, so that the arc
-/// may be taken for this one: no division by a tiny sine, no branch (N01).
+/// Below this arc the ratio of the sines in slerp is that of the fractions to within arc^2 / 6 = 2e-9, so smaller arcs
+/// are taken for this one: no division by a tiny sine, no branch (N01).
 inline constexpr float kSmallestArc = 1e-4f;
 
 struct TimeGroup {
@@ -113,7 +125,7 @@ struct ClipLayout {
 /// Adds the tracks of a block to those evaluated per sample.
 void count_tracks(const TrackBlock& block, Clip::Counts& counts) noexcept;
 
-/// The clip that is made of this.
+/// Makes a clip of this layout.
 Clip clip_of(ClipLayout layout);
 
 }  // namespace sinew

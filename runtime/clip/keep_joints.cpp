@@ -37,7 +37,8 @@ TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> nu
   std::vector<std::uint32_t> lanes, targets;
   for (std::uint32_t lane = 0; lane < block.lane_count; ++lane) {
     if (numbers[block.targets[lane]] == kNone) continue;
-    lanes.push_back(lane), targets.push_back(numbers[block.targets[lane]]);
+    lanes.push_back(lane);
+    targets.push_back(numbers[block.targets[lane]]);
   }
   TrackBlock kept = block_of(block.property, block.interpolation, lanes.size());
   if (lanes.empty()) return kept;
@@ -85,10 +86,13 @@ Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints) {
   const ClipLayout& whole = clip.layout();
   const std::vector<std::uint32_t> numbers = new_numbers(whole.joint_count, joints);
   ClipLayout kept;
-  kept.name = whole.name, kept.duration_s = whole.duration_s, kept.certificate = whole.certificate;
+  kept.name = whole.name;
+  kept.duration_s = whole.duration_s;
+  kept.certificate = whole.certificate;
   kept.joint_count = joints.size();
   kept.base_pose = keep_pose(whole.base_pose, joints);
-  kept.base_weights = whole.base_weights, kept.base_properties = whole.base_properties;
+  kept.base_weights = whole.base_weights;
+  kept.base_properties = whole.base_properties;
   kept.counts.folded = whole.counts.folded;
   for (const TimeGroup& group : whole.groups) {
     TimeGroup left{group.times, {}};

@@ -7,14 +7,15 @@
 
 namespace sinew {
 
-/// A skeleton of some joints alone, numbered as they come; names and nodes are the whole skeleton's.
-/// in   joints  rising, with the parent of each
+/// A skeleton of some joints only, numbered in their order, without names and nodes.
+/// in   joints  rising; with a joint also its parent
 /// cost O(J), allocates
 Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> joints);
 
-/// The clip without the tracks of other joints, for that skeleton. What is left has the same bits at every time; morph
-/// weights and properties stay as they are. Exact, packed and loaded clips alike. in   joints  rising cost O(keys),
-/// allocates the clip
+/// The clip of that skeleton: without the tracks of other joints. The tracks left sample the same bits at every time;
+/// morph weights and properties stay as they are. Works for exact, packed and loaded clips.
+/// in   joints  rising
+/// cost O(keys), allocates the clip
 Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints);
 
 }  // namespace sinew

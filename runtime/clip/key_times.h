@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// The key times of one group of tracks with a table of uniform buckets, so that a search costs the same for forward
-/// play and for jumps: O(1) for evenly spread keys, O(log K) at worst.
+/// The key times of one group of tracks, with a table of uniform buckets: a search costs the same for forward play and
+/// for jumps, O(1) for evenly spread keys and O(log K) at worst.
 class KeyTimes {
  public:
   /// in   times_s[K]  K >= 1, finite, never decreasing

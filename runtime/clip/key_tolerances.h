@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// How far keys may be from what they are when a clip is compiled, so that they take fewer bits; 0 keeps them in full
-/// float, bit for bit, and so does what is not named here. Only step and linear tracks are rounded.
+/// How far keys may be moved when a clip is compiled, so that they take fewer bits. 0, or no entry here, keeps the full
+/// float bit for bit. Only step and linear tracks are rounded.
 struct KeyTolerances {
   struct OfBone {
     double translation = 0.0;  ///< a length

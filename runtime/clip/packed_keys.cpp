@@ -193,14 +193,16 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_coun
                     table = lanes * components + kLanePadding;
   PackedRows rows;
   rows.width.assign(table, 0);
-  rows.low.assign(table, 0.0f), rows.step.assign(table, 0.0f);
+  rows.low.assign(table, 0.0f);
+  rows.step.assign(table, 0.0f);
   if (components == 4) rows.derived.assign(lanes + kLanePadding, PackedTrack::kNoneDerived);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     if (components == 4) rows.derived[lane] = tracks[lane].derived;
     for (std::size_t c = 0; c < components; ++c) {
       const std::size_t at = c * lanes + lane;
       rows.width[at] = tracks[lane].width[c];
-      rows.low[at] = tracks[lane].low[c], rows.step[at] = tracks[lane].step[c];
+      rows.low[at] = tracks[lane].low[c];
+      rows.step[at] = tracks[lane].step[c];
     }
   }
   place_bits(rows, lanes, components);
@@ -222,7 +224,9 @@ PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t l
   if (!rows.derived.empty()) track.derived = rows.derived[lane];
   for (std::size_t c = 0; c < track.components; ++c) {
     const std::size_t at = c * lanes + lane;
-    track.width[c] = rows.width[at], track.low[c] = rows.low[at], track.step[c] = rows.step[at];
+    track.width[c] = rows.width[at];
+    track.low[c] = rows.low[at];
+    track.step[c] = rows.step[at];
   }
   for (std::size_t key = 0; key < key_count; ++key) {
     std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];

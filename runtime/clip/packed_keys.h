@@ -10,11 +10,11 @@
 
 namespace sinew {
 
-/// The keys of one track in whole numbers: component c of a key is low[c] + step[c] * number, and takes width[c] bits,
-/// just enough for the track's own range; none where the component does not change.
+/// The keys of one track as integers: component c of a key is low[c] + step[c] * number. It takes width[c] bits, just
+/// enough for the track's own range, and none where the component does not change.
 ///
-/// Rotations may leave out the component that stays farthest from 0: it follows from the others, since keys are unit
-/// and q and -q are the same, so that it can be made positive throughout.
+/// Rotations may leave out the component that stays farthest from 0. It follows from the others: keys are unit, and q
+/// and -q are the same rotation, so that the sign is chosen to make it positive in every key.
 struct PackedTrack {
   static constexpr std::uint32_t kMostBits = 24;     ///< of a component: whole numbers that float holds
   static constexpr std::uint32_t kMostKeyBits = 56;  ///< of a key: found in eight bytes from any bit on
@@ -29,14 +29,14 @@ struct PackedTrack {
   std::uint32_t bits_per_key() const noexcept { return std::uint32_t{width[0]} + width[1] + width[2] + width[3]; }
 };
 
-/// Packs the keys of a step or linear track so that none is farther than `tolerance` from what it was: a length, or for
-/// rotations the distance by which a point one unit from the axis moves, or a difference of weights.
-/// out  nothing for curves, and where that would take more than kMostBits
+/// Packs the keys of a step or linear track so that none moves by more than `tolerance`: a length, or for rotations the
+/// distance by which a point one unit from the axis moves, or a difference of weights.
+/// out  nothing for curves, and where a component would take more than kMostBits or a key more than kMostKeyBits
 std::optional<PackedTrack> pack_keys(const Vec3Track& track, double tolerance);
 std::optional<PackedTrack> pack_keys(const QuatTrack& track, double tolerance);
 std::optional<PackedTrack> pack_keys(const WeightTrack& track, std::uint32_t weight, double tolerance);
 
-/// What is left of a key, by the arithmetic that lanes do: single multiplications and additions in float.
+/// A key after rounding, by the arithmetic of the lanes: single multiplications and additions in float.
 std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept;
 
 /// Packed tracks side by side. A key is a row of bits, each track's components one after another in the order of lanes,
@@ -56,7 +56,7 @@ struct PackedRows {
   }
 };
 
-/// Most lanes of one block, so that every bit of a row has a 16-bit number.
+/// Most lanes of one block, so that 16 bits number every bit of a row.
 inline constexpr std::size_t kMostPackedLanes = 1024;
 static_assert(kMostPackedLanes * PackedTrack::kMostKeyBits < 65536);
 inline constexpr std::size_t kReadAhead = sizeof(std::uint64_t);
@@ -67,7 +67,7 @@ void place_bits(PackedRows& rows, std::size_t lanes, std::size_t components);
 /// in   tracks  of one property, at most kMostPackedLanes, all with `key_count` keys
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count);
 
-/// One lane of such rows as pack_keys made it.
+/// One lane of packed rows, as pack_keys made it.
 PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count);
 
 }  // namespace sinew

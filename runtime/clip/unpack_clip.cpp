@@ -30,7 +30,8 @@ void fill_components(TrackBlock& block, const PackedTrack& track, std::size_t la
 
 TrackBlock unpacked(const TrackBlock& block, std::size_t key_count) {
   TrackBlock out = block_of(block.property, block.interpolation, block.lane_count);
-  out.targets = block.targets, out.places = block.places;
+  out.targets = block.targets;
+  out.places = block.places;
   make_room(out, key_count);
   for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
     const PackedTrack track = packed_lane(block.packed, block.lane_count, lane, key_count);

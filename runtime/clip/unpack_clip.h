@@ -4,12 +4,13 @@
 
 namespace sinew {
 
-/// A clip whose rounded keys are full floats again, with what slerp needs between them: as fast to sample as one that
-/// was never rounded, for the memory of its keys in float. For clips that are stored within a budget
-/// (compress/compile_clip_within.h) but played often; keys that were left out stay so.
+/// A clip with its packed keys as floats again: samples as fast as a clip that was never packed, and takes the memory
+/// of float keys. For clips that are stored within a budget (compress/compile_clip_within.h) but played often. Keys
+/// that the budget removed stay removed.
 ///
-/// Keys are what `clip` has, rotations among them made unit; between keys whose lengths were rounded apart poses differ
-/// by a part of that rounding. The certificate is kept: it is of both. cost O(keys), allocates
+/// Poses on keys are those of `clip`, with rotations normalised. Between keys they differ from those of `clip` by less
+/// than its rounding, because slerp of packed keys does not normalise them first. The certificate is kept: its error
+/// was measured on both forms. cost O(keys), allocates
 Clip unpacked(const Clip& clip);
 
 }  // namespace sinew

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,9 +16,7 @@ namespace sinew::test {
 
 /// Writes size and checksum of what is there now: the head keeps nothing from the loader.
 inline void sign(std::vector<std::byte>& block) {
-  std::uint64_t sum = 0xcbf29ce484222325u;
-  for (std::size_t i = kClipFileHead; i < block.size(); ++i)
-    sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
+  const std::uint64_t sum = XXH3_64bits(block.data() + kClipFileHead, block.size() - kClipFileHead);
   const std::uint64_t size = block.size();
   std::memcpy(block.data() + 16, &size, 8);
   std::memcpy(block.data() + 24, &sum, 8);
@@ -76,7 +77,7 @@ struct ClipFields {
       for (const auto& number : numbers) add(number);
     };
     for (const char c : {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'}) add(c);
-    add(std::uint32_t{2}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
+    add(std::uint32_t{3}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
     add(std::uint32_t{1});  // clips
     add_all(name), add(duration_s), add(joint_count), add(folded), add(certificate);
     if (certificate != 0) {

@@ -112,6 +112,33 @@ TEST(clip_file, every_changed_byte_is_noticed_and_every_cut_names_its_rule) {
   EXPECT_EQ(load_clips(longer).error().rule, "clip-size");
 }
 
+TEST(clip_file, clips_of_another_version_are_refused_in_words) {
+  const Clip a = varied_clip(4);
+  const std::vector<std::byte> block = saved({&a});
+  for (const std::uint32_t version : {std::uint32_t{0}, kClipFileVersion - 1, kClipFileVersion + 1}) {
+    std::vector<std::byte> other = block;
+    std::memcpy(other.data() + 8, &version, sizeof version);
+    sign(other);
+    const auto loaded = load_clips(other);
+    ASSERT_FALSE(loaded) << version;
+    EXPECT_EQ(loaded.error().rule, "clip-version");
+    EXPECT_EQ(loaded.error().offset, 8u);
+    EXPECT_EQ(loaded.error().detail, version < kClipFileVersion
+                                         ? "compiled by an older version of the library: compile the clips again"
+                                         : "compiled by a newer version of the library: compile the clips again");
+  }
+}
+
+TEST(clip_file, a_block_of_version_2_is_refused_for_its_version_not_its_checksum) {
+  std::vector<std::byte> block = saved({});
+  std::uint64_t sum = 0xcbf29ce484222325u;  // FNV-1a, which version 2 had
+  for (std::size_t i = kClipFileHead; i < block.size(); ++i)
+    sum = (sum ^ static_cast<std::uint64_t>(block[i])) * 0x100000001b3u;
+  block[8] = std::byte{2};
+  std::memcpy(block.data() + 24, &sum, sizeof sum);
+  EXPECT_EQ(load_clips(block).error().rule, "clip-version");
+}
+
 TEST(clip_file, blocks_with_a_right_checksum_and_wrong_bytes_are_refused_or_sampled_safely) {
   const Clip a = varied_clip(5);
   const std::vector<std::byte> block = saved({&a});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cstring>
 #include <vector>
 
 #include "runtime/clip/clip_file.h"
 #include "runtime/pose/sample_clip.h"
+#include "tests/clip/clip_fields.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/tiny_assets.h"
 
@@ -15,11 +15,7 @@ std::vector<std::byte> signed_block(Bytes body) {
   std::vector<std::byte> block = save_clips({});
   block.resize(kClipFileHead);
   block.insert(block.end(), body.begin(), body.end());
-  std::uint64_t sum = 0xcbf29ce484222325u;
-  for (const std::byte b : body) sum = (sum ^ static_cast<std::uint64_t>(b)) * 0x100000001b3u;
-  const std::uint64_t size = block.size();
-  std::memcpy(block.data() + 16, &size, sizeof(size));
-  std::memcpy(block.data() + 24, &sum, sizeof(sum));
+  test::sign(block);
   return block;
 }
 
