@@ -7,11 +7,11 @@
 #include "runtime/animation/track.h"
 #include "runtime/math/squad.h"
 
-/// Plain evaluation of authoring tracks in float or double. Double is the truth that compiled clips are held to.
+/// Plain evaluation of authoring tracks in float or double. Compiled clips are measured against the double results.
 namespace sinew {
 
-/// Where a time falls among the keys: on key `key` itself (also before the first and after the last, G10), or the
-/// fraction 0 < s < 1 of the way from `key` to the next one, `interval_s` > 0 later.
+/// Where a time falls among the keys: on `key` itself (also before the first and after the last key, G10), or at
+/// `fraction` (0 to 1) of the interval from `key` to the next one, which lasts `interval_s` > 0.
 struct KeyPosition {
   std::size_t key = 0;
   bool on_key = true;

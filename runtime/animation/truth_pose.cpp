@@ -13,7 +13,8 @@ void model_from_local(const Skeleton& skeleton, std::span<const Transformd> loca
 
 void evaluate_truth(const Animation& animation, const Skeleton& skeleton, double time_s, TruthPose& out) {
   const std::size_t joints = skeleton.joint_count();
-  out.local.resize(joints), out.model.resize(joints);
+  out.local.resize(joints);
+  out.model.resize(joints);
   for (std::size_t j = 0; j < joints; ++j) out.local[j] = in_double(skeleton.rest[j]);
   // Of two tracks for one property the last one counts, as it does in compiled clips (G20).
   for (const BoneAnimation& bone : animation.bones)

@@ -9,8 +9,8 @@ namespace sinew {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;  ///< "no index": no parent, no skin, no material
 
-/// Whether every index is below `count`. Looks at all of them without a branch, so that compilers make vector code of
-/// it even where there is no unsigned comparison: of i - count and ~i the top bit is set exactly when i < count <=
+/// Whether every index is below `count`. Looks at all indices without a branch, so that compilers vectorise the loop,
+/// also for targets without unsigned comparisons: the top bit of (i - count) & ~i is set exactly when i < count <=
 /// 2^31. cost O(n), memory-bound
 template <class Index>
 bool all_below(const std::vector<Index>& indices, std::size_t count) noexcept {

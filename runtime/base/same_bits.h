@@ -5,7 +5,8 @@
 
 namespace sinew {
 
-/// Whether two arrays of numbers agree in every bit, so that what is computed from them does too: the two zeros differ.
+/// Whether two arrays agree in every bit, so that computing with either gives the same bits. 0 and -0 differ, and a NaN
+/// equals itself.
 /// in   a, b  elements made of numbers, without padding
 template <class T>
 bool same_bits(std::span<const T> a, std::span<const T> b) noexcept {
