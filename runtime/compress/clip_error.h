@@ -20,15 +20,15 @@ struct ClipError {
 std::vector<float> key_times(const Animation& truth);
 
 /// Every key time of every track, both ends of the clip, five times between each two, and the time right before each
-/// jump: of steps, and of keys that share a time. Clips of so many joints and keys that this would be more than
-/// kMostJointTimes poses of joints are looked at in even steps through that list.
+/// jump (of steps, and of keys that share a time). A clip with more than kMostJointTimes poses of joints in that list
+/// is looked at in even steps through it.
 std::vector<double> times_to_check(const Animation& truth, std::size_t joint_count);
 inline constexpr std::size_t kMostJointTimes = 10'000'000;
 
-/// Samples a clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate; the hierarchy
-/// is evaluated in double on both sides, so that nothing but the clip counts. Of several forms of it each error is the
-/// largest. eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c;  weights = max sum |w' - w|
-/// metres_per_weight stretch in   forms   of the clip, compiled for this scene cost O(times x J x forms), allocates
+/// Samples a clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate. The hierarchy
+/// is evaluated in double on both sides, so that only the clip's own error counts. Of several forms of a clip each
+/// error is the largest. eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c;  weights = max sum |w' -
+/// w| metres_per_weight stretch in   forms  of the clip, compiled for this scene cost O(times x J x forms), allocates
 ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                        std::span<const Clip* const> forms, std::span<const double> times_s);
 

@@ -10,7 +10,7 @@
 #include "runtime/clip/unpack_clip.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/joint_reach.h"
-#include "runtime/compress/split_by_need.h"
+#include "runtime/compress/remove_keys.h"
 
 namespace sinew {
 namespace {
@@ -147,7 +147,7 @@ void reduce(std::vector<LooseTrack> tracks) {
   std::map<std::vector<float>, std::vector<LooseTrack>> groups;
   for (const LooseTrack& track : tracks) groups[track.times_s()].push_back(track);
   for (auto& [times_s, group] : groups)
-    for (const std::vector<LooseTrack>& part : split_by_need(std::move(group))) {
+    for (const std::vector<LooseTrack>& part : split_into_time_groups(std::move(group))) {
       const std::vector<std::uint32_t> keys = keys_needed(part, times_s.size());
       for (const LooseTrack& track : part) keep_keys(track, keys);
     }

@@ -4,24 +4,24 @@
 
 namespace sinew {
 
-/// A clip within a budget, and the keys that it kept in authoring form, not rounded, to be written to a file.
+/// A clip within a budget, and the keys that it kept: in authoring form and not rounded, for writing to a file.
 struct ClipWithin {
   Animation keys;
   Clip clip;  ///< with its certificate
 };
 
-/// Compiles an animation as small as it can be while no virtual vertex, in model space, is farther than `budget_m` from
-/// where the truth has it, at keys and between them: tracks that hardly move become constant, and keys are left out
-/// where the track's own interpolation brings them back, and keys are rounded to the fewest bits. The budget is shared
-/// out along the skeleton by what an error of each joint does to all below it (joint_reach.h); the compiled clip is
-/// then measured (clip_error.h): joints above vertices that are off get less, and where all vertices below have room,
-/// more. The smallest clip that holds is taken; after kMostRounds without one every key is kept.
+/// Compiles the smallest clip in which no virtual vertex, in model space, is farther than `budget_m` from where the
+/// truth has it, at keys and between them. Tracks that hardly move become constant, keys are left out where the track's
+/// own interpolation brings them back, and the others are rounded to the fewest bits. The budget is shared out along
+/// the skeleton by what an error of each joint does to all below it (joint_reach.h). The compiled clip is then measured
+/// (clip_error.h): joints above vertices that are off get less, and joints above vertices that all have room get more.
+/// The smallest clip that holds is taken; after kMostRounds without one every key is kept.
 ///
-/// Morph weights share the budget through what they displace vertices by. Properties keep every key: a length says
-/// nothing of colours. A budget of 0 keeps everything, bit for bit. Same input, same clip. in   scene    the one that
-/// the animation belongs to, finished (scene.h), passed its checks
-///      vertices of that scene
-///      budget_m in the file's units, >= 0
+/// Morph weights share the budget through how far they displace vertices. Properties keep every key: a length says
+/// nothing about colours. A budget of 0 keeps everything, bit for bit. Same input, same clip.
+/// in   scene     the animation's own, finished (scene.h), passed its checks
+///      vertices  of that scene
+///      budget_m  in the file's units, >= 0
 /// cost seconds for ten thousand joints or an hour; allocates
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                double budget_m);

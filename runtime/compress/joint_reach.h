@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// What an error of a joint's own transform does to the virtual vertices of the joint and of all below it, at worst
-/// over an animation: metres in model space per unit of error. A first guess for sharing out a budget; what holds is
-/// measured.
+/// How far an error of a joint's own transform moves the virtual vertices of the joint and of all below it, at worst
+/// over an animation: metres in model space per unit of error. A first guess for sharing out a budget; the result is
+/// measured afterwards.
 struct JointReach {
   double translation = 0.0;  ///< per unit of length in the parent's space
   double rotation = 0.0;     ///< per radian

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "runtime/animation/track_sample.h"
 
@@ -97,7 +99,8 @@ glm::vec3 middle_of(const Vec3Track& track) {
   glm::vec3 lower = track.values[value_row(track.interpolation, 0)], upper = lower;
   for (std::size_t key = 1; key < track.key_count(); ++key) {
     const glm::vec3& v = track.values[value_row(track.interpolation, key)];
-    lower = glm::min(lower, v), upper = glm::max(upper, v);
+    lower = glm::min(lower, v);
+    upper = glm::max(upper, v);
   }
   return glm::vec3((Vec3<double>(lower) + Vec3<double>(upper)) * 0.5);
 }
@@ -161,6 +164,45 @@ std::vector<Value> rows_of(const std::vector<Value>& values, std::size_t per_key
   return kept;
 }
 
+constexpr std::size_t kKeysLookedAt = 2048;  // of a track, enough to estimate how many keys it needs
+constexpr int kGroupDepth = 2;               // a list is cut in two at most, and its halves again
+constexpr std::size_t kCutPlaces = 8;        // a list is tried cut at each eighth
+
+std::size_t count_keys_needed(std::span<const LooseTrack> tracks) {
+  return keys_needed(tracks, std::min(tracks.front().times_s().size(), kKeysLookedAt)).size();
+}
+
+/// Packed keys take about a third of full ones.
+std::size_t bytes_per_key(const LooseTrack& track) {
+  return std::visit([](const auto* t) { return (t->values.size() / t->key_count() * sizeof(t->values[0]) + 2) / 3; },
+                    track.track);
+}
+
+std::size_t bytes_of_group(std::span<const LooseTrack> tracks) {
+  std::size_t row = 2 * sizeof(float);  // of the key times and their search table
+  for (const LooseTrack& track : tracks) row += bytes_per_key(track);
+  return kTimeGroupBytes + count_keys_needed(tracks) * row;
+}
+
+/// Cuts tracks, ordered by how many keys each needs, where two groups take fewer bytes than one; then its halves.
+void cut_groups(std::span<const LooseTrack> tracks, int depth, std::vector<std::vector<LooseTrack>>& groups) {
+  std::size_t best_bytes = bytes_of_group(tracks), best = 0;
+  for (std::size_t i = 1; depth > 0 && i < kCutPlaces; ++i) {
+    const std::size_t place = tracks.size() * i / kCutPlaces;
+    if (place == 0 || place == tracks.size() * (i - 1) / kCutPlaces) continue;
+    const std::size_t bytes = bytes_of_group(tracks.first(place)) + bytes_of_group(tracks.subspan(place));
+    if (bytes >= best_bytes) continue;
+    best_bytes = bytes;
+    best = place;
+  }
+  if (best == 0) {
+    groups.emplace_back(tracks.begin(), tracks.end());
+    return;
+  }
+  cut_groups(tracks.first(best), depth - 1, groups);
+  cut_groups(tracks.subspan(best), depth - 1, groups);
+}
+
 }  // namespace
 
 const std::vector<float>& LooseTrack::times_s() const {
@@ -206,6 +248,18 @@ void keep_keys(const LooseTrack& loose, std::span<const std::uint32_t> keys) {
 
 bool hold_still(const LooseTrack& loose) {
   return std::visit([&](auto* track) { return hold_still(*track, loose); }, loose.track);
+}
+
+std::vector<std::vector<LooseTrack>> split_into_time_groups(std::vector<LooseTrack> tracks) {
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // keys that the track needs alone, its number
+  for (std::size_t i = 0; i < tracks.size(); ++i) order.emplace_back(count_keys_needed({&tracks[i], 1}), i);
+  std::sort(order.begin(), order.end());
+  std::vector<LooseTrack> by_need;
+  std::transform(order.begin(), order.end(), std::back_inserter(by_need),
+                 [&](const auto& o) { return tracks[o.second]; });
+  std::vector<std::vector<LooseTrack>> groups;
+  cut_groups(by_need, kGroupDepth, groups);
+  return groups;
 }
 
 }  // namespace sinew

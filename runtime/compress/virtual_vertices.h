@@ -7,10 +7,10 @@
 
 namespace sinew {
 
-/// Where the error of a pose is measured: the corners of a box around each joint, in the joint's space. A joint that
-/// moves vertices has the box of all of them, each also where its morph targets put it, so that by convexity no vertex
-/// can be farther off than the worst corner; any other joint has a cube that reaches kShell in each direction. Three
-/// axes are never missed, whatever the pose (C13).
+/// Where the error of a pose is measured: at the corners of a box around each joint, in the joint's space. The box of a
+/// joint that moves vertices holds all of them, each also where its morph targets put it: by convexity no vertex can be
+/// farther off than the worst corner. Any other joint has a cube that reaches kShell in each direction. A box sees
+/// errors along all three axes, whatever the pose (C13).
 struct VirtualVertices {
   static constexpr float kShell = 0.03f;  ///< in the file's units
 

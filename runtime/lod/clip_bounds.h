@@ -7,17 +7,17 @@
 
 namespace sinew {
 
-/// Boxes that hold the mesh instances at every time of a clip, known before any pose is: what is out of view by its box
-/// need not be evaluated (FrameInput::out_of_view, FrameInput::asleep). They hold for a clip that plays alone, in full
-/// and with its own morph weights; for the rest pose of `clip` kNone.
+/// Bounds of the mesh instances over all times of a clip, known before any pose is. An instance whose box is out of
+/// view need not be evaluated (FrameInput::out_of_view, FrameInput::asleep). The boxes hold for a clip that plays
+/// alone, at full weight and with its own morph weights; for clip kNone they hold the rest pose.
 ///
-/// Every key interval is cut in pieces; a piece holds the box of each joint's vertices in its middle, grown by how far
-/// they can stray within it (pose_drift.h). Linear blending stays within the boxes of the joints; the other kinds of
-/// skinning bulge, they get half the box's diagonal more on each side. in   scene     finished, passed its checks;
-/// needs   for their kinds of skinning and their joint detail out  [instances] in the space below FrameInput::root:
-/// transform them by it (grow_bounds.h). Empty = not known, so take it for
-///      in view: meshes that correctives morph, skinned meshes with parts that are not, clips of more than
-///      kMaxBoundsPoses poses of joints
+/// Every key interval is cut in pieces. A piece has the box of each joint's vertices at its middle, grown by how far
+/// they can stray within the piece (pose_drift.h). Linear blending stays within the boxes of the joints. The other
+/// kinds of skinning bulge: their boxes get half the diagonal more on each side. in   scene  finished, passed its
+/// checks;   needs  for their kinds of skinning and their skeleton LOD out  [instances] in the space below
+/// FrameInput::root: transform them by it (grow_bounds.h). An empty box says that
+///      nothing is known, so take the instance for in view: meshes that correctives morph, skinned meshes with parts
+///      that are not skinned, clips of more than kMaxBoundsPoses poses of joints
 /// cost O(key times * J + V), allocates
 std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip);
 inline constexpr std::size_t kMaxBoundsPoses = 4'000'000;

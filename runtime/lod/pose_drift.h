@@ -7,18 +7,19 @@
 
 namespace sinew {
 
-/// How far points that hang on a joint can stray from where they are in the middle of a piece of time.
+/// How far points that hang on a joint can stray from where they are at the middle of a piece of time.
 struct Drift {
   double fixed_m = 0.0;    ///< of the joint's origin
   double per_metre = 0.0;  ///< more for each metre from the origin, in the joint's space
 };
 
-/// Bounds the movement of all joints within a piece of time in which no track has a key but at the ends, so that
-/// between them every track is one curve. eq   M = M[parent] L:  |M(t) p - M(m) p| <= E[parent](|L(t) p|) +
-/// |M(m)[parent]| (dT + (dR s + dS) |p|),  E(r) = fixed + per_metre r,
-///      s the largest scale; dT, dR, dS are how far the joint's own translation, rotation (as a matrix) and scale
-///      stray. A cubic is at most 1.64 times as far off as at four even places (its Lebesgue constant); turning along a
-///      curve that is no arc is taken for twice what they show, and for anything where that is much.
+/// Bounds the movement of all joints within a piece of time. No track has a key inside the piece, so every track is one
+/// curve there.
+/// eq   M = M[parent] L:  |M(t) p - M(m) p| <= E[parent](|L(t) p|) + |M(m)[parent]| (dT + (dR s + dS) |p|),
+///      E(r) = fixed + per_metre r;  s is the largest scale; dT, dR, dS are how far the joint's own translation,
+///      rotation (as a matrix) and scale stray. A cubic strays at most 1.64 times as far as it does at four even places
+///      (their Lebesgue constant). A rotation along a curve that is no arc is taken for twice what those places show,
+///      and for any rotation where they show much.
 class PoseDrift {
  public:
   PoseDrift(const Skeleton& skeleton, const Animation& animation);
@@ -26,10 +27,10 @@ class PoseDrift {
   /// Looks at the piece [begin_s, end_s].    cost O(5 poses)
   void look_at(double begin_s, double end_s);
 
-  std::span<const Affined> middle() const noexcept {
-    return middle_.model;
-  }                                                                   ///< model matrices in the middle of the piece
-  std::span<const Drift> drifts() const noexcept { return drifts_; }  ///< [J]
+  /// [J] model matrices at the middle of the piece.
+  std::span<const Affined> middle() const noexcept { return middle_.model; }
+  /// [J]
+  std::span<const Drift> drifts() const noexcept { return drifts_; }
 
  private:
   struct Stray {

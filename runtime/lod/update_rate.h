@@ -11,11 +11,10 @@ enum class UpdateLevel : std::uint8_t { every, every_second, every_fourth };
 
 /// Where levels change, as parts of the picture's height.
 struct UpdateRates {
-  double second_below = 0.2;   ///< smaller characters are evaluated in every second frame ...
-  double fourth_below = 0.07;  ///< ... and these in every fourth
-  double hysteresis =
-      0.25;  ///< a character has to be larger by this part to come back, so that none flickers at a border
-  double longest_s = 0.1;  ///< between updates, whatever the size: where frames are slow, few or none are left out
+  double second_below = 0.2;   ///< smaller characters are evaluated in every second frame
+  double fourth_below = 0.07;  ///< smaller characters are evaluated in every fourth frame
+  double hysteresis = 0.25;    ///< a character must be larger by this part to return to a finer level; avoids flicker
+  double longest_s = 0.1;      ///< between updates, whatever the size: where frames are slow, few or none are left out
 };
 
 /// Height of a ball in the picture of a perspective camera, as part of the picture's height; infinite from within.
@@ -25,7 +24,7 @@ double screen_size(double radius_m, double distance_m, double fov_y_rad) noexcep
 /// in   screen_size  of the character;   before  its level in the last frame
 UpdateLevel update_level(double screen_size, UpdateLevel before, const UpdateRates& rates = {}) noexcept;
 
-/// The level, or the next finer one whose updates are no farther apart than UpdateRates::longest_s.
+/// The level itself, or the coarsest finer one whose updates are no farther apart than UpdateRates::longest_s.
 /// in   frame_s  from one frame to the next
 UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& rates = {}) noexcept;
 

@@ -35,9 +35,15 @@ sinew::ImportResult<sinew::ImportedFile> load(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 2) return std::fprintf(stderr, "usage: link_from_an_engine [FILE]\n"), 2;
+  if (argc > 2) {
+    std::fprintf(stderr, "usage: link_from_an_engine [FILE]\n");
+    return 2;
+  }
   const auto file = load(argc, argv);
-  if (!file) return std::fprintf(stderr, "%s\n", describe(file.error().file, file.error().issue).c_str()), 1;
+  if (!file) {
+    std::fprintf(stderr, "%s\n", describe(file.error().file, file.error().issue).c_str());
+    return 1;
+  }
   const sinew::Scene& scene = file->scene;
 
   // One plan for all characters that show this scene: bounds are asked for, tangents are not.
@@ -60,7 +66,10 @@ int main(int argc, char** argv) {
     shifted.root.row[0].w = 3.0f;
     const sinew::FrameInput inputs[] = {playing, shifted};
     const auto ticket = jobs.submit(inputs);
-    if (!ticket) return std::fprintf(stderr, "%s\n", describe(ticket.error()).data()), 1;
+    if (!ticket) {
+      std::fprintf(stderr, "%s\n", describe(ticket.error()).data());
+      return 1;
+    }
     jobs.wait(*ticket);  // an engine would draw the frame before instead
     for (const auto character : {first, second}) {
       const sinew::FrameResult& result = *jobs.latest(character);

@@ -19,7 +19,10 @@ static int play(const sinew_scene* scene, sinew_frame* frame) {
     const sinew_layer layer = {
         .time_s = sinew_clock_time_s(&clock), .clip = 0, .mask = SINEW_NONE, .weight = 1.0f, .kind = SINEW_LAYER_BLEND};
     sinew_frame_input input = sinew_default_input();
-    if (sinew_clip_count(scene) > 0) input.layers = &layer, input.layer_count = 1;
+    if (sinew_clip_count(scene) > 0) {
+      input.layers = &layer;
+      input.layer_count = 1;
+    }
     const sinew_error error = sinew_run(frame, &input);
     if (error != SINEW_OK) return fail("sinew_run", error);
     sinew_result_info result = {.struct_size = sizeof(result)};
@@ -36,8 +39,14 @@ static int play(const sinew_scene* scene, sinew_frame* frame) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 2) return fprintf(stderr, "usage: link_from_c FILE\n"), 2;
-  if (sinew_version() != SINEW_VERSION) return fprintf(stderr, "the library is not that of the header\n"), 1;
+  if (argc != 2) {
+    fprintf(stderr, "usage: link_from_c FILE\n");
+    return 2;
+  }
+  if (sinew_version() != SINEW_VERSION) {
+    fprintf(stderr, "the library is not that of the header\n");
+    return 1;
+  }
   sinew_scene* scene = NULL;
   sinew_messages* messages = NULL;
   sinew_error error = sinew_import_file(argv[1], NULL, &scene, &messages);
