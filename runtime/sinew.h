@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The runtime for engines that speak C: all but reading files, which is in importer/c/sinew_import.h. For C11 and C++.
+#include "runtime/c/clips.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/jobs.h"
+#include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/playback.h"
+#include "runtime/c/root_motion.h"
 #include "runtime/c/scene.h"
+#include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
+#include "runtime/c/update_levels.h"

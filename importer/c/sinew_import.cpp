@@ -11,10 +11,6 @@
 
 using namespace sinew;
 
-struct sinew_messages {
-  std::vector<std::string> lines;
-};
-
 namespace {
 
 ImportOptions options_from(const sinew_import_options& given) {
@@ -33,8 +29,13 @@ std::unique_ptr<sinew_messages> messages_of(const ImportResult<ImportedFile>& fi
   const auto add = [&](const std::vector<ImportIssue>& issues) {
     for (const ImportIssue& issue : issues) messages->lines.push_back(describe(name, issue));
   };
-  if (file) return add(file->warnings), std::move(messages);
-  add({file.error().issue}), add(file.error().more_errors), add(file.error().warnings);
+  if (file) {
+    add(file->warnings);
+    return messages;
+  }
+  add({file.error().issue});
+  add(file.error().more_errors);
+  add(file.error().warnings);
   return messages;
 }
 
@@ -63,14 +64,6 @@ sinew_import_options sinew_default_import_options(void) {
           .max_file_bytes = defaults.max_file_bytes,
           .max_unpacked_bytes = defaults.max_unpacked_bytes};
 }
-
-std::size_t sinew_message_count(const sinew_messages* messages) { return messages->lines.size(); }
-
-const char* sinew_message(const sinew_messages* messages, std::size_t i) {
-  return i < messages->lines.size() ? messages->lines[i].c_str() : "";
-}
-
-void sinew_messages_destroy(sinew_messages* messages) { delete messages; }
 
 sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene,
                               sinew_messages** messages) {

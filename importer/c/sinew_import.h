@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/c/messages.h"
 #include "runtime/c/scene.h"
 
 #ifdef __cplusplus
@@ -18,17 +19,10 @@ typedef struct sinew_import_options {
 } sinew_import_options;
 sinew_import_options sinew_default_import_options(void);
 
-/// Why a file was refused, or what was odd about it, one line each. Owned by the caller.
-typedef struct sinew_messages sinew_messages;
-size_t sinew_message_count(const sinew_messages* messages);
-const char* sinew_message(const sinew_messages* messages, size_t i);  ///< ended by a zero; empty beyond the last
-void sinew_messages_destroy(sinew_messages* messages);
-
 /// Reads a .gltf or .glb file with its buffers and images.
 /// in   path      UTF-8;   options  null = the defaults
-/// out  scene     owned by the caller;   messages  owned by the caller, errors first, then warnings; may be null = not
-/// wanted.
-///                Given also when the file is refused
+/// out  scene     owned by the caller
+///      messages  owned by the caller, errors first, then warnings, also when the file is refused; null = not wanted
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY
 sinew_error sinew_import_file(const char* path, const sinew_import_options* options, sinew_scene** scene,
                               sinew_messages** messages);

@@ -9,6 +9,9 @@
 #include <type_traits>
 
 #include "runtime/base/result.h"
+#include "runtime/c/frame.h"
+#include "runtime/c/jobs.h"
+#include "runtime/c/plan.h"
 #include "runtime/c/types.h"
 
 namespace sinew::c {
@@ -16,12 +19,20 @@ namespace sinew::c {
 /// The codes of both sides are the same numbers (types.cpp holds them to it).
 constexpr sinew_error error_from(ErrorCode code) noexcept { return static_cast<sinew_error>(code); }
 
-/// Bytes of a struct's first version: smaller ones never were. A struct that grows keeps its old size here.
+/// Bytes of a struct's first version; callers with smaller ones never were. A struct that grows keeps its old size
+/// here: what was added begins there, not in the padding of the old struct.
 template <class T>
 inline constexpr std::size_t kFirstVersionBytes = sizeof(T);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_needs> = offsetof(sinew_needs, skeleton_lod);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_frame_input> = offsetof(sinew_frame_input, next_layers);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_jobs_options> = offsetof(sinew_jobs_options, own_thread);
 
 /// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in
-/// `out`.
+/// `out`. Null leaves all defaults.
+/// err  SINEW_WRONG_STRUCT_SIZE (smaller than the first version, or newer than this library and not zero there)
 template <class T>
 sinew_error read_struct(const T* given, T& out) noexcept {
   if (given == nullptr) return SINEW_OK;
@@ -32,6 +43,16 @@ sinew_error read_struct(const T* given, T& out) noexcept {
     return SINEW_WRONG_STRUCT_SIZE;
   std::memcpy(&out, given, known);
   return SINEW_OK;
+}
+
+/// Element `i` of a caller's array, whose elements are as far apart as the caller's version of the struct is large.
+/// err  SINEW_WRONG_STRUCT_SIZE (an element of another size than the first one)
+template <class T>
+sinew_error element_of(const T* given, std::size_t i, const T*& element) noexcept {
+  const std::size_t stride = given->struct_size;
+  if (stride < kFirstVersionBytes<T> || stride % alignof(T) != 0) return SINEW_WRONG_STRUCT_SIZE;
+  element = reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(given) + i * stride);
+  return element->struct_size == stride ? SINEW_OK : SINEW_WRONG_STRUCT_SIZE;
 }
 
 /// Copies a struct of ours into one of the caller's version; what ours lacks becomes zero.

@@ -37,10 +37,10 @@ void keep_block(void*, void*, std::size_t, std::size_t) {}
 
 sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_allocator& allocator) {
   auto* layers = reinterpret_cast<ClipLayer*>(block + aligned(sizeof(sinew_frame)));
-  std::uninitialized_value_construct_n(layers, plan.layer_room());
-  std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.layer_room() * sizeof(ClipLayer));
+  std::uninitialized_value_construct_n(layers, plan.input_room());
+  std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.input_room() * sizeof(ClipLayer));
   return new (block)
-      sinew_frame{&plan, allocator, {layers, plan.layer_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
+      sinew_frame{&plan, allocator, {layers, plan.input_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
 }
 
 const FrameResult& result_behind(const sinew_result* result) noexcept {
@@ -50,7 +50,8 @@ const FrameResult& result_behind(const sinew_result* result) noexcept {
 }  // namespace
 
 std::size_t sinew_plan_frame_bytes(const sinew_plan* plan) {
-  return aligned(sizeof(sinew_frame)) + aligned(plan->layer_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes;
+  if (plan == nullptr) return 0;
+  return aligned(sizeof(sinew_frame)) + aligned(plan->input_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes;
 }
 
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out) {
@@ -86,7 +87,12 @@ sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input) {
   return c::error_from(run_plan(frame->plan->plan, own, frame->buffer));
 }
 
+void sinew_frame_prefetch(const sinew_frame* frame) {
+  if (frame != nullptr) frame->buffer.prefetch(frame->plan->plan);
+}
+
 const sinew_result* sinew_frame_result(const sinew_frame* frame) {
+  if (frame == nullptr) return nullptr;
   return reinterpret_cast<const sinew_result*>(&frame->buffer.result());
 }
 
@@ -105,7 +111,26 @@ sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out)
                          out);
 }
 
+sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, std::uint32_t joint,
+                           const sinew_affine* offset, sinew_affine* out) {
+  if (plan == nullptr || result == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  const Rig& rig = plan->plan.rig;
+  const std::span<const Affine> model = result_behind(result).model;
+  if (joint >= rig.places.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  if (model.empty()) return SINEW_UNSUPPORTED;
+  if (model.size() != rig.joint_count()) return SINEW_SIZE_MISMATCH;
+  Affine world = world_of(rig, model, joint);
+  if (offset != nullptr) {
+    Affine from_joint;
+    c::copy_bits(*offset, from_joint);
+    world = world * from_joint;
+  }
+  c::copy_bits(world, *out);
+  return SINEW_OK;
+}
+
 sinew_joint_matrices sinew_get_palette(const sinew_result* result, std::uint32_t skin) {
+  if (result == nullptr) return {nullptr, 0};
   const FrameResult& frame = result_behind(result);
   if (skin >= frame.palettes.size()) return {nullptr, 0};
   return c::span_from<sinew_joint_matrices>(frame.palettes[skin].matrices);
@@ -119,7 +144,9 @@ sinew_error sinew_get_instance_result(const sinew_result* result, std::uint32_t 
   sinew_instance_result own{};
   c::copy_bits(found.world_from_mesh, own.world_from_mesh);
   c::copy_bits(found.bounds, own.bounds);
-  own.first_shape = found.first_primitive, own.mirrored = found.mirrored, own.visible = found.visible;
+  own.first_shape = found.first_primitive;
+  own.mirrored = found.mirrored;
+  own.visible = found.visible;
   return c::write_struct(own, out);
 }
 

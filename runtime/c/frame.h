@@ -12,7 +12,7 @@ typedef enum sinew_layer_kind {
   SINEW_LAYER_ADD_TO_START = 2  ///< adds what the clip differs from its own first instant
 } sinew_layer_kind;
 
-/// One clip playing at one time.
+/// One clip playing at one time. This struct never grows.
 typedef struct sinew_layer {
   double time_s;
   uint32_t clip;
@@ -29,10 +29,14 @@ typedef struct sinew_frame_input {
   sinew_affine root;                 ///< placed above all root joints
   const unsigned char* out_of_view;  ///< [instances] 1 = nobody sees the mesh: neither morphed nor skinned nor bounded;
                                      ///< null = all in view
-  uint32_t asleep;  ///< 1 = nobody needs anything of the character: no work is done, the result is empty
+  uint32_t asleep;                 ///< 1 = nobody needs anything of the character: no work is done, the result is empty
+  const sinew_layer* next_layers;  ///< layers of a later time; not looked at while interpolation_factor is 0
+  size_t next_layer_count;         ///< at most max_layers + max_adding_layers
+  float interpolation_factor;      ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`; needs
+                                   ///< SINEW_NEED_BETWEEN_UPDATES, else 0
 } sinew_frame_input;
 
-/// No layers, root identity; struct_size is set.
+/// No layers, root identity, interpolation factor 0; struct_size is set.
 sinew_frame_input sinew_default_input(void);
 
 /// All memory of one character. Frames run into it and allocate nothing.
@@ -51,8 +55,13 @@ void sinew_frame_destroy(sinew_frame* frame);
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask), SINEW_SIZE_MISMATCH
 /// (weights, too many
 ///      layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; weight below 1 where the plan has one layer;
-///      adding where the plan has none). Afterwards the last good frame is still there.
+///      adding where the plan has none; an interpolation factor outside of [0, 1] or where the plan has none).
+///      Afterwards the last good frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
+
+/// Asks for the memory that the next run touches first, without waiting for it: call it for the next character of a
+/// crowd before the one at hand runs.
+void sinew_frame_prefetch(const sinew_frame* frame);
 
 /// What a frame gave. Belongs to the frame, or to the jobs, it was asked from; its spans are valid until that runs
 /// again.
@@ -62,7 +71,7 @@ const sinew_result* sinew_frame_result(const sinew_frame* frame);
 typedef struct sinew_result_info {
   size_t struct_size;
   uint64_t frame;           ///< counts up by one per run
-  uint64_t since_frame;     ///< first of the unbroken row of frames with this very result
+  uint64_t since_frame;     ///< the result is bit-identical since this frame
   sinew_affines model;      ///< [joints] world matrices
   sinew_floats weights;     ///< all morph weights
   sinew_floats properties;  ///< animated numbers
@@ -70,6 +79,14 @@ typedef struct sinew_result_info {
   size_t instance_count, shape_count;
 } sinew_result_info;
 sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out);
+
+/// World matrix of any joint of the scene, also of one that the plan's skeleton LOD leaves out: a socket for what the
+/// character carries.
+/// in   result  of a frame of the plan;   offset  from the joint, applied first; null = none
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (joint), SINEW_UNSUPPORTED (the result has no joints: not asked
+///      for, or asleep), SINEW_SIZE_MISMATCH (a result of another plan)
+sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, uint32_t joint,
+                           const sinew_affine* offset, sinew_affine* out);
 
 /// Skinning matrices of a skin, columns of four; empty unless asked for and used by a mesh that is shown.
 sinew_joint_matrices sinew_get_palette(const sinew_result* result, uint32_t skin);
@@ -90,8 +107,8 @@ typedef struct sinew_shape {
   uint32_t instance, primitive;
   sinew_vec3s positions, normals;
   sinew_vec4s tangents, colors;
-  uint64_t
-      since_frame;  ///< first of the unbroken row of frames with these vertices: no upload for who has them; 0 = none
+  uint64_t since_frame;  ///< vertices are bit-identical since this frame: skip the upload if yours are as new.
+                         ///< 0 = nothing to upload
 } sinew_shape;
 sinew_error sinew_get_shape(const sinew_result* result, uint32_t shape, sinew_shape* out);
 

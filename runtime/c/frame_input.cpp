@@ -1,34 +1,77 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/frame_input.h"
 
+#include <cmath>
+
 #include "runtime/c/boundary.h"
 
 namespace sinew::c {
+namespace {
 
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
+
+/// Writes layers behind one another into `room`, of which it takes what it needs.
+const sinew_layer* write_layers(std::span<const ClipLayer> layers, std::span<sinew_layer>& room) noexcept {
+  sinew_layer* first = room.data();
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    first[i] = {layers[i].time_s, layers[i].clip, layers[i].mask, layers[i].weight,
+                static_cast<std::uint32_t>(layers[i].kind)};
+  room = room.subspan(layers.size());
+  return layers.empty() ? nullptr : first;
+}
+
+}  // namespace
+
+sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<ClipLayer> room,
+                        std::span<const ClipLayer>& layers) noexcept {
+  if (count > 0 && given == nullptr) return SINEW_NULL_ARGUMENT;
+  if (count > room.size()) return SINEW_SIZE_MISMATCH;
+  for (std::size_t i = 0; i < count; ++i) {
+    const sinew_layer& layer = given[i];
+    if (layer.kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
+    room[i] = {layer.clip, layer.time_s, layer.weight, layer.mask, static_cast<LayerKind>(layer.kind)};
+  }
+  layers = room.first(count);
+  return SINEW_OK;
+}
 
 sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room,
                        FrameInput& input) noexcept {
   sinew_frame_input own = sinew_default_input();
   if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
-  if ((own.layer_count > 0 && own.layers == nullptr) || (own.weights.count > 0 && own.weights.data == nullptr))
-    return SINEW_NULL_ARGUMENT;
-  if (own.layer_count > plan.layer_room()) return SINEW_SIZE_MISMATCH;
-  for (std::size_t i = 0; i < own.layer_count; ++i) {
-    const sinew_layer& layer = own.layers[i];
-    if (layer.kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
-    room[i] = {layer.clip, layer.time_s, layer.weight, layer.mask, static_cast<LayerKind>(layer.kind)};
+  if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
+  if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
+  const std::size_t layer_room = plan.plan.needs.layer_room();
+  sinew_error error = read_layers(own.layers, own.layer_count, room.first(layer_room), input.layers);
+  if (error != SINEW_OK) return error;
+  input.next_layers = {};
+  if (own.interpolation_factor != 0.0f) {
+    if (!plan.plan.needs.between_updates) return SINEW_UNSUPPORTED;
+    error = read_layers(own.next_layers, own.next_layer_count, room.subspan(layer_room), input.next_layers);
+    if (error != SINEW_OK) return error;
   }
-  input.layers = room.first(own.layer_count);
+  input.interpolation_factor = own.interpolation_factor;
   input.weights = {own.weights.data, own.weights.count};
-  if (own.out_of_view != nullptr)
-    input.out_of_view = {own.out_of_view, plan.plan.scene->instances.size()};
-  else
-    input.out_of_view = {};
+  input.out_of_view = {};
+  if (own.out_of_view != nullptr) input.out_of_view = {own.out_of_view, plan.scene->scene.instances.size()};
   input.asleep = own.asleep != 0;
   copy_bits(own.root, input.root);
   return SINEW_OK;
+}
+
+sinew_error write_input(const FrameInput& input, std::span<sinew_layer> room, sinew_frame_input* out) noexcept {
+  sinew_frame_input own = sinew_default_input();
+  own.layers = write_layers(input.layers, room);
+  own.layer_count = input.layers.size();
+  own.next_layers = write_layers(input.next_layers, room);
+  own.next_layer_count = input.next_layers.size();
+  own.interpolation_factor = input.interpolation_factor;
+  own.weights = {input.weights.data(), input.weights.size()};
+  copy_bits(input.root, own.root);
+  own.out_of_view = input.out_of_view.empty() ? nullptr : input.out_of_view.data();
+  own.asleep = input.asleep;
+  return write_struct(own, out);
 }
 
 }  // namespace sinew::c
@@ -40,5 +83,8 @@ sinew_frame_input sinew_default_input(void) {
           .weights = {nullptr, 0},
           .root = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
           .out_of_view = nullptr,
-          .asleep = 0};
+          .asleep = 0,
+          .next_layers = nullptr,
+          .next_layer_count = 0,
+          .interpolation_factor = 0.0f};
 }

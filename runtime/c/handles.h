@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
+#include <atomic>
+#include <cstddef>
+#include <string>
+#include <vector>
 
+#include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
+#include "runtime/lod/compile_skeleton_lod.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
 
@@ -11,12 +16,29 @@
 
 struct sinew_scene {
   sinew::Scene scene;
+  mutable std::atomic<std::size_t> plan_count{0};  // that refer to the scene's clips
 };
 
 struct sinew_plan {
-  sinew::Plan plan;
-  std::uint32_t max_adding_layers = 0;
+  sinew_plan(const sinew_scene& of, const sinew::Needs& needs) : scene(&of), plan(compile_plan(of.scene, needs)) {
+    ++scene->plan_count;
+  }
+  ~sinew_plan() { --scene->plan_count; }
+  sinew_plan(const sinew_plan&) = delete;
+  sinew_plan& operator=(const sinew_plan&) = delete;
 
-  /// Room for the layers of one frame.
-  std::size_t layer_room() const noexcept { return std::size_t{plan.needs.max_layers} + max_adding_layers; }
+  /// Room for the layers of one input, and for those of a later time after them.
+  std::size_t input_room() const noexcept { return plan.needs.layer_room() * (plan.needs.between_updates ? 2 : 1); }
+
+  const sinew_scene* scene;
+  sinew::Plan plan;
+};
+
+struct sinew_skeleton_lod {
+  sinew::CompiledSkeletonLod lod;
+  std::vector<unsigned char> kept;  // [joints] as C reads it; empty = all
+};
+
+struct sinew_messages {
+  std::vector<std::string> lines;
 };

@@ -43,6 +43,8 @@ Executor executor_from(const sinew_executor& given) {
   };
 }
 
+static_assert(sizeof(JobThread::Task) <= sizeof(sinew_task));
+
 struct Character {
   const sinew_plan* plan;
   std::vector<ClipLayer> layers;
@@ -56,7 +58,9 @@ struct sinew_jobs {
         thread({.executor = executor_from(options.executor),
                 .inline_below_bytes = options.inline_below_bytes,
                 .part_bytes = options.part_bytes,
-                .frame_memory = options.allocator.allocate != nullptr ? &memory : nullptr}) {}
+                .frame_memory = options.allocator.allocate != nullptr ? &memory : nullptr,
+                .own_thread = options.own_thread != 0,
+                .frame_buffers = static_cast<std::uint8_t>(options.frame_buffers)}) {}
 
   EngineMemory memory;
   std::vector<Character> characters;
@@ -65,11 +69,14 @@ struct sinew_jobs {
 };
 
 sinew_jobs_options sinew_default_jobs_options(void) {
+  const JobThreadOptions defaults;
   return {.struct_size = sizeof(sinew_jobs_options),
           .executor = {nullptr, nullptr},
           .allocator = {nullptr, nullptr, nullptr},
-          .inline_below_bytes = JobThreadOptions().inline_below_bytes,
-          .part_bytes = JobThreadOptions().part_bytes};
+          .inline_below_bytes = defaults.inline_below_bytes,
+          .part_bytes = defaults.part_bytes,
+          .own_thread = defaults.own_thread,
+          .frame_buffers = defaults.frame_buffers};
 }
 
 sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out) {
@@ -77,6 +84,7 @@ sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** ou
   sinew_jobs_options own = sinew_default_jobs_options();
   if (const sinew_error error = c::read_struct(options, own); error != SINEW_OK) return error;
   if ((own.allocator.allocate == nullptr) != (own.allocator.release == nullptr)) return SINEW_NULL_ARGUMENT;
+  if (own.frame_buffers != 2 && own.frame_buffers != 3) return SINEW_UNSUPPORTED;
   return c::guarded([&] {
     *out = new sinew_jobs(own);
     return SINEW_OK;
@@ -89,7 +97,7 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, s
   if (jobs == nullptr || plan == nullptr || character == nullptr) return SINEW_NULL_ARGUMENT;
   return c::guarded([&] {
     jobs->inputs.reserve(jobs->characters.size() + 1);
-    jobs->characters.push_back({plan, std::vector<ClipLayer>(plan->layer_room())});
+    jobs->characters.push_back({plan, std::vector<ClipLayer>(plan->input_room())});
     try {
       *character = jobs->thread.add_character(plan->plan);
     } catch (...) {
@@ -107,7 +115,9 @@ sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs,
   if (input_count != jobs->characters.size()) return SINEW_SIZE_MISMATCH;
   for (std::size_t c = 0; c < input_count; ++c) {
     Character& character = jobs->characters[c];
-    const sinew_error error = c::read_input(&inputs[c], *character.plan, character.layers, jobs->inputs[c]);
+    const sinew_frame_input* input = nullptr;
+    sinew_error error = c::element_of(inputs, c, input);
+    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.layers, jobs->inputs[c]);
     if (error != SINEW_OK) return error;
   }
   return c::guarded([&] {
@@ -118,7 +128,9 @@ sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs,
   });
 }
 
-int sinew_jobs_done(const sinew_jobs* jobs, std::uint64_t ticket) { return jobs->thread.done(ticket); }
+int sinew_jobs_done(const sinew_jobs* jobs, std::uint64_t ticket) {
+  return jobs != nullptr && jobs->thread.done(ticket);
+}
 
 sinew_error sinew_jobs_wait(const sinew_jobs* jobs, std::uint64_t ticket) {
   if (jobs == nullptr) return SINEW_NULL_ARGUMENT;
@@ -127,9 +139,29 @@ sinew_error sinew_jobs_wait(const sinew_jobs* jobs, std::uint64_t ticket) {
   return SINEW_OK;
 }
 
+int sinew_jobs_poll(sinew_jobs* jobs) { return jobs != nullptr && jobs->thread.poll(); }
+
+int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task) {
+  if (jobs == nullptr || task == nullptr) return 0;
+  const std::optional<JobThread::Task> taken = jobs->thread.take_task();
+  if (!taken) return 0;
+  *task = {};
+  c::copy_bits(*taken, *task);
+  return 1;
+}
+
+void sinew_task_run(const sinew_task* task) {
+  if (task == nullptr || task->inside[0] == nullptr) return;
+  JobThread::Task own;
+  c::copy_bits(*task, own);
+  own();
+}
+
 const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, std::uint32_t character) {
-  if (character >= jobs->characters.size()) return nullptr;
+  if (jobs == nullptr || character >= jobs->characters.size()) return nullptr;
   return reinterpret_cast<const sinew_result*>(jobs->thread.latest(character));
 }
 
-sinew_error sinew_jobs_last_error(const sinew_jobs* jobs) { return c::error_from(jobs->thread.last_error()); }
+sinew_error sinew_jobs_last_error(const sinew_jobs* jobs) {
+  return jobs != nullptr ? c::error_from(jobs->thread.last_error()) : SINEW_NULL_ARGUMENT;
+}

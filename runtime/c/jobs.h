@@ -18,29 +18,49 @@ typedef struct sinew_executor {
 
 typedef struct sinew_jobs_options {
   size_t struct_size;
-  sinew_executor executor;    ///< run null = oneTBB
+  sinew_executor executor;    ///< run null = oneTBB; without a thread of its own the thread that polls
   sinew_allocator allocator;  ///< of frame memory; allocate null = operator new
-  size_t inline_below_bytes;  ///< a frame of all characters of less memory than this runs on the worker itself
+  size_t inline_below_bytes;  ///< a frame of all characters of less memory than this is not handed to the executor
   size_t part_bytes;          ///< consecutive characters that the executor is handed as one: at least so much memory
+  uint32_t own_thread;        ///< 0: no thread is made, frames run where the engine polls or runs tasks
+  uint32_t frame_buffers;     ///< of each character, 3 or 2. With 2 submit answers SINEW_BUSY until the frame before is
+                              ///< finished and sinew_jobs_latest has taken its result of every character
 } sinew_jobs_options;
 sinew_jobs_options sinew_default_jobs_options(void);
 
 /// in   options  null = the defaults; copied, what its pointers name must outlive the jobs
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_OUT_OF_MEMORY
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (frame_buffers), SINEW_OUT_OF_MEMORY
 sinew_error sinew_jobs_create(const sinew_jobs_options* options, sinew_jobs** out);
-void sinew_jobs_destroy(sinew_jobs* jobs);  ///< finishes the frame in flight
+/// Finishes the frame in flight. Without a thread of its own: drops what was not taken; tasks that were taken must have
+/// been run.
+void sinew_jobs_destroy(sinew_jobs* jobs);
 
-/// in   plan  must outlive the jobs. Waits for the frame in flight.
+/// in   plan  must outlive the jobs. Waits for frames in flight and queued.
+/// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, uint32_t* character);
 
-/// Queues one frame: inputs[c] is what character c shows; copied.
-/// out  ticket  names the frame: 1 for the first, rising by one; may be null
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
-/// layers), SINEW_BUSY
+/// Queues one frame: inputs[c] is what character c shows; copied. All inputs have the same struct_size, which is how
+/// far they are apart. out  ticket  names the frame: 1 for the first, rising by one; may be null err
+/// SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_SIZE_MISMATCH (another number of characters, too many
+///      layers or weights), SINEW_UNSUPPORTED (kind of layer, interpolation that the plan has none of), SINEW_BUSY
 sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs, size_t input_count, uint64_t* ticket);
 int sinew_jobs_done(const sinew_jobs* jobs, uint64_t ticket);
 /// in   ticket  that was answered by submit
 sinew_error sinew_jobs_wait(const sinew_jobs* jobs, uint64_t ticket);
+
+/// Without a thread of its own: runs what is pending on this thread, or by the executor if one was given.
+/// Answers 1 if there was something to run.
+int sinew_jobs_poll(sinew_jobs* jobs);
+
+/// One run of characters of a frame: a value that may be handed to any thread or fibre. Its inside is the library's.
+typedef struct sinew_task {
+  void* inside[2];
+} sinew_task;
+
+/// Without a thread of its own: the next task of the frame that was submitted. Answers 1, or 0 while there is none.
+/// Each task is run once; the one that ends last finishes the frame. From any thread.
+int sinew_jobs_take_task(sinew_jobs* jobs, sinew_task* task);
+void sinew_task_run(const sinew_task* task);
 
 /// Newest finished frame of a character, unchanged until asked for again; null before the first.
 const sinew_result* sinew_jobs_latest(sinew_jobs* jobs, uint32_t character);

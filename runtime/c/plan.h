@@ -14,10 +14,11 @@ enum {
   SINEW_NEED_TANGENTS = 1u << 3,
   SINEW_NEED_WEIGHTS = 1u << 4,  ///< morph weights with the correctives
   SINEW_NEED_BOUNDS = 1u << 5,
-  SINEW_NEED_PROPERTIES = 1u << 6,     ///< animated numbers of materials, lights and cameras
-  SINEW_NEED_HIDDEN_MESHES = 1u << 7,  ///< deform meshes on hidden joints as well
-  SINEW_NEED_ADDITIVE = 1u << 8,       ///< layers may add to the pose
-  SINEW_NEED_PALETTES = 1u << 9        ///< skinning matrices, for engines that skin vertices themselves
+  SINEW_NEED_PROPERTIES = 1u << 6,       ///< animated numbers of materials, lights and cameras
+  SINEW_NEED_HIDDEN_MESHES = 1u << 7,    ///< deform meshes on hidden joints as well
+  SINEW_NEED_ADDITIVE = 1u << 8,         ///< layers may add to the pose
+  SINEW_NEED_PALETTES = 1u << 9,         ///< skinning matrices, for engines that skin vertices themselves
+  SINEW_NEED_BETWEEN_UPDATES = 1u << 10  ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
 };
 
 typedef enum sinew_skinning {
@@ -27,6 +28,9 @@ typedef enum sinew_skinning {
 } sinew_skinning;
 
 typedef enum sinew_normal_rule { SINEW_NORMALS_LINEAR = 0, SINEW_NORMALS_COFACTOR = 1 } sinew_normal_rule;
+
+/// Joints that poses can do without (skeleton_lod.h).
+typedef struct sinew_skeleton_lod sinew_skeleton_lod;
 
 typedef struct sinew_needs {
   size_t struct_size;
@@ -38,9 +42,11 @@ typedef struct sinew_needs {
   uint32_t mask_count;
   const float* masks;                      ///< [mask_count][joints] weights >= 0, one row after another; copied
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
+  const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied
 } sinew_needs;
 
-/// Everything but bounds, palettes, hidden meshes and adding layers; 4 layers; linear skinning; struct_size is set.
+/// Everything but bounds, palettes, hidden meshes, adding layers and poses between updates; 4 layers of each kind;
+/// linear skinning; all joints; struct_size is set.
 sinew_needs sinew_default_needs(void);
 
 /// The stages that a scene needs. Shared by all characters that show the scene.
@@ -48,10 +54,11 @@ typedef struct sinew_plan sinew_plan;
 
 /// in   scene  must outlive the plan;   needs  null = sinew_default_needs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all),
-///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_OUT_OF_MEMORY
+///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD of
+///      another scene), SINEW_OUT_OF_MEMORY
 /// cost O(size of the scene); memory of operator new, which an engine may replace
 sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
-/// Frame buffers and jobs of the plan must be gone.
+/// Frame buffers, jobs and inputs of the plan must be gone.
 void sinew_plan_destroy(sinew_plan* plan);
 
 /// Memory of one frame buffer of the plan, all told, and how it is aligned.

@@ -64,12 +64,14 @@ sinew_error sinew_clock_set_speed(sinew_clock* clock, double speed) {
   return change(clock, [&](PlaybackClock& own) { return own.set_speed(speed); });
 }
 
-double sinew_clock_time_s(const sinew_clock* clock) { return clock_in(*clock).time_s(); }
-std::int64_t sinew_clock_rounds(const sinew_clock* clock) { return clock_in(*clock).rounds(); }
-int sinew_clock_finished(const sinew_clock* clock) { return clock_in(*clock).finished(); }
+double sinew_clock_time_s(const sinew_clock* clock) { return clock != nullptr ? clock_in(*clock).time_s() : 0.0; }
+std::int64_t sinew_clock_rounds(const sinew_clock* clock) { return clock != nullptr ? clock_in(*clock).rounds() : 0; }
+int sinew_clock_finished(const sinew_clock* clock) { return clock != nullptr && clock_in(*clock).finished(); }
 
 std::size_t sinew_crossed_events(const sinew_step* step, const double* event_times_s, std::size_t event_count,
                                  std::uint32_t* events, std::size_t capacity) {
+  if (step == nullptr || event_times_s == nullptr) return 0;
+  if (events == nullptr) capacity = 0;
   PlaybackStep played;
   c::copy_bits(*step, played);
   std::size_t crossed = 0;

@@ -19,6 +19,17 @@ const T* at(const std::vector<T>& all, std::size_t i) noexcept {
   return i < all.size() ? &all[i] : nullptr;
 }
 
+/// Element `i` of one of the scene's arrays, or nothing.
+template <class T>
+const T* at(const sinew_scene* scene, std::vector<T> Scene::*all, std::size_t i) noexcept {
+  return scene != nullptr ? at(scene->scene.*all, i) : nullptr;
+}
+
+template <class T>
+std::size_t count_of(const sinew_scene* scene, std::vector<T> Scene::*all) noexcept {
+  return scene != nullptr ? (scene->scene.*all).size() : 0;
+}
+
 sinew_string name_at(const std::vector<std::string>& names, std::size_t i) noexcept {
   const std::string* name = at(names, i);
   return name != nullptr ? c::string_from(*name) : sinew_string{"", 0};
@@ -37,7 +48,7 @@ const std::string& mesh_name(const Mesh& mesh) noexcept { return mesh.name; }
 const std::string& own_name(const std::string& name) noexcept { return name; }
 
 const Primitive* primitive_at(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t primitive) noexcept {
-  const Mesh* found = at(scene->scene.meshes, mesh);
+  const Mesh* found = at(scene, &Scene::meshes, mesh);
   return found != nullptr ? at(found->primitives, primitive) : nullptr;
 }
 
@@ -45,77 +56,79 @@ const Primitive* primitive_at(const sinew_scene* scene, std::uint32_t mesh, std:
 
 void sinew_scene_destroy(sinew_scene* scene) { delete scene; }
 
-std::size_t sinew_joint_count(const sinew_scene* scene) { return scene->scene.skeleton.joint_count(); }
+std::size_t sinew_joint_count(const sinew_scene* scene) {
+  return scene != nullptr ? scene->scene.skeleton.joint_count() : 0;
+}
 
 sinew_string sinew_joint_name(const sinew_scene* scene, std::uint32_t joint) {
-  return name_at(scene->scene.skeleton.names, joint);
+  return scene != nullptr ? name_at(scene->scene.skeleton.names, joint) : sinew_string{"", 0};
 }
 
 std::uint32_t sinew_joint_parent(const sinew_scene* scene, std::uint32_t joint) {
-  const std::uint32_t* parent = at(scene->scene.skeleton.parents, joint);
+  const std::uint32_t* parent = scene != nullptr ? at(scene->scene.skeleton.parents, joint) : nullptr;
   return parent != nullptr ? *parent : SINEW_NONE;
 }
 
 std::uint32_t sinew_find_joint(const sinew_scene* scene, const char* name) {
-  return find_named(scene->scene.skeleton.names, name, own_name);
+  return scene != nullptr ? find_named(scene->scene.skeleton.names, name, own_name) : SINEW_NONE;
 }
 
-std::size_t sinew_clip_count(const sinew_scene* scene) { return scene->scene.clips.size(); }
+std::size_t sinew_clip_count(const sinew_scene* scene) { return count_of(scene, &Scene::clips); }
 
 sinew_string sinew_clip_name(const sinew_scene* scene, std::uint32_t clip) {
-  const Clip* found = at(scene->scene.clips, clip);
+  const Clip* found = at(scene, &Scene::clips, clip);
   return found != nullptr ? c::string_from(found->name()) : sinew_string{"", 0};
 }
 
 double sinew_clip_duration_s(const sinew_scene* scene, std::uint32_t clip) {
-  const Clip* found = at(scene->scene.clips, clip);
+  const Clip* found = at(scene, &Scene::clips, clip);
   return found != nullptr ? found->duration_s() : 0.0;
 }
 
 std::uint32_t sinew_find_clip(const sinew_scene* scene, const char* name) {
-  return find_named(scene->scene.clips, name, clip_name);
+  return scene != nullptr ? find_named(scene->scene.clips, name, clip_name) : SINEW_NONE;
 }
 
-std::size_t sinew_skin_count(const sinew_scene* scene) { return scene->scene.skins.size(); }
+std::size_t sinew_skin_count(const sinew_scene* scene) { return count_of(scene, &Scene::skins); }
 
 sinew_indices sinew_skin_joints(const sinew_scene* scene, std::uint32_t skin) {
-  const Skin* found = at(scene->scene.skins, skin);
+  const Skin* found = at(scene, &Scene::skins, skin);
   return found != nullptr ? sinew_indices{found->joints.data(), found->joints.size()} : sinew_indices{nullptr, 0};
 }
 
-std::size_t sinew_mesh_count(const sinew_scene* scene) { return scene->scene.meshes.size(); }
+std::size_t sinew_mesh_count(const sinew_scene* scene) { return count_of(scene, &Scene::meshes); }
 
 sinew_string sinew_mesh_name(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene->scene.meshes, mesh);
+  const Mesh* found = at(scene, &Scene::meshes, mesh);
   return found != nullptr ? c::string_from(found->name) : sinew_string{"", 0};
 }
 
 std::uint32_t sinew_find_mesh(const sinew_scene* scene, const char* name) {
-  return find_named(scene->scene.meshes, name, mesh_name);
+  return scene != nullptr ? find_named(scene->scene.meshes, name, mesh_name) : SINEW_NONE;
 }
 
 std::size_t sinew_primitive_count(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene->scene.meshes, mesh);
+  const Mesh* found = at(scene, &Scene::meshes, mesh);
   return found != nullptr ? found->primitives.size() : 0;
 }
 
 std::size_t sinew_target_count(const sinew_scene* scene, std::uint32_t mesh) {
-  const Mesh* found = at(scene->scene.meshes, mesh);
+  const Mesh* found = at(scene, &Scene::meshes, mesh);
   return found != nullptr ? found->target_count() : 0;
 }
 
 sinew_string sinew_target_name(const sinew_scene* scene, std::uint32_t mesh, std::uint32_t target) {
-  const Mesh* found = at(scene->scene.meshes, mesh);
+  const Mesh* found = at(scene, &Scene::meshes, mesh);
   return found != nullptr ? name_at(found->target_names, target) : sinew_string{"", 0};
 }
 
-std::size_t sinew_instance_count(const sinew_scene* scene) { return scene->scene.instances.size(); }
+std::size_t sinew_instance_count(const sinew_scene* scene) { return count_of(scene, &Scene::instances); }
 
-std::size_t sinew_weight_count(const sinew_scene* scene) { return scene->scene.weight_count(); }
+std::size_t sinew_weight_count(const sinew_scene* scene) { return scene != nullptr ? scene->scene.weight_count() : 0; }
 
 sinew_error sinew_get_instance(const sinew_scene* scene, std::uint32_t instance, sinew_instance* out) {
   if (scene == nullptr) return SINEW_NULL_ARGUMENT;
-  const MeshInstance* found = at(scene->scene.instances, instance);
+  const MeshInstance* found = at(scene, &Scene::instances, instance);
   if (found == nullptr) return SINEW_INDEX_OUT_OF_RANGE;
   const auto& first = scene->scene.first_weight;
   return c::write_struct({.struct_size = 0,

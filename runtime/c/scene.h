@@ -6,8 +6,9 @@
 extern "C" {
 #endif
 
-/// Everything of one file: joints, clips, meshes. Made by the importer, or by C++ code (runtime/c/handles.h). Never
-/// changes. Indices that are out of range answer empty strings and spans, SINEW_NONE and 0.
+/// Everything of one file: joints, clips, meshes. Made by the importer, or by C++ code (runtime/c/handles.h). Only
+/// sinew_clips_load changes it. Indices that are out of range answer empty strings and spans, SINEW_NONE and 0; so does
+/// a null scene.
 typedef struct sinew_scene sinew_scene;
 
 /// Plans of the scene must be gone.

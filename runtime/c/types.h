@@ -5,14 +5,19 @@
 
 // What all of the C interface agrees on.
 //
-// Handles are opaque. Who calls sinew_X_create owns the handle and gives it back with sinew_X_destroy, which takes NULL
-// too. Spans and strings are views: they belong to the handle that they were asked from, and live as long as it, or as
-// the function says. No function keeps a pointer that it was given, unless it says so. Structs that may grow begin with
-// struct_size, which the caller sets to sizeof: an older program then runs with a newer library, and a newer one with
-// an older library as long as it leaves the additions zero. No exception leaves a function. Different handles may be
-// used by different threads; scenes and plans never change after they were made, and any number of threads may read
-// them. Right-handed, +Y up, metres, seconds, radians; matrices are three rows of four, column vectors, the translation
-// last.
+// Handles are opaque. The caller of sinew_X_create owns the handle and gives it back with sinew_X_destroy, which
+// accepts NULL too. Spans and strings are views: they belong to the handle that they were asked from, and live as long
+// as that handle, or as the function says. No function keeps a pointer that it was given, unless it says so.
+//
+// Structs that may grow begin with struct_size, which the caller sets to sizeof. The library reads and writes no more
+// than that, and steps through arrays of such structs by it; all elements of an array have the same. So an older
+// program runs with a newer library, where additions take their defaults, and a newer program runs with an older
+// library as long as it leaves the additions zero. Null pointers and numbers that make no sense answer codes, or
+// nothing.
+//
+// No exception leaves a function. Different handles may be used by different threads. Scenes and plans do not change
+// after they were made (but for sinew_clips_load, which plans forbid), and any number of threads may read them.
+// Right-handed, +Y up, metres, seconds, radians; matrices are three rows of four, column vectors, the translation last.
 
 #ifdef __cplusplus
 extern "C" {

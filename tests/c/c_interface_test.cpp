@@ -12,6 +12,7 @@
 #include "runtime/plan/run_plan.h"
 #include "runtime/playback/event_cursor.h"
 #include "tests/c/engine.h"
+#include "tests/c/numbers.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
@@ -19,33 +20,25 @@
 namespace sinew::test {
 namespace {
 
-struct Numbers : engine_numbers {
-  Numbers() : engine_numbers{} {}
-  ~Numbers() { engine_free(this); }
-  Numbers(const Numbers&) = delete;
-  Numbers& operator=(const Numbers&) = delete;
-  std::vector<float> all() const { return {values, values + count}; }
-};
-
-template <class T>
-void add(std::vector<float>& to, std::span<const T> values) {
-  const auto* floats = reinterpret_cast<const float*>(values.data());
-  to.insert(to.end(), floats, floats + values.size_bytes() / sizeof(float));
-}
-
 /// What engine_read reads, from the C++ side.
 std::vector<float> numbers_of(const FrameResult& frame) {
   std::vector<float> all;
-  add(all, frame.model), add(all, frame.weights), add(all, frame.properties);
+  add_numbers(all, frame.model);
+  add_numbers(all, frame.weights);
+  add_numbers(all, frame.properties);
   for (const bool hidden : frame.hidden) all.push_back(hidden);
-  for (const SkinPalette& palette : frame.palettes) add(all, palette.matrices);
+  for (const SkinPalette& palette : frame.palettes) add_numbers(all, palette.matrices);
   for (const InstanceResult& i : frame.instances) {
-    add(all, std::span(&i.world_from_mesh, 1)), add(all, std::span(&i.bounds, 1));
+    add_numbers(all, std::span(&i.world_from_mesh, 1));
+    add_numbers(all, std::span(&i.bounds, 1));
     all.insert(all.end(), {static_cast<float>(i.first_primitive), i.mirrored ? 1.0f : 0.0f, i.visible ? 1.0f : 0.0f});
   }
   for (const DeformedPrimitive& p : frame.primitives) {
     all.insert(all.end(), {static_cast<float>(p.instance), static_cast<float>(p.primitive)});
-    add(all, p.positions), add(all, p.normals), add(all, p.tangents), add(all, p.colors);
+    add_numbers(all, p.positions);
+    add_numbers(all, p.normals);
+    add_numbers(all, p.tangents);
+    add_numbers(all, p.colors);
   }
   return all;
 }
@@ -73,7 +66,9 @@ Needs all_needs_in_cpp() {
 
 sinew_scene random_handle(std::uint64_t seed) {
   RandomSceneOptions options;
-  options.correctives = seed % 2, options.mirrored_joints = seed % 3 == 0, options.centers = true;
+  options.correctives = seed % 2;
+  options.mirrored_joints = seed % 3 == 0;
+  options.centers = true;
   return {random_scene(seed, options)};
 }
 
@@ -84,7 +79,8 @@ constexpr ClipLayer kLayersInCpp[] = {{0, 0.4, 0.7f}, {1, 0.9, 0.3f}, {1, 1.1, 0
 
 sinew_frame_input layered_input() {
   sinew_frame_input input = sinew_default_input();
-  input.layers = kLayers, input.layer_count = std::size(kLayers);
+  input.layers = kLayers;
+  input.layer_count = std::size(kLayers);
   input.root.row[0][3] = 2.0f;
   return input;
 }
@@ -120,11 +116,13 @@ TEST(c_interface, what_nobody_sees_is_told_to_the_frame) {
   ASSERT_EQ(scene.scene.instances.size(), out_of_view.size());
   sinew_frame_input input = layered_input();
   FrameInput in_cpp = layered_input_in_cpp();
-  input.out_of_view = out_of_view.data(), in_cpp.out_of_view = out_of_view;
+  input.out_of_view = out_of_view.data();
+  in_cpp.out_of_view = out_of_view;
   Numbers some, none;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &some), SINEW_OK);
   expect_same(some.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
-  input.asleep = 1, in_cpp.asleep = true;
+  input.asleep = 1;
+  in_cpp.asleep = true;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &none), SINEW_OK);
   expect_same(none.all(), numbers_of(scene.scene, all_needs_in_cpp(), in_cpp));
   EXPECT_LT(none.count, some.count);
@@ -138,7 +136,9 @@ TEST(c_interface, masks_weights_and_skinning_per_instance_reach_the_plan) {
   const unsigned char skinning[] = {1, 0, 2, 0};
   ASSERT_EQ(scene.scene.instances.size(), std::size(skinning));
   sinew_needs needs = sinew_default_needs();
-  needs.masks = masks.data(), needs.mask_count = 2, needs.instance_skinning = skinning;
+  needs.masks = masks.data();
+  needs.mask_count = 2;
+  needs.instance_skinning = skinning;
   Needs in_cpp;
   in_cpp.masks = {{masks.begin(), masks.begin() + static_cast<std::ptrdiff_t>(joints)},
                   {masks.begin() + static_cast<std::ptrdiff_t>(joints), masks.end()}};
@@ -148,7 +148,9 @@ TEST(c_interface, masks_weights_and_skinning_per_instance_reach_the_plan) {
 
   const sinew_layer layers[] = {{0.4, 0, SINEW_NONE, 1.0f, 0}, {0.8, 1, 1, 2.0f, 0}};
   sinew_frame_input input = sinew_default_input();
-  input.layers = layers, input.layer_count = 2, input.weights = {weights.data(), weights.size()};
+  input.layers = layers;
+  input.layer_count = 2;
+  input.weights = {weights.data(), weights.size()};
   Numbers read;
   ASSERT_EQ(engine_play(&scene, &needs, &input, nullptr, &read), SINEW_OK);
   const ClipLayer layers_in_cpp[] = {{0, 0.4}, {1, 0.8, 2.0f, 1}};
@@ -259,8 +261,10 @@ TEST(c_interface, jobs_run_on_the_engines_executor_and_memory_with_the_same_bits
   engine_memory memory{.allocations = 0, .bytes_in_use = 0, .most_bytes = 0, .refuse_after = 100};
   engine_executor_log log{};
   sinew_jobs_options options = sinew_default_jobs_options();
-  options.allocator = engine_allocator(&memory), options.executor = engine_executor(&log);
-  options.inline_below_bytes = 0, options.part_bytes = 1;  // each character alone
+  options.allocator = engine_allocator(&memory);
+  options.executor = engine_executor(&log);
+  options.inline_below_bytes = 0;
+  options.part_bytes = 1;  // each character alone
   sinew_jobs* jobs = nullptr;
   ASSERT_EQ(sinew_jobs_create(&options, &jobs), SINEW_OK);
   for (std::uint32_t expected = 0; expected < 3; ++expected) {
@@ -339,7 +343,8 @@ TEST(c_interface, bad_calls_answer_codes_and_change_nothing) {
   const auto run = [&](sinew_layer layer, std::size_t count = 1) {
     const std::vector<sinew_layer> layers(count, layer);
     sinew_frame_input input = sinew_default_input();
-    input.layers = layers.data(), input.layer_count = count;
+    input.layers = layers.data();
+    input.layer_count = count;
     return sinew_run(frame, &input);
   };
   EXPECT_EQ(run({0.5, 7, SINEW_NONE, 1.0f, 0}), SINEW_INDEX_OUT_OF_RANGE);

@@ -11,7 +11,7 @@ void engine_free(engine_numbers* numbers) {
   memset(numbers, 0, sizeof(*numbers));
 }
 
-static void add(engine_numbers* to, const void* values, size_t count) {
+void engine_add(engine_numbers* to, const void* values, size_t count) {
   if (count == 0) return;
   if (to->count + count > to->capacity) {
     to->capacity = 2 * (to->count + count);
@@ -24,7 +24,7 @@ static void add(engine_numbers* to, const void* values, size_t count) {
 
 static void add_number(engine_numbers* to, double value) {
   const float number = (float)value;
-  add(to, &number, 1);
+  engine_add(to, &number, 1);
 }
 
 static sinew_error read_instances(const sinew_result* result, size_t count, engine_numbers* out) {
@@ -32,8 +32,8 @@ static sinew_error read_instances(const sinew_result* result, size_t count, engi
     sinew_instance_result instance = {.struct_size = sizeof(instance)};
     const sinew_error error = sinew_get_instance_result(result, i, &instance);
     if (error != SINEW_OK) return error;
-    add(out, &instance.world_from_mesh, 12);
-    add(out, &instance.bounds, 6);
+    engine_add(out, &instance.world_from_mesh, 12);
+    engine_add(out, &instance.bounds, 6);
     add_number(out, instance.first_shape);
     add_number(out, instance.mirrored);
     add_number(out, instance.visible);
@@ -48,10 +48,10 @@ static sinew_error read_shapes(const sinew_result* result, size_t count, engine_
     if (error != SINEW_OK) return error;
     add_number(out, shape.instance);
     add_number(out, shape.primitive);
-    add(out, shape.positions.data, 3 * shape.positions.count);
-    add(out, shape.normals.data, 3 * shape.normals.count);
-    add(out, shape.tangents.data, 4 * shape.tangents.count);
-    add(out, shape.colors.data, 4 * shape.colors.count);
+    engine_add(out, shape.positions.data, 3 * shape.positions.count);
+    engine_add(out, shape.normals.data, 3 * shape.normals.count);
+    engine_add(out, shape.tangents.data, 4 * shape.tangents.count);
+    engine_add(out, shape.colors.data, 4 * shape.colors.count);
   }
   return SINEW_OK;
 }
@@ -60,13 +60,13 @@ sinew_error engine_read(const sinew_result* result, size_t skin_count, engine_nu
   sinew_result_info info = {.struct_size = sizeof(info)};
   sinew_error error = sinew_get_result(result, &info);
   if (error != SINEW_OK) return error;
-  add(out, info.model.data, 12 * info.model.count);
-  add(out, info.weights.data, info.weights.count);
-  add(out, info.properties.data, info.properties.count);
+  engine_add(out, info.model.data, 12 * info.model.count);
+  engine_add(out, info.weights.data, info.weights.count);
+  engine_add(out, info.properties.data, info.properties.count);
   for (size_t j = 0; j < info.hidden.count; ++j) add_number(out, info.hidden.data[j]);
   for (uint32_t skin = 0; skin < skin_count; ++skin) {
     const sinew_joint_matrices palette = sinew_get_palette(result, skin);
-    add(out, palette.data, 16 * palette.count);
+    engine_add(out, palette.data, 16 * palette.count);
   }
   error = read_instances(result, info.instance_count, out);
   return error == SINEW_OK ? read_shapes(result, info.shape_count, out) : error;

@@ -15,6 +15,7 @@ typedef struct engine_numbers {
   size_t count, capacity;
 } engine_numbers;
 void engine_free(engine_numbers* numbers);
+void engine_add(engine_numbers* to, const void* values, size_t count);  ///< floats
 
 /// Everything that a result shows, in the order of the C header.
 sinew_error engine_read(const sinew_result* result, size_t skin_count, engine_numbers* out);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/clips.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "runtime/c/boundary.h"
+#include "runtime/c/handles.h"
+#include "runtime/c/needs.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/lod/clip_bounds.h"
+
+using namespace sinew;
+
+struct sinew_clip_block {
+  std::vector<std::byte> bytes;
+};
+
+namespace {
+
+static_assert(sizeof(Aabb) == sizeof(sinew_box));
+
+bool has_clips(const Scene& scene, std::size_t first, std::size_t count) noexcept {
+  return first <= scene.clips.size() && count <= scene.clips.size() - first;
+}
+
+/// The clip moves what the scene has, and no more.
+bool fits(const Clip& clip, const Scene& scene) noexcept {
+  return clip.joint_count() == scene.skeleton.joint_count() && clip.weight_count() == scene.weight_count() &&
+         clip.property_count() == scene.properties.rest.size();
+}
+
+sinew_messages* message_of(const ClipFileError& error) {
+  auto messages = std::make_unique<sinew_messages>();
+  messages->lines.push_back(error.rule + " at byte " + std::to_string(error.offset) + ": " + error.detail);
+  return messages.release();
+}
+
+}  // namespace
+
+sinew_error sinew_clips_save(const sinew_scene* scene, std::uint32_t first_clip, std::size_t clip_count,
+                             sinew_clip_block** out) {
+  if (scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  if (!has_clips(scene->scene, first_clip, clip_count)) return SINEW_INDEX_OUT_OF_RANGE;
+  return c::guarded([&] {
+    std::vector<const Clip*> clips;
+    for (std::size_t i = 0; i < clip_count; ++i) clips.push_back(&scene->scene.clips[first_clip + i]);
+    *out = new sinew_clip_block{save_clips(clips)};
+    return SINEW_OK;
+  });
+}
+
+sinew_flags sinew_clip_block_bytes(const sinew_clip_block* block) {
+  if (block == nullptr) return {nullptr, 0};
+  return {reinterpret_cast<const unsigned char*>(block->bytes.data()), block->bytes.size()};
+}
+
+void sinew_clip_block_destroy(sinew_clip_block* block) { delete block; }
+
+int sinew_looks_like_clips(const void* bytes, std::size_t byte_count) {
+  return bytes != nullptr && looks_like_clips({static_cast<const std::byte*>(bytes), byte_count});
+}
+
+sinew_error sinew_clips_load(sinew_scene* scene, std::uint32_t first_clip, const void* bytes, std::size_t byte_count,
+                             sinew_messages** messages) {
+  if (scene == nullptr || bytes == nullptr) return SINEW_NULL_ARGUMENT;
+  if (scene->plan_count != 0) return SINEW_BUSY;
+  return c::guarded([&] {
+    auto clips = load_clips({static_cast<const std::byte*>(bytes), byte_count});
+    if (!clips) {
+      if (messages != nullptr) *messages = message_of(clips.error());
+      return SINEW_BAD_FILE;
+    }
+    Scene& own = scene->scene;
+    if (!has_clips(own, first_clip, clips->size())) return SINEW_INDEX_OUT_OF_RANGE;
+    if (!std::all_of(clips->begin(), clips->end(), [&](const Clip& clip) { return fits(clip, own); }))
+      return SINEW_SIZE_MISMATCH;
+    std::move(clips->begin(), clips->end(), own.clips.begin() + first_clip);
+    return SINEW_OK;
+  });
+}
+
+sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, std::uint32_t clip, sinew_box* boxes,
+                              std::size_t capacity, std::size_t* count) {
+  if (scene == nullptr || count == nullptr || (boxes == nullptr && capacity > 0)) return SINEW_NULL_ARGUMENT;
+  const Scene& own = scene->scene;
+  if (clip != SINEW_NONE && clip >= own.clips.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  if (capacity < own.instances.size()) return SINEW_SIZE_MISMATCH;
+  return c::guarded([&] {
+    Needs wanted;
+    if (const sinew_error error = c::read_needs(needs, own, wanted); error != SINEW_OK) return error;
+    const std::vector<Aabb> found = clip_bounds(own, wanted, clip);
+    for (std::size_t i = 0; i < found.size(); ++i) c::copy_bits(found[i], boxes[i]);
+    *count = found.size();
+    return SINEW_OK;
+  });
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/messages.h"
+#include "runtime/c/plan.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Compiled clips as bytes for a file. Owned by the caller.
+typedef struct sinew_clip_block sinew_clip_block;
+
+/// Saves clips [first_clip, first_clip + clip_count) of the scene.
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE, SINEW_OUT_OF_MEMORY
+sinew_error sinew_clips_save(const sinew_scene* scene, uint32_t first_clip, size_t clip_count, sinew_clip_block** out);
+sinew_flags sinew_clip_block_bytes(const sinew_clip_block* block);
+void sinew_clip_block_destroy(sinew_clip_block* block);
+
+/// Whether bytes begin as those of saved clips do.
+int sinew_looks_like_clips(const void* bytes, size_t byte_count);
+
+/// Puts saved clips in the place of the scene's clips from `first_clip` on: packed within an error budget offline, say.
+/// They sample the bits of the clips that were saved. Any bytes are welcome. What is derived from the animations of the
+/// file (clip bounds, skeleton LOD, root motion) stays that of the file.
+/// in   scene  without plans: those refer to its clips
+/// out  messages  owned by the caller, why the bytes were refused; may be null. Given for SINEW_BAD_FILE only
+/// err  SINEW_NULL_ARGUMENT, SINEW_BUSY (the scene has plans), SINEW_BAD_FILE, SINEW_INDEX_OUT_OF_RANGE (more clips
+/// than
+///      the scene has from first_clip on), SINEW_SIZE_MISMATCH (clips of other joints, morph weights or properties),
+///      SINEW_OUT_OF_MEMORY. After an error the scene is as before.
+sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void* bytes, size_t byte_count,
+                             sinew_messages** messages);
+
+/// Boxes that hold the mesh instances at every time of a clip that plays alone and in full, known before any pose is.
+/// Test them against the view, then leave out what is not seen (sinew_frame_input: out_of_view, asleep).
+/// in   needs  for their kinds of skinning and their skeleton LOD; null = sinew_default_needs
+///      clip   SINEW_NONE = the rest pose
+/// out  boxes[capacity]  in the space below sinew_frame_input.root
+///      count  boxes written: one for each instance, or 0 where nothing is known and everything must be taken for in
+///             view (meshes that correctives morph, skinned meshes with parts that are not skinned, very long clips)
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_SIZE_MISMATCH (capacity below the instances),
+///      what sinew_plan_create answers of needs
+/// cost O(keys * joints + vertices), allocates
+sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, uint32_t clip, sinew_box* boxes,
+                              size_t capacity, size_t* count);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/needs.h"
+
+#include <cmath>
+
+#include "runtime/c/boundary.h"
+
+namespace sinew::c {
+namespace {
+
+constexpr std::uint32_t kAllFlags = (SINEW_NEED_BETWEEN_UPDATES << 1) - 1;
+
+static_assert(static_cast<int>(Skinning::linear) == SINEW_SKIN_LINEAR &&
+              static_cast<int>(Skinning::dual_quaternion) == SINEW_SKIN_DUAL_QUATERNION &&
+              static_cast<int>(Skinning::center_of_rotation) == SINEW_SKIN_CENTER_OF_ROTATION &&
+              static_cast<int>(NormalRule::cofactor) == SINEW_NORMALS_COFACTOR);
+
+sinew_error check(const sinew_needs& given, std::size_t joints, std::size_t instances) noexcept {
+  if ((given.flags & ~kAllFlags) != 0 || given.max_layers == 0) return SINEW_UNSUPPORTED;
+  if (given.skinning > SINEW_SKIN_CENTER_OF_ROTATION || given.normal_rule > SINEW_NORMALS_COFACTOR)
+    return SINEW_UNSUPPORTED;
+  if (given.mask_count > 0 && given.masks == nullptr) return SINEW_NULL_ARGUMENT;
+  for (std::size_t i = 0; i < given.mask_count * joints; ++i)
+    if (!std::isfinite(given.masks[i]) || given.masks[i] < 0.0f) return SINEW_NOT_FINITE;
+  for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
+    if (given.instance_skinning[i] > SINEW_SKIN_CENTER_OF_ROTATION) return SINEW_UNSUPPORTED;
+  if (given.skeleton_lod == nullptr || given.skeleton_lod->kept.empty()) return SINEW_OK;
+  return given.skeleton_lod->kept.size() == joints ? SINEW_OK : SINEW_SIZE_MISMATCH;
+}
+
+}  // namespace
+
+sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& needs) {
+  sinew_needs given = sinew_default_needs();
+  if (const sinew_error error = read_struct(caller, given); error != SINEW_OK) return error;
+  const std::size_t joints = scene.skeleton.joint_count(), instances = scene.instances.size();
+  if (const sinew_error error = check(given, joints, instances); error != SINEW_OK) return error;
+  const auto asked = [&](std::uint32_t flag) { return (given.flags & flag) != 0; };
+  needs.joints = asked(SINEW_NEED_JOINTS);
+  needs.positions = asked(SINEW_NEED_POSITIONS);
+  needs.normals = asked(SINEW_NEED_NORMALS);
+  needs.tangents = asked(SINEW_NEED_TANGENTS);
+  needs.weights = asked(SINEW_NEED_WEIGHTS);
+  needs.bounds = asked(SINEW_NEED_BOUNDS);
+  needs.properties = asked(SINEW_NEED_PROPERTIES);
+  needs.hidden_meshes = asked(SINEW_NEED_HIDDEN_MESHES);
+  needs.additive = asked(SINEW_NEED_ADDITIVE);
+  needs.palettes = asked(SINEW_NEED_PALETTES);
+  needs.between_updates = asked(SINEW_NEED_BETWEEN_UPDATES);
+  needs.max_layers = given.max_layers;
+  needs.max_additive_layers = given.max_adding_layers;
+  needs.skinning = static_cast<Skinning>(given.skinning);
+  needs.normal_rule = static_cast<NormalRule>(given.normal_rule);
+  for (std::size_t m = 0; m < given.mask_count; ++m)
+    needs.masks.emplace_back(given.masks + m * joints, given.masks + (m + 1) * joints);
+  for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
+    needs.instance_skinning.push_back(static_cast<Skinning>(given.instance_skinning[i]));
+  if (given.skeleton_lod != nullptr) needs.skeleton_lod = given.skeleton_lod->lod.detail;
+  return SINEW_OK;
+}
+
+}  // namespace sinew::c
+
+sinew_needs sinew_default_needs(void) {
+  return {.struct_size = sizeof(sinew_needs),
+          .flags = SINEW_NEED_JOINTS | SINEW_NEED_POSITIONS | SINEW_NEED_NORMALS | SINEW_NEED_TANGENTS |
+                   SINEW_NEED_WEIGHTS | SINEW_NEED_PROPERTIES,
+          .max_layers = 4,
+          .max_adding_layers = 4,
+          .skinning = SINEW_SKIN_LINEAR,
+          .normal_rule = SINEW_NORMALS_LINEAR,
+          .mask_count = 0,
+          .masks = nullptr,
+          .instance_skinning = nullptr,
+          .skeleton_lod = nullptr};
+}

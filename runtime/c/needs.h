@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/handles.h"
+
+namespace sinew::c {
+
+/// The needs of a C caller as the runtime takes them.
+/// in   given  null = sinew_default_needs
+/// err  what sinew_plan_create answers of needs; may throw std::bad_alloc
+sinew_error read_needs(const sinew_needs* given, const Scene& scene, Needs& needs);
+
+}  // namespace sinew::c

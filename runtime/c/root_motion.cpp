@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/c/root_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/c/boundary.h"
+#include "runtime/c/handles.h"
+#include "runtime/playback/root_motion.h"
+
+namespace {
+
+using namespace sinew;
+
+static_assert(sizeof(DualQuatd) == sizeof(sinew_dual_quat));
+static_assert(static_cast<int>(RootTurn::none) == SINEW_ROOT_TURN_NONE &&
+              static_cast<int>(RootTurn::heading) == SINEW_ROOT_TURN_HEADING &&
+              static_cast<int>(RootTurn::full) == SINEW_ROOT_TURN_FULL);
+
+DualQuatd motion_in(const sinew_dual_quat* given) noexcept {
+  DualQuatd motion;
+  if (given != nullptr) c::copy_bits(*given, motion);
+  return motion;
+}
+
+sinew_dual_quat motion_out(const DualQuatd& motion) noexcept {
+  sinew_dual_quat out{};
+  c::copy_bits(motion, out);
+  return out;
+}
+
+/// A joint in a clip, and what of it carries the character.
+struct RootTrack {
+  BoneAnimation none;  // where the clip leaves the joint alone
+  const BoneAnimation* animation = &none;
+  Transform rest;
+  RootMotionParts parts;
+};
+
+sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
+                      RootTrack& root) noexcept {
+  if (scene == nullptr) return SINEW_NULL_ARGUMENT;
+  sinew_root_parts given = sinew_default_root_parts();
+  if (const sinew_error error = c::read_struct(parts, given); error != SINEW_OK) return error;
+  if (given.turn > SINEW_ROOT_TURN_FULL) return SINEW_UNSUPPORTED;
+  const Scene& own = scene->scene;
+  if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
+  const std::vector<BoneAnimation>& bones = own.animations[clip].bones;
+  const auto found = std::find_if(bones.begin(), bones.end(), [&](const auto& bone) { return bone.joint == joint; });
+  if (found != bones.end()) root.animation = &*found;
+  root.rest = own.skeleton.rest[joint];
+  root.parts = {given.x != 0, given.y != 0, given.z != 0, static_cast<RootTurn>(given.turn)};
+  return SINEW_OK;
+}
+
+bool all_finite(const PlaybackStep& step) noexcept {
+  return std::isfinite(step.duration_s) && std::isfinite(step.from_turns) && std::isfinite(step.from_s) &&
+         std::isfinite(step.to_turns) && std::isfinite(step.to_s);
+}
+
+}  // namespace
+
+sinew_dual_quat sinew_dual_quat_identity(void) { return motion_out({}); }
+
+sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a, const sinew_dual_quat* b) {
+  return motion_out(normalised(motion_in(a) * motion_in(b)));
+}
+
+sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion) {
+  return motion_out(dual_quat_conjugate(motion_in(motion)));
+}
+
+sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion) {
+  sinew_affine out{};
+  c::copy_bits(affine_cast<float>(affine_from_dual_quat(motion_in(motion))), out);
+  return out;
+}
+
+sinew_root_parts sinew_default_root_parts(void) {
+  const RootMotionParts defaults;
+  return {.struct_size = sizeof(sinew_root_parts),
+          .x = defaults.x,
+          .y = defaults.y,
+          .z = defaults.z,
+          .turn = static_cast<std::uint32_t>(defaults.turn)};
+}
+
+sinew_error sinew_root_place(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint,
+                             const sinew_root_parts* parts, double time_s, sinew_dual_quat* out) {
+  if (out == nullptr) return SINEW_NULL_ARGUMENT;
+  if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
+  RootTrack root;
+  if (const sinew_error error = find_root(scene, clip, joint, parts, root); error != SINEW_OK) return error;
+  *out = motion_out(root_place(*root.animation, root.rest, root.parts, time_s));
+  return SINEW_OK;
+}
+
+sinew_error sinew_root_motion(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint,
+                              const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out) {
+  if (step == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  PlaybackStep own;
+  c::copy_bits(*step, own);
+  if (own.mode > PlayMode::once) return SINEW_UNSUPPORTED;
+  if (!all_finite(own)) return SINEW_NOT_FINITE;
+  RootTrack root;
+  if (const sinew_error error = find_root(scene, clip, joint, parts, root); error != SINEW_OK) return error;
+  *out = motion_out(root_motion(*root.animation, root.rest, root.parts, own));
+  return SINEW_OK;
+}

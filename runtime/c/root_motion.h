@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/playback.h"
+#include "runtime/c/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// A rigid motion in double precision: real + e dual, real the unit rotation, dual = t real / 2.
+typedef struct sinew_dual_quat {
+  double real[4], dual[4];  ///< x y z w
+} sinew_dual_quat;
+
+// Null stands for the identity.
+sinew_dual_quat sinew_dual_quat_identity(void);
+sinew_dual_quat sinew_dual_quat_product(const sinew_dual_quat* a, const sinew_dual_quat* b);  ///< b first; unit
+sinew_dual_quat sinew_dual_quat_inverse(const sinew_dual_quat* motion);
+sinew_affine sinew_dual_quat_matrix(const sinew_dual_quat* motion);  ///< for sinew_frame_input.root
+
+/// How much of a root joint's turn carries the character.
+typedef enum sinew_root_turn {
+  SINEW_ROOT_TURN_NONE = 0,
+  SINEW_ROOT_TURN_HEADING = 1,  ///< about +Y only
+  SINEW_ROOT_TURN_FULL = 2
+} sinew_root_turn;
+
+/// The part of a root joint's movement that carries the character through the world; the rest stays in its pose.
+typedef struct sinew_root_parts {
+  size_t struct_size;
+  uint32_t x, y, z;  ///< 1 or 0: translation along the axes of the joint's parent space
+  uint32_t turn;     ///< sinew_root_turn
+} sinew_root_parts;
+sinew_root_parts sinew_default_root_parts(void);  ///< x, z and the heading
+
+/// Where a clip carries the character to at a clip time.
+/// in   joint  the root joint;   parts  null = sinew_default_root_parts
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, joint), SINEW_NOT_FINITE,
+///      SINEW_UNSUPPORTED (turn)
+sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
+                             double time_s, sinew_dual_quat* out);
+
+/// How far the character moves in a step of the clock, in its own space. Over rounds of a loop each goes on where the
+/// last one ended, so neither the frame rate nor the number of rounds matters.
+///
+///     sinew_clock_advance(&clock, dt_s, &step);
+///     sinew_root_motion(scene, clip, joint, NULL, &step, &motion);
+///     world = sinew_dual_quat_product(&world, &motion);
+///     sinew_root_place(scene, clip, joint, NULL, sinew_clock_time_s(&clock), &place);
+///     inverse = sinew_dual_quat_inverse(&place);                 // takes the motion out of the pose
+///     root = sinew_dual_quat_product(&world, &inverse);
+///     input.root = sinew_dual_quat_matrix(&root);
+///
+/// err  as sinew_root_place; SINEW_NOT_FINITE and SINEW_UNSUPPORTED also for a step that no clock made
+sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
+                              const sinew_step* step, sinew_dual_quat* out);
+
+#ifdef __cplusplus
+}
+#endif
