@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/animations.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
 #include "importer/read/property_pointer.h"
+#include "runtime/base/all_finite.h"
 
 namespace sinew {
 namespace {
@@ -92,7 +92,7 @@ class SamplerReader {
     data.times_s = read_floats(document_, sampler_.input);
     if (!check_times(data.times_s)) return std::nullopt;
     data.values = read_floats(document_, sampler_.output);
-    if (!std::all_of(data.values.begin(), data.values.end(), [](float f) { return std::isfinite(f); })) {
+    if (!all_finite(data.values)) {
       log_.report(Rule::animation_values, pointer(place_, "output"),
                   "holds NaN or infinity; channels that use it are left out");
       return std::nullopt;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "importer/read/skins.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "runtime/base/all_finite.h"
 
 namespace sinew {
 namespace {
@@ -39,7 +38,7 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
   const std::vector<float> numbers = read_floats(document, skin.inverse_bind_matrices);
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const float* m = numbers.data() + 16 * j;
-    if (!std::all_of(m, m + 16, [](float f) { return std::isfinite(f); })) {
+    if (!all_finite(std::span<const float>(m, 16))) {
       log.report(Rule::not_finite, place, "matrix " + std::to_string(j) + " holds NaN or infinity");
       return matrices;
     }

@@ -17,7 +17,8 @@ namespace sinew {
 namespace {
 
 constexpr char kMagic[8] = {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'};
-/// What is made and not stored (places of joints, base poses) may take this much, and so many times the block.
+/// Limit of the memory for tables that are made instead of stored (places of joints, base poses): kMadeBytes, and
+/// kMadeTimes the block.
 constexpr std::uint64_t kMadeBytes = std::uint64_t{16} << 20, kMadeTimes = 64;
 
 void write_certificate(const std::optional<ClipCertificate>& certificate, ByteWriter& out) {
@@ -58,7 +59,7 @@ void write_block(const TrackBlock& block, ByteWriter& out) {
 
 constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
 
-/// Joints whose property no block of the clip moves: there the base pose counts.
+/// Joints whose property no block of the clip animates: they have the value of the base pose.
 std::vector<std::uint32_t> resting_joints(const ClipLayout& clip, Property property) {
   std::vector<bool> moved(clip.joint_count, false);
   for (const TimeGroup& group : clip.groups)
@@ -71,7 +72,7 @@ std::vector<std::uint32_t> resting_joints(const ClipLayout& clip, Property prope
   return resting;
 }
 
-/// Calls `visit(number)` for each base value of a property that counts.
+/// Calls `visit(number)` for each base value of a property, for these joints.
 template <class Base, class Visit>
 void each_base(Base& base, Property property, const std::vector<std::uint32_t>& joints, const Visit& visit) {
   const std::size_t first = first_plane(property), count = property == Property::rotation ? 4 : 3;
@@ -79,7 +80,7 @@ void each_base(Base& base, Property property, const std::vector<std::uint32_t>& 
     for (std::size_t plane = first; plane < first + count; ++plane) visit(base.planes[plane * base.stride + j]);
 }
 
-/// Base values of a property where they count; none where all are those of the identity.
+/// Base values of a property for these joints.
 std::vector<float> base_values(const BasePose& base, Property property, const std::vector<std::uint32_t>& joints) {
   std::vector<float> values;
   each_base(base, property, joints, [&](float x) { values.push_back(x); });
@@ -94,7 +95,7 @@ void write_head(const ClipLayout& clip, ByteWriter& out) {
   write_certificate(clip.certificate, out);
 }
 
-/// What a clip is, apart from what it says of itself.
+/// The tracks and base values of a clip, without its name and certificate.
 void write_tracks(const ClipLayout& clip, ByteWriter& out) {
   write_all(clip.base_weights, out);
   write_all(clip.base_properties, out);
@@ -169,7 +170,7 @@ class Loader {
     return c;
   }
 
-  /// Memory that is made of few bytes of the block.
+  /// Counts memory that few bytes of the block ask for.
   void take(std::uint64_t bytes) {
     require(bytes <= left_, "the clip has far more joints than its tracks account for");
     left_ -= std::min(left_, bytes);

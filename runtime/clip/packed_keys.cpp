@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// Below this the component that is left out would follow too badly from the others.
+/// A component that comes closer to 0 than this is not left out: it would follow too inaccurately from the others.
 constexpr double kSmallestDerived = 0.3;
 
 bool has_plain_keys(Interpolation interpolation) noexcept {

@@ -76,6 +76,22 @@ TEST(build_clips, G05_cubic_rotations_are_left_as_stored) {
   EXPECT_TRUE(warns(result, "rotation-length", "/animations/0/channels/0/sampler"));
 }
 
+TEST(build_clips, G52_cubic_rotations_without_a_length_that_float_can_square_become_unit) {
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object()});
+  std::vector<float> values(24, 0.0f);
+  values[19] = -1e30f;
+  const std::size_t input = file.times({0, 1});
+  file.animate("rotation", input, file.vec4(values), "CUBICSPLINE");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const auto& track = result->scene.animations[0].bones[0].rotation;
+  EXPECT_EQ(track.values[1], glm::quat(1, 0, 0, 0));
+  EXPECT_EQ(track.values[4], glm::quat(-1, 0, 0, 0));
+  EXPECT_EQ(track.values[0], glm::quat(0, 0, 0, 0)) << "tangents stay";
+  EXPECT_TRUE(warns(result, "rotation-zero", "/animations/0/channels/0/sampler"));
+}
+
 TEST(build_clips, G08_one_key_is_constant_but_too_few_for_a_cubic) {
   EXPECT_THAT(moving({0.5f}).import()->scene.animations[0].bones, SizeIs(1));
   EXPECT_THAT(moving({0.5f}, "STEP").import()->scene.animations[0].bones, SizeIs(1));
