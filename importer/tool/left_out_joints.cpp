@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/length_text.h"
-#include "runtime/plan/rig.h"
+#include "runtime/plan/plan_assets.h"
 
 namespace sinew::tool {
 namespace {
@@ -15,12 +15,12 @@ std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
 }
 
 /// [J] for each left-out joint below a kept one: the number of joints in its branch, itself included; 0 for all others.
-std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vector<JointPlace>& places) {
-  std::vector<std::uint32_t> sizes(places.size(), 0), top(places.size());
-  for (std::uint32_t j = 0; j < places.size(); ++j) {
-    if (places[j].is_kept) continue;
+std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vector<JointMapping>& map) {
+  std::vector<std::uint32_t> sizes(map.size(), 0), top(map.size());
+  for (std::uint32_t j = 0; j < map.size(); ++j) {
+    if (map[j].is_kept) continue;
     const std::uint32_t parent = skeleton.parents[j];
-    top[j] = places[parent].is_kept ? j : top[parent];
+    top[j] = map[parent].is_kept ? j : top[parent];
     ++sizes[top[j]];
   }
   return sizes;
@@ -34,24 +34,24 @@ std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within,
       fmt::format("joints left out within {}: {} of {}", length_text(asked_m), within.left_out, skeleton.joint_count());
   if (within.left_out == 0) return text + "\n";
   text += fmt::format("; they move vertices by {} at most\n", length_text(within.measured_m));
-  const std::vector<JointPlace> places = place_joints(scene, within.detail);
-  const std::vector<std::uint32_t> sizes = branch_sizes(skeleton, places);
+  const std::vector<JointMapping> map = map_joints(scene, within.detail);
+  const std::vector<std::uint32_t> sizes = branch_sizes(skeleton, map);
   for (std::uint32_t j = 0; j < sizes.size(); ++j) {
     if (sizes[j] == 0) continue;
     const std::string more = sizes[j] > 1 ? fmt::format(" and {} below", sizes[j] - 1) : "";
-    text += fmt::format("  {}{} on {}\n", name_of(skeleton, j), more, name_of(skeleton, places[j].joint));
+    text += fmt::format("  {}{} on {}\n", name_of(skeleton, j), more, name_of(skeleton, map[j].kept_joint));
   }
   return text;
 }
 
 nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
-  const std::vector<JointPlace> places = place_joints(scene, within.detail);
-  for (std::uint32_t j = 0; j < places.size(); ++j)
-    if (!places[j].is_kept)
+  const std::vector<JointMapping> map = map_joints(scene, within.detail);
+  for (std::uint32_t j = 0; j < map.size(); ++j)
+    if (!map[j].is_kept)
       left_out.push_back({{"joint", name_of(scene.skeleton, j)},
                           {"node", scene.skeleton.node_of_joint[j]},
-                          {"follows", name_of(scene.skeleton, places[j].joint)}});
+                          {"follows", name_of(scene.skeleton, map[j].kept_joint)}});
   return {{"asked", asked_m},
           {"measured", within.measured_m},
           {"joints", scene.skeleton.joint_count()},

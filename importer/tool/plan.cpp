@@ -95,7 +95,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
 Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
   FrameBuffer frame(plan);
   ClipLayer layer{clip, 0.0, 1.0f};
-  if (clip != kNone) layer.time_s = 0.5 * plan.scene->animations[clip].duration_s;
+  if (clip != kNone) layer.time_s = 0.5 * plan.scene().animations[clip].duration_s;
   const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span<const ClipLayer>(&layer, 1), {}, {}};
   if (const ErrorCode code = run_plan(plan, input, frame); code != ErrorCode::ok) return tl::unexpected(code);
   return frame.result().work;
@@ -120,27 +120,27 @@ tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOpt
 
 void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-  for (const PlanStage& stage : plan.stages)
+  for (const PlanStage& stage : plan.stages())
     stages.push_back({{"stage", stage.stage},
                       {"runs", stage.runs},
                       {"reason", stage.reason},
                       {"count", stage.count},
                       {"bytes", stage.bytes}});
-  nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes}};
-  if (left_out) report["left_out_joints"] = left_out_json(*plan.scene, left_out->within, left_out->asked_m);
+  nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes()}};
+  if (left_out) report["left_out_joints"] = left_out_json(plan.scene(), left_out->within, left_out->asked_m);
   if (work) report["work"] = work_json(*work);
   fmt::print("{}\n", report.dump(2));
 }
 
 void print_text(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
   std::size_t widest = 5;
-  for (const PlanStage& stage : plan.stages) widest = std::max(widest, stage.stage.size());
+  for (const PlanStage& stage : plan.stages()) widest = std::max(widest, stage.stage.size());
   fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
-  for (const PlanStage& stage : plan.stages)
+  for (const PlanStage& stage : plan.stages())
     fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out", stage.count,
                stage.bytes, stage.reason);
-  fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes);
-  if (left_out) fmt::print("{}", left_out_text(*plan.scene, left_out->within, left_out->asked_m));
+  fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes());
+  if (left_out) fmt::print("{}", left_out_text(plan.scene(), left_out->within, left_out->asked_m));
   if (!work) return;
   fmt::print("work done by one frame:\n");
   const nlohmann::ordered_json counts = work_json(*work);

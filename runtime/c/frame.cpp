@@ -7,6 +7,7 @@
 #include "runtime/c/boundary.h"
 #include "runtime/c/frame_input.h"
 #include "runtime/c/handles.h"
+#include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/run_plan.h"
 
 using namespace sinew;
@@ -39,8 +40,8 @@ sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_al
   auto* layers = reinterpret_cast<ClipLayer*>(block + aligned(sizeof(sinew_frame)));
   std::uninitialized_value_construct_n(layers, plan.input_room());
   std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.input_room() * sizeof(ClipLayer));
-  return new (block)
-      sinew_frame{&plan, allocator, {layers, plan.input_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes})};
+  return new (block) sinew_frame{
+      &plan, allocator, {layers, plan.input_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes()})};
 }
 
 const FrameResult& result_behind(const sinew_result* result) noexcept {
@@ -51,7 +52,7 @@ const FrameResult& result_behind(const sinew_result* result) noexcept {
 
 std::size_t sinew_plan_frame_bytes(const sinew_plan* plan) {
   if (plan == nullptr) return 0;
-  return aligned(sizeof(sinew_frame)) + aligned(plan->input_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes;
+  return aligned(sizeof(sinew_frame)) + aligned(plan->input_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes();
 }
 
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out) {
@@ -88,7 +89,7 @@ sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input) {
 }
 
 void sinew_frame_prefetch(const sinew_frame* frame) {
-  if (frame != nullptr) frame->buffer.prefetch(frame->plan->plan);
+  if (frame != nullptr) frame->buffer.prefetch();
 }
 
 const sinew_result* sinew_frame_result(const sinew_frame* frame) {
@@ -114,12 +115,12 @@ sinew_error sinew_get_result(const sinew_result* result, sinew_result_info* out)
 sinew_error sinew_world_of(const sinew_plan* plan, const sinew_result* result, std::uint32_t joint,
                            const sinew_affine* offset, sinew_affine* out) {
   if (plan == nullptr || result == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  const Rig& rig = plan->plan.rig;
+  const PlanAssets& assets = plan->plan.compiled()->assets;
   const std::span<const Affine> model = result_behind(result).model;
-  if (joint >= rig.places.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  if (joint >= assets.joint_map.size()) return SINEW_INDEX_OUT_OF_RANGE;
   if (model.empty()) return SINEW_UNSUPPORTED;
-  if (model.size() != rig.joint_count()) return SINEW_SIZE_MISMATCH;
-  Affine world = world_of(rig, model, joint);
+  if (model.size() != assets.joint_count()) return SINEW_SIZE_MISMATCH;
+  Affine world = world_of(assets, model, joint);
   if (offset != nullptr) {
     Affine from_joint;
     c::copy_bits(*offset, from_joint);

@@ -42,12 +42,12 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, s
   if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
   if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
   if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
-  const std::size_t layer_room = plan.plan.needs.layer_room();
+  const std::size_t layer_room = plan.plan.needs().layer_room();
   sinew_error error = read_layers(own.layers, own.layer_count, room.first(layer_room), input.layers);
   if (error != SINEW_OK) return error;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
-    if (!plan.plan.needs.between_updates) return SINEW_UNSUPPORTED;
+    if (!plan.plan.needs().between_updates) return SINEW_UNSUPPORTED;
     error = read_layers(own.next_layers, own.next_layer_count, room.subspan(layer_room), input.next_layers);
     if (error != SINEW_OK) return error;
   }

@@ -28,10 +28,11 @@ struct sinew_plan {
   sinew_plan& operator=(const sinew_plan&) = delete;
 
   /// Room for the layers of one input, and for those of a later time after them.
-  std::size_t input_room() const noexcept { return plan.needs.layer_room() * (plan.needs.between_updates ? 2 : 1); }
+  std::size_t input_room() const noexcept { return plan.needs().layer_room() * (plan.needs().between_updates ? 2 : 1); }
 
   const sinew_scene* scene;
   sinew::Plan plan;
+  std::vector<sinew::PlanStage> stages = plan.stages();  // their texts, which C reads through pointers
 };
 
 struct sinew_skeleton_lod {

@@ -18,12 +18,12 @@ sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs
 
 void sinew_plan_destroy(sinew_plan* plan) { delete plan; }
 
-std::size_t sinew_stage_count(const sinew_plan* plan) { return plan != nullptr ? plan->plan.stages.size() : 0; }
+std::size_t sinew_stage_count(const sinew_plan* plan) { return plan != nullptr ? plan->stages.size() : 0; }
 
 sinew_error sinew_get_stage(const sinew_plan* plan, std::uint32_t stage, sinew_stage* out) {
   if (plan == nullptr) return SINEW_NULL_ARGUMENT;
-  if (stage >= plan->plan.stages.size()) return SINEW_INDEX_OUT_OF_RANGE;
-  const PlanStage& found = plan->plan.stages[stage];
+  if (stage >= plan->stages.size()) return SINEW_INDEX_OUT_OF_RANGE;
+  const PlanStage& found = plan->stages[stage];
   return c::write_struct({.struct_size = 0,
                           .name = c::string_from(found.stage),
                           .reason = c::string_from(found.reason),

@@ -35,7 +35,7 @@ struct sinew_held_input {
 
 struct sinew_interpolated_input {
   explicit sinew_interpolated_input(const sinew_plan& of)
-      : plan(&of), room(of), ahead(of.plan.needs.layer_room()), interpolated(of.plan) {}
+      : plan(&of), room(of), ahead(of.plan.needs().layer_room()), interpolated(of.plan) {}
 
   const sinew_plan* plan;
   LayerRoom room;
@@ -97,7 +97,7 @@ sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_inpu
 
 sinew_error sinew_interpolated_input_create(const sinew_plan* plan, sinew_interpolated_input** out) {
   if (plan == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
-  if (!plan->plan.needs.between_updates) return SINEW_UNSUPPORTED;
+  if (!plan->plan.needs().between_updates) return SINEW_UNSUPPORTED;
   return c::guarded([&] {
     *out = new sinew_interpolated_input(*plan);
     return SINEW_OK;

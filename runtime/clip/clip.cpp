@@ -7,11 +7,8 @@
 
 namespace sinew {
 
-Clip::Clip() : layout_(std::make_unique<ClipLayout>()) {}
-Clip::Clip(ClipLayout&& layout) : layout_(std::make_unique<ClipLayout>(std::move(layout))) {}
-Clip::Clip(Clip&&) noexcept = default;
-Clip& Clip::operator=(Clip&&) noexcept = default;
-Clip::~Clip() = default;
+Clip::Clip() : layout_(std::make_shared<ClipLayout>()) {}
+Clip::Clip(ClipLayout&& layout) : layout_(std::make_shared<ClipLayout>(std::move(layout))) {}
 
 const std::string& Clip::name() const noexcept { return layout_->name; }
 double Clip::duration_s() const noexcept { return layout_->duration_s; }
@@ -22,9 +19,10 @@ Clip::Counts Clip::counts() const noexcept { return layout_->counts; }
 
 const std::optional<ClipCertificate>& Clip::certificate() const noexcept { return layout_->certificate; }
 
-Clip with_certificate(Clip clip, const ClipCertificate& certificate) {
-  clip.layout_->certificate = certificate;
-  return clip;
+Clip with_certificate(const Clip& clip, const ClipCertificate& certificate) {
+  ClipLayout layout = clip.layout();
+  layout.certificate = certificate;
+  return clip_of(std::move(layout));
 }
 
 Clip clip_of(ClipLayout layout) { return Clip(std::move(layout)); }

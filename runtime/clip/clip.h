@@ -20,12 +20,10 @@ namespace sinew {
 /// Read by the jobs sample_clip and sample_weights only; its layout is theirs to change (clip_layout.h).
 struct ClipLayout;
 
+/// A clip is a handle: copies share the tracks.
 class Clip {
  public:
   Clip();
-  Clip(Clip&&) noexcept;
-  Clip& operator=(Clip&&) noexcept;
-  ~Clip();
 
   const std::string& name() const noexcept;
   double duration_s() const noexcept;
@@ -51,8 +49,8 @@ class Clip {
  private:
   explicit Clip(ClipLayout&& layout);
   friend Clip clip_of(ClipLayout layout);
-  friend Clip with_certificate(Clip clip, const ClipCertificate& certificate);
-  std::unique_ptr<ClipLayout> layout_;
+
+  std::shared_ptr<const ClipLayout> layout_;
 };
 
 /// Compiles the authoring form. The animation must have passed check(Track) for each track.
@@ -65,7 +63,7 @@ Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::spa
                   std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
                   const KeyTolerances& rounding = {});
 
-/// The same clip, with what was measured of it.
-Clip with_certificate(Clip clip, const ClipCertificate& certificate);
+/// The same clip, with what was measured of it.     cost O(bytes of the clip), allocates a copy of the tracks
+Clip with_certificate(const Clip& clip, const ClipCertificate& certificate);
 
 }  // namespace sinew

@@ -26,10 +26,8 @@ constexpr double kOfWeights = 0.25;
 constexpr double kOfRounding[] = {0.25, 0.97};
 
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
-  std::vector<float> rest_weights;
-  for (const MeshInstance& instance : scene.instances)
-    rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
-  return compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties, rounding);
+  return compile_clip(animation, scene.skeleton, rest_weights_of(scene), scene.first_weight, scene.properties,
+                      rounding);
 }
 
 std::uint64_t key_count(const Animation& animation) {
@@ -197,7 +195,7 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   out.error = measure_clip(task.scene, task.truth, task.vertices, forms, task.times);
   const ClipCertificate certificate =
       certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
-  out.within.clip = with_certificate(std::move(clip), certificate);
+  out.within.clip = with_certificate(clip, certificate);
   return out;
 }
 
@@ -229,7 +227,7 @@ Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animat
   const ClipError error = measure_clip(scene, truth, vertices, forms, times);
   const ClipCertificate certificate =
       certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
-  return with_certificate(std::move(clip), certificate);
+  return with_certificate(clip, certificate);
 }
 
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,

@@ -9,7 +9,7 @@
 #include "runtime/lod/pose_drift.h"
 #include "runtime/math/quaternion.h"
 #include "runtime/math/stretch.h"
-#include "runtime/plan/rig.h"
+#include "runtime/plan/plan_assets.h"
 
 namespace sinew {
 namespace {
@@ -113,14 +113,14 @@ void add_skinned_parts(const Scene& scene, const MeshInstance& instance, double 
 }
 
 /// Parts of joints that are left out hang on those above.
-void hang(std::span<const JointPlace> places, std::vector<Part>& parts) {
+void hang(std::span<const JointMapping> joint_map, std::vector<Part>& parts) {
   std::vector<Part> hung;
   for (const Part& part : parts) {
-    const JointPlace& place = places[part.joint];
+    const JointMapping& mapped = joint_map[part.joint];
     Aabb there;
     for (const Vec3<double>& corner : corners_of(part.box))
-      there.add(glm::vec3(transform_point(place.from_joint, corner)));
-    add_part(hung, place.joint, place.is_kept ? part.box : there, 0.0);
+      there.add(glm::vec3(transform_point(mapped.kept_from_joint, corner)));
+    add_part(hung, mapped.kept_joint, mapped.is_kept ? part.box : there, 0.0);
   }
   parts = std::move(hung);
 }
@@ -175,8 +175,8 @@ std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint3
   if (keys.size() > kMaxBoundsPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMaxBoundsPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  const std::vector<JointPlace> places = place_joints(scene, needs.skeleton_lod);
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(places, parts.emplace_back(parts_of(scene, animation, i)));
+  const std::vector<JointMapping> joint_map = map_joints(scene, needs.skeleton_lod);
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);
   const auto look_at = [&](double begin_s, double end_s) {

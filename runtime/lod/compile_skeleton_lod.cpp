@@ -241,7 +241,7 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
   const Plan lean = compile_plan(scene, needs);
   FrameBuffer all(full), some(lean);
   std::size_t vertices = 0;
-  for (const PrimitivePlan& planned : full.primitives)
+  for (const PrimitivePlan& planned : full.primitives())
     vertices += planned.skin.any() ? primitive_of(full, planned).vertex_count() : 0;
   FramesApart apart;
   for (std::size_t i = 0; i < moments.size(); i += moments.size() * vertices / kMaxLodVertices + 1) {
@@ -249,8 +249,8 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
     FrameInput input;
     if (moments[i].clip != kNone) input.layers = {&layer, 1};
     CONTRACT(run_plan(full, input, all) == ErrorCode::ok && run_plan(lean, input, some) == ErrorCode::ok);
-    for (std::size_t p = 0; p < full.primitives.size(); ++p) {
-      if (!full.primitives[p].skin.any()) continue;
+    for (std::size_t p = 0; p < full.primitives().size(); ++p) {
+      if (!full.primitives()[p].skin.any()) continue;
       const std::span<const glm::vec3> a = all.result().primitives[p].positions,
                                        b = some.result().primitives[p].positions;
       for (std::size_t v = 0; v < a.size(); ++v) {

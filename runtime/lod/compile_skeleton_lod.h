@@ -5,7 +5,6 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
-#include "runtime/plan/skeleton_lod.h"
 
 namespace sinew {
 

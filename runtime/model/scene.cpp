@@ -5,13 +5,18 @@
 
 namespace sinew {
 
+std::vector<float> rest_weights_of(const Scene& scene) {
+  std::vector<float> weights;
+  for (const MeshInstance& instance : scene.instances)
+    weights.insert(weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  return weights;
+}
+
 void finish_scene(Scene& scene) {
   scene.first_weight.assign(1, 0);
-  std::vector<float> rest_weights;
-  for (const MeshInstance& instance : scene.instances) {
-    rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
-    scene.first_weight.push_back(static_cast<std::uint32_t>(rest_weights.size()));
-  }
+  for (const MeshInstance& instance : scene.instances)
+    scene.first_weight.push_back(scene.first_weight.back() + static_cast<std::uint32_t>(instance.rest_weights.size()));
+  const std::vector<float> rest_weights = rest_weights_of(scene);
   scene.properties = make_property_table(scene);
   for (Mesh& mesh : scene.meshes)
     for (Primitive& primitive : mesh.primitives)

@@ -79,6 +79,10 @@ struct Scene {
   std::size_t weight_count() const noexcept { return first_weight.empty() ? 0 : first_weight.back(); }
 };
 
+/// Morph weights of all mesh instances at rest, one instance after another.
+/// out  [W]     cost O(W), allocates
+std::vector<float> rest_weights_of(const Scene& scene);
+
 /// Fills `first_weight`, `properties` and the bounds of primitives that have none, and compiles every animation into
 /// `clips`. Call once when the rest of the scene is complete.
 void finish_scene(Scene& scene);

@@ -14,12 +14,12 @@
 namespace sinew {
 namespace {
 
-/// The memory of `at` if the attribute is wanted there, else nothing.
-VertexOutput output_at(FrameMemory memory, const AttributeSet& set, std::size_t positions_at, std::size_t normals_at,
-                       std::size_t tangents_at, std::size_t count) noexcept {
-  return {.positions = memory.array<glm::vec3>(positions_at, set.positions ? count : 0),
-          .normals = memory.array<glm::vec3>(normals_at, set.normals ? count : 0),
-          .tangents = memory.array<glm::vec4>(tangents_at, set.tangents ? count : 0)};
+/// The memory at `at` where the attribute is wanted there, else nothing.
+VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
+                       std::size_t count) noexcept {
+  return {.positions = memory.array<glm::vec3>(at.positions_at, set.positions ? count : 0),
+          .normals = memory.array<glm::vec3>(at.normals_at, set.normals ? count : 0),
+          .tangents = memory.array<glm::vec4>(at.tangents_at, set.tangents ? count : 0)};
 }
 
 /// Displacements that this frame adds.
@@ -44,8 +44,10 @@ ActiveDeltas active_deltas(const MorphSet& morphs, std::span<const float> weight
 
 /// The stages of one primitive in order; `now` is the state of its vertices so far.
 struct Deformation {
-  const Plan& plan;
+  const CompiledPlan& plan;
   const PrimitivePlan& planned;
+  const PrimitiveSkinning& skinning;
+  const PrimitiveLayout& at;
   const Primitive& primitive;
   FrameMemory memory;
   FrameWork& work;
@@ -54,15 +56,12 @@ struct Deformation {
   void morph(std::span<const float> weights) noexcept {
     const std::size_t count = primitive.vertex_count();
     const bool in_between = planned.skin.any();
-    const VertexOutput out =
-        output_at(memory, planned.morph, in_between ? plan.morphed_positions_at : planned.positions_at,
-                  in_between ? plan.morphed_normals_at : planned.normals_at,
-                  in_between ? plan.morphed_tangents_at : planned.tangents_at, count);
+    const VertexOutput out = output_at(memory, planned.morph, in_between ? plan.layout.morphed : at, count);
     const MorphVerticesJob job{.morphs = &primitive.morphs,
                                .weights = weights,
                                .vertices = now,
                                .out = out,
-                               .scratch = memory.array<glm::vec3>(plan.scratch_at, count),
+                               .scratch = memory.array<glm::vec3>(plan.layout.scratch_at, count),
                                .normalise = !in_between};
     assert(check(job) == ErrorCode::ok);
     run(job);
@@ -72,8 +71,7 @@ struct Deformation {
   }
 
   void skin(bool uneven_root) noexcept {
-    const VertexOutput out = output_at(memory, planned.skin, planned.positions_at, planned.normals_at,
-                                       planned.tangents_at, primitive.vertex_count());
+    const VertexOutput out = output_at(memory, planned.skin, at, primitive.vertex_count());
     switch (planned.skinning) {
       case Skinning::linear:
         skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor));
@@ -85,7 +83,7 @@ struct Deformation {
   }
 
   void flatten(bool turned) noexcept {
-    const std::span<glm::vec3> normals = memory.array<glm::vec3>(planned.normals_at, primitive.vertex_count());
+    const std::span<glm::vec3> normals = memory.array<glm::vec3>(at.normals_at, primitive.vertex_count());
     flat_normals(primitive.indices, now.positions, primitive.normals, turned, normals);
     work.flat_triangles += primitive.indices.size() / 3;
     now.normals = normals;
@@ -96,12 +94,14 @@ struct Deformation {
   std::uint32_t skin_index() const noexcept { return plan.scene->instances[planned.instance].skin; }
   std::size_t joint_count() const noexcept { return plan.scene->skins[skin_index()].joints.size(); }
   std::span<const JointMatrix> palette() const noexcept {
-    return memory.array<JointMatrix>(plan.palette_at[skin_index()], matrix_count(plan, skin_index()));
+    return memory.array<JointMatrix>(plan.layout.palette_at[skin_index()], matrix_count(plan, skin_index()));
   }
   std::span<const RigidStretch> split() const noexcept {
-    return memory.array<RigidStretch>(plan.split_at[skin_index()], joint_count());
+    return memory.array<RigidStretch>(plan.layout.split_at[skin_index()], joint_count());
   }
-  bool any_stretch() const noexcept { return memory.array<bool>(plan.stretch_at, plan.split.size())[skin_index()]; }
+  bool any_stretch() const noexcept {
+    return memory.array<bool>(plan.layout.stretch_at, plan.split.size())[skin_index()];
+  }
 
   template <class Job>
   void run_checked(const Job& job, std::uint64_t& counter, Stage stage) noexcept {
@@ -112,9 +112,9 @@ struct Deformation {
   }
 
   void skin_linear(const VertexOutput& out, bool cofactors) noexcept {
-    const bool combined = planned.combined != kNone;
+    const bool combined = skinning.combined != kNone;
     const SkinLinearJob job{
-        .influences = combined ? &plan.combined[skin_index()][planned.combined].vertices : &primitive.influences,
+        .influences = combined ? &plan.combined[skin_index()][skinning.combined].vertices : &primitive.influences,
         .palette = palette(),
         .vertices = now,
         .out = out,
@@ -129,7 +129,7 @@ struct Deformation {
                                     .any_stretch = any_stretch(),
                                     .vertices = now,
                                     .out = out,
-                                    .pairs = planned.pairs};
+                                    .pairs = skinning.pairs};
     run_checked(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
@@ -153,15 +153,23 @@ struct Deformation {
 
 }  // namespace
 
-DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planned, std::span<const float> weights,
+DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std::span<const float> weights,
                                    bool mirrored, bool uneven_root, FrameMemory memory, FrameWork& work) noexcept {
+  const PrimitivePlan& planned = plan.primitives[p];
+  const PrimitiveLayout& at = plan.layout.primitives[p];
   const Primitive& primitive = primitive_of(plan, planned);
   const bool skins = planned.skin.any();
   const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
                                  planned.morph.normals || planned.skin.normals || planned.flat_normals,
                                  planned.morph.tangents || planned.skin.tangents};
-  Deformation stages{plan,   planned, primitive,
-                     memory, work,    {.positions = primitive.positions, .normals = {}, .tangents = {}}};
+  Deformation stages{plan,
+                     planned,
+                     plan.primitive_skinning[p],
+                     at,
+                     primitive,
+                     memory,
+                     work,
+                     {.positions = primitive.positions, .normals = {}, .tangents = {}}};
   if (deformed.normals) stages.now.normals = primitive.normals;
   if (deformed.tangents) stages.now.tangents = primitive.tangents;
 
@@ -182,7 +190,7 @@ DeformedPrimitive deform_primitive(const Plan& plan, const PrimitivePlan& planne
   if (deformed.tangents) result.tangents = stages.now.tangents;
   if (planned.morph_colors && active.colors == 0) result.colors = primitive.colors;
   if (active.colors > 0) {
-    const std::span<glm::vec4> colors = memory.array<glm::vec4>(planned.colors_at, primitive.colors.size());
+    const std::span<glm::vec4> colors = memory.array<glm::vec4>(at.colors_at, primitive.colors.size());
     morph_colors(primitive.morphs, weights, primitive.colors, colors);
     result.colors = colors;
     work.spent_on(Stage::morph);

@@ -12,8 +12,8 @@
 namespace sinew {
 namespace {
 
-/// Where layer `index` is sampled to: the first one in the frame's own pose and numbers, later ones behind.
-struct LayerPlace {
+/// Where a layer is sampled to. Layer 0 has the frame's own pose and numbers, later layers have memory of their own.
+struct LayerOutput {
   PoseSpan pose;
   std::span<float> weights, properties;
 };
@@ -23,50 +23,50 @@ std::span<float> numbers_of_layer(FrameMemory memory, std::size_t first_at, std:
   return memory.array<float>(index == 0 ? first_at : others_at + (index - 1) * sizeof(float) * count, count);
 }
 
-LayerPlace place_of_layer(const Plan& plan, FrameMemory memory, std::size_t index) noexcept {
-  const std::size_t joints = plan.rig.joint_count(), weights = plan.rest_weights.size();
+LayerOutput output_of_layer(const CompiledPlan& plan, FrameMemory memory, std::size_t index) noexcept {
+  const std::size_t joints = plan.assets.joint_count(), weights = plan.rest_weights.size();
   const std::size_t properties = plan.properties ? plan.scene->properties.rest.size() : 0;
-  const std::size_t later_at = plan.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
-  return {memory.pose(index == 0 ? plan.pose_at : later_at, joints),
-          numbers_of_layer(memory, plan.weights_at, plan.layer_weights_at, weights, index),
-          numbers_of_layer(memory, plan.properties_at, plan.layer_properties_at, properties, index)};
+  const std::size_t later_at = plan.layout.layer_poses_at + (index - 1) * sizeof(float) * PoseSpan::floats_for(joints);
+  return {memory.pose(index == 0 ? plan.layout.pose_at : later_at, joints),
+          numbers_of_layer(memory, plan.layout.weights_at, plan.layout.layer_weights_at, weights, index),
+          numbers_of_layer(memory, plan.layout.properties_at, plan.layout.layer_properties_at, properties, index)};
 }
 
-void sample(const Plan& plan, const ClipLayer& layer, LayerPlace place, bool with_weights, bool holds_clip,
+void sample(const CompiledPlan& plan, const ClipLayer& layer, LayerOutput output, bool with_weights, bool same_clip,
             FrameWork& work) noexcept {
-  const SampleClipJob job{.clip = plan.rig.clips[layer.clip],
+  const SampleClipJob job{.clip = &plan.assets.clips[layer.clip],
                           .time_s = layer.time_s,
-                          .pose = place.pose,
-                          .weights = with_weights ? place.weights : std::span<float>{},
-                          .properties = place.properties,
-                          .holds_clip = holds_clip};
+                          .pose = output.pose,
+                          .weights = with_weights ? output.weights : std::span<float>{},
+                          .properties = output.properties,
+                          .holds_clip = same_clip};
   assert(check(job) == ErrorCode::ok);
   run(job);
   const ClipTracks& tracks = plan.clip_tracks[layer.clip];
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
-  if (!place.properties.empty()) work.properties_sampled += tracks.properties;
+  if (!output.properties.empty()) work.properties_sampled += tracks.properties;
   work.spent_on(Stage::sample);
 }
 
-std::span<const float> mask_of(const Plan& plan, const ClipLayer& layer) noexcept {
+std::span<const float> mask_of(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
   return layer.mask == kNone ? std::span<const float>{} : std::span<const float>(plan.masks[layer.mask]);
 }
 
-bool takes_part(const Plan& plan, const ClipLayer& layer, bool adds) noexcept {
+bool takes_part(const CompiledPlan& plan, const ClipLayer& layer, bool adds) noexcept {
   return plan.sample && layer.weight != 0.0f && (layer.kind != LayerKind::blend) == adds;
 }
 
-/// The mean of the layers that blend, and of their weights when these are the frame's own.
-PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-               bool own_weights, bool holds_clip, FrameWork& work) noexcept {
-  const PoseSpan rest = memory.pose(plan.rest_pose_at, plan.rig.joint_count());
-  const LayerPlace first = place_of_layer(plan, memory, 0);
+/// The mean of the layers that blend. Their morph weights are averaged too, unless the input gives weights.
+PoseSpan blend(const CompiledPlan& plan, std::span<const ClipLayer> input, FrameMemory memory,
+               std::span<BlendLayer> layers, bool own_weights, bool same_clip, FrameWork& work) noexcept {
+  const PoseSpan rest = memory.pose(plan.layout.rest_pose_at, plan.assets.joint_count());
+  const LayerOutput first = output_of_layer(plan, memory, 0);
   std::size_t count = 0;
-  for (const ClipLayer& layer : input.layers) {
+  for (const ClipLayer& layer : input) {
     if (!takes_part(plan, layer, false)) continue;
-    const LayerPlace place = place_of_layer(plan, memory, count);
-    sample(plan, layer, place, own_weights, holds_clip, work);
-    layers[count++] = {.pose = place.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
+    const LayerOutput output = output_of_layer(plan, memory, count);
+    sample(plan, layer, output, own_weights, same_clip, work);
+    layers[count++] = {.pose = output.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
   }
   if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
   const std::span<const float> rest_properties = plan.scene->properties.rest;
@@ -81,26 +81,29 @@ PoseSpan blend(const Plan& plan, const FrameInput& input, FrameMemory memory, st
   work.poses_blended += count;
   if (own_weights)
     blend_weights(layers.first(count), plan.rest_weights, first.weights,
-                  memory.array<float>(plan.layer_weights_at, (count - 1) * first.weights.size()));
+                  memory.array<float>(plan.layout.layer_weights_at, (count - 1) * first.weights.size()));
   if (plan.properties)
     blend_weights(layers.first(count), rest_properties, first.properties,
-                  memory.array<float>(plan.layer_properties_at, (count - 1) * first.properties.size()));
+                  memory.array<float>(plan.layout.layer_properties_at, (count - 1) * first.properties.size()));
   work.spent_on(Stage::blend);
   return first.pose;
 }
 
-/// Adds one layer to the pose, which is the frame's own, and to its weights. Properties are not added.
-void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights, FrameWork& work) noexcept {
-  const std::size_t joints = plan.rig.joint_count(), weights = plan.rest_weights.size();
-  const LayerPlace own = place_of_layer(plan, memory, 0);
-  const LayerPlace added{
-      memory.pose(plan.added_pose_at, joints), memory.array<float>(plan.added_weights_at, weights), {}};
-  LayerPlace reference{memory.pose(plan.rest_pose_at, joints), {}, {}};
+/// Adds one layer to the frame's own pose, and to its morph weights unless the input gives them. Properties are not
+/// added.
+void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights,
+         FrameWork& work) noexcept {
+  const std::size_t joints = plan.assets.joint_count(), weights = plan.rest_weights.size();
+  const LayerOutput own = output_of_layer(plan, memory, 0);
+  const LayerOutput added{
+      memory.pose(plan.layout.added_pose_at, joints), memory.array<float>(plan.layout.added_weights_at, weights), {}};
+  LayerOutput reference{memory.pose(plan.layout.rest_pose_at, joints), {}, {}};
   std::span<const float> reference_weights = plan.rest_weights;
   sample(plan, layer, added, own_weights, false, work);
   if (layer.kind == LayerKind::add_to_start) {
-    reference = {
-        memory.pose(plan.reference_pose_at, joints), memory.array<float>(plan.reference_weights_at, weights), {}};
+    reference = {memory.pose(plan.layout.reference_pose_at, joints),
+                 memory.array<float>(plan.layout.reference_weights_at, weights),
+                 {}};
     reference_weights = reference.weights;
     sample(plan, {.clip = layer.clip}, reference, own_weights, false, work);
   }
@@ -120,13 +123,14 @@ void add(const Plan& plan, const ClipLayer& layer, FrameMemory memory, bool own_
 
 }  // namespace
 
-PoseSpan evaluate_pose(const Plan& plan, const FrameInput& input, FrameMemory memory, std::span<BlendLayer> layers,
-                       bool holds_clip, FrameWork& work) noexcept {
-  const LayerPlace own = place_of_layer(plan, memory, 0);
-  const bool own_weights = input.weights.empty() && !own.weights.empty();
-  if (!own_weights) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
-  PoseSpan pose = blend(plan, input, memory, layers, own_weights, holds_clip, work);
-  for (const ClipLayer& layer : input.layers) {
+PoseSpan evaluate_pose(const CompiledPlan& plan, std::span<const ClipLayer> layers,
+                       std::span<const float> given_weights, FrameMemory memory, std::span<BlendLayer> blend_layers,
+                       bool same_clip, FrameWork& work) noexcept {
+  const LayerOutput own = output_of_layer(plan, memory, 0);
+  const bool own_weights = given_weights.empty() && !own.weights.empty();
+  if (!own_weights) std::copy(given_weights.begin(), given_weights.end(), own.weights.begin());
+  PoseSpan pose = blend(plan, layers, memory, blend_layers, own_weights, same_clip, work);
+  for (const ClipLayer& layer : layers) {
     if (!takes_part(plan, layer, true)) continue;
     if (pose.planes != own.pose.planes)
       std::copy_n(pose.planes, PoseSpan::floats_for(pose.joint_count), own.pose.planes);

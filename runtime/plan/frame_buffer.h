@@ -7,17 +7,27 @@
 #include <span>
 
 #include "runtime/base/result.h"
+#include "runtime/math/affine.h"
 #include "runtime/plan/compile_plan.h"
-#include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_result.h"
 
 namespace sinew {
 
-struct FrameTables;
-enum class StandingJoints : std::uint8_t;
+struct FrameInput;
 
-/// Memory that one frame runs into: one block of Plan::frame_bytes bytes, made once and reused every frame. Nothing
-/// else is ever allocated for a character.
+/// What a frame buffer remembers of the input of its last run; the arrays are in its block. Internal to plan/.
+struct LastInput {
+  bool is_known = false;  ///< the block has the arrays, and the pose that they gave
+  bool asleep = false;    ///< the pose in the block is of an earlier run
+  float interpolation_factor = 0.0f;
+  std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0;
+  Affine root;
+};
+
+/// Memory that one frame runs into: one block of Plan::frame_bytes() bytes, made once and reused every frame, with the
+/// result and the input of its last run. Nothing else is ever allocated for a character. The buffer shares what the
+/// plan holds, so the plan's own handle may go or be assigned anew; run_plan then answers size_mismatch for the new
+/// plan.
 class FrameBuffer {
  public:
   static constexpr std::size_t kAlignment = 64;  ///< of the block
@@ -26,7 +36,7 @@ class FrameBuffer {
   explicit FrameBuffer(const Plan& plan) : FrameBuffer(plan, *std::pmr::new_delete_resource()) {}
   FrameBuffer(const Plan& plan, std::pmr::memory_resource& memory);
 
-  /// Uses the caller's block: at least Plan::frame_bytes bytes at a multiple of kAlignment, which must outlive the
+  /// Uses the caller's block: at least Plan::frame_bytes() bytes at a multiple of kAlignment, which must outlive the
   /// buffer.
   FrameBuffer(const Plan& plan, std::span<std::byte> block);
 
@@ -35,44 +45,33 @@ class FrameBuffer {
 
   const FrameResult& result() const noexcept { return result_; }
 
-  /// The result is that of this input: running it again would do nothing (P19).
-  bool holds_result_of(const Plan& plan, const FrameInput& input) const noexcept;
-
-  /// Asks for what the next run touches first, without waiting for it: for a crowd, while the character before it runs.
-  /// Where all together exceed the caches, poses take up to a third less time, and those of a small crowd as long as
-  /// without.
-  void prefetch(const Plan& plan) const noexcept;
+  /// Asks the processor for what the next run touches first, without waiting for it. For a crowd: call it for the next
+  /// character while this one runs. Worth it where all buffers together exceed the caches.
+  void prefetch() const noexcept;
 
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
-  /// For a character that takes turns with several buffers: the next run into this one follows the one into `before`,
-  /// so that what has not changed is told by comparison with it. `before` must be there, unchanged, during that run.
+  /// For a character that takes turns with several buffers: the next run into this one follows the run into `before`,
+  /// and what is unchanged is found by comparison with it. `before` must be of the same plan, and stay unchanged until
+  /// that run has ended.
   void follow(const FrameBuffer& before) noexcept { before_ = &before; }
 
  private:
   friend ErrorCode run_plan(const Plan&, const FrameInput&, FrameBuffer&) noexcept;
+  friend bool holds_result_of(const FrameBuffer&, const FrameInput&) noexcept;
+
   struct GiveBack {
     std::pmr::memory_resource* memory = nullptr;  // null: the caller's block
     std::size_t byte_count = 0;
     void operator()(std::byte* block) const noexcept;
   };
   FrameBuffer(const Plan& plan, std::unique_ptr<std::byte, GiveBack> block);
-  // `tables`: of this buffer's own memory.
-  bool holds_result_of(const FrameTables& tables, const FrameInput& input) const noexcept;
-  StandingJoints standing(const Plan& plan, const FrameTables& tables, const FrameInput& input) const noexcept;
-  bool holds_clip(const FrameTables& tables, const FrameInput& input) const noexcept;
-  void keep(const FrameTables& tables, const FrameInput& input) noexcept;
 
-  const Scene* scene_ = nullptr;   // the rest pose in the memory is this scene's
-  std::uint64_t fingerprint_ = 0;  // of the plan
+  std::shared_ptr<const CompiledPlan> plan_;  // null: moved from
   std::unique_ptr<std::byte, GiveBack> block_;
   const FrameBuffer* before_ = nullptr;
-  bool keeps_input_ = false;  // the block has the input of its last run as well, and whatever that gave
-  std::size_t layer_count_ = 0, weight_count_ = 0, ahead_count_ = 0;
-  float interpolation_factor_ = 0.0f;
-  bool asleep_ = false;  // in the last run: the joints in the block are of another one
-  Affine root_;
+  LastInput last_;
   FrameResult result_;
 };
 

@@ -1,45 +1,54 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/math/affine.h"
 
 namespace sinew {
 
-/// How a layer enters the pose: averaged with its like, or added on top of their mean (add_pose.h), as far as the clip
-/// differs from the rest pose or from its own first instant.
+/// How a layer enters the pose. `blend`: layers of this kind are averaged. The others are added on top of that mean
+/// (add_pose.h): the difference of the clip from the rest pose, or from the clip's own first instant.
 enum class LayerKind : std::uint8_t { blend, add_to_rest, add_to_start };
 
 /// One clip playing at one time, with a weight.
 struct ClipLayer {
-  std::uint32_t clip = 0;
+  std::uint32_t clip = 0;  ///< index into Scene::clips as it was when the plan was compiled
   double time_s = 0.0;
   float weight = 1.0f;
-  std::uint32_t mask =
-      kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights have none
+  std::uint32_t mask = kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights and
+                               ///< properties have no mask
   LayerKind kind = LayerKind::blend;
 };
 
-/// What to evaluate. No layers = rest pose (also when the scene has no clips at all). Layers are averaged by weight,
-/// where the weights sum to less than 1 the rest pose fills up; a layer of weight 0 is as good as absent. Layers that
-/// add follow in their order.
+/// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ.
+inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer> b) noexcept {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ClipLayer& x, const ClipLayer& y) {
+    return x.clip == y.clip && same_bits(x.time_s, y.time_s) && same_bits(x.weight, y.weight) && x.mask == y.mask &&
+           x.kind == y.kind;
+  });
+}
+
+/// What to evaluate. All numbers must be finite. No layers = the rest pose (also when the scene has no clips at all).
+/// Layers that blend are averaged by weight; where the weights sum to less than 1 the rest pose fills up, and a layer
+/// of weight 0 is as good as absent. Layers that add follow in their order.
 struct FrameInput {
   std::span<const ClipLayer> layers;
-  std::span<const float> weights;  ///< [W] replaces all morph weights; empty = from the clips, else rest.
-                                   ///< Correctives add to either
-  Affine root;                     ///< placed above all root joints
-  std::span<const ClipLayer> next_layers =
-      {};  ///< layers of a later time; not looked at while `interpolation_factor` is 0
-  float interpolation_factor =
-      0.0f;  ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`, each of which is evaluated
-             ///< once as long as it stays: needs Needs::between_updates, else 0
-  std::span<const std::uint8_t> out_of_view =
-      {};               ///< [instances] 1: nobody sees the mesh, which is then neither morphed nor
-                        ///< skinned nor bounded; joints and weights are as ever. Empty = all are in view
-  bool asleep = false;  ///< nobody needs anything of the character: no stage runs and the result is empty. Clocks,
-                        ///< events and root motion go on, they lie outside of frames
+  std::span<const float> weights;               ///< [W] replaces all morph weights; empty = from the clips, else rest.
+                                                ///< Correctives add to either
+  Affine root;                                  ///< placed above all root joints
+  std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; ignored while `interpolation_factor` is 0
+  /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
+  /// as long as its layers stay the same. Other values than 0 need Needs::between_updates.
+  float interpolation_factor = 0.0f;
+  /// [instances] 1 = the mesh instance is neither morphed nor skinned nor bounded, since nobody sees it. Joints and
+  /// weights are evaluated all the same. Empty = all are in view.
+  std::span<const std::uint8_t> out_of_view = {};
+  bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion lie outside of frames
+                        ///< and go on
 };
 
 }  // namespace sinew

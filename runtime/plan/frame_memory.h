@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/compiled_plan.h"
 #include "runtime/pose/pose.h"
 
 namespace sinew {

@@ -6,7 +6,6 @@
 #include "runtime/math/affine.h"
 #include "runtime/math/joint_matrix.h"
 #include "runtime/model/mesh.h"
-#include "runtime/plan/work_counters.h"
 
 namespace sinew {
 
@@ -20,22 +19,22 @@ struct DeformedPrimitive {
   std::span<const glm::vec3> normals;
   std::span<const glm::vec4> tangents;
   std::span<const glm::vec4> colors;  ///< only when a target morphs COLOR_0
-  std::uint64_t since_frame =
-      0;  ///< first FrameResult::frame of the unbroken row of frames with exactly these
-          ///< vertices: who has those of any of them need not upload (P19). 0 = nothing to upload
+  /// Vertices are bit-identical since this FrameResult::frame; skip the upload if yours is as new. 0 = nothing to
+  /// upload.
+  std::uint64_t since_frame = 0;
 };
 
 /// One mesh instance in this frame.
 struct InstanceResult {
-  Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already (G29);
+  Affine world_from_mesh;             ///< identity for skinned meshes: their vertices are in world space already.
                                       ///< MeshInstance::copies are relative to it (mesh_copies.h)
   std::uint32_t first_primitive = 0;  ///< into FrameResult::primitives: one entry per primitive of its mesh
-  bool mirrored = false;              ///< front faces wind clockwise (G48): the determinant of world_from_mesh is
-                                      ///< negative, for a skinned mesh that of the first joint's skinning matrix
-  bool visible = true;  ///< false: on a hidden joint, or out of view by FrameInput; then its box is empty and,
-                        ///< but for hidden meshes that are asked for, nothing is deformed
-  Aabb bounds;          ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their
-                        ///< vertices; rigid ones: the box of their moved rest box, which holds it (G54)
+  bool mirrored = false;  ///< front faces wind clockwise: the determinant of world_from_mesh is negative, for a skinned
+                          ///< mesh the determinant of the first joint's skinning matrix (G48)
+  bool visible = true;    ///< false: on a hidden joint, or out of view by FrameInput. Then its box is empty and nothing
+                          ///< is deformed, except hidden meshes under Needs::hidden_meshes
+  Aabb bounds;  ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their vertices. Rigid
+                ///< meshes: the box of their moved rest box, which contains the vertices
 };
 
 /// Skinning matrices of one skin; empty when no mesh instance of this frame uses it.
@@ -44,23 +43,47 @@ struct SkinPalette {
   std::uint64_t since_frame = 0;          ///< as in DeformedPrimitive
 };
 
+/// Work done by one frame of one instance. A stage that the plan leaves out counts exactly zero.
+struct WorkCounters {
+  std::uint64_t tracks_sampled = 0;
+  std::uint64_t properties_sampled = 0;
+  std::uint64_t poses_blended = 0;
+  std::uint64_t poses_added = 0;
+  std::uint64_t poses_interpolated = 0;  ///< between two that are there
+  std::uint64_t poses_compared = 0;      ///< with the samples of correctives
+  std::uint64_t joints_composed = 0;
+  std::uint64_t palette_entries = 0;
+  std::uint64_t palette_entries_split = 0;
+  std::uint64_t combinations_blended = 0;
+  std::uint64_t morph_deltas = 0;
+  std::uint64_t vertices_morphed = 0;
+  std::uint64_t vertices_skinned_linear = 0;
+  std::uint64_t normals_by_cofactors = 0;  ///< of the vertices that are skinned linearly
+  std::uint64_t vertices_skinned_dual_quaternion = 0;
+  std::uint64_t vertices_skinned_center_of_rotation = 0;
+  std::uint64_t windings_tested = 0;  ///< of mesh instances, whose scale may change its sign
+  std::uint64_t flat_triangles = 0;
+  std::uint64_t bounds_vertices = 0;
+
+  friend bool operator==(const WorkCounters&, const WorkCounters&) = default;
+};
+
 /// What one frame of one character gives: views into memory that belongs to the buffer it was run into. Valid until
 /// that buffer runs again.
 struct FrameResult {
-  std::uint64_t frame = 0;  ///< counts up by one per run of the instance
-  std::uint64_t since_frame =
-      0;  ///< first frame of an unbroken row with this very input, and so with this result (P19)
-  std::span<const Affine>
-      model;  ///< [J] world matrix of every joint, or [K] of those kept (Plan::rig; world_of in rig.h)
-  std::span<const float> weights;         ///< [W] morph weights of all mesh instances (Scene::first_weight), with
-                                          ///< what correctives add where the plan runs them
+  std::uint64_t frame = 0;         ///< counts up by one per run of the character
+  std::uint64_t since_frame = 0;   ///< first of an unbroken row of frames with this very input, and so with this result
+  std::span<const Affine> model;   ///< [J] world matrix of every joint, or [K] of those that Needs::skeleton_lod keeps
+                                   ///< (world_of in compile_plan.h)
+  std::span<const float> weights;  ///< [W] morph weights of all mesh instances (Scene::first_weight), with what
+                                   ///< correctives add where the plan runs them
   std::span<const float> properties;      ///< [P] as in Scene::properties; empty when not asked for (scene_look.h)
   std::span<const bool> hidden;           ///< [J] joints not shown; empty when nothing of the scene is ever hidden
   std::span<const SkinPalette> palettes;  ///< [skins]; empty unless Needs::palettes
   std::span<const InstanceResult> instances;
   std::span<const DeformedPrimitive> primitives;
-  std::span<const std::uint64_t> stage_ns;  ///< [stages] nanoseconds that each of Plan::stages took, 0 for one that did
-                                            ///< not run; empty unless Needs::stage_times
+  std::span<const std::uint64_t> stage_ns;  ///< [kStageCount] nanoseconds of each Stage, 0 for one that did not run;
+                                            ///< empty unless Needs::stage_times
   WorkCounters work;
 };
 

@@ -5,31 +5,10 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/plan/work_counters.h"
+#include "runtime/plan/frame_result.h"
+#include "runtime/plan/plan_stages.h"
 
 namespace sinew {
-
-/// The stages of a plan, in the order of Plan::stages and of FrameResult::stage_ns.
-enum class Stage : std::uint8_t {
-  sample,
-  blend,
-  add,
-  interpolate,
-  correctives,
-  properties,
-  local_to_model,
-  palette,
-  split_palette,
-  combinations,
-  winding,
-  morph,
-  skin_linear,
-  skin_dual_quaternion,
-  skin_center_of_rotation,
-  flat_normals,
-  bounds
-};
-inline constexpr std::size_t kStageCount = 17;
 
 /// What one frame does while it does it: counts, and where Needs::stage_times asks for them the times of the stages.
 struct FrameWork : WorkCounters {

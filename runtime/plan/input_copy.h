@@ -15,10 +15,10 @@ class InputCopy {
  public:
   explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
       : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory) {
-    layers_.reserve(plan.needs.layer_room());
-    if (plan.needs.between_updates) next_layers_.reserve(plan.needs.layer_room());
-    weights_.reserve(plan.scene->weight_count());
-    out_of_view_.reserve(plan.scene->instances.size());
+    layers_.reserve(plan.needs().layer_room());
+    if (plan.needs().between_updates) next_layers_.reserve(plan.needs().layer_room());
+    weights_.reserve(plan.scene().weight_count());
+    out_of_view_.reserve(plan.scene().instances.size());
   }
 
   /// Assigning the input will allocate nothing.

@@ -5,7 +5,6 @@
 #include <cassert>
 
 #include "runtime/plan/evaluate_pose.h"
-#include "runtime/plan/same_layers.h"
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/blend_weights.h"
 
@@ -17,8 +16,8 @@ struct PoseAndNumbers {
   PoseSpan pose;
   std::span<float> weights, properties;
 
-  PoseAndNumbers(const Plan& plan, const PosePlaces& places, FrameMemory memory) noexcept
-      : pose(memory.pose(places.pose_at, plan.rig.joint_count())),
+  PoseAndNumbers(const CompiledPlan& plan, const PoseLayout& places, FrameMemory memory) noexcept
+      : pose(memory.pose(places.pose_at, plan.assets.joint_count())),
         weights(memory.array<float>(places.weights_at, plan.rest_weights.size())),
         properties(
             memory.array<float>(places.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0)) {}
@@ -33,38 +32,46 @@ struct PoseAndNumbers {
   }
 };
 
-std::span<ClipLayer> layers_of_end(const Plan& plan, FrameMemory memory, std::size_t end) noexcept {
-  return memory.array<ClipLayer>(plan.tables.end_layers_at[end], plan.tables.input_layer_count);
+std::span<ClipLayer> layers_of_update(const CompiledPlan& plan, FrameMemory memory, std::size_t update) noexcept {
+  return memory.array<ClipLayer>(plan.layout.tables.update_layers_at[update], plan.layout.tables.input_layer_count);
 }
 
-/// Takes the pose of these layers from wherever a frame has it already; false where none does.
-bool take_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step) noexcept {
-  const auto has = [&](const FrameTables& tables, FrameMemory memory, std::size_t e) {
-    return tables.ends[e].is_there &&
-           same_layers(layers, layers_of_end(plan, memory, e).first(tables.ends[e].layer_count));
+/// Copies the pose of these layers from wherever this frame's memory or that of the frame before has it; false where
+/// neither does.
+bool reuse_update(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t update,
+                  const FrameStep& step) noexcept {
+  const auto has = [&](const FrameTables& tables, FrameMemory memory, std::size_t u) {
+    return tables.updates[u].is_there &&
+           same_layers(layers, layers_of_update(plan, memory, u).first(tables.updates[u].layer_count));
   };
-  if (has(step.tables, step.memory, end)) return true;
-  const PoseAndNumbers own(plan, plan.ends[end], step.memory);
-  for (std::size_t e = 0; e < 2; ++e) {
-    if (has(step.tables, step.memory, e)) return own.take({plan, plan.ends[e], step.memory}), true;
-    if (has(step.tables_before, step.memory_before, e)) return own.take({plan, plan.ends[e], step.memory_before}), true;
+  if (has(step.tables, step.memory, update)) return true;
+  const PoseAndNumbers own(plan, plan.layout.updates[update], step.memory);
+  for (std::size_t u = 0; u < 2; ++u) {
+    if (has(step.tables, step.memory, u)) {
+      own.take({plan, plan.layout.updates[u], step.memory});
+      return true;
+    }
+    if (has(step.tables_before, step.memory_before, u)) {
+      own.take({plan, plan.layout.updates[u], step.memory_before});
+      return true;
+    }
   }
   return false;
 }
 
-/// Makes the pose of these layers the frame's end of that number.
-void fill_end(const Plan& plan, std::span<const ClipLayer> layers, std::size_t end, const FrameStep& step,
-              FrameWork& work) noexcept {
-  if (!take_end(plan, layers, end, step)) {
-    PoseAndNumbers made(plan, {plan.pose_at, plan.weights_at, plan.properties_at}, step.memory);
-    made.pose = evaluate_pose(plan, {.layers = layers, .weights = {}, .root = {}}, step.memory,
-                              step.tables.blend_layers, false, work);
-    PoseAndNumbers(plan, plan.ends[end], step.memory).take(made);
+/// Provides the pose of these layers in the frame's memory, evaluated where no memory has it.
+/// in   update  0 for FrameInput::layers, 1 for FrameInput::next_layers
+void provide_update(const CompiledPlan& plan, std::span<const ClipLayer> layers, std::size_t update,
+                    const FrameStep& step, FrameWork& work) noexcept {
+  if (!reuse_update(plan, layers, update, step)) {
+    PoseAndNumbers made(plan, {plan.layout.pose_at, plan.layout.weights_at, plan.layout.properties_at}, step.memory);
+    made.pose = evaluate_pose(plan, layers, {}, step.memory, step.tables.blend_layers, false, work);
+    PoseAndNumbers(plan, plan.layout.updates[update], step.memory).take(made);
   }
-  UpdateEnd& kept = step.tables.ends[end];
-  kept.is_there = layers.size() <= plan.tables.input_layer_count;
+  KeptUpdate& kept = step.tables.updates[update];
+  kept.is_there = layers.size() <= plan.layout.tables.input_layer_count;
   kept.layer_count = kept.is_there ? layers.size() : 0;
-  std::copy_n(layers.begin(), kept.layer_count, layers_of_end(plan, step.memory, end).begin());
+  std::copy_n(layers.begin(), kept.layer_count, layers_of_update(plan, step.memory, update).begin());
   work.spent_on(Stage::interpolate);
 }
 
@@ -82,19 +89,21 @@ void mix(const PoseAndNumbers& first, const PoseAndNumbers& second, float interp
 
 }  // namespace
 
-PoseSpan interpolate_poses(const Plan& plan, const FrameInput& input, const FrameStep& step, FrameWork& work) noexcept {
-  const PoseAndNumbers own(plan, {plan.pose_at, plan.weights_at, plan.properties_at}, step.memory);
-  const PoseAndNumbers ends[2] = {{plan, plan.ends[0], step.memory}, {plan, plan.ends[1], step.memory}};
-  fill_end(plan, input.layers, 0, step, work);
-  if (input.interpolation_factor != 0.0f) fill_end(plan, input.next_layers, 1, step, work);
-  own.take_numbers(ends[0]);
+PoseSpan interpolate_poses(const CompiledPlan& plan, const FrameInput& input, const FrameStep& step,
+                           FrameWork& work) noexcept {
+  const PoseAndNumbers own(plan, {plan.layout.pose_at, plan.layout.weights_at, plan.layout.properties_at}, step.memory);
+  const PoseAndNumbers first(plan, plan.layout.updates[0], step.memory);
+  const PoseAndNumbers second(plan, plan.layout.updates[1], step.memory);
+  provide_update(plan, input.layers, 0, step, work);
+  if (input.interpolation_factor != 0.0f) provide_update(plan, input.next_layers, 1, step, work);
+  own.take_numbers(first);
   if (input.interpolation_factor != 0.0f) {
-    mix(ends[0], ends[1], input.interpolation_factor, own);
+    mix(first, second, input.interpolation_factor, own);
     work.poses_interpolated += 1;
   }
   if (!input.weights.empty()) std::copy(input.weights.begin(), input.weights.end(), own.weights.begin());
   work.spent_on(Stage::interpolate);
-  return input.interpolation_factor != 0.0f ? own.pose : ends[0].pose;
+  return input.interpolation_factor != 0.0f ? own.pose : first.pose;
 }
 
 }  // namespace sinew

@@ -12,7 +12,7 @@ namespace {
 
 int sign_of(double x) noexcept { return (x > 0.0) - (x < 0.0); }
 
-/// The scales that one joint is seen to have.
+/// The scales that one joint has in rest pose, constants and keys.
 class SeenScales {
  public:
   void add(const std::array<float, 3>& scale) noexcept {
@@ -49,15 +49,15 @@ void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenSc
   }
 }
 
-/// Of each joint alone.
-std::vector<SeenScales> own_scales(const Rig& rig) {
-  std::vector<SeenScales> scales(rig.joint_count());
+/// The scale of each joint by itself, without the joints above it.
+std::vector<SeenScales> own_scales(const PlanAssets& assets) {
+  std::vector<SeenScales> scales(assets.joint_count());
   for (std::size_t j = 0; j < scales.size(); ++j) {
-    const glm::vec3 rest = rig.skeleton->rest[j].scale;
+    const glm::vec3 rest = assets.skeleton->rest[j].scale;
     scales[j].add({rest.x, rest.y, rest.z});
   }
-  for (const Clip* clip : rig.clips) {
-    const ClipLayout& layout = clip->layout();
+  for (const Clip& clip : assets.clips) {
+    const ClipLayout& layout = clip.layout();
     const BasePose& base = layout.base_pose;
     const auto constant = [&](std::size_t component, std::size_t j) {
       return base.planes[(first_plane(Property::scale) + component) * base.stride + j];
@@ -72,9 +72,9 @@ std::vector<SeenScales> own_scales(const Rig& rig) {
 
 }  // namespace
 
-std::vector<JointScale> joint_scales(const Rig& rig, bool additive) {
-  const Skeleton& skeleton = *rig.skeleton;
-  const std::vector<SeenScales> own = own_scales(rig);
+std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive) {
+  const Skeleton& skeleton = *assets.skeleton;
+  const std::vector<SeenScales> own = own_scales(assets);
   std::vector<JointScale> all;
   for (std::size_t j = 0; j < own.size(); ++j) {
     JointScale scale = own[j].result(additive);

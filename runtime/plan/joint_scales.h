@@ -4,33 +4,34 @@
 #include <vector>
 
 #include "runtime/math/affine.h"
-#include "runtime/plan/rig.h"
+#include "runtime/plan/plan_assets.h"
 
 namespace sinew {
 
-/// How far from rigid a matrix may be. A product is as far as the farther of its factors.
+/// How far from rigid a matrix may be. The kind of a product is at most the larger kind of its factors.
 enum class ScaleKind : std::uint8_t {
   none,   ///< lengths stay
-  even,   ///< all directions by one factor, mirrored or not
-  uneven  ///< or sheared
+  even,   ///< all directions scale by one factor, mirrored or not
+  uneven  ///< directions scale differently, or the matrix shears
 };
 
-/// What scale reaches a joint in any pose, from the joint itself and from those above it, but for the frame's root.
+/// What scale reaches a joint in any pose, from the joint itself and from those above it, without the frame's root.
 struct JointScale {
   ScaleKind kind = ScaleKind::none;
-  int sign = 1;             ///< of the determinant, where it does not change: 0 where scale is nothing
+  int sign = 1;             ///< of the determinant, where it does not change; 0 where some scale is 0
   bool may_change = false;  ///< the sign
 };
 
-/// From rest pose, constants and keys of all clips. Tracks that may leave the range of their keys (cubic, rounded) may
-/// do anything. in   additive   layers may add: where scale is not always the same, it may get any sign out  [joints of
-/// the rig]      cost O(J + keys of scale tracks), allocates
-std::vector<JointScale> joint_scales(const Rig& rig, bool additive);
+/// From the rest pose, constants and keys of all clips. Tracks that may leave the range of their keys (cubic, rounded)
+/// are taken to reach any scale.
+/// in   additive   layers may add: a scale that changes at all may get any sign
+/// out  [joints of poses]      cost O(J + keys of scale tracks), allocates. Internal to plan/
+std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive);
 
-/// Of a matrix as it stands; what rounding leaves of an even one (1e-5 of its size) is even.
+/// The kind of one matrix. Differences below 1e-5 of its size count as rounding: the matrix is even.
 ScaleKind scale_kind(const Affine& m) noexcept;
 
-/// -1, 0 or 1. In double: the product of three small scales must not vanish.
+/// -1, 0 or 1. Computed in double, where the product of three small scales does not vanish.
 int determinant_sign(const Affined& m) noexcept;
 
 }  // namespace sinew

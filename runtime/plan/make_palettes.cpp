@@ -11,11 +11,11 @@
 namespace sinew {
 namespace {
 
-void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
+void split(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
            FrameWork& work) noexcept {
   const SplitPaletteJob job{.palette = palette,
-                            .split = memory.array<RigidStretch>(plan.split_at[skin], palette.size()),
-                            .any_stretch = &memory.array<bool>(plan.stretch_at, plan.split.size())[skin],
+                            .split = memory.array<RigidStretch>(plan.layout.split_at[skin], palette.size()),
+                            .any_stretch = &memory.array<bool>(plan.layout.stretch_at, plan.split.size())[skin],
                             .follow = plan.hemisphere_edges[skin]};
   assert(check(job) == ErrorCode::ok);
   run(job);
@@ -23,13 +23,13 @@ void split(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pale
   work.spent_on(Stage::split_palette);
 }
 
-/// The matrices that vertices share, behind those of the joints (C06).
-void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
+/// The matrices that vertices share, behind those of the joints.
+void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMatrix> palette, FrameMemory memory,
              FrameWork& work) noexcept {
   for (const CombinedInfluences& combined : plan.combined[skin]) {
     if (!combined.used()) continue;
     const std::span<JointMatrix> all =
-        memory.array<JointMatrix>(plan.palette_at[skin], combined.first_matrix + combined.combination_count);
+        memory.array<JointMatrix>(plan.layout.palette_at[skin], combined.first_matrix + combined.combination_count);
     const BlendCombinationsJob job{
         .combinations = &combined.combinations, .palette = palette, .blended = all.subspan(combined.first_matrix)};
     assert(check(job) == ErrorCode::ok);
@@ -40,9 +40,9 @@ void combine(const Plan& plan, std::size_t skin, std::span<const JointMatrix> pa
 }
 
 /// Palette of a skin from the model matrices, in memory that all skins share.
-std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::span<const Affine> model,
+std::span<const JointMatrix> compute(const CompiledPlan& plan, const Skin& skin, std::span<const Affine> model,
                                      FrameMemory memory, FrameWork& work) noexcept {
-  const std::span<JointMatrix> made = memory.array<JointMatrix>(plan.new_palette_at, skin.joints.size());
+  const std::span<JointMatrix> made = memory.array<JointMatrix>(plan.layout.new_palette_at, skin.joints.size());
   const JointPaletteJob job{.skin = &skin, .model = model, .palette = made};
   assert(check(job) == ErrorCode::ok);
   run(job);
@@ -51,16 +51,17 @@ std::span<const JointMatrix> compute(const Plan& plan, const Skin& skin, std::sp
   return made;
 }
 
-void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step,
+void make_palette(const CompiledPlan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step,
                   FrameWork& work) noexcept {
-  const Skin& skin = *plan.rig.skins[s];
+  const Skin& skin = *plan.assets.skins[s];
   const std::size_t count = skin.joints.size();
-  const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.palette_at[s], count);
+  const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.layout.palette_at[s], count);
   SkinPalette& kept = step.tables.palettes[s];
-  const bool is_there = step.standing == StandingJoints::all && kept.since_frame != 0;
+  const bool is_there = step.changes.current_matrices == CurrentMatrices::all && kept.since_frame != 0;
   const std::span<const JointMatrix> made = is_there ? palette : compute(plan, skin, model, step.memory, work);
 
-  const std::span<const JointMatrix> before = step.memory_before.array<const JointMatrix>(plan.palette_at[s], count);
+  const std::span<const JointMatrix> before =
+      step.memory_before.array<const JointMatrix>(plan.layout.palette_at[s], count);
   const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
   const bool unchanged = since_before != 0 && same_bits<JointMatrix>(made, before);
   const bool is_current = is_there || (unchanged && kept.since_frame == since_before);
@@ -73,8 +74,8 @@ void make_palette(const Plan& plan, std::size_t s, std::span<const Affine> model
 
 }  // namespace
 
-void make_palettes(const Plan& plan, std::span<const Affine> model, std::span<const bool> wanted, const FrameStep& step,
-                   FrameWork& work) noexcept {
+void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std::span<const bool> wanted,
+                   const FrameStep& step, FrameWork& work) noexcept {
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     if (!plan.palette[s]) continue;
     if (wanted.empty() || wanted[s])

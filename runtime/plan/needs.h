@@ -5,36 +5,50 @@
 #include <vector>
 
 #include "runtime/deform/skin_linear.h"
-#include "runtime/plan/skeleton_lod.h"
+#include "runtime/math/transform.h"
 
 namespace sinew {
 
 /// How skinned vertices follow their joints. `center_of_rotation` needs Primitive::centers_of_rotation; a primitive
-/// that has none is skinned linearly, which is what a vertex without a center gets too (N21).
+/// without them is skinned linearly, and so is a vertex without a center.
 enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation };
+
+/// Skeleton LOD: which joints poses have. A joint that is left out has no track, no transform and no matrix in any
+/// frame. It hangs rigidly on the nearest joint above that is kept; vertices, meshes, cameras and lights on it follow
+/// that one. compile_skeleton_lod (compile_skeleton_lod.h) finds the joints that move vertices least, and by how much.
+///
+/// The LODs of a character are several plans of one scene. To change level, run the other plan into another frame
+/// buffer, or into a new one over the same block of memory. On a job thread every level is a character of its own, and
+/// all but one are asleep.
+struct SkeletonLod {
+  std::vector<bool>
+      kept;  ///< [J] empty = all. Roots, joints above kept ones, and joints that drive correctives stay too
+  std::vector<Transform> held;  ///< [J] local transforms of the joints that are left out; empty = the rest pose. Joints
+                                ///< with a fixed matrix keep it
+};
 
 /// What the consumer of frames asks for. A stage that neither the needs nor the scene call for is left out of the plan.
 struct Needs {
-  bool joints = true;     ///< model matrices of the joints that `skeleton_lod` keeps
+  bool joints = true;     ///< world matrices of the joints that `skeleton_lod` keeps
   bool positions = true;  ///< deformed vertex positions
   bool normals = true;
   bool tangents = true;
   bool weights = true;           ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool palettes = false;         ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
-  bool bounds = false;           ///< boxes of the mesh instances (P14)
-  bool properties = true;        ///< animated numbers of materials, lights and cameras (P15)
+  bool bounds = false;           ///< boxes of the mesh instances
+  bool properties = true;        ///< animated numbers of materials, lights and cameras
   bool hidden_meshes = false;    ///< deform meshes on hidden joints as well
-  bool stage_times = false;      ///< what each stage takes, for people who look; reads the clock a few times per frame
-  std::uint32_t max_layers = 4;  ///< most clip layers in one frame; 1 = no blending stage and no memory for it (P06)
+  bool stage_times = false;      ///< the time that each stage takes; reads the clock a few times per frame
+  std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;  ///< most of those in one frame, where `additive`
+  std::uint32_t max_additive_layers = 8;  ///< most of them whose input is remembered, where `additive`
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
-  SkeletonLod skeleton_lod;               ///< joints that poses can do without
+  SkeletonLod skeleton_lod;               ///< joints that poses do without
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
-  NormalRule normal_rule = NormalRule::linear;  ///< of linear blending; the other kinds turn normals exactly
+  NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly
 
   Skinning skinning_of(std::size_t instance) const noexcept {
     return instance < instance_skinning.size() ? instance_skinning[instance] : skinning;
@@ -43,7 +57,7 @@ struct Needs {
   std::size_t layer_room() const noexcept {
     return std::size_t{max_layers} + (additive ? std::size_t{max_additive_layers} : 0);
   }
-  /// Something about the meshes themselves, not just joints and weights.
+  /// Asks for something about the meshes themselves, not just joints and weights.
   bool vertices() const noexcept { return positions || normals || tangents || bounds; }
 };
 

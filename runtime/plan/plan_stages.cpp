@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/clip/clip_layout.h"
+#include "runtime/plan/compiled_plan.h"
 #include "runtime/pose/joint_palette.h"
 #include "runtime/pose/pose.h"
 
@@ -16,11 +17,11 @@ std::string counted(std::uint64_t count, const std::string& one, const std::stri
 
 std::string primitives(std::uint64_t count) { return counted(count, "primitive", "primitives"); }
 
-std::uint64_t pose_bytes(const Plan& plan) {
-  return sizeof(float) * (PoseSpan::floats_for(plan.rig.joint_count()) + plan.scene->weight_count());
+std::uint64_t pose_bytes(const CompiledPlan& plan) {
+  return sizeof(float) * (PoseSpan::floats_for(plan.assets.joint_count()) + plan.scene->weight_count());
 }
 
-/// How many tracks of a clip go which way between keys (P04, P05): only ways that some track takes cost anything.
+/// How many tracks of a clip use each kind of interpolation. A kind that no track uses costs nothing.
 std::string describe_tracks(const Clip& clip) {
   std::uint32_t steps = 0, lerps = 0, slerps = 0, cubics = 0, squads = 0;
   for (const TimeGroup& group : clip.layout().groups)
@@ -37,59 +38,63 @@ std::string describe_tracks(const Clip& clip) {
   const auto add = [&](std::uint32_t count, const char* kind) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
   };
-  add(steps, "step"), add(lerps, "linear"), add(slerps, "slerp"), add(cubics, "cubic"), add(squads, "squad");
+  add(steps, "step");
+  add(lerps, "linear");
+  add(slerps, "slerp");
+  add(cubics, "cubic");
+  add(squads, "squad");
   return text.empty() ? "none that moves" : text;
 }
 
-PlanStage describe_sample(const Plan& plan) {
-  const std::size_t clips = plan.scene->clips.size();
+PlanStage describe_sample(const CompiledPlan& plan) {
+  const std::size_t clips = plan.assets.clips.size();
   if (clips == 0) return {"sample", false, "no clips: the rest pose is written once", 0, 0};
   if (!plan.sample) return {"sample", false, "neither joints nor vertices nor morph weights are asked for", 0, 0};
   const auto tracks_of = [](const ClipTracks& clip) { return clip.joints + clip.weights; };
   const auto most =
       std::max_element(plan.clip_tracks.begin(), plan.clip_tracks.end(),
                        [&](const ClipTracks& a, const ClipTracks& b) { return tracks_of(a) < tracks_of(b); });
-  const Clip& clip = *plan.rig.clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
+  const Clip& clip = plan.assets.clips[static_cast<std::size_t>(most - plan.clip_tracks.begin())];
   return {"sample", true, counted(clips, "clip", "clips") + "; the one with most tracks has " + describe_tracks(clip),
           tracks_of(*most), pose_bytes(plan)};
 }
 
-PlanStage describe_blend(const Plan& plan) {
+PlanStage describe_blend(const CompiledPlan& plan) {
   const std::uint64_t layers = plan.needs.max_layers;
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
   if (!plan.blend) return {"blend", false, "at most one layer is asked for", 0, 0};
   const std::string limit =
       layers == 1 ? "one layer, which a mask may limit" : "up to " + std::to_string(layers) + " layers";
-  return {"blend", true, limit + "; a single one of full weight skips the stage", plan.rig.joint_count(),
+  return {"blend", true, limit + "; a single one of full weight skips the stage", plan.assets.joint_count(),
           pose_bytes(plan) * std::max<std::uint64_t>(layers - 1, 1)};
 }
 
-PlanStage describe_add(const Plan& plan) {
+PlanStage describe_add(const CompiledPlan& plan) {
   if (!plan.sample) return {"add", false, "nothing is sampled", 0, 0};
   if (!plan.add) return {"add", false, "no layers that add are asked for", 0, 0};
-  return {"add", true, "layers that add are asked for, one after another", plan.rig.joint_count(),
+  return {"add", true, "layers that add are asked for, one after another", plan.assets.joint_count(),
           2 * pose_bytes(plan)};
 }
 
-PlanStage describe_interpolate(const Plan& plan) {
+PlanStage describe_interpolate(const CompiledPlan& plan) {
   if (!plan.sample) return {"interpolate", false, "nothing is sampled", 0, 0};
   if (!plan.interpolate) return {"interpolate", false, "no frames between updates are asked for", 0, 0};
-  return {"interpolate", true, "frames between updates are asked for; both poses are kept", plan.rig.joint_count(),
+  return {"interpolate", true, "frames between updates are asked for; both poses are kept", plan.assets.joint_count(),
           2 * pose_bytes(plan)};
 }
 
-PlanStage describe_correctives(const Plan& plan) {
-  const std::span<const PoseCorrective> correctives = plan.rig.correctives;
+PlanStage describe_correctives(const CompiledPlan& plan) {
+  const std::span<const PoseCorrective> correctives = plan.assets.correctives;
   if (correctives.empty()) return {"correctives", false, "the scene has no corrective shapes", 0, 0};
   if (!plan.correctives)
     return {"correctives", false, "neither morph weights nor morphed vertices are asked for", 0, 0};
   std::uint64_t samples = 0;
   for (const PoseCorrective& corrective : correctives) samples += corrective.samples.sample_count();
   return {"correctives", true, counted(correctives.size(), "corrective adds", "correctives add") + " to morph weights",
-          samples, plan.corrective_scratch_count * sizeof(double)};
+          samples, plan.layout.corrective_scratch_count * sizeof(double)};
 }
 
-PlanStage describe_properties(const Plan& plan) {
+PlanStage describe_properties(const CompiledPlan& plan) {
   const PropertyTable& table = plan.scene->properties;
   if (table.entries.empty())
     return {"properties", false, "no clip moves a material, a light, a camera or a flag", 0, 0};
@@ -100,8 +105,8 @@ PlanStage describe_properties(const Plan& plan) {
           table.rest.size(), table.rest.size() * sizeof(float)};
 }
 
-/// What kinds of scale reach joints (P07).
-std::string describe_scale(const Plan& plan) {
+/// What kinds of scale reach joints.
+std::string describe_scale(const CompiledPlan& plan) {
   const auto of_kind = [&](ScaleKind kind) {
     return std::count_if(plan.joint_scales.begin(), plan.joint_scales.end(),
                          [&](const JointScale& s) { return s.kind == kind; });
@@ -111,8 +116,8 @@ std::string describe_scale(const Plan& plan) {
   return of_kind(ScaleKind::even) > 0 ? "scale is even" : "no scale";
 }
 
-PlanStage describe_local_to_model(const Plan& plan) {
-  const std::size_t joints = plan.rig.joint_count(), left_out = plan.rig.places.size() - joints;
+PlanStage describe_local_to_model(const CompiledPlan& plan) {
+  const std::size_t joints = plan.assets.joint_count(), left_out = plan.assets.joint_map.size() - joints;
   if (joints == 0) return {"local_to_model", false, "the scene has no nodes", 0, 0};
   if (!plan.local_to_model) return {"local_to_model", false, "neither joints nor vertices are asked for", 0, 0};
   const std::size_t moved = plan.moved_joints.size();
@@ -129,43 +134,51 @@ PlanStage describe_local_to_model(const Plan& plan) {
   return {"local_to_model", true, std::move(reason), joints, joints * sizeof(Affine)};
 }
 
-/// Palettes and their split: `used[skin]` of the skins, `entry_bytes` for each of their joints.
-PlanStage describe_skins(const Plan& plan, std::string stage, const std::vector<bool>& used, std::size_t entry_bytes,
-                         std::string why_not) {
+/// Palettes, or their split, of the skins where `used[skin]`; `entry_bytes` for each of their joints.
+PlanStage describe_skins(const CompiledPlan& plan, std::string stage, const std::vector<bool>& used,
+                         std::size_t entry_bytes, std::string why_not) {
   std::uint64_t skins = 0, entries = 0;
-  for (std::size_t s = 0; s < used.size(); ++s)
-    if (used[s]) ++skins, entries += plan.scene->skins[s].joints.size();
+  for (std::size_t s = 0; s < used.size(); ++s) {
+    if (!used[s]) continue;
+    ++skins;
+    entries += plan.scene->skins[s].joints.size();
+  }
   if (skins == 0) return {std::move(stage), false, std::move(why_not), 0, 0};
   return {std::move(stage), true,
           std::to_string(skins) + " of " + counted(used.size(), "skin", "skins") + " called for by mesh instances",
           entries, entries * entry_bytes};
 }
 
-/// Matrices that vertices share (C06), of the distinct primitives of each skin.
-PlanStage describe_combinations(const Plan& plan) {
-  std::uint64_t used = 0, combinations = 0, vertices = 0, unused = 0, unused_combinations = 0, unused_vertices = 0;
-  for (const std::vector<CombinedInfluences>& of_skin : plan.combined)
-    for (const CombinedInfluences& c : of_skin) {
-      if (c.used())
-        ++used, combinations += c.combination_count, vertices += c.blended_vertices;
-      else if (c.blended_vertices > 0)
-        ++unused, unused_combinations += c.combination_count, unused_vertices += c.blended_vertices;
+/// Matrices that vertices share, of the distinct primitives of each skin.
+PlanStage describe_combinations(const CompiledPlan& plan) {
+  struct Sum {
+    std::uint64_t primitives = 0, combinations = 0, vertices = 0;
+
+    void add(const CombinedInfluences& combined) {
+      ++primitives;
+      combinations += combined.combination_count;
+      vertices += combined.blended_vertices;
     }
-  const auto those = [](std::uint64_t c, std::uint64_t v) {
-    return counted(c, "combination", "combinations") + " of joints and weights for " + counted(v, "vertex", "vertices");
+    std::string text() const {
+      return counted(combinations, "combination", "combinations") + " of joints and weights for " +
+             counted(vertices, "vertex", "vertices");
+    }
   };
-  const std::string left_out =
-      "too little is shared in " + primitives(unused) + ": " + those(unused_combinations, unused_vertices);
-  if (used > 0) {
-    std::string reason = primitives(used) + " with " + those(combinations, vertices) + ": each is blended once";
-    if (unused > 0) reason += "; " + left_out;
-    return {"combinations", true, std::move(reason), combinations, combinations * sizeof(JointMatrix)};
-  }
-  return {"combinations", false, unused > 0 ? left_out : "no vertex blends the matrices of several joints", 0, 0};
+  Sum used, unused;
+  for (const std::vector<CombinedInfluences>& of_skin : plan.combined)
+    for (const CombinedInfluences& combined : of_skin)
+      if (combined.used() || combined.blended_vertices > 0) (combined.used() ? used : unused).add(combined);
+  const std::string left_out = "too little is shared in " + primitives(unused.primitives) + ": " + unused.text();
+  if (used.primitives == 0)
+    return {"combinations", false, unused.primitives > 0 ? left_out : "no vertex blends the matrices of several joints",
+            0, 0};
+  std::string reason = primitives(used.primitives) + " with " + used.text() + ": each is blended once";
+  if (unused.primitives > 0) reason += "; " + left_out;
+  return {"combinations", true, std::move(reason), used.combinations, used.combinations * sizeof(JointMatrix)};
 }
 
-/// Which way faces wind (G48) is known before any frame unless scale can change its sign (P09).
-PlanStage describe_winding(const Plan& plan) {
+/// The winding of faces is known before any frame unless scale can change its sign.
+PlanStage describe_winding(const CompiledPlan& plan) {
   const std::size_t instances = plan.instance_scales.size();
   if (instances == 0) return {"winding", false, "the scene shows no meshes", 0, 0};
   if (!plan.local_to_model) return {"winding", false, "neither joints nor vertices are asked for", 0, 0};
@@ -179,7 +192,7 @@ PlanStage describe_winding(const Plan& plan) {
           count, count * sizeof(bool)};
 }
 
-std::string why_no_skinning(const Plan& plan) {
+std::string why_no_skinning(const CompiledPlan& plan) {
   if (!plan.needs.vertices()) return "no vertices are asked for";
   const bool any =
       std::find(plan.instance_skinned.begin(), plan.instance_skinned.end(), true) != plan.instance_skinned.end();
@@ -191,7 +204,7 @@ std::uint64_t attribute_bytes(const AttributeSet& set, std::uint64_t vertices) {
                      (set.tangents ? sizeof(glm::vec4) : 0));
 }
 
-PlanStage describe_morph(const Plan& plan) {
+PlanStage describe_morph(const CompiledPlan& plan) {
   PlanStage stage{"morph", false, "", 0, 0};
   std::uint64_t morphed = 0;
   bool targets = false;
@@ -216,20 +229,20 @@ PlanStage describe_morph(const Plan& plan) {
 }
 
 /// Primitives that ask for center-of-rotation skinning and have no centers.
-std::uint64_t without_centers(const Plan& plan) {
+std::uint64_t without_centers(const CompiledPlan& plan) {
   std::uint64_t count = 0;
   for (const PrimitivePlan& p : plan.primitives) count += p.skin.any() && p.lacks_centers;
   return count;
 }
 
-std::string why_other_skinning(const Plan& plan, Skinning kind) {
+std::string why_other_skinning(const CompiledPlan& plan, Skinning kind) {
   const std::uint64_t fallen_back = kind == Skinning::center_of_rotation ? without_centers(plan) : 0;
   if (fallen_back == 0) return "all skinned primitives use another kind of skinning";
   return primitives(fallen_back) + " without centers of rotation: skinned linearly";
 }
 
-/// Which normals follow cofactors, as is asked for (P08).
-std::string describe_cofactors(const Plan& plan) {
+/// Which normals follow the cofactor matrix where the needs ask for it.
+std::string describe_cofactors(const CompiledPlan& plan) {
   std::uint64_t by_cofactors = 0, by_matrices = 0;
   for (const PrimitivePlan& p : plan.primitives)
     if (p.skinning == Skinning::linear && p.skin.normals) ++(p.cofactors ? by_cofactors : by_matrices);
@@ -240,7 +253,7 @@ std::string describe_cofactors(const Plan& plan) {
   return text;
 }
 
-PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
+PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kind) {
   PlanStage stage{std::move(name), false, "", 0, 0};
   std::uint64_t skinned = 0, skinned_otherwise = 0;
   for (const PrimitivePlan& p : plan.primitives) {
@@ -267,7 +280,7 @@ PlanStage describe_skin(const Plan& plan, std::string name, Skinning kind) {
   return stage;
 }
 
-PlanStage describe_flat_normals(const Plan& plan) {
+PlanStage describe_flat_normals(const CompiledPlan& plan) {
   PlanStage stage{"flat_normals", false, "", 0, 0};
   std::uint64_t flat = 0;
   for (const PrimitivePlan& p : plan.primitives) {
@@ -284,7 +297,7 @@ PlanStage describe_flat_normals(const Plan& plan) {
   return stage;
 }
 
-PlanStage describe_bounds(const Plan& plan) {
+PlanStage describe_bounds(const CompiledPlan& plan) {
   if (!plan.needs.bounds) return {"bounds", false, "boxes are not asked for", 0, 0};
   if (!plan.bounds) return {"bounds", false, "the scene shows no meshes", 0, 0};
   std::uint64_t vertices = 0;
@@ -296,7 +309,7 @@ PlanStage describe_bounds(const Plan& plan) {
 
 }  // namespace
 
-std::vector<PlanStage> describe_stages(const Plan& plan) {
+std::vector<PlanStage> describe_stages(const CompiledPlan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
   return {
       describe_sample(plan),

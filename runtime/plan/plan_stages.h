@@ -1,12 +1,40 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <vector>
-
-#include "runtime/plan/compile_plan.h"
+#include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace sinew {
 
-/// All stages that exist, in the order in which they run, each with the reason why this plan runs it or leaves it out.
-std::vector<PlanStage> describe_stages(const Plan& plan);
+/// The stages of a frame, in the order in which they run. The order of Plan::stages and of FrameResult::stage_ns.
+enum class Stage : std::uint8_t {
+  sample,
+  blend,
+  add,
+  interpolate,
+  correctives,
+  properties,
+  local_to_model,
+  palette,
+  split_palette,
+  combinations,
+  winding,
+  morph,
+  skin_linear,
+  skin_dual_quaternion,
+  skin_center_of_rotation,
+  flat_normals,
+  bounds
+};
+inline constexpr std::size_t kStageCount = 17;
+
+/// What a plan says of one stage: whether frames run it, and why.
+struct PlanStage {
+  std::string stage;  ///< the name of the Stage: "sample", "blend", "local_to_model", ...
+  bool runs = false;
+  std::string reason;       ///< one sentence, also where the stage is left out
+  std::uint64_t count = 0;  ///< what the stage touches per frame: tracks, joints, entries, vertices
+  std::uint64_t bytes = 0;  ///< of frame memory that it writes
+};
 
 }  // namespace sinew

@@ -14,13 +14,13 @@ constexpr std::size_t kLooksAhead = 4;  // characters, whose state arrives while
 }  // namespace
 
 struct Crowd::Character {
-  Character(const Plan& shown, const CrowdOptions& options) : plan(&shown), slots(options.frame_buffers) {
+  Character(const Plan& shown, const CrowdOptions& options) : plan(shown), slots(options.frame_buffers) {
     for (std::uint8_t b = 0; b < options.frame_buffers; ++b) buffers.emplace_back(shown, *options.memory);
   }
 
   FrameBuffer& to_write() noexcept { return buffers[slots.writing()]; }
 
-  const Plan* plan;
+  Plan plan;
   std::vector<FrameBuffer> buffers;
   TripleSlots slots;
   const FrameBuffer* last_good = nullptr;
@@ -47,8 +47,8 @@ void Crowd::add(const Plan& plan) {
     last_part_bytes_ = 0;
   }
   part_end_.back() = count;
-  bytes_ += plan.frame_bytes;
-  last_part_bytes_ += plan.frame_bytes;
+  bytes_ += plan.frame_bytes();
+  last_part_bytes_ += plan.frame_bytes();
 }
 
 ErrorCode Crowd::check(std::span<const FrameInput> inputs) const noexcept {
@@ -100,15 +100,14 @@ void Crowd::run_part(std::size_t part) noexcept {
   };
   for (std::size_t c = next_to_run(first), next = end; c < end; c = next) {
     next = next_to_run(c + 1);
-    if (next < end) characters_[next]->to_write().prefetch(*characters_[next]->plan);
+    if (next < end) characters_[next]->to_write().prefetch();
     run_character(c, number);
   }
 }
 
 void Crowd::look_at_input(std::size_t c) noexcept {
   Character& character = *characters_[c];
-  character.is_to_run =
-      character.last_good == nullptr || !character.last_good->holds_result_of(*character.plan, running_[c].view());
+  character.is_to_run = character.last_good == nullptr || !holds_result_of(*character.last_good, running_[c].view());
   if (character.is_to_run) character.slots.prepare_to_write();
   character.error = ErrorCode::ok;
 }
@@ -118,7 +117,7 @@ void Crowd::run_character(std::size_t c, std::uint64_t number) noexcept {
   FrameBuffer& buffer = character.to_write();
   buffer.count_from(number - 1);
   if (character.last_good != nullptr) buffer.follow(*character.last_good);
-  character.error = run_plan(*character.plan, running_[c].view(), buffer);
+  character.error = run_plan(character.plan, running_[c].view(), buffer);
   if (character.error == ErrorCode::ok) character.last_good = &buffer;
 }
 

@@ -59,7 +59,8 @@ class JobThread {
   JobThread(const JobThread&) = delete;
   JobThread& operator=(const JobThread&) = delete;
 
-  /// Adds a character that runs `plan` (which must outlive the job thread). Waits for frames in flight and queued.
+  /// Adds a character that runs `plan` and shares it; its scene must outlive the job thread. Waits for frames in flight
+  /// and queued.
   Character add_character(const Plan& plan);
   std::size_t character_count() const noexcept;
 

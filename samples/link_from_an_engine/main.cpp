@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   needs.bounds = true;
   needs.tangents = false;
   const sinew::Plan plan = compile_plan(scene, needs);
-  for (const sinew::PlanStage& stage : plan.stages)
+  for (const sinew::PlanStage& stage : plan.stages())
     std::printf("%-20s %s: %s\n", stage.stage.c_str(), stage.runs ? "runs" : "left out", stage.reason.c_str());
 
   sinew::JobThread jobs;

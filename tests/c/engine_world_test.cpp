@@ -89,7 +89,7 @@ TEST(c_world, sockets_and_skeleton_lod_are_those_of_the_cpp_interface) {
       std::memcpy(static_cast<void*>(&from_joint), &offset, sizeof(offset));
       std::vector<float> expected;
       for (std::uint32_t j = 0; j < scene.scene.skeleton.joint_count(); ++j) {
-        const Affine socket = world_of(plan.rig, frame.result().model, j) * from_joint;
+        const Affine socket = world_of(plan, frame.result().model, j) * from_joint;
         add_numbers(expected, std::span(&socket, 1));
       }
       expected.insert(expected.end(), {static_cast<float>(lod.left_out), static_cast<float>(lod.worst_joint),

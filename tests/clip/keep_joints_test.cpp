@@ -75,9 +75,7 @@ TEST(keep_joints, N27_what_is_kept_has_the_bits_of_the_whole_clip) {
     RandomSceneOptions options;
     options.joints = 8 + seed * 7;  // several vectors of lanes
     const Scene scene = random_scene(seed, options);
-    std::vector<float> rest_weights;
-    for (const MeshInstance& instance : scene.instances)
-      rest_weights.insert(rest_weights.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+    const std::vector<float> rest_weights = rest_weights_of(scene);
     FixedRandom random(seed);
     const std::vector<std::uint32_t> joints = some_joints(scene.skeleton, random);
     for (const bool rounded : {false, true}) {

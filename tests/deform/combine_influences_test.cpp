@@ -5,8 +5,8 @@
 
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
+#include "tests/plan/changed_plan.h"
 #include "tests/plan/plan_dump.h"
-#include "tests/plan/without_combinations.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/simd_targets.h"
@@ -144,15 +144,19 @@ TEST(combinations_in_frames, N22_give_the_same_bits_where_matrices_leave_normals
 TEST(combinations_in_frames, are_made_once_for_all_instances_of_a_skin_and_only_for_linear_skinning) {
   const Scene scene = random_scene(2, repeating(2));
   const Plan plan = compile_plan(scene, {});
+  const CompiledPlan& compiled = *plan.compiled();
   std::size_t of_primitives = 0, tables = 0;
-  for (const PrimitivePlan& p : plan.primitives) of_primitives += p.combined != kNone;
-  for (const auto& of_skin : plan.combined) tables += of_skin.size();
+  for (const PrimitiveSkinning& s : compiled.primitive_skinning) of_primitives += s.combined != kNone;
+  for (const auto& of_skin : compiled.combined) tables += of_skin.size();
   EXPECT_LT(tables, of_primitives);
   Needs needs;
   needs.skinning = Skinning::dual_quaternion;
   EXPECT_FALSE(stage(compile_plan(scene, needs), "combinations").runs);
-  EXPECT_LT(compile_plan(scene, needs).palette_at.back() - compile_plan(scene, needs).palette_at.front(),
-            plan.palette_at.back() - plan.palette_at.front())
+  const auto palette_bytes = [](const Plan& of) {
+    const std::vector<std::size_t>& at = of.compiled()->layout.palette_at;
+    return at.back() - at.front();
+  };
+  EXPECT_LT(palette_bytes(compile_plan(scene, needs)), palette_bytes(plan))
       << "no memory for matrices that nobody shares";
 }
 

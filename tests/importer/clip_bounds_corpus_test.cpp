@@ -18,7 +18,7 @@ bool holds(const Aabb& outer, const Aabb& inner) {
 /// Looks at a few times of the clip. Answers how many boxes there were.
 std::size_t expect_holds(const Scene& scene, const Plan& plan, std::uint32_t clip, const std::string& file) {
   constexpr int kTimes = 23;
-  const std::vector<Aabb> reach = clip_bounds(scene, plan.needs, clip);
+  const std::vector<Aabb> reach = clip_bounds(scene, plan.needs(), clip);
   FrameBuffer frame(plan);
   std::size_t known = 0;
   for (int n = 0; n < kTimes; ++n) {

@@ -5,7 +5,7 @@
 #include "importer/import_gltf.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
-#include "tests/plan/without_combinations.h"
+#include "tests/plan/changed_plan.h"
 #include "tests/support/corpus.h"
 
 namespace sinew::test {

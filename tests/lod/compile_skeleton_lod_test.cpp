@@ -10,7 +10,7 @@
 #include "runtime/animation/truth_pose.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/virtual_vertices.h"
-#include "runtime/plan/rig.h"
+#include "runtime/plan/plan_assets.h"
 #include "tests/plan/frame_difference.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -100,7 +100,7 @@ TEST(compile_skeleton_lod, what_it_says_was_measured_is_what_another_look_finds_
     const CompiledSkeletonLod within = compile_skeleton_lod(scene, 5.0);
     if (within.worst_joint == kNone) continue;
     ++measured;
-    const std::uint32_t above = place_joints(scene, within.detail)[within.worst_joint].joint;
+    const std::uint32_t above = map_joints(scene, within.detail)[within.worst_joint].kept_joint;
     std::uint32_t top = within.worst_joint;  // the uppermost joint of the branch that went
     while (scene.skeleton.parents[top] != above) top = scene.skeleton.parents[top];
     EXPECT_NEAR(cost_of_leaving_out(scene, within.detail, top, clips), within.measured_m, 1e-4);

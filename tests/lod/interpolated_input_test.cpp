@@ -80,7 +80,7 @@ TEST(interpolated_input, N27_the_finest_level_has_the_bits_of_frames_without_lev
 TEST(interpolated_input, P19_sampling_costs_the_share_of_the_level) {
   const Scene scene = random_scene(4);
   const Plan plan = plan_between(scene);
-  const std::uint64_t tracks = plan.clip_tracks[0].joints + plan.clip_tracks[0].weights;
+  const std::uint64_t tracks = plan.clip_tracks()[0].joints + plan.clip_tracks()[0].weights;
   for (const UpdateLevel level : kLevels) {
     Player player(plan, 1.0 / 60.0);
     player.play(0, level);

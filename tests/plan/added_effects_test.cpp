@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is added to a scene and nothing calls for changes neither the work of a frame nor its bits nor its memory.
+// Parts of a scene that nothing calls for change neither the work of a frame nor its bits nor its memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,16 +13,17 @@
 namespace sinew::test {
 namespace {
 
-/// A joint of the last depth but one that no clip moves; kNone = all are moved.
+/// A joint of the deepest level but one that no clip moves; kNone = clips move all of them.
 std::uint32_t unmoved_parent(const Scene& scene) {
   const std::vector<std::uint32_t>& begin = scene.skeleton.level_begin;
-  const std::vector<std::uint32_t> moved = compile_plan(scene, {}).moved_joints;
+  const Plan plan = compile_plan(scene, {});
+  const std::span<const std::uint32_t> moved = plan.moved_joints();
   for (std::uint32_t j = begin[begin.size() - 3]; j < begin[begin.size() - 2]; ++j)
     if (!std::binary_search(moved.begin(), moved.end(), j)) return j;
   return kNone;
 }
 
-/// Nodes that no clip moves, at the end of the last depth.
+/// Adds nodes that no clip moves at the end of the deepest level.
 void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
   Skeleton& skeleton = scene.skeleton;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -48,7 +49,7 @@ Scene sparsely_moved_scene(std::uint32_t seed) {
   return scene;
 }
 
-/// Targets of the first primitive that stay at weight zero.
+/// Adds targets to the first primitive that stay at weight zero.
 void add_targets(Scene& scene, std::uint32_t count) {
   Primitive& primitive = scene.meshes[0].primitives[0];
   MorphTarget target;
@@ -62,7 +63,7 @@ void add_targets(Scene& scene, std::uint32_t count) {
   finish_scene(scene);
 }
 
-/// Its weights keep their rest values, one of which is not zero.
+/// A face whose weights keep their rest values; one of them is not zero.
 Scene resting_face() {
   Scene scene = face_scene();
   scene.animations.clear(), scene.clips.clear();
@@ -107,7 +108,7 @@ TEST(added_effects, P01_nodes_that_no_clip_moves_add_no_work_to_frames) {
       FrameBuffer same(other);
       EXPECT_EQ(work_of_frames(more, same, other), work) << count << " static nodes";
       EXPECT_TRUE(same_bits<Affine>(same.result().model.first(frame.result().model.size()), frame.result().model));
-      for (std::size_t p = 0; p < plan.primitives.size(); ++p)
+      for (std::size_t p = 0; p < plan.primitives().size(); ++p)
         EXPECT_TRUE(
             same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
     }
@@ -141,14 +142,14 @@ TEST(added_effects, take_no_memory_of_frames_while_nothing_calls_for_them) {
   }
   more.clips.clear();
   finish_scene(more);
-  EXPECT_EQ(compile_plan(more, {}).frame_bytes, compile_plan(scene, {}).frame_bytes);
+  EXPECT_EQ(compile_plan(more, {}).frame_bytes(), compile_plan(scene, {}).frame_bytes());
 
   const std::size_t vertices = scene.meshes[0].primitives[0].vertex_count(), least = 64;
   const auto bytes = [&](void (*change)(Needs&)) {
     Needs needs;
     needs.max_layers = 1;
     change(needs);
-    return compile_plan(scene, needs).frame_bytes;
+    return compile_plan(scene, needs).frame_bytes();
   };
   const std::size_t all = bytes([](Needs&) {});
   EXPECT_LE(bytes([](Needs& n) { n.normals = false; }) + vertices * sizeof(glm::vec3), all);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
 #include "runtime/pose/pose.h"
@@ -133,7 +134,7 @@ TEST(compile_plan, N21_a_primitive_without_centers_is_skinned_linearly_and_the_p
   EXPECT_EQ(stage(plan, "skin_linear").reason,
             "1 primitive with joints and weights; 1 for want of centers of rotation");
   EXPECT_FALSE(stage(plan, "split_palette").runs);
-  EXPECT_EQ(compile_plan(scene, {}).frame_bytes, plan.frame_bytes);
+  EXPECT_EQ(compile_plan(scene, {}).frame_bytes(), plan.frame_bytes());
 }
 
 TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
@@ -143,7 +144,7 @@ TEST(compile_plan, P11_palettes_are_made_only_for_skins_in_use) {
   const Scene scene = random_scene(2, options);
   const Plan plan = compile_plan(scene, {});
   EXPECT_EQ(stage(plan, "palette").count, scene.skins[0].joints.size() + scene.skins[1].joints.size());
-  EXPECT_EQ(plan.palette, (std::vector<bool>{true, true, false, false, false}));
+  EXPECT_EQ(plan.compiled()->palette, (std::vector<bool>{true, true, false, false, false}));
 }
 
 TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
@@ -154,9 +155,9 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
   const Plan fewer = compile_plan(scene, needs);
   needs.normals = false;
   const Plan positions = compile_plan(scene, needs);
-  EXPECT_LT(fewer.frame_bytes, all.frame_bytes);
-  EXPECT_LT(positions.frame_bytes, fewer.frame_bytes);
-  for (const PrimitivePlan& p : positions.primitives)
+  EXPECT_LT(fewer.frame_bytes(), all.frame_bytes());
+  EXPECT_LT(positions.frame_bytes(), fewer.frame_bytes());
+  for (const PrimitivePlan& p : positions.primitives())
     EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
 }
 
@@ -184,9 +185,9 @@ TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   one.max_layers = 1, four.max_layers = 4;
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
-  EXPECT_GE(large.frame_bytes, small.frame_bytes + 3 * layer_bytes);
-  EXPECT_EQ(large.layer_poses_at + 3 * layer_bytes, large.layer_weights_at);
-  EXPECT_EQ(small.layer_poses_at, small.layer_weights_at);
+  EXPECT_GE(large.frame_bytes(), small.frame_bytes() + 3 * layer_bytes);
+  EXPECT_EQ(large.compiled()->layout.layer_poses_at + 3 * layer_bytes, large.compiled()->layout.layer_weights_at);
+  EXPECT_EQ(small.compiled()->layout.layer_poses_at, small.compiled()->layout.layer_weights_at);
 }
 
 TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_before_vertices) {
@@ -196,13 +197,14 @@ TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_befor
     needs.positions = needs.normals = needs.tangents = false;
     needs.palettes = needs.weights = needs.properties = true;
     const Plan plan = compile_plan(scene, needs);
-    ASSERT_LT(plan.front_bytes, plan.frame_bytes);
+    const std::size_t front_bytes = plan.compiled()->layout.front_bytes;
+    ASSERT_LT(front_bytes, plan.frame_bytes());
     struct alignas(64) Line {
       std::byte bytes[64];
     };
-    std::vector<Line> block(plan.frame_bytes / sizeof(Line));
+    std::vector<Line> block(plan.frame_bytes() / sizeof(Line));
     FrameBuffer frame(plan, std::as_writable_bytes(std::span(block)));
-    const auto behind = std::as_bytes(std::span(block)).subspan(plan.front_bytes);
+    const auto behind = std::as_bytes(std::span(block)).subspan(front_bytes);
     const std::vector<std::byte> before(behind.begin(), behind.end());
     for (int f = 0; f < 3; ++f) {
       const ClipLayer layer{0, 0.3 * f, 1.0f};
@@ -238,9 +240,9 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
   Needs needs;
   needs.joints = needs.positions = needs.normals = needs.tangents = false;
   const Scene face = face_scene(), arm = arm_scene();
-  EXPECT_TRUE(compile_plan(face, needs).sample);
+  EXPECT_TRUE(compile_plan(face, needs).runs(Stage::sample));
   const Plan plan = compile_plan(arm, needs);
-  for (const PlanStage& stage : plan.stages) EXPECT_FALSE(stage.runs) << stage.stage;
+  for (const PlanStage& stage : plan.stages()) EXPECT_FALSE(stage.runs) << stage.stage;
   EXPECT_EQ(stage(plan, "sample").reason, "neither joints nor vertices nor morph weights are asked for");
   EXPECT_EQ(stage(plan, "skin_linear").reason, "no vertices are asked for");
 }
@@ -253,9 +255,13 @@ TEST(compile_plan, every_stage_says_why) {
     const Scene scene = random_scene(seed, options);
     Needs needs;
     needs.bounds = seed % 2 == 0, needs.normals = seed % 4 != 0;
-    for (const PlanStage& s : compile_plan(scene, needs).stages) {
-      EXPECT_FALSE(s.reason.empty()) << s.stage;
-      EXPECT_EQ(s.runs, s.bytes > 0) << s.stage;
+    const Plan plan = compile_plan(scene, needs);
+    const std::vector<PlanStage> stages = plan.stages();
+    ASSERT_EQ(stages.size(), kStageCount);
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      EXPECT_FALSE(stages[s].reason.empty()) << stages[s].stage;
+      EXPECT_EQ(stages[s].runs, stages[s].bytes > 0) << stages[s].stage;
+      EXPECT_EQ(stages[s].runs, plan.runs(static_cast<Stage>(s))) << stages[s].stage;
     }
   }
 }
@@ -267,29 +273,33 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   Needs needs;
   needs.additive = true;
   const Plan plan = compile_plan(scene, needs);
+  const CompiledPlan& compiled = *plan.compiled();
+  const FrameLayout& layout = compiled.layout;
   std::vector<std::pair<std::size_t, std::size_t>> places;
   const auto take = [&](std::size_t at, std::size_t bytes) {
     if (bytes > 0) places.emplace_back(at, at + bytes);
   };
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
-  take(plan.rest_pose_at, pose_bytes), take(plan.pose_at, pose_bytes), take(plan.layer_poses_at, 3 * pose_bytes);
-  take(plan.weights_at, 4 * scene.weight_count()), take(plan.layer_weights_at, 3 * 4 * scene.weight_count());
-  take(plan.added_pose_at, pose_bytes), take(plan.reference_pose_at, pose_bytes);
-  take(plan.added_weights_at, 4 * scene.weight_count()), take(plan.reference_weights_at, 4 * scene.weight_count());
-  take(plan.model_at, sizeof(Affine) * scene.skeleton.joint_count());
+  take(layout.rest_pose_at, pose_bytes), take(layout.pose_at, pose_bytes), take(layout.layer_poses_at, 3 * pose_bytes);
+  take(layout.weights_at, 4 * scene.weight_count()), take(layout.layer_weights_at, 3 * 4 * scene.weight_count());
+  take(layout.added_pose_at, pose_bytes), take(layout.reference_pose_at, pose_bytes);
+  take(layout.added_weights_at, 4 * scene.weight_count()), take(layout.reference_weights_at, 4 * scene.weight_count());
+  take(layout.model_at, sizeof(Affine) * scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
-    if (plan.palette[s]) take(plan.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());
-  for (const PrimitivePlan& p : plan.primitives) {
+    if (compiled.palette[s]) take(layout.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());
+  for (std::size_t i = 0; i < compiled.primitives.size(); ++i) {
+    const PrimitivePlan& p = compiled.primitives[i];
+    const PrimitiveLayout& at = layout.primitives[i];
     const std::size_t count = primitive_of(plan, p).vertex_count();
-    if (p.morph.positions || p.skin.positions) take(p.positions_at, 12 * count);
-    if (p.morph.normals || p.skin.normals || p.flat_normals) take(p.normals_at, 12 * count);
-    if (p.morph.tangents || p.skin.tangents) take(p.tangents_at, 16 * count);
-    if (p.morph_colors) take(p.colors_at, 16 * count);
+    if (p.morph.positions || p.skin.positions) take(at.positions_at, 12 * count);
+    if (p.morph.normals || p.skin.normals || p.flat_normals) take(at.normals_at, 12 * count);
+    if (p.morph.tangents || p.skin.tangents) take(at.tangents_at, 16 * count);
+    if (p.morph_colors) take(at.colors_at, 16 * count);
   }
   std::sort(places.begin(), places.end());
   for (std::size_t i = 0; i < places.size(); ++i) {
     EXPECT_EQ(places[i].first % 64, 0u);
-    EXPECT_LE(places[i].second, i + 1 < places.size() ? places[i + 1].first : plan.frame_bytes);
+    EXPECT_LE(places[i].second, i + 1 < places.size() ? places[i + 1].first : plan.frame_bytes());
   }
 }
 

@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// The face, whose only joint drives "lift" by 0 at rest and by 1 when it is turned by 90 degrees about z.
+/// The face. Its only joint drives "lift" by 0 at rest and by 1 when it is turned by 90 degrees about z.
 Scene face_that_bends() {
   Scene scene = face_scene();
   PoseSamples samples;
@@ -103,7 +103,7 @@ TEST(correctives, agree_with_plain_double_loops) {
         EXPECT_NEAR(static_cast<double>(frame.result().weights[w]), slow.weights[w], 5e-6) << "seed " << seed;
         added = std::max(added, std::abs(slow.weights[w] - plain.weights[w]));
       }
-      for (std::size_t p = 0; p < plan.primitives.size(); ++p)
+      for (std::size_t p = 0; p < plan.primitives().size(); ++p)
         for (std::size_t v = 0; v < frame.result().primitives[p].positions.size(); ++v)
           EXPECT_TRUE(is_near(Vec3<double>(frame.result().primitives[p].positions[v]), slow.primitives[p].positions[v],
                               2e-5 * (1.0 + safe_length(slow.primitives[p].positions[v]))));

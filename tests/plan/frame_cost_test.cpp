@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is left out costs nothing: no work, no memory; and no frame allocates.
+// Stages that are left out cost nothing: no work and no memory. No frame allocates.
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "runtime/plan/frame_work.h"
+#include "runtime/plan/plan_stages.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"
@@ -57,8 +57,9 @@ TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_wh
       FrameBuffer frame(plan);
       std::vector<ClipLayer> layers;
       if (!scene.clips.empty()) layers.push_back({0, 0.4, 1.0f});
-      if (!scene.clips.empty() && plan.needs.max_layers > 1) layers.push_back({1, 0.9, 0.5f});
-      if (!scene.clips.empty() && plan.needs.additive) layers.push_back({1, 0.7, 0.5f, kNone, LayerKind::add_to_start});
+      if (!scene.clips.empty() && plan.needs().max_layers > 1) layers.push_back({1, 0.9, 0.5f});
+      if (!scene.clips.empty() && plan.needs().additive)
+        layers.push_back({1, 0.7, 0.5f, kNone, LayerKind::add_to_start});
       ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
       for (const auto& [name, work] : work_of_stages(frame.result().work))
         EXPECT_EQ(work > 0, stage(plan, name).runs && (name != std::string("bounds") || stage(plan, name).count > 0))
@@ -92,7 +93,7 @@ TEST(frame_cost, no_stage_changes_what_another_shows) {
       return a.empty() || std::equal(a.begin(), a.end(), b.begin(), b.end());
     };
     EXPECT_TRUE(same(some.result().model, all.result().model));
-    for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+    for (std::size_t p = 0; p < plan.primitives().size(); ++p) {
       const DeformedPrimitive &a = some.result().primitives[p], &b = all.result().primitives[p];
       EXPECT_TRUE(same(a.positions, b.positions) && same(a.normals, b.normals) && same(a.tangents, b.tangents)) << bits;
       EXPECT_TRUE((bits & 2) != 0 || a.positions.empty());
@@ -131,7 +132,7 @@ TEST(frame_cost, a_frame_allocates_nothing) {
     const AllocationCounter counter;
     for (const double time_s : {0.0, 0.7, 1.9}) {
       const ClipLayer layers[] = {{0, time_s, 1.0f}, {1, 0.9, 0.5f}};
-      const std::size_t count = plan.needs.max_layers == 1 ? 1 : 2;
+      const std::size_t count = plan.needs().max_layers == 1 ? 1 : 2;
       ASSERT_EQ(run_plan(plan, {.layers = std::span(layers, count), .weights = {}, .root = {}}, frame), ErrorCode::ok);
     }
     EXPECT_EQ(counter.count(), 0u) << bits;
@@ -156,7 +157,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
   ASSERT_EQ(run_plan(plan, {.layers = {&before, 1}, .weights = odd, .root = {}}, used), ErrorCode::ok);
   for (FrameBuffer* frame : {&fresh, &used})
     ASSERT_EQ(run_plan(plan, {.layers = now, .weights = {}, .root = {}}, *frame), ErrorCode::ok);
-  for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+  for (std::size_t p = 0; p < plan.primitives().size(); ++p) {
     const DeformedPrimitive &a = fresh.result().primitives[p], &b = used.result().primitives[p];
     EXPECT_TRUE(std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end()));
     EXPECT_TRUE(std::equal(a.normals.begin(), a.normals.end(), b.normals.begin(), b.normals.end()));
@@ -164,7 +165,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
   EXPECT_LE(used.result().work.vertices_skinned_linear, fresh.result().work.vertices_skinned_linear);  // P19
 }
 
-/// What counts as work of a stage, in the order of the stages.
+/// Whether each stage did work, in the order of the stages.
 std::vector<bool> worked(const WorkCounters& w) {
   return {w.tracks_sampled > 0,
           w.poses_blended > 0,
@@ -197,11 +198,11 @@ TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
     const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}, {1, 0.7, 0.5f, kNone, LayerKind::add_to_start}};
     ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
     const std::vector<bool> expected = worked(frame.result().work);
-    ASSERT_EQ(frame.result().stage_ns.size(), plan.stages.size());
-    for (std::size_t s = 0; s < plan.stages.size(); ++s) {
-      if (plan.stages[s].stage == "bounds" || plan.stages[s].stage == "properties")
-        continue;  // their counters are of a part
-      EXPECT_EQ(frame.result().stage_ns[s] > 0, expected[s]) << plan.stages[s].stage << " seed " << seed;
+    const std::vector<PlanStage> stages = plan.stages();
+    ASSERT_EQ(frame.result().stage_ns.size(), stages.size());
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      if (stages[s].stage == "bounds" || stages[s].stage == "properties") continue;  // their counters are of a part
+      EXPECT_EQ(frame.result().stage_ns[s] > 0, expected[s]) << stages[s].stage << " seed " << seed;
     }
     ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
     for (const std::uint64_t ns : frame.result().stage_ns) EXPECT_EQ(ns, 0u) << "the same input again runs no stage";
@@ -213,20 +214,22 @@ TEST(frame_cost, times_that_nobody_asks_for_take_no_memory) {
   Needs needs;
   const Plan without = compile_plan(scene, needs);
   needs.stage_times = true;
-  EXPECT_LT(without.frame_bytes, compile_plan(scene, needs).frame_bytes);
+  EXPECT_LT(without.frame_bytes(), compile_plan(scene, needs).frame_bytes());
   FrameBuffer frame(without);
   ASSERT_EQ(run_plan(without, {}, frame), ErrorCode::ok);
   EXPECT_TRUE(frame.result().stage_ns.empty());
 }
 
 TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
-  const Plan plan = compile_plan(random_scene(3), Needs{});
+  const Scene scene = random_scene(3);
+  const std::vector<PlanStage> stages = compile_plan(scene, Needs{}).stages();
+  ASSERT_EQ(stages.size(), kStageCount);
   const char* names[kStageCount] = {
       "sample",       "blend",          "add",         "interpolate",          "correctives",
       "properties",   "local_to_model", "palette",     "split_palette",        "combinations",
       "winding",      "morph",          "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation",
       "flat_normals", "bounds"};
-  for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(plan.stages[s].stage, names[s]);
+  for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(stages[s].stage, names[s]);
 }
 
 }  // namespace

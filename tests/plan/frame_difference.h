@@ -17,10 +17,10 @@ inline Needs needs_with(SkeletonLod detail, Skinning skinning) {
   return needs;
 }
 
-/// Where the frame has a vertex of a primitive, in world space.
+/// World positions of the vertices of a primitive in a frame.
 inline std::vector<glm::vec3> world_vertices(const Plan& plan, const FrameResult& frame, std::size_t p) {
   const DeformedPrimitive& shape = frame.primitives[p];
-  const Primitive& primitive = primitive_of(plan, plan.primitives[p]);
+  const Primitive& primitive = primitive_of(plan, plan.primitives()[p]);
   const std::span<const glm::vec3> positions =
       shape.positions.empty() ? std::span<const glm::vec3>(primitive.positions) : shape.positions;
   std::vector<glm::vec3> world;
@@ -47,7 +47,7 @@ inline Difference difference_of(const Scene& scene, const SkeletonLod& detail, s
     if (clip != kNone) input.layers = {&layer, 1};
     EXPECT_EQ(run_plan(full, input, all), ErrorCode::ok);
     EXPECT_EQ(run_plan(lean, input, some), ErrorCode::ok);
-    for (std::size_t p = 0; p < full.primitives.size(); ++p) {
+    for (std::size_t p = 0; p < full.primitives().size(); ++p) {
       const std::vector<glm::vec3> a = world_vertices(full, all.result(), p),
                                    b = world_vertices(lean, some.result(), p);
       for (std::size_t v = 0; v < a.size(); ++v) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames of a scene with COUNT effects that nothing calls for, COUNT nodes that no clip moves, and COUNT joints that
-// the plan leaves out, for callgrind to count their instructions:
+// Runs frames of a scene with COUNT unused effects, COUNT nodes that no clip moves, and COUNT joints that the plan
+// leaves out. Callgrind counts their instructions:
 //   sinew-frame-instructions COUNT
 #include <valgrind/callgrind.h>
 

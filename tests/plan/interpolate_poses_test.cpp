@@ -58,7 +58,7 @@ TEST(interpolate_poses, N27_at_both_ends_frames_have_the_bits_of_frames_without_
   }
 }
 
-/// Local transforms of one frame, from its model matrices' scene in double.
+/// Local transforms of all joints at a time of the first clip, in double.
 std::vector<Transformd> locals_at(const Scene& scene, double time_s) {
   TruthPose pose;
   evaluate_truth(scene.animations[0], scene.skeleton, time_s, pose);
@@ -100,7 +100,7 @@ TEST(interpolate_poses, P19_each_end_is_sampled_once_however_many_frames_lie_bet
   const Scene scene = random_scene(4);
   const Plan plan = compile_plan(scene, between());
   FrameBuffer frame(plan);
-  const std::uint64_t tracks = plan.clip_tracks[0].joints + plan.clip_tracks[0].weights;
+  const std::uint64_t tracks = plan.clip_tracks()[0].joints + plan.clip_tracks()[0].weights;
   std::uint64_t sampled = 0, interpolated = 0;
   const AllocationCounter counter;
   for (int n = 0; n < 40; ++n) {  // ten intervals of four frames
@@ -164,7 +164,7 @@ TEST(interpolate_poses, what_nobody_asks_for_takes_no_memory_and_is_refused) {
   const Plan plan = compile_plan(scene, needs);
   needs.between_updates = false;
   const Plan plain = compile_plan(scene, needs);
-  EXPECT_GT(plan.frame_bytes, plain.frame_bytes);
+  EXPECT_GT(plan.frame_bytes(), plain.frame_bytes());
   FrameBuffer frame(plain), asked(plan);
   EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.5f), frame), ErrorCode::unsupported);
   EXPECT_EQ(run_plan(plain, from_to(kStart, kEnd, 0.0f), frame), ErrorCode::ok);

@@ -6,6 +6,7 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
+#include "tests/plan/changed_plan.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
@@ -13,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// The arm, whose joint 0 is above joint 2 ("lower"), with a scale track on one of them.
+/// The arm with a scale track on joint 0 or on joint 2 ("lower") below it.
 Scene arm_scaled_by(std::uint32_t joint, Vec3Track scale) {
   Scene scene = arm_scene();
   BoneAnimation bone;
@@ -28,7 +29,7 @@ Scene arm_scaled_by(std::uint32_t joint, Vec3Track scale) {
 }
 
 JointScale scale_of(const Scene& scene, std::uint32_t joint, bool additive = false) {
-  return joint_scales(make_rig(scene, {}), additive)[joint];
+  return joint_scales(make_assets(scene, {}), additive)[joint];
 }
 
 void expect_scale(const JointScale& scale, ScaleKind kind, int sign, bool may_change) {
@@ -91,17 +92,20 @@ TEST(joint_scales, of_a_matrix_allow_for_rounding) {
   EXPECT_EQ(scale_kind(affine_from_transform(Transform{{0, 0, 0}, turn, glm::vec3(1, 1, 1.001f)})), ScaleKind::uneven);
 }
 
-/// Mirrors a root, or leaves it.
+/// A root with or without mirroring.
 Affine root_of(bool mirrored) {
   return affine_from_transform(
       Transform{{0.5f, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, mirrored ? -1.0f : 1.0f, 1)});
 }
 
-/// Answers how many instances were mirrored.
+/// Expects the windings that determinants give.
+/// out  how many instances were mirrored; `known` counts those that no frame had to test
 std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& needs, std::size_t& known) {
   const Plan plan = compile_plan(scene, needs);
-  Plan tested = plan;
-  for (JointScale& scale : tested.instance_scales) scale.may_change = true;
+  const std::vector<JointScale>& scales = plan.compiled()->instance_scales;
+  const Plan tested = changed(plan, [](CompiledPlan& all_tested) {
+    for (JointScale& scale : all_tested.instance_scales) scale.may_change = true;
+  });
   FrameBuffer frame(plan), other(tested);
   std::size_t mirrored = 0;
   for (const double time_s : {0.0, 0.3, 1.0, 1.7})
@@ -110,13 +114,13 @@ std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& nee
       const FrameInput input{.layers = layers, .weights = {}, .root = root_of(turned)};
       EXPECT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
       EXPECT_EQ(run_plan(tested, input, other), ErrorCode::ok);
-      for (std::size_t i = 0; i < plan.instance_scales.size(); ++i) {
+      for (std::size_t i = 0; i < scales.size(); ++i) {
         EXPECT_EQ(frame.result().instances[i].mirrored, other.result().instances[i].mirrored) << i << " at " << time_s;
-        mirrored += frame.result().instances[i].mirrored, known += !plan.instance_scales[i].may_change;
+        mirrored += frame.result().instances[i].mirrored, known += !scales[i].may_change;
       }
       EXPECT_EQ(hash_vertices(frame.result()), hash_vertices(other.result()));
       EXPECT_EQ(frame.result().work.windings_tested, stage(plan, "winding").count);
-      EXPECT_EQ(other.result().work.windings_tested, plan.instance_scales.size());
+      EXPECT_EQ(other.result().work.windings_tested, scales.size());
     }
   return mirrored;
 }
@@ -152,7 +156,7 @@ TEST(windings, P09_change_with_the_sign_of_a_scale_and_are_then_tested) {
   }
 }
 
-/// An arm whose vertices follow one joint each.
+/// An arm in which each vertex follows one joint.
 Scene rigid_arm(float last_scale) {
   Scene scene = arm_scaled_by(2, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(1.5f, 1.5f, last_scale)}});
   scene.meshes[0].primitives[0].influences = {{{0, 4, 1, 0}}, {0, 1, 0, 1}, {1, 1, 1, 1}};
@@ -193,12 +197,14 @@ TEST(normals_by_cofactors, P08_come_with_an_uneven_root) {
   Needs needs;
   needs.normal_rule = NormalRule::cofactor;
   const Affine root = affine_from_transform(Transform{{0, 0, 0}, glm::quat(1, 0, 0, 0), glm::vec3(1, 2, 1)});
-  Plan plan = compile_plan(scene, needs);
+  const Plan plan = compile_plan(scene, needs);
   std::uint64_t count = 0;
   const std::uint64_t found = run_arm(plan, root, count);
   EXPECT_EQ(count, 4u);
-  for (PrimitivePlan& primitive : plan.primitives) primitive.cofactors = true;
-  EXPECT_EQ(run_arm(plan, root, count), found);
+  const Plan all_cofactors = changed(plan, [](CompiledPlan& compiled) {
+    for (PrimitivePlan& primitive : compiled.primitives) primitive.cofactors = true;
+  });
+  EXPECT_EQ(run_arm(all_cofactors, root, count), found);
 }
 
 }  // namespace

@@ -9,17 +9,16 @@ namespace sinew::test {
 /// A plan as golden text: one line per stage.
 inline std::string dump(const Plan& plan) {
   std::string text;
-  for (const PlanStage& stage : plan.stages)
+  for (const PlanStage& stage : plan.stages())
     text += (stage.runs ? "+ " : "- ") + stage.stage + " [" + std::to_string(stage.count) + ", " +
             std::to_string(stage.bytes) + " B]: " + stage.reason + "\n";
   return text;
 }
 
-inline const PlanStage& stage(const Plan& plan, const std::string& name) {
-  for (const PlanStage& candidate : plan.stages)
+inline PlanStage stage(const Plan& plan, const std::string& name) {
+  for (const PlanStage& candidate : plan.stages())
     if (candidate.stage == name) return candidate;
-  static const PlanStage none{"no such stage", false, "", 0, 0};
-  return none;
+  return {"no such stage", false, "", 0, 0};
 }
 
 }  // namespace sinew::test

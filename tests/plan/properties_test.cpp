@@ -20,7 +20,7 @@ WeightTrack numbers(Interpolation interpolation, std::vector<float> times_s, std
   return {interpolation, std::move(times_s), std::move(values), count};
 }
 
-/// A triangle whose material, light and camera move.
+/// A triangle; a clip animates its material, a light and a camera.
 Scene lit_scene() {
   Scene scene = prop_scene();
   Material material;
@@ -44,7 +44,7 @@ Scene lit_scene() {
   return scene;
 }
 
-/// The arm of hand_scenes.h, whose holder is shown from `on_s` on.
+/// The arm of hand_scenes.h; a clip shows its holder from `on_s` on.
 Scene blinking_arm(float on_s) {
   Scene scene = arm_scene();
   scene.animations[0].properties = {{{kVisible, 1}, numbers(Interpolation::step, {0, on_s}, {0, 1})}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plans that leave joints out, beside plans that do not.
-#include "runtime/plan/skeleton_lod.h"
+// Plans that leave joints out, compared with plans of all joints.
+#include "runtime/plan/needs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include "runtime/animation/truth_pose.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/lod/clip_bounds.h"
+#include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/run_plan.h"
 #include "runtime/threads/job_thread.h"
 #include "tests/scenes/hand_scenes.h"
@@ -37,12 +38,13 @@ std::vector<float> some_mask(const Scene& scene, std::uint64_t seed) {
   return mask;
 }
 
-/// The same scene with the joints that a plan leaves out held by rest poses, and without their tracks.
-Scene held_scene(Scene scene, const Rig& rig, const SkeletonLod& detail) {
-  for (std::size_t j = 0; j < rig.places.size(); ++j)
-    if (!rig.places[j].is_kept && scene.skeleton.fixed_matrix_of[j] == kNone) scene.skeleton.rest[j] = detail.held[j];
+/// The same scene with the left-out joints at their held transforms as rest pose, and without their tracks.
+Scene held_scene(Scene scene, const PlanAssets& assets, const SkeletonLod& detail) {
+  for (std::size_t j = 0; j < assets.joint_map.size(); ++j)
+    if (!assets.joint_map[j].is_kept && scene.skeleton.fixed_matrix_of[j] == kNone)
+      scene.skeleton.rest[j] = detail.held[j];
   for (Animation& animation : scene.animations)
-    std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return !rig.places[bone.joint].is_kept; });
+    std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return !assets.joint_map[bone.joint].is_kept; });
   scene.clips.clear();
   finish_scene(scene);
   return scene;
@@ -77,15 +79,16 @@ TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
     const Plan full = compile_plan(scene, needs);
     needs.skeleton_lod = some_detail(scene, seed);
     const Plan lean = compile_plan(scene, needs);
-    ASSERT_TRUE(lean.rig.leaves_out() && !full.rig.leaves_out());
+    const PlanAssets& kept = lean.compiled()->assets;
+    ASSERT_TRUE(kept.leaves_out() && !full.compiled()->assets.leaves_out());
     FrameBuffer all(full), some(lean);
     for (const auto& layers : kPlayed) {
       ASSERT_EQ(run_plan(full, {.layers = layers, .weights = {}, .root = {}}, all), ErrorCode::ok);
       ASSERT_EQ(run_plan(lean, {.layers = layers, .weights = {}, .root = {}}, some), ErrorCode::ok);
-      ASSERT_EQ(some.result().model.size(), lean.rig.joint_count());
-      for (std::uint32_t j = 0; j < lean.rig.places.size(); ++j) {
-        const JointPlace& place = lean.rig.places[j];
-        ASSERT_TRUE(!place.is_kept || same_bits(some.result().model[place.at], all.result().model[j]))
+      ASSERT_EQ(some.result().model.size(), kept.joint_count());
+      for (std::uint32_t j = 0; j < kept.joint_map.size(); ++j) {
+        const JointMapping& mapped = kept.joint_map[j];
+        ASSERT_TRUE(!mapped.is_kept || same_bits(some.result().model[mapped.pose_index], all.result().model[j]))
             << "seed " << seed << " joint " << j;
       }
       EXPECT_TRUE(same_bits<float>(some.result().weights, all.result().weights))
@@ -104,7 +107,7 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
       needs.skinning = skinning, needs.bounds = true;
       needs.skeleton_lod = some_detail(scene, seed);
       const Plan lean = compile_plan(scene, needs);
-      const Scene held = held_scene(random_scene(seed, options), lean.rig, needs.skeleton_lod);
+      const Scene held = held_scene(random_scene(seed, options), lean.compiled()->assets, needs.skeleton_lod);
       needs.skeleton_lod = {};
       const Plan full = compile_plan(held, needs);
       FrameBuffer expected(full), found(lean);
@@ -112,7 +115,7 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
       ASSERT_EQ(run_plan(full, {.layers = {&layer, 1}, .weights = {}, .root = {}}, expected), ErrorCode::ok);
       ASSERT_EQ(run_plan(lean, {.layers = {&layer, 1}, .weights = {}, .root = {}}, found), ErrorCode::ok);
       for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
-        const Affine world = world_of(lean.rig, found.result().model, j), truth = expected.result().model[j];
+        const Affine world = world_of(lean, found.result().model, j), truth = expected.result().model[j];
         for (int r = 0; r < 3; ++r)
           EXPECT_LT(glm::length(world.row[r] - truth.row[r]), 1e-5f * (1.0f + glm::length(truth.row[r]))) << j;
       }
@@ -121,7 +124,7 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
         EXPECT_EQ(a.mirrored, b.mirrored);
         EXPECT_LT(glm::length(a.bounds.upper - b.bounds.upper) + glm::length(a.bounds.lower - b.bounds.lower), 2e-4f);
       }
-      for (std::size_t p = 0; p < lean.primitives.size(); ++p) {
+      for (std::size_t p = 0; p < lean.primitives().size(); ++p) {
         const DeformedPrimitive &a = found.result().primitives[p], &b = expected.result().primitives[p];
         EXPECT_LT(largest_distance(a.positions, b.positions), 1e-4) << "seed " << seed;
         EXPECT_LT(largest_distance(a.normals, b.normals), 2e-3) << "seed " << seed;
@@ -130,7 +133,7 @@ TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_m
   }
 }
 
-/// More joints, all of them moved by the clip, below one that is there.
+/// Adds joints below an existing one; the clip moves all of them.
 void add_moved_joints(Scene& scene, std::uint32_t parent, std::uint32_t count) {
   const auto first = static_cast<std::uint32_t>(scene.skeleton.joint_count());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -169,8 +172,8 @@ TEST(skeleton_lod, P01_joints_left_out_cost_exactly_nothing) {
     const Plan full = compile_plan(more, needs);
     needs.skeleton_lod = without(more, joints);
     const Plan lean = compile_plan(more, needs);
-    EXPECT_GT(full.frame_bytes, lean.frame_bytes);
-    EXPECT_EQ(plain.frame_bytes, lean.frame_bytes);
+    EXPECT_GT(full.frame_bytes(), lean.frame_bytes());
+    EXPECT_EQ(plain.frame_bytes(), lean.frame_bytes());
     FrameBuffer with(full), same(lean);
     for (const auto& layers : kPlayed) {
       ASSERT_EQ(run_plan(plain, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
@@ -179,7 +182,7 @@ TEST(skeleton_lod, P01_joints_left_out_cost_exactly_nothing) {
       EXPECT_EQ(same.result().work, frame.result().work);
       EXPECT_EQ(with.result().work.joints_composed, frame.result().work.joints_composed + count);
       EXPECT_TRUE(same_bits<Affine>(same.result().model, frame.result().model));
-      for (std::size_t p = 0; p < plain.primitives.size(); ++p)
+      for (std::size_t p = 0; p < plain.primitives().size(); ++p)
         EXPECT_TRUE(
             same_bits<glm::vec3>(same.result().primitives[p].positions, frame.result().primitives[p].positions));
     }
@@ -192,14 +195,14 @@ TEST(skeleton_lod, roots_joints_above_others_and_joints_that_drive_correctives_s
   const Scene scene = random_scene(2, options);
   Needs needs;
   needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
-  const Plan plan = compile_plan(scene, needs);
+  const std::vector<JointMapping> map = map_joints(scene, needs.skeleton_lod);
   for (std::uint32_t j = 0; j < scene.skeleton.joint_count(); ++j) {
     const std::uint32_t parent = scene.skeleton.parents[j];
-    EXPECT_TRUE(parent != kNone || plan.rig.places[j].is_kept);
-    EXPECT_TRUE(parent == kNone || !plan.rig.places[j].is_kept || plan.rig.places[parent].is_kept);
+    EXPECT_TRUE(parent != kNone || map[j].is_kept);
+    EXPECT_TRUE(parent == kNone || !map[j].is_kept || map[parent].is_kept);
   }
   for (const PoseCorrective& corrective : scene.correctives)
-    for (const PoseDriver& driver : corrective.samples.drivers) EXPECT_TRUE(plan.rig.places[driver.joint].is_kept);
+    for (const PoseDriver& driver : corrective.samples.drivers) EXPECT_TRUE(map[driver.joint].is_kept);
 }
 
 TEST(skeleton_lod, a_plan_that_leaves_nothing_out_copies_nothing) {
@@ -207,10 +210,11 @@ TEST(skeleton_lod, a_plan_that_leaves_nothing_out_copies_nothing) {
   Needs needs;
   needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), true);
   for (const Plan& plan : {compile_plan(scene, {}), compile_plan(scene, needs)}) {
-    EXPECT_EQ(plan.rig.skeleton, &scene.skeleton);
-    EXPECT_EQ(plan.rig.clips[1], &scene.clips[1]);
-    EXPECT_EQ(plan.rig.skins[0], &scene.skins[0]);
-    EXPECT_EQ(plan.rig.copies, nullptr);
+    const PlanAssets& assets = plan.compiled()->assets;
+    EXPECT_EQ(assets.skeleton, &scene.skeleton);
+    EXPECT_EQ(&assets.clips[1].layout(), &scene.clips[1].layout());
+    EXPECT_EQ(assets.skins[0], &scene.skins[0]);
+    EXPECT_EQ(assets.copies, nullptr);
   }
 }
 
@@ -220,9 +224,9 @@ TEST(skeleton_lod, a_character_changes_detail_in_one_block_of_memory_without_all
   const Plan full = compile_plan(scene, needs);
   needs.skeleton_lod = some_detail(scene, 6);
   const Plan lean = compile_plan(scene, needs);
-  ASSERT_LT(lean.frame_bytes, full.frame_bytes);
+  ASSERT_LT(lean.frame_bytes(), full.frame_bytes());
   alignas(64) static std::byte block[1 << 20];
-  ASSERT_LE(full.frame_bytes, sizeof block);
+  ASSERT_LE(full.frame_bytes(), sizeof block);
   FrameBuffer fresh(full), lean_fresh(lean);
   const ClipLayer layer{1, 0.8};
   const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
@@ -305,8 +309,9 @@ TEST(skeleton_lod, the_plan_says_what_is_left_out) {
   Needs needs;
   needs.skeleton_lod.kept = {true, true, false};
   const Plan plan = compile_plan(scene, needs);
-  const auto stage = std::find_if(plan.stages.begin(), plan.stages.end(),
-                                  [](const PlanStage& s) { return s.stage == "local_to_model"; });
+  const std::vector<PlanStage> stages = plan.stages();
+  const auto stage =
+      std::find_if(stages.begin(), stages.end(), [](const PlanStage& s) { return s.stage == "local_to_model"; });
   EXPECT_EQ(stage->count, 2u);
   EXPECT_NE(stage->reason.find("1 of 3 joints are left out as asked, they follow the joints above"), std::string::npos)
       << stage->reason;

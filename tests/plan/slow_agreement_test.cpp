@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random scenes by the plan and its jobs against plain double-precision loops over the authoring form.
+// Random scenes: the plan and its jobs compared with plain double-precision loops over the authoring form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -135,7 +135,7 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
   }
 }
 
-// The slow path does not look at plans, clips or jobs: where it cannot differ from them it would prove nothing.
+// The slow path must share no code with plans, clips and jobs, else agreement proves nothing.
 TEST(slow_frame, differs_when_its_input_differs) {
   const Scene scene = random_scene(7);
   const ClipLayer a{0, 0.5, 1.0f}, b{0, 0.6, 1.0f};

@@ -88,9 +88,8 @@ std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const
 
 std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   if (!input.weights.empty()) return {input.weights.begin(), input.weights.end()};
-  std::vector<double> rest;
-  for (const MeshInstance& instance : scene.instances)
-    rest.insert(rest.end(), instance.rest_weights.begin(), instance.rest_weights.end());
+  const std::vector<float> flattened = rest_weights_of(scene);
+  const std::vector<double> rest(flattened.begin(), flattened.end());
   const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
   std::vector<double> sum(rest.size());
   for (std::size_t i = 0; i < rest.size(); ++i) sum[i] = fill * rest[i];
@@ -111,7 +110,7 @@ std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   return sum;
 }
 
-/// Correctives add to the weights, whether these are given or sampled.
+/// Adds what correctives call for, to weights that are given or sampled.
 void correct_weights(const Scene& scene, const Needs& needs, const FrameInput& input, std::vector<double>& weights) {
   for (const PoseCorrective& corrective : scene.correctives) {
     reference::Pose pose;

@@ -11,8 +11,8 @@ struct SlowPrimitive {
   std::vector<Vec4<double>> colors;
 };
 
-/// One frame in double precision by plain loops over the authoring form, without plan, clip or jobs: the truth that
-/// run_plan is held to. Vertices of skinned instances are in world space, others in mesh space.
+/// One frame in double precision by plain loops over the authoring form, without plan, clip or jobs: the truth for
+/// run_plan. Vertices of skinned instances are in world space, others in mesh space.
 struct SlowFrame {
   std::vector<Affined> model;
   std::vector<double> weights;

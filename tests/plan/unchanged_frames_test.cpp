@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has not changed since the frame before is neither done again nor called new; and nothing shows that it was not.
+// What has not changed since the frame before is neither done again nor reported as new, and the bits are those of a
+// frame from scratch.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -47,7 +48,7 @@ Needs needs_by_bits(std::uint32_t bits) {
   return needs;
 }
 
-/// Few different inputs, so that whole inputs, palettes and weights often repeat.
+/// Inputs with few different values, so that whole inputs, palettes and weights often repeat.
 class FewInputs {
  public:
   FewInputs(const Scene& scene, std::uint32_t seed) : scene_(scene), random_(seed) {}
@@ -184,7 +185,7 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
   }
 }
 
-/// Whatever a pose in the memory is of, the next frame has the bits that it has anew.
+/// Whatever pose the memory holds, the next frame has the bits of a fresh one.
 TEST(unchanged_frames, P01_poses_of_one_clip_after_another_are_those_of_fresh_ones) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = random_scene(seed);
@@ -249,8 +250,8 @@ TEST(unchanged_frames, P19_a_moved_face_is_not_morphed_again) {
   EXPECT_EQ(frame.result().instances[0].bounds.lower.x, left + 2.0f);  // the box moved all the same
 }
 
-/// One character in turns over several buffers, each frame compared with one that begins anew.
-/// Answers how many shapes had been there before.
+/// One character takes turns with several buffers; each frame is compared with one in a fresh buffer.
+/// out  how many shapes were unchanged since an earlier frame
 std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   const Scene scene = scene_by_seed(seed);
   const Plan plan = compile_plan(scene, needs_by_bits(seed));
@@ -258,7 +259,7 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
   for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
   FewInputs inputs(scene, seed);
   std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame(
-      plan.primitives.size());  // of those that gave vertices
+      plan.primitives().size());  // of those that gave vertices
   FixedRandom random(seed + 1000);
   std::size_t at = 0, kept = 0;
   for (std::uint64_t number = 1; number <= 40; ++number) {
@@ -270,11 +271,11 @@ std::size_t run_in_turns(std::uint32_t seed, std::size_t buffer_count) {
     FrameBuffer fresh(plan);
     for (FrameBuffer* buffer : {&buffers[at], &fresh}) EXPECT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
     expect_same(buffers[at].result(), fresh.result());
-    for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+    for (std::size_t p = 0; p < plan.primitives().size(); ++p) {
       const DeformedPrimitive& shape = buffers[at].result().primitives[p];
-      const std::uint32_t i = plan.primitives[p].instance;
+      const std::uint32_t i = plan.primitives()[p].instance;
       const bool is_seen = !input.asleep && (input.out_of_view.empty() || input.out_of_view[i] == 0);
-      EXPECT_EQ(shape.since_frame != 0, plan.primitives[p].deformed() && is_seen) << p;
+      EXPECT_EQ(shape.since_frame != 0, plan.primitives()[p].deformed() && is_seen) << p;
       EXPECT_LE(shape.since_frame, number);
       if (shape.since_frame == 0) continue;
       const std::uint64_t hash = hash_of_frame[p][number] = hash_shape(shape);
@@ -317,7 +318,7 @@ TEST(unchanged_frames, a_frame_buffer_knows_its_plan_from_another_of_the_same_si
   Needs cofactor;
   cofactor.normal_rule = NormalRule::cofactor;
   const Plan linear = compile_plan(scene, {}), other = compile_plan(scene, cofactor);
-  ASSERT_EQ(linear.frame_bytes, other.frame_bytes);
+  ASSERT_EQ(linear.frame_bytes(), other.frame_bytes());
   FrameBuffer frame(linear);
   ASSERT_EQ(run_plan(linear, {}, frame), ErrorCode::ok);
   EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::size_mismatch);

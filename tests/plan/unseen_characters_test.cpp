@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nobody sees it, nobody does it: meshes out of view are not deformed, characters that sleep cost nothing, and neither
-// shows when they are seen again.
+// Meshes out of view are not deformed and characters that sleep cost nothing. When they are seen again their bits are
+// those of a fresh frame.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,8 +82,8 @@ TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
     FrameBuffer some(plan);
     ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}, .out_of_view = out_of_view}, some),
               ErrorCode::ok);
-    for (const PrimitivePlan& planned : plan.primitives) {
-      const std::size_t p = plan.first_primitive[planned.instance] + planned.primitive;
+    for (const PrimitivePlan& planned : plan.primitives()) {
+      const std::size_t p = plan.first_primitive()[planned.instance] + planned.primitive;
       const DeformedPrimitive& shape = some.result().primitives[p];
       EXPECT_TRUE(planned.instance == left_out ? is_nothing(shape) : same_shape(shape, seen.result().primitives[p]));
     }

@@ -43,7 +43,7 @@ JobThreadOptions with_buffers(std::uint8_t count, bool own_thread, std::pmr::mem
 TEST(frame_memory, two_frame_buffers_take_two_thirds) {
   Crowd crowd(4);
   std::size_t frame_bytes = 0;
-  for (std::size_t c = 0; c < 4; ++c) frame_bytes += crowd.plan_of(c).frame_bytes;
+  for (std::size_t c = 0; c < 4; ++c) frame_bytes += crowd.plan_of(c).frame_bytes();
   std::size_t bytes[4] = {};
   for (const std::uint8_t buffers : {std::uint8_t{2}, std::uint8_t{3}}) {
     CountedMemory memory;

@@ -58,7 +58,7 @@ TEST(job_thread, gives_the_same_bits_for_every_executor_and_thread_count) {
   for (const std::size_t threads : {1, 2, 3, 4, 8, 16}) {
     ThreadPool pool(threads);
     check(spread(pool.executor()), std::to_string(threads) + " threads");
-    check({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 2 * crowd.plan_of(0).frame_bytes},
+    check({.executor = pool.executor(), .inline_below_bytes = 0, .part_bytes = 2 * crowd.plan_of(0).frame_bytes()},
           std::to_string(threads) + " threads, in parts");
   }
   check(spread([](std::size_t count, const auto& body) {
@@ -75,7 +75,7 @@ TEST(job_thread, P16_a_crowd_of_little_memory_runs_without_the_executor) {
   };
   Crowd crowd(4);
   std::size_t bytes = 0;
-  for (std::size_t c = 0; c < 4; ++c) bytes += crowd.plan_of(c).frame_bytes;
+  for (std::size_t c = 0; c < 4; ++c) bytes += crowd.plan_of(c).frame_bytes();
   for (const std::size_t below : {bytes + 1, bytes}) {
     JobThread jobs({.executor = counting, .inline_below_bytes = below, .part_bytes = 1});
     crowd.add_to(jobs);
@@ -94,8 +94,8 @@ TEST(job_thread, P16_the_executor_is_handed_small_characters_together_and_large_
   Crowd crowd(kCharacters);
   std::size_t largest = 0, smallest = ~std::size_t{0};
   for (std::size_t c = 0; c < 3; ++c) {
-    largest = std::max(largest, crowd.plan_of(c).frame_bytes),
-    smallest = std::min(smallest, crowd.plan_of(c).frame_bytes);
+    largest = std::max(largest, crowd.plan_of(c).frame_bytes()),
+    smallest = std::min(smallest, crowd.plan_of(c).frame_bytes());
   }
   const auto parts_of = [&](std::size_t part_bytes) {
     JobThread jobs({.executor = counting, .inline_below_bytes = 0, .part_bytes = part_bytes});
@@ -269,7 +269,7 @@ TEST(job_thread, P19_shapes_that_rest_while_their_character_walks_hold_since_the
     EXPECT_EQ(shown.frame, frame);
     EXPECT_EQ(shown.instances[0].world_from_mesh.row[0].w, static_cast<float>(frame));
     for (std::size_t p = 0; p < shown.primitives.size(); ++p) {
-      if (!plan.primitives[p].deformed()) continue;
+      if (!plan.primitives()[p].deformed()) continue;
       ++deformed;
       EXPECT_EQ(shown.primitives[p].since_frame, 1u) << "primitive " << p << ", frame " << frame;
     }

@@ -12,10 +12,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Plan small_plan() {
-  Plan plan;
-  plan.stages = {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
-  return plan;
+std::vector<PlanStage> small_plan() {
+  return {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
 }
 
 FrameResult frame(std::uint64_t number, std::span<const std::uint64_t> stage_ns) {
@@ -65,7 +63,7 @@ TEST(live_plan, says_how_often_poses_are_evaluated) {
 
 TEST(live_plan, times_are_means_in_which_the_first_frames_do_not_stay) {
   LivePlan live;
-  const Plan plan = small_plan();
+  const std::vector<PlanStage> plan = small_plan();
   std::uint64_t number = 0;
   const auto evaluate = [&](std::uint64_t ns) {
     const std::uint64_t stage_ns[] = {ns, 7};

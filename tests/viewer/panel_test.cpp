@@ -22,10 +22,9 @@ class PanelTest : public testing::Test {
     io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
     for (const double duration : {2.0, 3.0}) scene_.animations.emplace_back().duration_s = duration;
     scene_.skins.emplace_back();
-    plan_.stages = {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
     facts_.name = "test";
     facts_.scene = &scene_;
-    facts_.plan = &plan_;
+    facts_.needs = &needs_;
     facts_.exhibits = names_;
   }
   ~PanelTest() override { ImGui::DestroyContext(context_); }
@@ -61,7 +60,7 @@ class PanelTest : public testing::Test {
 
   ImGuiContext* context_;
   Scene scene_;
-  Plan plan_;
+  Needs needs_;
   std::vector<std::string> names_{"first", "second"};
   PanelFacts facts_;
   Settings settings_;
@@ -172,7 +171,6 @@ TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) 
 
 TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {
   scene_ = Scene{};
-  plan_.stages.clear();
   names_ = {"only"};
   facts_.exhibits = names_;
   Playback playback(scene_);

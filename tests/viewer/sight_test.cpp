@@ -79,7 +79,7 @@ TEST(sight, a_character_sleeps_only_while_nobody_watches_its_joints) {
 TEST_F(sight_on_device, pictures_have_the_same_bytes_and_cost_less) {
   const Scene scene = three_arms();
   const Plan plan = compile_plan(scene, viewer_needs());
-  Sight sight(scene, plan.needs);
+  Sight sight(scene, plan.needs());
   FrameBuffer whole(plan), seen(plan);
   Headless renderer(*test_device(), scene, 96, 64);
   for (const View& view : {view_of_one(), look_at({1.0, 1.0, 90.0}, {0.0, 1.0, 0.0}, 0.8, 0.05), view_of_none()})

@@ -34,7 +34,7 @@ View CameraPose::at(std::uint32_t clip, double time_s, double aspect, const Aabb
   const FrameResult& pose = frame_.result();
   apply_properties(*scene_, pose.properties, look_);
   const Camera& camera = look_.cameras[camera_];
-  return view_of_camera(camera, world_of(plan_.rig, pose.model, camera.joint), aspect, bounds);
+  return view_of_camera(camera, world_of(plan_, pose.model, camera.joint), aspect, bounds);
 }
 
 }  // namespace sinew::viewer

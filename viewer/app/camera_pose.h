@@ -18,7 +18,7 @@ class CameraPose {
   std::uint32_t camera() const noexcept { return camera_; }
 
   /// Some clip moves it, or changes what it sees.
-  bool moves() const noexcept { return !plan_.moved_joints.empty() || plan_.properties; }
+  bool moves() const noexcept { return !plan_.moved_joints().empty() || plan_.runs(Stage::properties); }
 
   /// What it sees at one time of a clip, as view_of_camera (file_camera.h).
   /// in   clip  kNone = the rest pose;   bounds  of the clip

@@ -32,10 +32,12 @@ class Poser {
   Poser(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
       : clip_(clip),
         plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))),
+        stages_(plan_.stages()),
         frame_(plan_),
         levels_(plan_, evaluation.updates) {}
 
-  const Plan& plan() const noexcept { return plan_; }
+  const Needs& needs() const noexcept { return plan_.needs(); }
+  std::span<const PlanStage> stages() const noexcept { return stages_; }
   const FrameResult& newest() const noexcept { return frame_.result(); }
   UpdateLevels& levels() noexcept { return levels_; }
 
@@ -55,6 +57,7 @@ class Poser {
  private:
   std::uint32_t clip_;
   Plan plan_;
+  std::vector<PlanStage> stages_;
   FrameBuffer frame_;
   UpdateLevels levels_;
 };
@@ -88,7 +91,7 @@ class PictureMaker {
         frame_s_(1.0 / options.fps),
         aspect_(static_cast<double>(options.width) / options.height),
         poser_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
-        sight_(exhibit.scene, poser_.plan().needs),
+        sight_(exhibit.scene, poser_.needs()),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
@@ -125,7 +128,7 @@ class PictureMaker {
     Picture picture = headless_.render(pose, view_, look, lines, settings_.variant);
     if (watches_plan_) {
       live_plan_.updates(poser_.levels());
-      live_plan_.evaluated(poser_.plan(), pose);
+      live_plan_.evaluated(poser_.stages(), pose);
       live_plan_.drawn(headless_.upload_counts(), headless_.report(), headless_.pass_times());
     }
     return picture;

@@ -33,11 +33,11 @@ void LivePlan::time(PlanPart part, std::string_view stage, double time_us) {
   timed.time_us = ++timed.timed > kFirst ? timed.time_us + kShare * (time_us - timed.time_us) : time_us;
 }
 
-void LivePlan::evaluated(const Plan& plan, const FrameResult& frame) {
+void LivePlan::evaluated(std::span<const PlanStage> stages, const FrameResult& frame) {
   if (frame.frame == evaluated_frame_) return;
   evaluated_frame_ = frame.frame;
-  for (std::size_t s = 0; s < plan.stages.size(); ++s) {
-    const PlanStage& stage = plan.stages[s];
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    const PlanStage& stage = stages[s];
     tell(PlanPart::evaluation, stage.stage, stage.runs, stage.reason, stage.count);
     if (stage.runs && s < frame.stage_ns.size())
       time(PlanPart::evaluation, stage.stage, 1e-3 * static_cast<double>(frame.stage_ns[s]));

@@ -36,9 +36,9 @@ class LivePlan {
   static constexpr std::uint32_t kFirst =
       3;  ///< frames that build what later ones use: the mean starts with the last of them
 
-  /// A frame of this plan was evaluated. Frames that were seen before count once.
+  /// A frame of a plan with these stages was evaluated. Frames that were seen before count once.
   /// in   frame   its stage_ns may be empty: then there are no times
-  void evaluated(const Plan& plan, const FrameResult& frame);
+  void evaluated(std::span<const PlanStage> stages, const FrameResult& frame);
 
   /// How often poses are evaluated, and why.
   void updates(const UpdateLevels& levels);

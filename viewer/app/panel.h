@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/needs.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/settings.h"
@@ -18,7 +18,7 @@ namespace sinew::viewer {
 struct PanelFacts {
   std::string_view name, note, device;
   const Scene* scene = nullptr;
-  const Plan* plan = nullptr;
+  const Needs* needs = nullptr;
   std::string updates;                    ///< how often poses are evaluated, and why
   std::span<const PlanRow> rows;          ///< of the live plan
   bool resting = false;                   ///< nothing moves: no pose is evaluated

@@ -2,7 +2,6 @@
 #include "viewer/app/shown_scene.h"
 
 #include "runtime/base/contract.h"
-#include "runtime/plan/same_layers.h"
 #include "viewer/app/file_camera.h"
 
 namespace sinew::viewer {
@@ -28,14 +27,15 @@ void ShownScene::stop() noexcept {
 void ShownScene::plan_for(const Evaluation& evaluation) {
   stop();
   evaluation_ = evaluation;
-  plan_ = std::make_unique<Plan>(compile_plan(exhibit_.scene, needs_of(exhibit_, evaluation)));
-  levels_ = std::make_unique<UpdateLevels>(*plan_, evaluation.updates);
+  plan_ = compile_plan(exhibit_.scene, needs_of(exhibit_, evaluation));
+  stages_ = plan_.stages();
+  levels_ = std::make_unique<UpdateLevels>(plan_, evaluation.updates);
   levels_->begin_exact_frame("the first");
   ++plan_number_;
   jobs_ = std::make_unique<JobThread>();
-  character_ = jobs_->add_character(*plan_);
+  character_ = jobs_->add_character(plan_);
   ready_seen_ = false;
-  sight_ = Sight(exhibit_.scene, plan_->needs);
+  sight_ = Sight(exhibit_.scene, plan_.needs());
   unseen_ = sight_.nothing();
   const auto ticket = ask();
   CONTRACT(ticket.has_value());  // nothing else was submitted

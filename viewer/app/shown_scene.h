@@ -24,7 +24,8 @@ class ShownScene {
   ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count);
 
   const Exhibit& exhibit() const noexcept { return exhibit_; }
-  const Plan& plan() const noexcept { return *plan_; }
+  const Needs& needs() const noexcept { return plan_.needs(); }
+  std::span<const PlanStage> stages() const noexcept { return stages_; }
   const Evaluation& evaluation() const noexcept { return evaluation_; }
   const UpdateLevels& update_levels() const noexcept { return *levels_; }
   Playback& playback() noexcept { return playback_; }
@@ -86,7 +87,8 @@ class ShownScene {
   const Exhibit& exhibit_;
   Playback playback_;
   Evaluation evaluation_;
-  std::unique_ptr<Plan> plan_;
+  Plan plan_;
+  std::vector<PlanStage> stages_;  ///< of the plan
   std::unique_ptr<UpdateLevels> levels_;
   std::optional<CameraPose> camera_pose_;  ///< of the camera that was looked through last
   std::unique_ptr<JobThread> jobs_;

@@ -202,7 +202,7 @@ PanelFacts WindowLoop::facts() {
   facts.note = exhibit.note;
   facts.device = device_.name();
   facts.scene = &exhibit.scene;
-  facts.plan = &shown_->plan();
+  facts.needs = &shown_->needs();
   facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
   facts.resting = shown_->resting();
@@ -225,7 +225,7 @@ void WindowLoop::draw() {
   if (!drawn) return;
   if (settings_.watches_plan()) {
     live_plan_.updates(shown_->update_levels());
-    live_plan_.evaluated(shown_->plan(), shown_->newest());
+    live_plan_.evaluated(shown_->stages(), shown_->newest());
     live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
   }
   --frames_to_draw_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/plan/find_hidden.h"
+#include "runtime/plan/visibility.h"
 
 #include <algorithm>
 
@@ -15,6 +15,17 @@ void find_hidden(const Scene& scene, std::span<const float> properties, std::spa
   const auto& parents = scene.skeleton.parents;
   for (std::size_t j = 0; j < hidden.size(); ++j)
     if (parents[j] != kNone && hidden[parents[j]]) hidden[j] = true;
+}
+
+std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
+                                      FrameMemory memory) noexcept {
+  if (!plan.hide_per_frame && visibility.out_of_view.empty()) return {};
+  const std::span<bool> wanted = memory.array<bool>(plan.layout.palette_wanted_at, plan.palette.size());
+  std::fill(wanted.begin(), wanted.end(), false);
+  for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)
+    if (const std::uint32_t skin = plan.scene->instances[i].skin; skin != kNone)
+      wanted[skin] = wanted[skin] || visibility.is_deformed(plan, i);
+  return wanted;
 }
 
 }  // namespace sinew

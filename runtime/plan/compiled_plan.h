@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <bitset>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/deform/combine_influences.h"
+#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/frame_layout.h"
+#include "runtime/plan/joint_scales.h"
+#include "runtime/plan/plan_assets.h"
+#include "runtime/pose/joint_palette.h"
+
+namespace sinew {
+
+/// How a primitive of a mesh instance is skinned, beside what PrimitivePlan says.
+struct PrimitiveSkinning {
+  std::vector<JointPair> pairs;    ///< joints that share vertices, for dual quaternions (hemisphere_pairs.h)
+  std::uint32_t combined = kNone;  ///< index into CompiledPlan::combined of its skin, where that is used
+};
+
+/// What a Plan holds: everything that run_plan reads beside the input. Internal to plan/ and its tests.
+struct CompiledPlan {
+  const Scene* scene = nullptr;
+  Needs needs;
+  PlanAssets assets;  ///< what poses are made of
+  FrameLayout layout;
+
+  // Which stages run. Of those that work on skins and vertices the tables below decide for each.
+  bool sample = false, blend = false, add = false, interpolate = false, correctives = false, properties = false,
+       local_to_model = false, bounds = false;
+  bool hide = false, hide_per_frame = false;  ///< some joint may be hidden; clips decide it
+  std::bitset<kStageCount> stages;            ///< all of them, for Plan::runs
+
+  // Clips and poses.
+  std::vector<ClipTracks> clip_tracks;      ///< [clips]
+  std::vector<std::uint32_t> moved_joints;  ///< of poses, by some clip, or below such joints: the others have their
+                                            ///< rest pose in every frame
+  std::vector<JointScale> joint_scales;     ///< [joints of poses]
+  std::vector<std::vector<float>> masks;    ///< [masks of the needs][joints of poses]
+  std::vector<float> rest_weights;          ///< [W]
+
+  // Mesh instances and their primitives.
+  std::vector<PrimitivePlan> primitives;              ///< one per primitive of each mesh instance
+  std::vector<PrimitiveSkinning> primitive_skinning;  ///< parallel to `primitives`
+  std::vector<std::uint32_t> first_primitive;         ///< [instances + 1] into `primitives`
+  std::vector<bool> instance_skinned;                 ///< [instances] some primitive follows the instance's skin
+  std::vector<JointScale> instance_scales;  ///< [instances] of the matrix whose determinant says which way faces
+                                            ///< wind, without the root
+
+  // Skins.
+  std::vector<bool> palette, split;  ///< [skins] the skin's matrices are made; they are split as well
+  std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly
+  std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
+};
+
+inline const Primitive& primitive_of(const CompiledPlan& plan, const PrimitivePlan& planned) noexcept {
+  return plan.scene->meshes[plan.scene->instances[planned.instance].mesh].primitives[planned.primitive];
+}
+
+/// Matrices of a skin that a frame keeps: of its joints, then of combinations of them.
+inline std::size_t matrix_count(const CompiledPlan& plan, std::size_t skin) noexcept {
+  std::size_t count = plan.scene->skins[skin].joints.size();
+  for (const CombinedInfluences& combined : plan.combined[skin])
+    if (combined.used()) count += combined.combination_count;
+  return count;
+}
+
+/// What Plan::stages answers.
+std::vector<PlanStage> describe_stages(const CompiledPlan& plan);
+
+}  // namespace sinew

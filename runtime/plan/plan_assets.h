@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/model/scene.h"
+#include "runtime/plan/needs.h"
+
+namespace sinew {
+
+/// The joint of a scene that stands for another one in the poses of a plan.
+struct JointMapping {
+  std::uint32_t kept_joint = 0;  ///< of the scene: the joint itself, or the nearest one above that poses have
+  std::uint32_t pose_index = 0;  ///< of that joint in poses
+  bool is_kept = true;           ///< it is the joint itself
+  Affined kept_from_joint;       ///< the identity where it is kept
+};
+
+/// What poses are made of: the scene's skeleton, clips, skins and correctives, or reduced copies that know only the
+/// joints that Needs::skeleton_lod keeps, in the order of the scene. Immutable; copies share what they own. Clips are
+/// shared with the scene, the rest is pointed at. Internal to plan/.
+struct PlanAssets {
+  const Skeleton* skeleton = nullptr;  ///< [K joints]
+  std::vector<Clip> clips;             ///< [clips of the scene when the plan was compiled]
+  std::vector<const Skin*> skins;      ///< [skins of the scene] inverse bind matrices hold the way to a kept joint
+  std::span<const PoseCorrective> correctives;
+  std::vector<JointMapping> joint_map;  ///< [J] of all joints of the scene
+  std::shared_ptr<const void> copies;   ///< what is pointed at, where joints are left out
+
+  std::size_t joint_count() const noexcept { return skeleton->joint_count(); }
+  bool leaves_out() const noexcept { return joint_count() < joint_map.size(); }
+};
+
+/// out  [J]     cost O(J)
+std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail);
+
+/// The scene must outlive what is answered, but for its clips.
+/// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
+PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail);
+
+/// World matrix of any joint of the scene.
+/// in   model[K]  of a frame (FrameResult::model)
+inline Affine world_of(const PlanAssets& assets, std::span<const Affine> model, std::uint32_t joint) noexcept {
+  const JointMapping& mapped = assets.joint_map[joint];
+  const Affine& kept = model[mapped.pose_index];
+  return mapped.is_kept ? kept : affine_cast<float>(affine_cast<double>(kept) * mapped.kept_from_joint);
+}
+
+}  // namespace sinew

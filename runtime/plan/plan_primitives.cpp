@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/plan/plan_primitives.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "runtime/plan/visibility.h"
+#include "runtime/pose/hemisphere_pairs.h"
+
+namespace sinew {
+namespace {
+
+/// Which attributes some target of the set moves.
+struct MorphedAttributes {
+  AttributeSet set;
+  bool colors = false;
+};
+
+MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
+  MorphedAttributes moved;
+  for (const MorphTarget& target : morphs.targets) {
+    moved.set.positions |= !target.positions.empty();
+    moved.set.normals |= !target.normals.empty();
+    moved.set.tangents |= !target.tangents.empty();
+    moved.colors |= !target.colors.empty();
+  }
+  return moved;
+}
+
+/// Morph and skin touch an attribute only where the primitive has it, the needs ask for it, and something moves it.
+PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning skinning, const Needs& needs) {
+  PrimitivePlan plan;
+  plan.lacks_centers = skinning == Skinning::center_of_rotation && primitive.centers_of_rotation.empty();
+  plan.skinning = plan.lacks_centers ? Skinning::linear : skinning;
+  const MorphedAttributes moved = morphed_by(primitive.morphs);
+  const bool skinned = has_skin && !primitive.influences.empty();
+  plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
+                      primitive.topology == Topology::triangles && (skinned || moved.set.positions);
+  const AttributeSet wanted = {needs.positions || needs.bounds || plan.flat_normals,
+                               needs.normals && !primitive.normals.empty() && !plan.flat_normals,
+                               needs.tangents && !primitive.tangents.empty()};
+  plan.morph = {wanted.positions && moved.set.positions, wanted.normals && moved.set.normals,
+                wanted.tangents && moved.set.tangents};
+  plan.morph.positions |= plan.morph.any();  // jobs always write positions
+  plan.morph_colors = needs.vertices() && moved.colors && !primitive.colors.empty();
+  if (skinned) plan.skin = wanted;
+  plan.skin.positions |= plan.skin.any();
+  return plan;
+}
+
+/// Joints that no clip of the plan ever shows.
+class NeverShown {
+ public:
+  explicit NeverShown(const CompiledPlan& plan) : hidden_(new bool[plan.scene->skeleton.joint_count()]()) {
+    if (!plan.hide || plan.needs.hidden_meshes) return;
+    const Scene& scene = *plan.scene;
+    std::vector<float> all_on = scene.properties.rest;
+    for (const PropertyTable::Entry& entry : scene.properties.entries)
+      if (entry.target.kind == PropertyKind::node_visible) all_on[entry.first] = 1.0f;
+    find_hidden(scene, plan.hide_per_frame ? std::span<const float>(all_on) : std::span<const float>(),
+                {hidden_.get(), scene.skeleton.joint_count()});
+  }
+  bool operator[](std::uint32_t joint) const noexcept { return hidden_[joint]; }
+
+ private:
+  std::unique_ptr<bool[]> hidden_;
+};
+
+/// Combines the influences of primitives, once for all instances of one skin.
+class CombinationsOfPlan {
+ public:
+  explicit CombinationsOfPlan(CompiledPlan& plan) : plan_(plan) {}
+
+  /// Index into CompiledPlan::combined of the skin, or kNone where each vertex blends its own matrices.
+  std::uint32_t of(const Primitive& primitive, std::uint32_t skin) {
+    std::vector<CombinedInfluences>& all = plan_.combined[skin];
+    const auto [at, is_new] = known_.try_emplace({&primitive, skin}, static_cast<std::uint32_t>(all.size()));
+    if (is_new) all.push_back(combine_influences(primitive.influences, matrix_count(plan_, skin)));
+    return all[at->second].used() ? at->second : kNone;
+  }
+
+ private:
+  CompiledPlan& plan_;
+  std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
+};
+
+/// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of
+/// joints.
+bool has_uneven_normals(const CompiledPlan& plan, const Primitive& primitive, const Skin& skin) {
+  const auto uneven_joint = [&](std::uint32_t joint) { return plan.joint_scales[joint].kind == ScaleKind::uneven; };
+  const auto uneven_bind = [](const Affine& bind) { return scale_kind(bind) == ScaleKind::uneven; };
+  const auto blends = [](const InfluenceGroup& group) { return group.influence_count > 1; };
+  const std::vector<InfluenceGroup>& groups = primitive.influences.groups;
+  return std::any_of(groups.begin(), groups.end(), blends) ||
+         std::any_of(skin.joints.begin(), skin.joints.end(), uneven_joint) ||
+         std::any_of(skin.inverse_bind.begin(), skin.inverse_bind.end(), uneven_bind);
+}
+
+/// The scale of the matrix whose determinant tells how faces wind: of the joint, or of the first skinning matrix.
+JointScale scale_of_instance(const CompiledPlan& plan, std::size_t i) {
+  const MeshInstance& instance = plan.scene->instances[i];
+  if (!plan.instance_skinned[i]) {
+    const JointMapping& mapped = plan.assets.joint_map[instance.joint];
+    JointScale scale = plan.joint_scales[mapped.pose_index];
+    scale.sign *= determinant_sign(mapped.kept_from_joint);
+    return scale;
+  }
+  const Skin& skin = *plan.assets.skins[instance.skin];
+  if (skin.joints.empty()) return {.sign = 0};
+  JointScale scale = plan.joint_scales[skin.joints[0]];
+  scale.sign *= determinant_sign(affine_cast<double>(skin.inverse_bind[0]));
+  return scale;
+}
+
+/// What a skinned primitive calls for from its skin.
+void plan_skinning(CompiledPlan& plan, const Primitive& primitive, std::uint32_t skin, CombinationsOfPlan& combinations,
+                   PrimitivePlan& planned, PrimitiveSkinning& skinning) {
+  plan.palette[skin] = true;
+  if (planned.skinning != Skinning::linear) {
+    plan.split[skin] = true;
+    skinning.pairs = sharing_pairs(primitive.influences, plan.scene->skins[skin].joints.size());
+    return;
+  }
+  skinning.combined = combinations.of(primitive, skin);
+  planned.cofactors = plan.needs.normal_rule == NormalRule::cofactor && planned.skin.normals &&
+                      has_uneven_normals(plan, primitive, *plan.assets.skins[skin]);
+}
+
+}  // namespace
+
+void plan_primitives(CompiledPlan& plan) {
+  const Scene& scene = *plan.scene;
+  plan.palette.resize(scene.skins.size());
+  plan.split.resize(scene.skins.size());
+  plan.combined.resize(scene.skins.size());
+  const NeverShown never_shown(plan);
+  const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
+  CombinationsOfPlan combinations(plan);
+  plan.first_primitive.push_back(0);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const MeshInstance& instance = scene.instances[i];
+    const auto& primitives = scene.meshes[instance.mesh].primitives;
+    bool skinned = false;
+    for (std::uint32_t p = 0; p < primitives.size(); ++p) {
+      PrimitivePlan planned = plan_primitive(primitives[p], instance.skin != kNone, plan.needs.skinning_of(i),
+                                             never_shown[instance.joint] ? nothing : plan.needs);
+      planned.instance = i;
+      planned.primitive = p;
+      skinned |= instance.skin != kNone && !primitives[p].influences.empty();
+      PrimitiveSkinning skinning;
+      if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, combinations, planned, skinning);
+      plan.primitives.push_back(planned);
+      plan.primitive_skinning.push_back(std::move(skinning));
+    }
+    if (skinned && plan.needs.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
+    plan.instance_skinned.push_back(skinned);
+    plan.instance_scales.push_back(scale_of_instance(plan, i));
+    plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));
+  }
+}
+
+}  // namespace sinew

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <utility>
+
+#include "runtime/plan/compiled_plan.h"
+
+namespace sinew::test {
+
+/// A copy of the plan in which `change(CompiledPlan&)` changed something that compile_plan decides.
+template <class Change>
+Plan changed(const Plan& plan, const Change& change) {
+  auto copy = std::make_shared<CompiledPlan>(*plan.compiled());
+  change(*copy);
+  return Plan(std::move(copy));
+}
+
+/// The plan with every vertex blending for itself.
+inline Plan without_combinations(const Plan& plan) {
+  return changed(plan, [](CompiledPlan& copy) {
+    for (std::vector<CombinedInfluences>& of_skin : copy.combined) of_skin.clear();
+    for (PrimitiveSkinning& skinning : copy.primitive_skinning) skinning.combined = kNone;
+  });
+}
+
+}  // namespace sinew::test

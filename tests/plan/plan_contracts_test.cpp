@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// What an engine may do with scenes, plans and frame buffers, and what it is answered where it may not.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "runtime/plan/frame_hash.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
+
+namespace sinew::test {
+namespace {
+
+/// A caller's block for one frame, with bytes behind it that nobody may write.
+class GuardedBlock {
+ public:
+  explicit GuardedBlock(std::size_t byte_count) : lines_(byte_count / sizeof(Line) + kGuardLines), bytes_(byte_count) {
+    for (Line& line : lines_)
+      for (std::byte& byte : line.bytes) byte = kGuard;
+  }
+  std::span<std::byte> block() { return all().first(bytes_); }
+  bool is_intact() {
+    for (const std::byte byte : all().subspan(bytes_))
+      if (byte != kGuard) return false;
+    return true;
+  }
+
+ private:
+  struct alignas(FrameBuffer::kAlignment) Line {
+    std::byte bytes[FrameBuffer::kAlignment];
+  };
+  static constexpr std::byte kGuard{0xa5};
+  static constexpr std::size_t kGuardLines = 4096;
+
+  std::span<std::byte> all() { return std::as_writable_bytes(std::span(lines_)); }
+
+  std::vector<Line> lines_;
+  std::size_t bytes_;
+};
+
+TEST(plan_contracts, a_buffer_refuses_a_plan_that_was_compiled_again_for_another_scene_in_the_same_object) {
+  Scene scene = prop_scene();
+  Plan plan = compile_plan(scene, {});
+  GuardedBlock memory(plan.frame_bytes());
+  FrameBuffer frame(plan, memory.block());
+  ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+  scene = random_scene(3);
+  plan = compile_plan(scene, {});
+  EXPECT_EQ(run_plan(plan, {}, frame), ErrorCode::size_mismatch);
+  EXPECT_TRUE(memory.is_intact());
+  EXPECT_TRUE(holds_result_of(frame, {})) << "of the last good frame";
+}
+
+TEST(plan_contracts, a_buffer_is_of_the_plan_that_it_was_made_for_and_of_its_copies) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(scene, {}), copy = plan, again = compile_plan(scene, {});
+  FrameBuffer frame(plan);
+  EXPECT_EQ(run_plan(copy, {}, frame), ErrorCode::ok);
+  EXPECT_EQ(run_plan(again, {}, frame), ErrorCode::size_mismatch) << "it may keep other clips";
+  EXPECT_EQ(run_plan(Plan{}, {}, frame), ErrorCode::size_mismatch);
+}
+
+TEST(plan_contracts, a_buffer_does_not_follow_one_of_another_plan) {
+  const Scene arm = arm_scene(), prop = prop_scene();
+  const Plan plan = compile_plan(arm, {}), other = compile_plan(prop, {});
+  FrameBuffer frame(plan), foreign(other);
+  ASSERT_EQ(run_plan(other, {}, foreign), ErrorCode::ok);
+  frame.follow(foreign);
+  EXPECT_EQ(run_plan(plan, {}, frame), ErrorCode::size_mismatch);
+}
+
+/// Bits of frames all over two clips.
+std::vector<std::uint64_t> hashes_of_frames(const Plan& plan, FrameBuffer& frame) {
+  std::vector<std::uint64_t> hashes;
+  for (const double time_s : {0.0, 0.3, 0.7, 1.4}) {
+    const ClipLayer layers[] = {{0, time_s, 0.75f}, {1, 0.5 * time_s, 0.5f}};
+    EXPECT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    hashes.push_back(hash_pose(frame.result()));
+    hashes.push_back(hash_vertices(frame.result()));
+  }
+  return hashes;
+}
+
+/// Adds clips and animations until their arrays have moved.
+void grow_clips(Scene& scene) {
+  const Clip* const clips_before = scene.clips.data();
+  const Animation* const animations_before = scene.animations.data();
+  while (scene.clips.data() == clips_before || scene.animations.data() == animations_before) {
+    scene.animations.push_back(scene.animations[0]);
+    scene.clips.push_back(compile_clip(scene.animations[0], scene.skeleton, rest_weights_of(scene), scene.first_weight,
+                                       scene.properties));
+  }
+}
+
+TEST(plan_contracts, clips_may_be_added_to_the_scene_and_removed_while_plans_run) {
+  for (const bool leaves_joints_out : {false, true}) {
+    Scene scene = random_scene(5);
+    Needs needs;
+    if (leaves_joints_out) needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const std::vector<std::uint64_t> before = hashes_of_frames(plan, frame);
+    const auto known = static_cast<std::uint32_t>(scene.clips.size());
+    grow_clips(scene);
+    EXPECT_EQ(hashes_of_frames(plan, frame), before);
+    const ClipLayer added{known, 0.5};
+    EXPECT_EQ(run_plan(plan, {.layers = {&added, 1}, .weights = {}, .root = {}}, frame), ErrorCode::index_out_of_range)
+        << "the plan does not know the clip";
+    const Plan grown = compile_plan(scene, needs);
+    FrameBuffer of_grown(grown);
+    EXPECT_EQ(run_plan(grown, {.layers = {&added, 1}, .weights = {}, .root = {}}, of_grown), ErrorCode::ok);
+    scene.clips.clear();
+    scene.clips.shrink_to_fit();
+    scene.animations.clear();
+    EXPECT_EQ(hashes_of_frames(plan, frame), before);
+    FrameBuffer made_afterwards(plan);
+    EXPECT_EQ(hashes_of_frames(plan, made_afterwards), before);
+  }
+}
+
+TEST(plan_contracts, a_plan_outlives_its_handle_in_frame_buffers) {
+  const Scene scene = random_scene(5);
+  Plan plan = compile_plan(scene, {});
+  FrameBuffer frame(plan);
+  const Plan second = plan;
+  plan = Plan{};
+  FrameBuffer fresh(second);
+  EXPECT_EQ(hashes_of_frames(second, frame), hashes_of_frames(second, fresh));
+}
+
+struct BadNumber {
+  const char* name;
+  std::function<void(FrameInput&, ClipLayer& layer, ClipLayer& next, std::vector<float>& weights)> set;
+  ErrorCode error = ErrorCode::not_finite;
+};
+
+std::vector<BadNumber> bad_numbers() {
+  std::vector<BadNumber> bad;
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float x : {nan, inf, -inf}) {
+    for (int i = 0; i < 12; ++i)
+      bad.push_back({"root", [=](FrameInput& input, auto&, auto&, auto&) { input.root.row[i / 4][i % 4] = x; }});
+    bad.push_back({"time of a layer", [=](auto&, ClipLayer& layer, auto&, auto&) { layer.time_s = x; }});
+    bad.push_back({"weight of a layer", [=](auto&, ClipLayer& layer, auto&, auto&) { layer.weight = x; }});
+    bad.push_back({"time of a next layer", [=](auto&, auto&, ClipLayer& next, auto&) { next.time_s = x; }});
+    bad.push_back({"weight of a next layer", [=](auto&, auto&, ClipLayer& next, auto&) { next.weight = x; }});
+    bad.push_back({"morph weight", [=](auto&, auto&, auto&, auto& weights) { weights.back() = x; }});
+    bad.push_back({"interpolation factor",
+                   [=](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = x; },
+                   ErrorCode::unsupported});
+  }
+  bad.push_back({"interpolation factor above 1",
+                 [](FrameInput& input, auto&, auto&, auto&) { input.interpolation_factor = 1.5f; },
+                 ErrorCode::unsupported});
+  bad.push_back({"mask", [](auto&, ClipLayer& layer, auto&, auto&) { layer.mask = 0; }, ErrorCode::index_out_of_range});
+  return bad;
+}
+
+TEST(plan_contracts, numbers_of_the_input_that_mean_nothing_are_refused_and_the_last_frame_stays) {
+  const Scene scene = random_scene(4);
+  Needs needs;
+  needs.between_updates = true;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  const ClipLayer good{0, 0.4}, good_next{1, 0.6};
+  const std::vector<float> good_weights(scene.weight_count(), 0.25f);
+  ASSERT_FALSE(good_weights.empty());
+  const FrameInput fine{.layers = {&good, 1},
+                        .weights = good_weights,
+                        .root = {},
+                        .next_layers = {&good_next, 1},
+                        .interpolation_factor = 0.5f};
+  ASSERT_EQ(run_plan(plan, fine, frame), ErrorCode::ok);
+  const std::uint64_t last = hash_pose(frame.result());
+  for (const BadNumber& bad : bad_numbers()) {
+    ClipLayer layer = good, next = good_next;
+    std::vector<float> weights = good_weights;
+    FrameInput input = fine;
+    bad.set(input, layer, next, weights);
+    input.layers = {&layer, 1};
+    input.next_layers = {&next, 1};
+    input.weights = weights;
+    EXPECT_EQ(run_plan(plan, input, frame), bad.error) << bad.name;
+    input.asleep = true;
+    EXPECT_EQ(run_plan(plan, input, frame), bad.error) << bad.name << ", asleep";
+    EXPECT_EQ(hash_pose(frame.result()), last) << bad.name;
+    EXPECT_TRUE(holds_result_of(frame, fine)) << bad.name;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
