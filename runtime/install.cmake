@@ -4,32 +4,41 @@
 include(CMakePackageConfigHelpers)
 set(sinew_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
 
-install(TARGETS sinew_runtime sinew_threads sinew_compress sinew_lod sinew_c EXPORT sinew_runtime_targets)
-install(EXPORT sinew_runtime_targets NAMESPACE sinew:: FILE sinew-runtime.cmake DESTINATION ${sinew_package_dir})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/runtime
-  FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/include/sinew DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-if(SINEW_IMPORTER)
-  # Packages whose targets the static library names; each must be found again by who links it.
-  set(SINEW_IMPORTER_PACKAGES "")
-  get_target_property(importer_links sinew_importer LINK_LIBRARIES)
-  foreach(pair IN ITEMS tinygltf=TinyGLTF nlohmann_json=nlohmann_json OpenMesh=OpenMesh meshoptimizer=meshoptimizer
-      draco=draco embree=embree fmt=fmt spdlog=spdlog ZLIB=ZLIB)
-    string(REGEX MATCH "^([^=]+)=(.+)$" matched "${pair}")
-    if("${importer_links}" MATCHES "${CMAKE_MATCH_1}")
-      string(REGEX REPLACE "^[^=]+=" "" package "${pair}")
-      list(APPEND SINEW_IMPORTER_PACKAGES ${package})
+# Packages whose targets a static library names: who links it finds them again. What is not listed here is a plain library.
+set(sinew_package_of glm=glm tl=tl-expected hwy=hwy TBB=TBB nlohmann_json=nlohmann_json OpenMeshCore=OpenMesh
+  meshoptimizer=meshoptimizer draco=draco)
+
+# One component: a library, the others of ours that it links, and the packages.
+set(SINEW_COMPONENTS "")
+function(sinew_component name)
+  get_target_property(links sinew_${name} LINK_LIBRARIES)
+  set(components "")
+  set(packages "")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^sinew(_|::)" "" component "${link}")
+    string(REGEX REPLACE "::.*$" "" library "${link}")
+    if(component IN_LIST SINEW_COMPONENTS)
+      list(APPEND components ${component})
     endif()
+    foreach(pair IN LISTS sinew_package_of)
+      if(pair MATCHES "^${library}=(.+)$")
+        list(APPEND packages ${CMAKE_MATCH_1})
+      endif()
+    endforeach()
   endforeach()
-  list(JOIN SINEW_IMPORTER_PACKAGES " " SINEW_IMPORTER_PACKAGES)
-  install(TARGETS sinew_importer EXPORT sinew_importer_targets)
-  install(EXPORT sinew_importer_targets NAMESPACE sinew:: FILE sinew-importer.cmake DESTINATION ${sinew_package_dir})
-  install(FILES ${PROJECT_SOURCE_DIR}/importer/import_gltf.h ${PROJECT_SOURCE_DIR}/importer/import_error.h
-    ${PROJECT_SOURCE_DIR}/importer/add_centers_of_rotation.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer)
-  install(FILES ${PROJECT_SOURCE_DIR}/importer/c/sinew_import.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer/c)
-  install(FILES ${PROJECT_SOURCE_DIR}/importer/topology/centers_of_rotation.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sinew/importer/topology)
+  install(TARGETS sinew_${name} EXPORT sinew_${name}_targets)
+  install(EXPORT sinew_${name}_targets NAMESPACE sinew:: FILE sinew-${name}.cmake DESTINATION ${sinew_package_dir})
+  set(SINEW_COMPONENTS ${SINEW_COMPONENTS} ${name} PARENT_SCOPE)
+  string(APPEND SINEW_NEEDS "set(sinew_components_of_${name} ${components})\nset(sinew_packages_of_${name} ${packages})\n")
+  set(SINEW_NEEDS "${SINEW_NEEDS}" PARENT_SCOPE)
+endfunction()
+foreach(name IN ITEMS runtime threads compress lod c)  # those that others link come before them
+  sinew_component(${name})
+endforeach()
+if(SINEW_IMPORTER)
+  sinew_component(importer)
   install(TARGETS sinew)
 endif()
 

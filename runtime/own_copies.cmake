@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Archives of this directory hold their own copies of inline functions (see own_copies.sh): what an engine compiles with -ffast-math
 # or -mfma does not replace them. SINEW_OWN_COPIES says for tests whether they do.
-set(sinew_own_copies_command sh ${PROJECT_SOURCE_DIR}/runtime/own_copies.sh
+file(SHA256 ${PROJECT_SOURCE_DIR}/runtime/own_copies.sh version)
+set(script ${PROJECT_BINARY_DIR}/own_copies/${version}.sh)  # named by its text: archives are made again when that changes
+configure_file(${PROJECT_SOURCE_DIR}/runtime/own_copies.sh ${script} COPYONLY)
+set(sinew_own_copies_command sh ${script}
   "${CMAKE_AR}" "${CMAKE_LINKER}" "${CMAKE_OBJCOPY}" "${CMAKE_NM}")
 
 # Answers in REASON why the step cannot be done, empty when a trial with an inline function worked.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Proves that the package is complete and relocatable: install, move, configure, build, run.
+# Proves that the package is complete and relocatable, and holds no internals: install, move, configure, build, run.
+cmake_minimum_required(VERSION 3.25)
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT status EQUAL 0)
@@ -23,8 +24,29 @@ foreach(file IN LISTS leftovers)
     message(FATAL_ERROR "${file} names the folder that it was installed into")
   endif()
 endforeach()
-step(${CMAKE_COMMAND} -S ${SAMPLE} -B ${SCRATCH}/build -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
-  -DCMAKE_PREFIX_PATH=${SCRATCH}/moved -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_C_FLAGS=${flags} -DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+
+# What is installed is what engines may include, and each header names the others as <sinew/...>.
+file(GLOB_RECURSE headers RELATIVE ${SCRATCH}/moved/include ${SCRATCH}/moved/include/*)
+set(internal "-inl\\.h$|/simd/|clip_layout|byte_stream|varint|packed_keys|key_times|frame_(memory|tables|layout|work)|influence_dispatch|prefetch|same_bits|checksum|all_finite|_checks|c/(boundary|handles|frame_input)\\.h$")
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "^sinew/(runtime|importer)/.*\\.h$" OR header MATCHES "${internal}")
+    message(FATAL_ERROR "include/${header} is installed, and is internal")
+  endif()
+  file(STRINGS ${SCRATCH}/moved/include/${header} lines REGEX "^#include [<\"](sinew/|runtime/|importer/|hwy/|tbb/|Eigen/|nlohmann/)")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include <(.*)>.*$" "\\1" name "${line}")
+    if(NOT name IN_LIST headers)
+      message(FATAL_ERROR "include/${header} has ${line}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+
+set(consumer -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_PREFIX_PATH=${SCRATCH}/moved
+  -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_C_FLAGS=${flags} -DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+step(${CMAKE_COMMAND} -S ${ONLY_RUNTIME} -B ${SCRATCH}/only_runtime ${consumer} -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
+step(${CMAKE_COMMAND} --build ${SCRATCH}/only_runtime)
+step(${SCRATCH}/only_runtime/engine)
+step(${CMAKE_COMMAND} -S ${SAMPLE} -B ${SCRATCH}/build ${consumer})
 step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 step(${SCRATCH}/build/link_from_an_engine)
 message("${output}")

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What an engine does with sinew: import once, plan once, then give frames to the job thread and read the newest
 // finished one, never waiting for it.
+#include <sinew/importer/import_gltf.h>
+#include <sinew/runtime/threads/job_thread.h>
+
 #include <cstdio>
 #include <string>
 #include <vector>
-
-#include "importer/import_gltf.h"
-#include "runtime/threads/job_thread.h"
 
 namespace {
 

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Every header compiles alone, with no more than what its target gives to those who link it. The sources are generated: one
-# per header, which includes it twice. They are built by the test, not by default.
+# Every internal header compiles alone, with no more than what its target gives to those who link it; samples/link_from_an_engine does
+# the same to those that are installed. The sources are generated: one per header, which includes it twice. They are built by the
+# test, not by default.
 function(sinew_headers_alone folder)
   cmake_parse_arguments(arg "" "" "EXCLUDE;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   set(sources)
+  if(SINEW_IMPORTER)
+    list(REMOVE_ITEM headers ${sinew_public_headers})
+  endif()
   foreach(header IN LISTS headers)
     set(skip FALSE)
     foreach(pattern IN LISTS arg_EXCLUDE)
