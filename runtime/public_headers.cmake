@@ -77,10 +77,9 @@ set(sinew_public_headers
   runtime/plan/input_copy.h
   runtime/plan/joint_scales.h
   runtime/plan/needs.h
-  runtime/plan/rig.h
   runtime/plan/run_plan.h
-  runtime/plan/skeleton_lod.h
-  runtime/plan/work_counters.h
+  runtime/plan/plan_assets.h
+  runtime/plan/plan_stages.h
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
@@ -97,6 +96,7 @@ set(sinew_public_headers
   runtime/c/root_motion.h
   runtime/c/skeleton_lod.h
   runtime/c/update_levels.h
+  runtime/base/same_bits.h
   runtime/c/frame.h
   runtime/c/jobs.h
   runtime/c/plan.h
