@@ -7,6 +7,7 @@ set(sinew_public_headers
   runtime/base/contract.h
   runtime/base/index.h
   runtime/base/result.h
+  runtime/base/same_bits.h
   runtime/math/affine.h
   runtime/math/axis_angle.h
   runtime/math/conventions.h
@@ -96,7 +97,6 @@ set(sinew_public_headers
   runtime/c/root_motion.h
   runtime/c/skeleton_lod.h
   runtime/c/update_levels.h
-  runtime/base/same_bits.h
   runtime/c/frame.h
   runtime/c/jobs.h
   runtime/c/plan.h
