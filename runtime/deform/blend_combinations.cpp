@@ -8,13 +8,14 @@
 
 #include "runtime/deform/influence_dispatch.h"
 #include "runtime/deform/vertex_checks.h"
+#include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// In the order of blend_parts-inl.h: fused from the second on.
+/// In the order of blend_matrix-inl.h: fused from the second on.
 template <int kCount>
 void blend_group(const JointMatrix* palette, const VertexInfluences& influences, const InfluenceGroup& group,
                  JointMatrix* out) {
@@ -44,16 +45,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
-namespace {
-HWY_EXPORT(blend_combinations);
-}  // namespace
-
 ErrorCode check(const BlendCombinationsJob& job) noexcept {
   if (job.combinations == nullptr) return ErrorCode::size_mismatch;
   return check_influences(job.combinations, job.blended.size(), job.palette.size());
 }
 
-void run(const BlendCombinationsJob& job) noexcept { HWY_DYNAMIC_DISPATCH(blend_combinations)(job); }
+SINEW_DISPATCH_RUN(BlendCombinationsJob, blend_combinations)
 
 }  // namespace sinew
 #endif

@@ -8,11 +8,12 @@
 
 namespace sinew {
 
-/// Matrices of combinations of joints and weights, for vertices that share them: each then follows one matrix, whose
-/// bits are those that SkinLinearJob blends for itself (C06). eq   M = sum(w_i * palette[joint_i])   (Real-Time
-/// Rendering, 4th ed., eq. 4.59) in   combinations  a combination in each vertex's place;   palette[N] out
-/// blended[combinations]   may follow the palette in memory, must not overlap it err  size_mismatch, index_out_of_range
-/// cost O(influences of the combinations), no allocation
+/// Blended matrices of combinations of joints and weights. Vertices that share a combination then follow one matrix,
+/// with the bits that SkinLinearJob would blend for each of them (C06).
+/// eq   M = sum(w_i * palette[joint_i])   (Real-Time Rendering, 4th ed., eq. 4.59)
+/// in   combinations  influences, one combination in place of each vertex;   palette[N]
+/// out  blended[combinations]  may follow the palette in memory; must not overlap it
+/// err  size_mismatch, index_out_of_range     cost O(influences of the combinations), no allocation
 struct BlendCombinationsJob {
   const VertexInfluences* combinations = nullptr;
   std::span<const JointMatrix> palette;

@@ -77,7 +77,8 @@ void combine_group(const VertexInfluences& influences, const InfluenceGroup& gro
     }
     combined.vertices.joints.push_back(static_cast<std::uint16_t>(combined.first_matrix + combination_of[first_of[v]]));
   }
-  combined.blended_vertices += group.vertex_count, combined.combination_count += blends.vertex_count;
+  combined.blended_vertices += group.vertex_count;
+  combined.combination_count += blends.vertex_count;
   all.groups.push_back(blends);
 }
 
@@ -99,7 +100,8 @@ CombinedInfluences combine_influences(const VertexInfluences& influences, std::s
     combined.vertices.groups = {{0, static_cast<std::uint32_t>(vertex_count), 1, 0}};
     combined.vertices.weights.assign(vertex_count, 1.0f);
   } else {
-    combined.combinations = {}, combined.vertices = {};
+    combined.combinations = {};
+    combined.vertices = {};
   }
   return combined;
 }

@@ -7,11 +7,11 @@
 
 namespace sinew {
 
-/// Normals of a deformed mesh whose faces are flat: the file has no normals, so they follow the triangles (G46).
+/// Normals of a deformed mesh with flat faces: the file has no normals, so they are those of the triangles (G46).
 /// eq   n = normalise((b - a) x (c - a)) for the three vertices of each triangle, negated when `turned`: a mirroring
-///      skin turns the winding round, but not the outside inwards (G48)
+///      skin reverses the winding, but the outside stays outside (G48)
 /// in   triangles[3T]  flat faces share no vertices; where they do, the last triangle decides
-///      positions[V];   rest_normals[V]  kept by the vertices of a triangle without area and by those of no triangle
+///      positions[V];   rest_normals[V]  kept by the vertices of triangles without area and of no triangle
 /// out  normals[V]     unit
 /// cost O(V + T), no allocation
 void flat_normals(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,

@@ -7,11 +7,11 @@
 
 namespace sinew {
 
-/// Makes `bounds` hold all points, moved by `world_from_mesh`.      cost O(V), no allocation
+/// Grows `bounds` to hold all points, moved by `world_from_mesh`.      cost O(V), no allocation
 void grow_bounds(Aabb& bounds, std::span<const glm::vec3> points, const Affine& world_from_mesh) noexcept;
 
-/// Makes `bounds` hold a box, moved by `world_from_mesh`: all points that the box holds stay inside, to the last bit,
-/// since rounding keeps order and the corners are the extremes of each sum. An empty box adds nothing.
+/// Grows `bounds` to hold a box, moved by `world_from_mesh`. Every point in the box stays inside to the last bit,
+/// since rounding is monotonic and the corners are the extremes of each sum. An empty box adds nothing.
 void grow_bounds(Aabb& bounds, const Aabb& box, const Affine& world_from_mesh) noexcept;
 
 }  // namespace sinew

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// The influences of one vertex. `kCount` > 0 fixes their number at compile time, 0 leaves it to run time.
+/// Influences of one vertex. `kCount` > 0 fixes their number at compile time; 0 leaves it to run time.
 template <int kCount>
 struct VertexJoints {
   const std::uint16_t* joints;
@@ -25,7 +25,7 @@ struct VertexJoints {
 };
 
 /// Calls `body(std::integral_constant<int, n>)` with n = count for the usual counts and n = 0 for others, so that the
-/// inner loop over influences is unrolled (P11).
+/// loop over influences is unrolled (P11).
 template <class Body>
 void with_influence_count(std::uint32_t count, const Body& body) noexcept {
   switch (count) {
@@ -46,7 +46,7 @@ VertexJoints<kCount> joints_of(const VertexInfluences& influences, const Influen
   return {&influences.joints[at], &influences.weights[at], group.influence_count};
 }
 
-/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex: the number of influences is chosen once per group.
+/// Calls `body(vertex, VertexJoints<kCount>)` for every vertex. The number of influences is chosen once per group.
 template <class Body>
 void for_each_vertex(const VertexInfluences& influences, const Body& body) noexcept {
   for (const auto& group : influences.groups)
@@ -70,15 +70,15 @@ void with_attributes(AttributesPresent wanted, const Body& body) noexcept {
     body(std::false_type{}, std::false_type{});
 }
 
-/// Calls `body(group, influence count)` for each group, the latter being a constant of the type.
+/// Calls `body(group, influence count)` for each group; the count is a std::integral_constant.
 template <class Body>
 void for_each_group(const InfluenceStreams& influences, const Body& body) noexcept {
   for (const InfluenceGroup& group : influences.groups)
     with_influence_count(group.influence_count, [&](auto count) { body(group, count); });
 }
 
-/// Calls `body(group, influence count, stretched)`, both being constants of the type, so that joints that are rigid
-/// cost nothing per vertex (P12).
+/// Calls `body(group, influence count, stretched)`; both are std::integral_constants, so that rigid joints cost nothing
+/// per vertex (P12).
 template <class Body>
 void for_each_group(const InfluenceStreams& influences, bool any_stretch, const Body& body) noexcept {
   for_each_group(influences, [&](const InfluenceGroup& group, auto count) {

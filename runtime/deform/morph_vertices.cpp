@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/deform/morph_vertices.cpp"
@@ -12,6 +13,7 @@
 #include "runtime/deform/sparse_range.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/math/quaternion.h"
+#include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -35,8 +37,8 @@ HWY_INLINE void add_products(const float* deltas, Lanes weight, std::size_t coun
     hn::StoreU(hn::Add(hn::LoadU(d, sums + i), hn::Mul(hn::LoadU(d, deltas + i), weight)), d, sums + i);
 }
 
-/// Adds the displacements of one target to the sums of the vertices from `first` on. Targets move patches: entries
-/// mostly follow each other, and then sixteen are added as one run of floats.
+/// Adds the displacements of one target to the sums of the vertices from `first` on. Targets move patches, so entries
+/// are mostly consecutive: sixteen consecutive ones are added as one run of floats.
 HWY_INLINE void add_deltas(const SparseDeltas<glm::vec3>& sparse, SparseRange range, float weight, std::size_t first,
                            glm::vec3* sums) {
   const std::uint32_t* vertices = sparse.vertices.data();
@@ -60,7 +62,8 @@ HWY_INLINE void add_base(const float* base, const float* sums, std::size_t count
   for (; i < count; ++i) out[i] = base[i] + sums[i];
 }
 
-/// Directions of one vector of vertices after their displacements, in place; those that none moves keep their bits.
+/// Normals or tangents of one vector of vertices after their displacements, in place. Those without displacement keep
+/// their bits.
 HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bool normalise,
                                 hn::Mask<Floats>& careful) {
   const Floats d;
@@ -79,8 +82,8 @@ HWY_INLINE void move_directions(const Lanes (&sum)[3], Lanes (&direction)[3], bo
   direction[2] = hn::IfThenElse(still, direction[2], hn::Mul(z, scale));
 }
 
-/// The same for as many vertices as a vector has lanes. Vertices whose direction leaves the range in which float keeps
-/// its digits, or cancels, are done again alone.
+/// The same for as many vertices as a vector has lanes. Vertices whose direction vanishes, or leaves the range in
+/// which float keeps its digits, are redone alone.
 template <class V>
 HWY_INLINE void move_vector(const V* base, const glm::vec3* sums, bool normalise, V* out) {
   const Floats d;
@@ -120,8 +123,8 @@ HWY_INLINE void move_all(const V* base, const glm::vec3* sums, std::size_t count
   std::copy_n(moved, count - v, out + v);
 }
 
-/// Sums one attribute chunk by chunk and calls `finish(first, count)` for each. Answers false, with nothing done, when
-/// no active target moves it.
+/// Sums one attribute chunk by chunk and calls `finish(first, count)` for each chunk. Returns false, with nothing
+/// done, where no active target moves the attribute.
 template <class Finish>
 bool for_each_chunk(const MorphVerticesJob& job, SparseDeltas<glm::vec3> MorphTarget::*attribute,
                     const Finish& finish) {
@@ -172,8 +175,6 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-HWY_EXPORT(morph_vertices);
-
 bool in_range(const SparseDeltas<glm::vec3>& deltas, std::size_t vertex_count) noexcept {
   // vertices strictly increase, so the last one is the largest
   return deltas.vertices.size() == deltas.deltas.size() && (deltas.empty() || deltas.vertices.back() < vertex_count);
@@ -194,7 +195,18 @@ ErrorCode check(const MorphVerticesJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const MorphVerticesJob& job) noexcept { HWY_DYNAMIC_DISPATCH(morph_vertices)(job); }
+SINEW_DISPATCH_RUN(MorphVerticesJob, morph_vertices)
+
+void morph_colors(const MorphSet& morphs, std::span<const float> weights, std::span<const glm::vec4> colors,
+                  std::span<glm::vec4> out) noexcept {
+  std::fill(out.begin(), out.end(), glm::vec4(0.0f));
+  for (std::size_t t = 0; t < morphs.targets.size(); ++t) {
+    if (!is_active_weight(weights[t])) continue;
+    const SparseDeltas<glm::vec4>& moved = morphs.targets[t].colors;
+    for (std::size_t i = 0; i < moved.vertices.size(); ++i) out[moved.vertices[i]] += weights[t] * moved.deltas[i];
+  }
+  for (std::size_t v = 0; v < out.size(); ++v) out[v] = glm::clamp(colors[v] + out[v], 0.0f, 1.0f);
+}
 
 }  // namespace sinew
 #endif

@@ -10,17 +10,16 @@
 
 namespace sinew {
 
-/// Weights below this are zero: they would only make denormal numbers, which some processors add a hundred times slower
-/// (N26).
+/// Smaller weights count as zero: they would only make denormal numbers, which some processors add a hundred times
+/// slower (N26).
 inline bool is_active_weight(float weight) noexcept { return std::abs(weight) >= kNegligible; }
 
-/// Adds the displacements of all targets whose weight is not zero. Normals and tangents come out unnormalised when the
+/// Adds the displacements of all targets whose weight is not zero. Normals and tangents stay unnormalised where the
 /// vertices are skinned afterwards, and are normalised here otherwise (G45).
-/// eq   v' = v + sum(weight[i] * delta[i]): the displacements are summed first, the base is added last (hard case
-/// "morph":
-///      small displacements on a large base keep their digits)
+/// eq   v' = v + sum(weight[i] * delta[i]). Displacements are summed first and the base is added last, so that small
+///      displacements of a large base keep their digits.
 /// in   vertices[V], weights[T], any sign and size
-/// out  must not overlap `vertices`;   scratch[V]  displacement sums
+/// out  must not overlap `vertices`;   scratch[V]  sums of displacements
 /// err  size_mismatch, index_out_of_range, not_finite     cost O(V + active deltas), no allocation
 struct MorphVerticesJob {
   const MorphSet* morphs = nullptr;
@@ -33,5 +32,13 @@ struct MorphVerticesJob {
 
 ErrorCode check(const MorphVerticesJob& job) noexcept;
 void run(const MorphVerticesJob& job) noexcept;
+
+/// Adds the COLOR_0 displacements of all targets whose weight is not zero.
+/// eq   c' = clamp(c + sum(weight[i] * delta[i]), 0, 1)   (glTF 2.0, "Morph Targets"; G47)
+/// in   colors[V], weights[T], any sign and size
+/// out  out[V]     must not overlap `colors`
+/// cost O(V + active deltas), no allocation
+void morph_colors(const MorphSet& morphs, std::span<const float> weights, std::span<const glm::vec4> colors,
+                  std::span<glm::vec4> out) noexcept;
 
 }  // namespace sinew

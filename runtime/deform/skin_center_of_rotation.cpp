@@ -5,29 +5,32 @@
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_center_of_rotation.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
-#include "runtime/deform/simd/blend_matrix.h"
-#include "runtime/deform/simd/blend_motion.h"
-#include "runtime/deform/simd/one_matrix-inl.h"
-#include "runtime/deform/simd/turn_directions-inl.h"
-#include "runtime/deform/simd/turn_directions.h"
+#include "runtime/deform/simd/rotate_directions-inl.h"
+#include "runtime/deform/simd/scalar_matrix-inl.h"
 #include "runtime/deform/vertex_checks.h"
+#include "runtime/pose/simd/dispatch.h"
 
 #ifndef SINEW_SKIN_CENTER_OF_ROTATION_ONCE
 #define SINEW_SKIN_CENTER_OF_ROTATION_ONCE
 namespace sinew {
 namespace {
 
-/// One vertex, with every degenerate case.
+/// The scalar path: one vertex, with every degenerate case.
 template <int kCount, bool kStretch, class In, class Out>
 void skin_vertex(const SkinCenterOfRotationJob& job, const VertexJoints<kCount>& joints, const glm::vec3& center,
                  const In& in, const Out& out, std::size_t v) noexcept {
-  const Quat<float> rotation = blend_motion(job.split, joints).real;
-  const glm::vec3 moved_center = transform_point(blend_matrix(job.palette, joints), center);
+  const double scale = weight_scale(joints);
+  const Quat<float> rotation = blend_dual_quaternion(job.split, joints, scale).real;
+  const glm::vec3 moved_center = transform_point(blend_matrix(job.palette, joints, scale), center);
   glm::vec3 arm = in.positions[v] - center;
   Mat3<float> stretch(1.0f);
-  if constexpr (kStretch) stretch = blend_stretch(job.split, joints), arm = stretch * arm;
-  turn_directions<kStretch>(rotation, stretch, in, out, v);
+  if constexpr (kStretch) {
+    stretch = blend_stretch(job.split, joints, scale);
+    arm = stretch * arm;
+  }
+  rotate_directions<kStretch>(rotation, stretch, in, out, v);
   out.positions[v] = rotate_vector(rotation, arm) + moved_center;
 }
 
@@ -44,7 +47,7 @@ template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
                                 const glm::vec3* centers) {
 #if HWY_TARGET == HWY_SCALAR
-  return transform_points(blend_one_matrix(palette, joints), load3(centers));
+  return transform_points(blend_scalar_matrix(palette, joints), load3(centers));
 #else
   Wide quarters[4];
   for_each_quarter([&](auto q) HWY_ATTR {
@@ -55,7 +58,7 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
 #endif
 }
 
-/// The centers of a tile that is not full, filled up as its vertices are.
+/// Centers of a tile that is not full, filled up as its vertices are.
 struct CenterCopies {
   glm::vec3 centers[kTileSize];
 
@@ -65,7 +68,8 @@ struct CenterCopies {
   }
 };
 
-/// Skins tiles. Vertices whose blend cancels, or whose directions leave float's range, are done again the careful way.
+/// Skins tiles. Vertices whose blend cancels or is tiny, or whose directions are in doubt, are redone by the scalar
+/// path.
 template <int kCount, bool kStretch>
 struct SkinTile {
   const SkinCenterOfRotationJob& job;
@@ -75,11 +79,11 @@ struct SkinTile {
                              const TileOutput& out) const {
     const glm::vec3* centers = job.centers.data() + place.first_vertex;
     if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);
-    const MotionLanes motion = blend_motions(job.split.data(), joints, false);
+    const DualQuatLanes motion = blend_dual_quaternions(job.split.data(), joints, false);
     const Lanes3 moved = moved_centers(job.palette.data(), joints, centers);
     StretchLanes stretch{};
     if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
-    const auto sound = turn_directions<kStretch>(motion, stretch, in, out);
+    const auto sound = rotate_directions<kStretch>(motion, stretch, in, out);
     Lanes3 arm = minus(load3(in.positions), load3(centers));
     if constexpr (kStretch) arm = apply(stretch, arm);
     store3(plus(rotate(motion, arm), moved), out.positions);
@@ -103,17 +107,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
-namespace {
-HWY_EXPORT(skin_center_of_rotation);
-}  // namespace
-
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   if (job.centers.size() != count || job.palette.size() != job.split.size()) return ErrorCode::size_mismatch;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-void run(const SkinCenterOfRotationJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_center_of_rotation)(job); }
+SINEW_DISPATCH_RUN(SkinCenterOfRotationJob, skin_center_of_rotation)
 
 }  // namespace sinew
 #endif

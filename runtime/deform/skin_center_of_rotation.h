@@ -10,17 +10,18 @@
 namespace sinew {
 
 /// Skinning around optimised centers of rotation: neither the collapse of linear blending nor the bulge of dual
-/// quaternions. eq   p' = R S (p - c) + M c;  M = sum(w J) as in linear blending;  R from the blended rotations, signs
-/// aligned with the
-///      heaviest influence (N17, N21);  S = sum(w S_i), the identity for rigid joints;  n' = R normalise(sign(det S)
-///      cof(S) n) (Le and Hodgins 2016, algorithm 1; S extends it to scaled joints as in two-phase dual-quaternion
-///      skinning)
+/// quaternions.
+/// eq   p' = R S (p - c) + M c;  M = sum(w J) as in linear blending;  R from the blended rotations, aligned to the
+///      hemisphere of the heaviest influence (N17, N21);  S = sum(w S_i), the identity for rigid joints;
+///      n' = R normalise(sign(det S) cof(S) n)
+///      (Le and Hodgins 2016, algorithm 1; S extends it to scaled joints as in two-phase dual-quaternion skinning)
 /// in   palette[N], split[N]  the same joints, from JointPaletteJob and SplitPaletteJob;   any_stretch  false: S = 1
-///      centers[V]  rest-space centers (importer/topology/centers_of_rotation.h); a center equal to the vertex itself
-///      makes it linear-blend skinning, which is what vertices with one influence get
+///      centers[V]  rest-space centers (importer/topology/centers_of_rotation.h). A center equal to the vertex makes
+///      the vertex linear-blend skinned; vertices with one influence have such centers.
+///      influences  as SkinDualQuaternionJob
 /// out  as SkinLinearJob
-/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)     cost O(V * influences), no
-/// allocation
+/// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
+/// cost O(V * influences), no allocation
 struct SkinCenterOfRotationJob {
   InfluenceStreams influences;
   std::span<const JointMatrix> palette;

@@ -6,30 +6,30 @@
 #include <hwy/foreach_target.h>
 
 #include "runtime/deform/simd/blend_columns-inl.h"
-#include "runtime/deform/simd/one_matrix-inl.h"
+#include "runtime/deform/simd/scalar_matrix-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
+#include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// The normal of vertex `v` of a tile where squares leave float's range, or the blend has none. Its matrix is the one
-/// that moves its position, to the last bit.
+/// The normal of vertex `v` of a tile, where squares leave the range of float, the side of the normal is in doubt, or
+/// the normal vanishes. Its matrix is the one that moves the position, to the last bit.
 template <int kCount>
 glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v,
                          const glm::vec3& n, bool cofactor) {
-  const MatrixParts parts = blend_parts(palette, tile, v);
+  const MatrixVectors parts = blend_matrix_vectors(palette, tile, v);
   JointMatrix blended;
-  for (std::size_t p = 0; p < MatrixParts::kCount; ++p)
+  for (std::size_t p = 0; p < MatrixVectors::kCount; ++p)
     hn::StoreU(parts.part[p], TileTag(), &blended.column[0].x + p * kTileSize);
   const Affine m = affine_from(blended);
   return cofactor ? transform_normal_outward(linear_part(m), n) : normalised_or(transform_vector(m, n), n);
 }
 
-/// Skins rows of tiles. Normals and tangents are made unit some tiles later: a square root and a division take as long
-/// as the rest of a tile, and a processor does not look so far ahead that it would fill that time with the next tile's
-/// work.
+/// Skins rows of tiles. Normals and tangents are normalised some tiles later: a square root and a division take as
+/// long as the rest of a tile, and processors do not look far enough ahead to overlap them with the next tile.
 template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
 struct SkinRow {
   using Row = TileRow<kCount>;
@@ -45,7 +45,7 @@ struct SkinRow {
   void skin_tile(const Row& row, std::size_t t) const {
     const TileInput in = row.in(t);
     const TileOutput out = row.out(t);
-    const OneMatrix m = blend_one_matrix(palette, row.joints(t));
+    const ScalarMatrix m = blend_scalar_matrix(palette, row.joints(t));
     store3(transform_points(m, load3(in.positions)), out.positions);
     if constexpr (kNormals) {
       Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
@@ -127,8 +127,8 @@ struct SkinRow {
     return sound;
   }
 
-  /// What is not sound of a tile. Apart from the loops over tiles, and called with copies of what they have in
-  /// registers, which would otherwise not stay there across a call.
+  /// Redoes the lanes of a tile that are not sound. Not inlined, and called with copies of what the loops keep in
+  /// registers, which would otherwise be spilled around the call.
   HWY_NOINLINE void write_careful(const KeptQuarters& normals, const KeptQuarters& tangents, const Row& row,
                                   std::size_t t) const {
     if constexpr (kNormals)
@@ -157,7 +157,7 @@ struct SkinRow {
 
 void skin_linear(const SkinLinearJob& job) {
   const AttributesPresent wanted = present(job.vertices, job.out);
-  const StreamedOutput streamed(job.out, wanted);
+  const NonTemporalStores streamed(job.out, wanted);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
       for_each_row<count>(job.influences, group, job.vertices, job.out,
@@ -178,15 +178,11 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
-namespace {
-HWY_EXPORT(skin_linear);
-}  // namespace
-
 ErrorCode check(const SkinLinearJob& job) noexcept {
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-void run(const SkinLinearJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skin_linear)(job); }
+SINEW_DISPATCH_RUN(SkinLinearJob, skin_linear)
 
 }  // namespace sinew
 #endif

@@ -6,14 +6,15 @@
 
 namespace sinew {
 
-/// The vertex attributes that deformation reads. Empty normals or tangents = not wanted.
+/// Vertex attributes that deformation reads. Empty normals or tangents = not there.
 struct VertexInput {
   std::span<const glm::vec3> positions;
   std::span<const glm::vec3> normals;
   std::span<const glm::vec4> tangents;  ///< w = handedness, copied through
 };
 
-/// Where deformation writes. An attribute is written when it is present in the input *and* not empty here.
+/// Vertex attributes that deformation writes. An attribute is written where the input has it and it is not empty
+/// here.
 struct VertexOutput {
   std::span<glm::vec3> positions;
   std::span<glm::vec3> normals;   ///< unit

@@ -15,6 +15,7 @@ struct AffineT {
 using Affine = AffineT<float>;
 using Affined = AffineT<double>;
 
+/// Product of two affine matrices.
 /// eq   C = A * B: B is applied first. Each row is summed in the order x, y, z, translation (N28).
 template <class T>
 AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
@@ -26,6 +27,7 @@ AffineT<T> operator*(const AffineT<T>& a, const AffineT<T>& b) noexcept {
   return c;
 }
 
+/// A point, moved by the whole matrix.
 /// eq   p' = M * (p, 1)
 template <class T>
 Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
@@ -33,7 +35,8 @@ Vec3<T> transform_point(const AffineT<T>& m, const Vec3<T>& p) noexcept {
   return {component(m.row[0]), component(m.row[1]), component(m.row[2])};
 }
 
-/// eq   v' = M * (v, 0): the linear part only
+/// A direction or difference, moved by the linear part alone.
+/// eq   v' = M * (v, 0)
 template <class T>
 Vec3<T> transform_vector(const AffineT<T>& m, const Vec3<T>& v) noexcept {
   const auto component = [&](const Vec4<T>& r) { return r.x * v.x + r.y * v.y + r.z * v.z; };
@@ -67,7 +70,7 @@ Mat4<T> mat4_from_affine(const AffineT<T>& m) noexcept {
   return out;
 }
 
-/// The fourth row of `m` is dropped: check beforehand that it is 0 0 0 1 where the source is not trusted.
+/// The upper three rows of a 4x4 matrix. The caller checks that the fourth is 0 0 0 1 where the source is not trusted.
 template <class T>
 AffineT<T> affine_from_mat4(const Mat4<T>& m) noexcept {
   AffineT<T> out;
@@ -80,7 +83,7 @@ AffineT<To> affine_cast(const AffineT<From>& m) noexcept {
   return {{Vec4<To>(m.row[0]), Vec4<To>(m.row[1]), Vec4<To>(m.row[2])}};
 }
 
-/// Determinant of the linear part: negative for a mirroring transform (hard case G48).
+/// Determinant of the linear part, rounded: use determinant_sign.h for its sign.
 template <class T>
 T determinant(const AffineT<T>& m) noexcept {
   const auto &a = m.row[0], &b = m.row[1], &c = m.row[2];

@@ -10,8 +10,9 @@ struct AxisAngleT {
   T angle_rad = T(0);              ///< [0, pi]
 };
 
+/// Unit quaternion of a rotation by an angle about an axis.
 /// eq   q = (sin(angle / 2) axis, cos(angle / 2))   (Real-Time Rendering, eq. 4.39)
-/// in   axis  any finite length (normalised here); without direction: the identity
+/// in   axis  any finite length (normalised here); an axis without direction gives the identity
 template <class T>
 Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle_rad) noexcept {
   const Vec3<T> u = normalised_or(axis, Vec3<T>(T(0)));
@@ -20,6 +21,7 @@ Quat<T> quat_from_axis_angle(const Vec3<T>& axis, T angle_rad) noexcept {
   return quat_xyzw(v.x, v.y, v.z, std::cos(angle_rad / T(2)));
 }
 
+/// Matrix of a rotation by an angle about an axis.
 /// eq   R = cos I + (1 - cos) u u^T + sin [u]x   (Goldman; Real-Time Rendering, eq. 4.30); for small angles 1 - cos
 ///      is 2 sin^2(angle / 2), which keeps its digits
 template <class T>
@@ -35,9 +37,9 @@ Mat3<T> matrix_from_axis_angle(const Vec3<T>& axis, T angle_rad) noexcept {
   return {x, y, z};
 }
 
-/// Axis and angle in [0, pi] of a rotation; x where there is no rotation. The vector part is normalised as it is:
-/// forming it from 1 - w^2 cancels for small rotations (N11).
-/// eq   angle = 2 atan2(|v|, |w|), axis = v / |v|, turned round when w < 0
+/// Axis and angle in [0, pi] of a rotation; the axis is x where there is no rotation. The vector part is normalised
+/// itself: its length from 1 - w^2 would cancel for small rotations (N11).
+/// eq   angle = 2 atan2(|v|, |w|), axis = v / |v|, negated when w < 0
 template <class T>
 AxisAngleT<T> axis_angle_from_quat(const Quat<T>& q) noexcept {
   const Vec3<T> v(q.x, q.y, q.z);

@@ -6,29 +6,48 @@
 /// - Column vectors: `p_world = world_from_local * p_local`; in a product adjacent words match.
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
-/// - Normals keep to the outside of a solid, also where a matrix M mirrors it: n' points along sign(det M) cof(M) n,
-/// the
-///   direction of the inverse transpose without its division (N22). Unskinned meshes, every kind of skinning and flat
-///   faces follow this one rule; the linear rule's M n lies on the same side. Mirroring turns the winding of triangles
-///   round instead: InstanceResult::mirrored tells (G48). A tangent follows the surface, t' along M t, and keeps its
-///   handedness w: the bitangent is w cross(n', t'), negated where the instance is mirrored.
-/// - An affine matrix is 3x4 and kept as three rows of four, so that it is 48 bytes, loads without over-reading and
-///   can be uploaded to a GPU as three vec4; the fourth row is 0 0 0 1 and never stored.
-/// - Every kernel is a template over float and double: double is the truth that tests hold float to.
-/// - Same input, same bits (N27, N28), for every thread count: poses on every instruction set; deformed vertices on
-/// every one
-///   with fused multiply-add (AVX2, AVX-512, NEON, SVE), and on every one without (SSE and the scalar fallback), which
-///   round such sums twice: between the two, vertices differ in their last digits. (Rounding once without the hardware,
-///   through double, was measured to take 4 to 8 times as long.) Built with contraction off, so that nothing depends on
-///   what the compiler fuses; tests/golden holds the bits.
+/// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n),
+///   which is the direction of the inverse transpose without its division (N22). The sign is exact
+///   (determinant_sign.h). Unskinned meshes, every kind of skinning and flat faces follow this rule; M n of the linear
+///   rule lies on the same side. Mirroring reverses the winding of triangles instead: InstanceResult::mirrored says so
+///   (G48).
+/// - A tangent follows the surface, t' = normalise(M t), and keeps its handedness w. The bitangent is w cross(n', t'),
+///   negated where the instance is mirrored.
+/// - An affine matrix is 3x4 and stored as three rows of four: 48 bytes, which load without over-reading and upload to
+///   a GPU as three vec4. The fourth row is 0 0 0 1 and not stored.
+/// - Every kernel of this folder is a template over float and double: double is the truth that tests hold float to.
+/// - Same input, same bits (N27, N28), for every number of threads. Poses have the same bits on every instruction set.
+///   Deformed vertices have the same bits on every instruction set with fused multiply-add (AVX2, AVX-512, NEON), and
+///   on every one without it (SSE and the scalar fallback); between these two groups the last digits differ, since the
+///   latter round each sum twice. (Rounding once without the hardware, through double, took 4 to 8 times as long.) The
+///   build turns contraction off, so that results do not depend on what a compiler fuses. tests/golden holds the bits.
 /// - GLM supplies types and plain arithmetic. Its quaternion functions are not used where they fail (N02, N07, N11,
-///   N12, N14, N15): those kernels are in this folder.
+///   N12, N14, N15): this folder has kernels for those.
+/// - GLM options that change the layout of its types are refused below: a program compiled with other layouts than the
+///   library would link all the same.
+#include <cstddef>
+#include <type_traits>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+static_assert(sizeof(glm::vec3) == 12 && alignof(glm::vec3) == 4 && alignof(glm::vec4) == 4 &&
+                  alignof(glm::quat) == 4 && sizeof(glm::mat3) == 36 && alignof(glm::mat4) == 4 &&
+                  sizeof(glm::dvec3) == 24 && alignof(glm::dvec4) == alignof(double),
+              "sinew needs GLM's packed types: do not define GLM_FORCE_DEFAULT_ALIGNED_GENTYPES.");
+static_assert(offsetof(glm::quat, x) == 0 && offsetof(glm::quat, w) == 12,
+              "sinew needs GLM's quaternions in the order x y z w: do not define GLM_FORCE_QUAT_DATA_WXYZ.");
+static_assert(std::is_same_v<glm::length_t, int>,
+              "sinew needs GLM's lengths to be int: do not define GLM_FORCE_SIZE_T_LENGTH.");
+
+// Of GLM 1.0. Constructors are not constant with every option, so a static_assert cannot ask for their order.
+#ifdef GLM_FORCE_QUAT_CTOR_XYZW
+#error "sinew needs GLM's quaternion constructor to take w first: do not define GLM_FORCE_QUAT_CTOR_XYZW."
+#endif
 
 namespace sinew {
 

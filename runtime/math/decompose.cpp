@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/normal_transform.h"
 #include "runtime/math/perpendicular.h"
@@ -70,7 +71,10 @@ Orthogonalised orthogonalise(const Mat& m) noexcept {
 /// R S = m with singular values below `rounding` times the largest treated as noise.
 PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   PolarT<double> out;
-  if (!finite(m)) return out.status = DecomposeStatus::not_finite, out;
+  if (!finite(m)) {
+    out.status = DecomposeStatus::not_finite;
+    return out;
+  }
   const double largest = largest_entry(m);
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -90,9 +94,11 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   const Vec u2 = glm::cross(u0, u1);
   if (!rank_two) sigma.y = glm::dot(u1, o.columns[1]);
   sigma.z = glm::dot(u2, o.columns[2]);
+  const int sign = determinant_sign(m);
+  if (rank_two && (sigma.z < 0.0) != (sign < 0)) sigma.z = -sigma.z;  // it is rounding alone
 
   const bool singular = !rank_two || !(std::abs(sigma.z) > rounding * sigma.x);
-  const bool mirrored = !singular && sigma.z < 0.0;
+  const bool mirrored = !singular && sign < 0;
   // u2 is right-handed already; a mirroring turns the other two and makes all three singular values negative.
   const double side = mirrored ? -1.0 : 1.0;
   const Mat u(u0 * side, u1 * side, u2);
@@ -128,7 +134,10 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
   TrsT<double> out;
   Mat linear = linear_part(m);
   out.transform.translation = translation_of(m);
-  if (!finite(linear)) return out.status = DecomposeStatus::not_finite, out;
+  if (!finite(linear)) {
+    out.status = DecomposeStatus::not_finite;
+    return out;
+  }
   bool known[3];
   Mat unit(1.0);
   Vec& scale = out.transform.scale;
@@ -139,7 +148,7 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
   }
   const bool flat = !(known[0] && known[1] && known[2]);
   if (flat) unit = complete_frame(unit, known);
-  const bool mirrored = glm::dot(glm::cross(unit[0], unit[1]), unit[2]) < 0.0;
+  const bool mirrored = determinant_sign(linear) < 0;
   if (mirrored) {
     scale.x = -scale.x;
     unit[0] = -unit[0];
@@ -161,11 +170,26 @@ TrsT<double> trs_of(const AffineT<double>& m, double rounding) noexcept {
 template <class T>
 constexpr double kRounding = 4.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
+/// Rounding a singular stretch to T can turn the sign of its determinant, by which normals find the outside. Moves the
+/// eigenvalues by as much as that rounding, until the sign is that of the matrix; 0 of the matrix allows 1.
+template <class T>
+void keep_side(int sign, PolarT<T>& polar) noexcept {
+  T* s = polar.stretch;
+  const T step = std::max({std::abs(s[0]), std::abs(s[1]), std::abs(s[2])}) * std::numeric_limits<T>::epsilon();
+  constexpr int kMostSteps = 4;  // singular values above that many are not singular
+  for (int i = 0; i < kMostSteps; ++i) {
+    const int found = determinant_sign(matrix_from_stretch(polar.stretch));
+    if (found == sign || (sign == 0 && found > 0)) return;
+    for (int axis = 0; axis < 3; ++axis) s[axis] += sign < 0 ? -step : step;
+  }
+}
+
 template <class T>
 PolarT<T> polar_in(const Mat3<T>& m) noexcept {
   const PolarT<double> p = polar_of(Mat(m), kRounding<T>);
   PolarT<T> out{Mat3<T>(p.rotation), quat_cast<T>(p.quat), {}, p.status};
   for (int i = 0; i < 6; ++i) out.stretch[i] = static_cast<T>(p.stretch[i]);
+  if (p.status == DecomposeStatus::singular) keep_side(determinant_sign(m), out);
   return out;
 }
 

@@ -7,16 +7,18 @@
 
 namespace sinew {
 
-/// What a decomposition found out about its matrix; the parts are usable in every case.
+/// What a decomposition found; its parts are usable in every case.
 enum class DecomposeStatus : std::uint8_t {
   ok,
   mirrored,    ///< determinant negative: the sign is carried by the stretch, or by scale.x
   sheared,     ///< trs only: the columns are not perpendicular, T * R * S is not the matrix
-  singular,    ///< rank below 3 within rounding: some of the rotation is free and was completed to a rotation
+  singular,    ///< rank below 3 within rounding: part of the rotation is free and chosen
   not_finite,  ///< NaN or infinite entries: the identity is returned
 };
 
 /// M = R S: R a rotation (determinant +1), S symmetric. For a mirroring M, S is negative (R = -U V^T).
+/// Where M has rank 2 or 3 within rounding, det S has exactly the sign of det M (determinant_sign.h); where det M = 0,
+/// det S may be positive.
 template <class T>
 struct PolarT {
   Mat3<T> rotation{T(1)};

@@ -15,19 +15,22 @@ struct DualQuatT {
 using DualQuat = DualQuatT<float>;
 using DualQuatd = DualQuatT<double>;
 
+/// Dual quaternion of a rotation and a translation.
 /// eq   r + e (t r) / 2, t as the pure quaternion (t, 0): rotate first, then translate
 template <class T>
 DualQuatT<T> dual_quat_from(const Quat<T>& rotation, const Vec3<T>& translation) noexcept {
   return {rotation, quat_xyzw(translation.x, translation.y, translation.z, T(0)) * rotation * T(0.5)};
 }
 
+/// Product of two motions.
 /// eq   (a + e b)(c + e d) = a c + e (a d + b c): the right factor is applied first
 template <class T>
 DualQuatT<T> operator*(const DualQuatT<T>& a, const DualQuatT<T>& b) noexcept {
   return {a.real * b.real, a.real * b.dual + a.dual * b.real};
 }
 
-/// eq   r* + e d*: the inverse motion of a unit dual quaternion
+/// Inverse motion of a unit dual quaternion.
+/// eq   r* + e d*
 template <class T>
 DualQuatT<T> dual_quat_conjugate(const DualQuatT<T>& q) noexcept {
   return {quat_conjugate(q.real), quat_conjugate(q.dual)};
@@ -44,6 +47,7 @@ DualQuatT<T> normalised(const DualQuatT<T>& q) noexcept {
   return {real, dual - real * quat_dot(real, dual)};
 }
 
+/// Translation of a unit dual quaternion.
 /// eq   t = 2 vec(d r*) = 2 (r.w d.v - d.w r.v + r.v x d.v)   for unit r; any part of d along r drops out
 template <class T>
 Vec3<T> translation_of(const DualQuatT<T>& q) noexcept {

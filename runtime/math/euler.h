@@ -29,7 +29,7 @@ template <class T>
 HeadPitchRollT<T> head_pitch_roll_from_matrix(const Mat3<T>& m) noexcept;
 
 /// Order of three rotations about coordinate axes, the first applied first: `axes[0..2]` in 0..2 for x y z, neighbours
-/// differ. `fixed`: about the fixed frame (R = R3 R2 R1); otherwise about the turning frame (R = R1 R2 R3).
+/// differ. `fixed`: about the fixed frame (R = R3 R2 R1); otherwise about the moving frame (R = R1 R2 R3).
 /// 12 sequences of axes (6 with three axes, 6 with a repeated one) times 2 frames: the 24 orders of Shoemake.
 struct EulerOrder {
   std::uint8_t axes[3] = {0, 1, 2};
@@ -44,7 +44,8 @@ inline constexpr EulerOrder kEulerOrders[24] = {
     {{1, 2, 0}, false}, {{2, 0, 1}, false}, {{2, 1, 0}, false}, {{0, 1, 0}, false}, {{0, 2, 0}, false},
     {{1, 0, 1}, false}, {{1, 2, 1}, false}, {{2, 0, 2}, false}, {{2, 1, 2}, false}};
 
-/// eq   R3 R2 R1 (fixed) or R1 R2 R3 (turning); angles in the order of the axes   (Shoemake, Graphics Gems IV, III.5)
+/// Rotation matrix of three angles.
+/// eq   R3 R2 R1 (fixed) or R1 R2 R3 (moving); angles in the order of the axes   (Shoemake, Graphics Gems IV, III.5)
 template <class T>
 Mat3<T> matrix_from_euler(const EulerOrder& order, const Vec3<T>& angles_rad) noexcept;
 

@@ -6,12 +6,14 @@
 
 namespace sinew {
 
+/// Step interpolation.
 /// eq   STEP: the value of the key at or before the time   (glTF 2.0, Appendix C.2); v1 only at t = 1
 template <class V, class T>
 V step(const V& v0, const V& v1, T t) noexcept {
   return t < T(1) ? v0 : v1;
 }
 
+/// Linear interpolation.
 /// eq   LINEAR: (1 - t) v0 + t v1   (glTF 2.0, Appendix C.3). Returns the keys exactly at t = 0 and t = 1 (G06).
 template <class V, class T>
 V lerp(const V& v0, const V& v1, T t) noexcept {
@@ -28,7 +30,7 @@ T arc_angle(const Quat<T>& q, const Quat<T>& r) noexcept {
   return T(2) * std::atan2(std::sqrt(quat_dot(difference, difference)), std::sqrt(quat_dot(sum, sum)));
 }
 
-/// Spherical interpolation along the arc from q to r as it stands, also the long way round (for squad, N08).
+/// Spherical interpolation from q to r without sign flip, so also along the longer arc (for squad, N08).
 /// eq   (q sin((1 - t) a) + r sin(t a)) / sin a, normalised   (Real-Time Rendering, eq. 4.53)
 ///      The common 1 / sin a drops out in the normalisation; at a = 0 each sine is taken over a: no threshold (N01).
 ///      Opposite q and r have no unique arc: the one through q i is taken, so the result is unit and continuous in t.
@@ -37,7 +39,7 @@ Quat<T> slerp_as_given(const Quat<T>& q, const Quat<T>& r, T t) noexcept {
   if (t == T(0)) return q;
   if (t == T(1)) return r;
   const T a = arc_angle(q, r);
-  // Equal keys: a held key keeps its bits; one that is not unit is normalised as every other result is.
+  // A held key keeps its bits; one that is not unit is normalised as every other result is.
   if (a == T(0)) return std::abs(quat_dot(q, q) - T(1)) <= T(4) * std::numeric_limits<T>::epsilon() ? q : normalised(q);
   const T w0 = std::sin((T(1) - t) * a), w1 = std::sin(t * a);
   const Quat<T> sum = q * w0 + r * w1;

@@ -4,9 +4,8 @@
 
 namespace sinew {
 
-/// A matrix that moves vertices: four columns of four floats on one cache line, so that a blend of joints is one fused
-/// multiply-add a joint in vectors of 512 bits. The last row is (0 0 0 1) and is kept: a blend of weight 1 keeps it
-/// too.
+/// A skinning matrix: four columns of four floats on one cache line, so that blending adds a joint with one fused
+/// multiply-add in vectors of 512 bits. The last row (0 0 0 1) is stored; a blend whose weights sum to 1 keeps it.
 struct alignas(64) JointMatrix {
   glm::vec4 column[4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 

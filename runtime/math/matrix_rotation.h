@@ -4,7 +4,8 @@
 
 namespace sinew {
 
-/// eq   Real-Time Rendering, eq. 4.46: rotation matrix of a unit quaternion
+/// Rotation matrix of a unit quaternion.
+/// eq   Real-Time Rendering, eq. 4.46
 template <class T>
 Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
   const T xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
@@ -16,8 +17,8 @@ Mat3<T> matrix_from_unit_quat(const Quat<T>& q) noexcept {
   return {x, y, z};
 }
 
-/// eq   Real-Time Rendering, eq. 4.45: rotation matrix of a quaternion of any finite length except zero (identity); the
-///      length enters only as s = 2 / |q|^2, so nothing is rounded by normalising first
+/// Rotation matrix of a quaternion of any finite length; the identity for length zero.
+/// eq   Real-Time Rendering, eq. 4.45; the length enters only as s = 2 / |q|^2: nothing is rounded by normalising first
 template <class T>
 Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
   const Quat<T> q = is_safe_square(square_of(any)) ? any : normalised(any);
@@ -36,8 +37,8 @@ Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
 /// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1
 ///      (N12)
 /// in   m  orthonormal with positive determinant up to rounding: take scale and mirroring out first (decompose.h).
-///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. No direction at all: the
-///      identity.
+///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. The
+///      zero matrix gives the identity.
 template <class T>
 Quat<T> quat_from_matrix(const Mat3<T>& m) noexcept {
   const T xx = m[0][0], yy = m[1][1], zz = m[2][2];

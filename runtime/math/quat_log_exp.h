@@ -18,6 +18,7 @@ Vec3<T> quat_log(const Quat<T>& q) noexcept {
   return s * (std::atan2(m * length, q.w) / length);
 }
 
+/// Rotation of a logarithm.
 /// eq   exp(phi u) = (u sin phi, cos phi)   (Real-Time Rendering, eq. 4.41); exp(0) is the identity (N07)
 template <class T>
 Quat<T> quat_exp(const Vec3<T>& v) noexcept {
@@ -30,7 +31,8 @@ Quat<T> quat_exp(const Vec3<T>& v) noexcept {
   return quat_xyzw(u.x, u.y, u.z, std::cos(phi));
 }
 
-/// eq   q^t = exp(t log q)   (Real-Time Rendering, eq. 4.43), without sign flip: of -q it takes the long way
+/// Power of a rotation.
+/// eq   q^t = exp(t log q)   (Real-Time Rendering, eq. 4.43), without sign flip: for -q it takes the long way round
 template <class T>
 Quat<T> quat_pow(const Quat<T>& q, T t) noexcept {
   return quat_exp(quat_log(q) * t);

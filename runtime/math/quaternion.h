@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// Names differ from GLM's on purpose: GLM's are found by argument lookup for its types and would make calls ambiguous.
+/// Names differ from GLM's, which argument-dependent lookup finds for its types and which would make calls ambiguous.
 /// The product is GLM's plain `a * b` (b is applied first; Real-Time Rendering 4th ed., eq. 4.28).
 
 /// Identity rotation.
@@ -22,7 +22,8 @@ T quat_dot(const Quat<T>& q, const Quat<T>& r) noexcept {
   return (q.x * r.x + q.y * r.y) + (q.z * r.z + q.w * r.w);
 }
 
-/// Component of largest absolute value; the scale that keeps squares from overflow and underflow. May overlook a NaN.
+/// Largest absolute value of the components: dividing by it keeps squares from overflow and underflow. NaN components
+/// may be ignored.
 template <class T>
 T largest_component(const Quat<T>& q) noexcept {
   return std::max(std::max(std::abs(q.x), std::abs(q.y)), std::max(std::abs(q.z), std::abs(q.w)));
@@ -41,7 +42,7 @@ constexpr typename V::value_type square_of(const V& v) noexcept {
   return sum;
 }
 
-/// True where a sum of squares has lost nothing to underflow and is far from overflow, in float as in double.
+/// Whether a sum of squares lost no digits to underflow and is far from overflow.
 template <class T>
 constexpr bool is_safe_square(T sum) noexcept {
   return sum >= T(1e-20) && sum <= T(1e30);
@@ -77,12 +78,14 @@ Quat<T> normalised(const Quat<T>& q) noexcept {
   return normalised_or(q, quat_identity<T>());
 }
 
-/// eq   q* = (-v, w): the inverse of a unit quaternion   (Real-Time Rendering, eq. 4.31)
+/// Conjugate: the inverse of a unit quaternion.
+/// eq   q* = (-v, w)   (Real-Time Rendering, eq. 4.31)
 template <class T>
 constexpr Quat<T> quat_conjugate(const Quat<T>& q) noexcept {
   return quat_xyzw(-q.x, -q.y, -q.z, q.w);
 }
 
+/// Inverse of a quaternion of any length.
 /// eq   q^-1 = q* / |q|^2   (Real-Time Rendering, eq. 4.35); the identity where q has no direction
 template <class T>
 Quat<T> quat_inverse(const Quat<T>& q) noexcept {
@@ -92,12 +95,13 @@ Quat<T> quat_inverse(const Quat<T>& q) noexcept {
   return m > T(0) && sum >= T(1) && sum <= T(4) ? quat_conjugate(s) / sum / m : quat_identity<T>();
 }
 
-/// -q where q and `reference` lie on opposite half spheres, else q. sign(0) = +1, so the choice is the same everywhere.
+/// Hemisphere alignment: -q where q . reference < 0, else q.
 template <class T>
 Quat<T> aligned_with(const Quat<T>& reference, const Quat<T>& q) noexcept {
   return quat_dot(reference, q) < T(0) ? -q : q;
 }
 
+/// A vector, rotated by a unit quaternion.
 /// eq   p' = q p q* = p + 2 w (v x p) + 2 v x (v x p)   for unit q   (Real-Time Rendering, eq. 4.36)
 template <class T>
 Vec3<T> rotate_vector(const Quat<T>& q, const Vec3<T>& p) noexcept {

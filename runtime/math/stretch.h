@@ -6,10 +6,9 @@
 
 namespace sinew {
 
-/// How much longer a vector can become, at most; exact for rotations with uniform scale.
-/// eq   sqrt(m + sqrt 2 s), m the mean and s the deviation of the eigenvalues of A^T A, from its trace and Frobenius
-/// norm
-///      (Wolkowicz and Styan 1980)
+/// Upper bound of the factor by which a matrix lengthens a vector; exact for rotations with uniform scale.
+/// eq   sqrt(m + sqrt 2 s), m the mean and s the standard deviation of the eigenvalues of A^T A, from its trace and
+///      Frobenius norm   (Wolkowicz and Styan 1980)
 template <class T>
 T largest_stretch(const AffineT<T>& a) noexcept {
   T trace = T(0), squares = T(0);

@@ -13,7 +13,7 @@ struct HalfTwistT {
   T sine = T(0), cosine = T(1);
 };
 
-/// eq   (v . a, w) for q = (v, w);  half turns that reverse the axis have no twist: theirs is taken as none
+/// eq   (v . a, w) for q = (v, w);  half turns that reverse the axis have no defined twist: it counts as none
 template <class T>
 HalfTwistT<T> half_twist(const Quat<T>& q, const Vec3<T>& unit_axis) noexcept {
   const T sine = (q.x * unit_axis.x + q.y * unit_axis.y) + q.z * unit_axis.z;

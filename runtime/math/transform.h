@@ -18,6 +18,7 @@ struct TransformT {
 using Transform = TransformT<float>;
 using Transformd = TransformT<double>;
 
+/// Matrix of a transform.
 /// eq   M = T(t) * R(q) * S(s)   (glTF 2.0, "Transformations"; R by Real-Time Rendering eq. 4.46, q must be unit)
 template <class T>
 AffineT<T> affine_from_transform(const TransformT<T>& local) noexcept {

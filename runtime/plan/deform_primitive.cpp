@@ -5,7 +5,6 @@
 #include <cassert>
 
 #include "runtime/deform/flat_normals.h"
-#include "runtime/deform/morph_colors.h"
 #include "runtime/deform/morph_vertices.h"
 #include "runtime/deform/skin_center_of_rotation.h"
 #include "runtime/deform/skin_dual_quaternion.h"

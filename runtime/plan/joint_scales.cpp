@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "runtime/clip/clip_layout.h"
+#include "runtime/math/determinant_sign.h"
 
 namespace sinew {
 namespace {
@@ -80,7 +81,7 @@ std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive) {
     JointScale scale = own[j].result(additive);
     if (const std::uint32_t fixed = skeleton.fixed_matrix_of[j]; fixed != kNone) {
       const Affine& matrix = skeleton.fixed_matrices[fixed];
-      scale = {scale_kind(matrix), determinant_sign(affine_cast<double>(matrix)), false};
+      scale = {scale_kind(matrix), determinant_sign(matrix), false};
     }
     if (const std::uint32_t parent = skeleton.parents[j]; parent != kNone) {
       scale.kind = std::max(scale.kind, all[parent].kind);
@@ -103,9 +104,7 @@ ScaleKind scale_kind(const Affine& m) noexcept {
     even = even && std::abs(glm::dot(column(c), column((c + 1) % 3))) <= kTolerance * size;
   }
   if (!even) return ScaleKind::uneven;
-  return std::abs(size - 1.0) <= kTolerance && determinant(d) > 0.0 ? ScaleKind::none : ScaleKind::even;
+  return std::abs(size - 1.0) <= kTolerance && determinant_sign(m) > 0 ? ScaleKind::none : ScaleKind::even;
 }
-
-int determinant_sign(const Affined& m) noexcept { return sign_of(determinant(m)); }
 
 }  // namespace sinew

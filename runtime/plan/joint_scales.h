@@ -31,7 +31,4 @@ std::vector<JointScale> joint_scales(const PlanAssets& assets, bool additive);
 /// The kind of one matrix. Differences below 1e-5 of its size count as rounding: the matrix is even.
 ScaleKind scale_kind(const Affine& m) noexcept;
 
-/// -1, 0 or 1. Computed in double, where the product of three small scales does not vanish.
-int determinant_sign(const Affined& m) noexcept;
-
 }  // namespace sinew

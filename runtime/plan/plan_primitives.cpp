@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/plan/visibility.h"
 #include "runtime/pose/hemisphere_pairs.h"
 
@@ -110,7 +111,7 @@ JointScale scale_of_instance(const CompiledPlan& plan, std::size_t i) {
   const Skin& skin = *plan.assets.skins[instance.skin];
   if (skin.joints.empty()) return {.sign = 0};
   JointScale scale = plan.joint_scales[skin.joints[0]];
-  scale.sign *= determinant_sign(affine_cast<double>(skin.inverse_bind[0]));
+  scale.sign *= determinant_sign(skin.inverse_bind[0]);
   return scale;
 }
 

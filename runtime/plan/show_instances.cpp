@@ -5,6 +5,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/deform/grow_bounds.h"
+#include "runtime/math/determinant_sign.h"
 #include "runtime/model/mesh_copies.h"
 #include "runtime/plan/deform_primitive.h"
 
@@ -17,7 +18,7 @@ struct RootScale {
   bool uneven;  // false where the normal rule does not ask
 
   RootScale(const CompiledPlan& plan, const Affine& root) noexcept
-      : sign(determinant_sign(affine_cast<double>(root))),
+      : sign(determinant_sign(root)),
         uneven(plan.needs.normal_rule == NormalRule::cofactor && scale_kind(root) == ScaleKind::uneven) {}
 };
 
@@ -30,9 +31,9 @@ bool is_mirrored(const CompiledPlan& plan, std::size_t instance, std::span<const
   work.windings_tested += 1;
   const MeshInstance& mesh = plan.scene->instances[instance];
   if (!plan.instance_skinned[instance])
-    return determinant_sign(affine_cast<double>(world_of(plan.assets, model, mesh.joint))) < 0;
+    return determinant_sign(world_of(plan.assets, model, mesh.joint)) < 0;
   const Skin& skin = *plan.assets.skins[mesh.skin];
-  return determinant_sign(affine_cast<double>(model[skin.joints[0]]) * affine_cast<double>(skin.inverse_bind[0])) < 0;
+  return determinant_sign(model[skin.joints[0]]) * determinant_sign(skin.inverse_bind[0]) < 0;
 }
 
 /// The world matrix of an instance, and whether it is mirrored.

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/add_pose.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/pose/simd/dispatch.h"
 #include "runtime/pose/simd/pose_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,9 +39,14 @@ HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, 
   const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z),
                        hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
   const Rotations q = product(part, {pose.rx, pose.ry, pose.rz, pose.rw});
-  pose.rx = q.x, pose.ry = q.y, pose.rz = q.z, pose.rw = q.w;
+  pose.rx = q.x;
+  pose.ry = q.y;
+  pose.rz = q.z;
+  pose.rw = q.w;
   const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(pose, pose)));
-  pose.rx = hn::Mul(q.x, by_length), pose.ry = hn::Mul(q.y, by_length), pose.rz = hn::Mul(q.z, by_length),
+  pose.rx = hn::Mul(q.x, by_length);
+  pose.ry = hn::Mul(q.y, by_length);
+  pose.rz = hn::Mul(q.z, by_length);
   pose.rw = hn::Mul(q.w, by_length);
 }
 
@@ -66,8 +72,10 @@ HWY_INLINE void add_lanes(const AddPoseJob& job, std::size_t j) {
   sum.tz = add_product(pose.tz, hn::Sub(layer.tz, reference.tz), weight);
   add_rotation(sum, layer, reference, weight);
   const auto still = same_rotation(layer, reference);
-  sum.rx = hn::IfThenElse(still, pose.rx, sum.rx), sum.ry = hn::IfThenElse(still, pose.ry, sum.ry);
-  sum.rz = hn::IfThenElse(still, pose.rz, sum.rz), sum.rw = hn::IfThenElse(still, pose.rw, sum.rw);
+  sum.rx = hn::IfThenElse(still, pose.rx, sum.rx);
+  sum.ry = hn::IfThenElse(still, pose.ry, sum.ry);
+  sum.rz = hn::IfThenElse(still, pose.rz, sum.rz);
+  sum.rw = hn::IfThenElse(still, pose.rw, sum.rw);
   sum.sx = added_scale(pose.sx, layer.sx, reference.sx, weight);
   sum.sy = added_scale(pose.sy, layer.sy, reference.sy, weight);
   sum.sz = added_scale(pose.sz, layer.sz, reference.sz, weight);
@@ -84,16 +92,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
-namespace {
-HWY_EXPORT(add_all);
-}  // namespace
-
 ErrorCode check(const AddPoseJob& job) noexcept {
   const BlendLayer layers[] = {{job.layer, job.weight, job.joint_weights}, {job.reference, 0.0f, {}}};
   return check(BlendPosesJob{layers, job.pose, job.pose});
 }
 
-void run(const AddPoseJob& job) noexcept { HWY_DYNAMIC_DISPATCH(add_all)(job); }
+SINEW_DISPATCH_RUN(AddPoseJob, add_all)
 
 }  // namespace sinew
 #endif

@@ -10,6 +10,8 @@
 
 #include "runtime/math/decompose.h"
 #include "runtime/pose/simd/affine_lanes-inl.h"
+#include "runtime/pose/simd/dispatch.h"
+#include "runtime/pose/simd/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -29,12 +31,11 @@ HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
   const RowTag d;
   alignas(16) static constexpr float kLastRow[4] = {0, 0, 0, 1};
   const auto last = hn::Load(d, kLastRow);
-  const auto xz_low = hn::InterleaveLower(d, m.row[0], m.row[2]), xz_high = hn::InterleaveUpper(d, m.row[0], m.row[2]);
-  const auto yw_low = hn::InterleaveLower(d, m.row[1], last), yw_high = hn::InterleaveUpper(d, m.row[1], last);
-  hn::Store(hn::InterleaveLower(d, xz_low, yw_low), d, &out.column[0].x);
-  hn::Store(hn::InterleaveUpper(d, xz_low, yw_low), d, &out.column[1].x);
-  hn::Store(hn::InterleaveLower(d, xz_high, yw_high), d, &out.column[2].x);
-  hn::Store(hn::InterleaveUpper(d, xz_high, yw_high), d, &out.column[3].x);
+  const auto columns = transpose_blocks(d, m.row[0], m.row[1], m.row[2], last);
+  hn::Store(columns.x, d, &out.column[0].x);
+  hn::Store(columns.y, d, &out.column[1].x);
+  hn::Store(columns.z, d, &out.column[2].x);
+  hn::Store(columns.w, d, &out.column[3].x);
 #endif
 }
 
@@ -51,8 +52,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 namespace {
-
-HWY_EXPORT(skinning_matrices);
 
 /// A stretch this close to the identity is rounding, not scale: the split of a rigid float matrix leaves about 1e-7.
 constexpr float kStretchTolerance = 1e-6f;
@@ -74,7 +73,7 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const JointPaletteJob& job) noexcept { HWY_DYNAMIC_DISPATCH(skinning_matrices)(job); }
+SINEW_DISPATCH_RUN(JointPaletteJob, skinning_matrices)
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
   const std::size_t count = job.palette.size();

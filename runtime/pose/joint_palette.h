@@ -23,27 +23,28 @@ struct JointPaletteJob {
 ErrorCode check(const JointPaletteJob& job) noexcept;
 void run(const JointPaletteJob& job) noexcept;
 
-/// A skinning matrix split for dual-quaternion skinning: first stretch in bind space, then move rigidly (N19).
-/// eq   J = [R S | t]: R the rotation of the polar decomposition, S = stretch symmetric (xx yy zz xy xz yz);
-///      for a mirrored J (det < 0) S is negative: R * S still is J (numeric case "polar")
+/// A skinning matrix J split for dual-quaternion skinning: a stretch in bind space, then a rigid motion (N19).
+/// eq   J = [R S | t]: R the rotation of the polar decomposition, S = stretch, symmetric (xx yy zz xy xz yz);
+///      for a mirroring J (det < 0) S is negative, so that R * S still is J. det S has the sign of det J also where S
+///      is singular within rounding (decompose.h).
 struct alignas(64) RigidStretch {
   DualQuat rigid;
   float stretch[6] = {1, 1, 1, 0, 0, 0};
   float unused[2] = {0, 0};  ///< read with the rest of the cache line
 };
 
-/// Two entries of a palette.
+/// Indices of two entries of a palette.
 struct JointPair {
   std::uint16_t first = 0, second = 0;
 };
 
 /// Splits every palette matrix.
-/// in   follow[any]  in this order, the quaternion of `second` takes the sign that is on the side of `first`; empty:
-/// signs as
-///                   they come
-/// out  split[N];   any_stretch  true when some stretch differs from the identity by more than 1e-6: the second phase
-/// is needed (P12) err  size_mismatch, index_out_of_range     cost O(N), no allocation; a singular matrix gives some
-/// rotation with R * S = J
+/// in   follow[any]  pairs in order: the quaternion of `second` takes the sign that is on the hemisphere of `first`;
+///      empty = signs as the decomposition gives them
+/// out  split[N];   any_stretch  whether a stretch differs from the identity by more than 1e-6, so that skinning
+///      needs its first phase (P12)
+/// err  size_mismatch, index_out_of_range. A singular matrix gives some rotation with R * S = J.
+/// cost O(N), no allocation
 struct SplitPaletteJob {
   std::span<const JointMatrix> palette;
   std::span<RigidStretch> split;

@@ -10,21 +10,23 @@
 #include <hwy/foreach_target.h>
 
 #include "runtime/pose/simd/affine_lanes-inl.h"
+#include "runtime/pose/simd/dispatch.h"
+#include "runtime/pose/simd/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A pose's stride is a multiple of 16 joints, so that whole vectors never reach past its planes.
+/// The stride of a pose is a multiple of 16 joints, so that no vector reaches past its planes.
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
-/// Joints are taken in chunks, of which a bit per joint says whether to compose it.
+/// Joints are composed in chunks; one bit per joint of a chunk says whether to compose it.
 constexpr std::size_t kChunk = 64;
 using Chosen = std::uint64_t;
 
-/// Local matrices of a chunk, in the order in which transposing within blocks of vectors leaves them.
+/// Local matrices of a chunk, in the order in which transposing within blocks leaves them.
 struct LocalMatrices {
   HWY_ALIGN float rows[3][kChunk * 4];
 
@@ -43,12 +45,11 @@ HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
   hn::StoreInterleaved4(x, y, z, w, d, row);
 #else
   const std::size_t lanes = hn::Lanes(d);
-  const Lanes xz_low = hn::InterleaveLower(d, x, z), xz_high = hn::InterleaveUpper(d, x, z);
-  const Lanes yw_low = hn::InterleaveLower(d, y, w), yw_high = hn::InterleaveUpper(d, y, w);
-  hn::Store(hn::InterleaveLower(d, xz_low, yw_low), d, row);
-  hn::Store(hn::InterleaveUpper(d, xz_low, yw_low), d, row + lanes);
-  hn::Store(hn::InterleaveLower(d, xz_high, yw_high), d, row + 2 * lanes);
-  hn::Store(hn::InterleaveUpper(d, xz_high, yw_high), d, row + 3 * lanes);
+  const FourVectors<Lanes> joints = transpose_blocks(d, x, y, z, w);
+  hn::Store(joints.x, d, row);
+  hn::Store(joints.y, d, row + lanes);
+  hn::Store(joints.z, d, row + 2 * lanes);
+  hn::Store(joints.w, d, row + 3 * lanes);
 #endif
 }
 
@@ -73,7 +74,7 @@ HWY_INLINE void store_matrices(const PoseSpan& pose, std::size_t j, float* x_row
             x_row + 8 * kChunk);
 }
 
-/// Puts the matrices that the file gives verbatim in place of T * R * S (G50). A row goes in as one store: it is read
+/// Replaces T * R * S by the matrices that the file gives (G50). A row is written with one store, since it is loaded
 /// back at once.
 HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
   const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
@@ -85,7 +86,7 @@ HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin
   }
 }
 
-/// Local matrices of a chunk. A function of its own: within another, some of its vectors would be spilled.
+/// Local matrices of a chunk. Not inlined: within another function some of its vectors would be spilled.
 HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen chosen, LocalMatrices& locals) {
   const std::size_t lanes = hn::Lanes(Floats());
   const Chosen of_vector = (Chosen{2} << (lanes - 1)) - 1;
@@ -96,7 +97,7 @@ HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen cho
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 64
 
-/// Composes joints chunk after chunk, parents first.
+/// Composes joints chunk by chunk, parents first.
 template <bool kSome>
 class Composer {
  public:
@@ -129,9 +130,8 @@ class Composer {
 
 #else
 
-/// Composes joints chunk after chunk, parents first. The last eight matrices stay in registers, chosen among by a jump,
-/// which is foreseen: a joint would wait for its parent's matrix to come back from memory nearly as long as for the
-/// product.
+/// Composes joints chunk by chunk, parents first. The last eight matrices stay in registers and are selected by a
+/// predicted jump: reloading the matrix of the parent from memory would take nearly as long as the product.
 template <bool kSome>
 class Composer {
  public:
@@ -190,7 +190,7 @@ class Composer {
 
 #endif
 
-/// The bits of the joints from only[next] on that come before `end`, which are of one chunk; `next` passes them.
+/// Bits of the joints of `only` from `next` on and below `end`, all of one chunk; `next` moves past them.
 Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::size_t& next) {
   const auto last = only.back() < end
                         ? only.end()
@@ -201,7 +201,7 @@ Chosen chosen_joints(std::span<const std::uint32_t> only, std::size_t end, std::
   return chosen;
 }
 
-/// Local matrices are made a chunk ahead of the joints' chains, which wait for each other's products.
+/// Local matrices are made one chunk ahead of the chains of joints, which wait for the products of their parents.
 template <bool kSome>
 HWY_NOINLINE void compose_joints(const LocalToModelJob& job) {
   LocalMatrices locals;
@@ -226,12 +226,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
-namespace {
-
-HWY_EXPORT(model_matrices);
-
-}  // namespace
-
 ErrorCode check(const LocalToModelJob& job) noexcept {
   if (!job.skeleton) return ErrorCode::size_mismatch;
   const std::size_t count = job.skeleton->joint_count();
@@ -246,7 +240,7 @@ ErrorCode check(const LocalToModelJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-void run(const LocalToModelJob& job) noexcept { HWY_DYNAMIC_DISPATCH(model_matrices)(job); }
+SINEW_DISPATCH_RUN(LocalToModelJob, model_matrices)
 
 }  // namespace sinew
 #endif  // HWY_ONCE

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// Local transforms of J joints as structure of arrays: ten planes (translation xyz, rotation xyzw, scale xyz) of
-/// `stride` floats each. `stride` is J rounded up to a multiple of 16, so that lanes may run past the last joint; the
-/// planes start on 64-byte boundaries. A view: owns nothing.
+/// View of the local transforms of J joints as structure of arrays: ten planes (translation xyz, rotation xyzw, scale
+/// xyz) of `stride` floats each. `stride` is J rounded up to a multiple of 16, so that vectors may reach past the
+/// last joint. Planes start on 64-byte boundaries. Owns nothing.
 struct PoseSpan {
   enum Plane : std::size_t { tx, ty, tz, rx, ry, rz, rw, sx, sy, sz, plane_count };
 
@@ -30,9 +30,16 @@ struct PoseSpan {
     return {{at(tx), at(ty), at(tz)}, quat_xyzw(at(rx), at(ry), at(rz), at(rw)), {at(sx), at(sy), at(sz)}};
   }
   void set(std::size_t j, const Transform& t) const noexcept {
-    plane(tx)[j] = t.translation.x, plane(ty)[j] = t.translation.y, plane(tz)[j] = t.translation.z;
-    plane(rx)[j] = t.rotation.x, plane(ry)[j] = t.rotation.y, plane(rz)[j] = t.rotation.z, plane(rw)[j] = t.rotation.w;
-    plane(sx)[j] = t.scale.x, plane(sy)[j] = t.scale.y, plane(sz)[j] = t.scale.z;
+    plane(tx)[j] = t.translation.x;
+    plane(ty)[j] = t.translation.y;
+    plane(tz)[j] = t.translation.z;
+    plane(rx)[j] = t.rotation.x;
+    plane(ry)[j] = t.rotation.y;
+    plane(rz)[j] = t.rotation.z;
+    plane(rw)[j] = t.rotation.w;
+    plane(sx)[j] = t.scale.x;
+    plane(sy)[j] = t.scale.y;
+    plane(sz)[j] = t.scale.z;
   }
 };
 

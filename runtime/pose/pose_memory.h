@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// Memory of one pose, for code that is no frame, and the view over it.
+/// Owns the memory of one pose, for code outside of frames, and gives a view of it.
 class PoseMemory {
  public:
   explicit PoseMemory(std::size_t joint_count)

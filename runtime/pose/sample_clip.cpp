@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/sample_clip.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/pose/simd/dispatch.h"
 #include "runtime/pose/simd/packed_lanes-inl.h"
 
 namespace sinew {
@@ -68,8 +69,13 @@ void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOut
   }
 }
 
-void sample_groups(const SampleClipJob& job) {
-  for (const TimeGroup& group : job.clip->layout().groups) {
+void sample_clip(const SampleClipJob& job) {
+  const ClipLayout& clip = job.clip->layout();
+  if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
+  if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
+  if (!job.properties.empty())
+    std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
+  for (const TimeGroup& group : clip.groups) {
     const KeyPosition position = group.times.locate(job.time_s);
     const BetweenKeys at(position);
     for (const TrackBlock& block : group.blocks) {
@@ -93,8 +99,6 @@ HWY_AFTER_NAMESPACE();
 namespace sinew {
 namespace {
 
-HWY_EXPORT(sample_groups);
-
 static_assert(first_plane(Property::translation) == PoseSpan::tx && first_plane(Property::rotation) == PoseSpan::rx &&
               first_plane(Property::scale) == PoseSpan::sx && PoseSpan::plane_count == 10);
 
@@ -108,8 +112,10 @@ void squad_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutp
     const glm::quat begin = normalised(corner(at.key, 0)), end = normalised(corner(at.key + 1, 0)) * sign;
     const glm::quat unit = squad(begin, corner(at.key, 4), corner(at.key, 8), end, at.s);
     const std::uint32_t joint = block.targets[i];
-    out.plane(0)[joint] = unit.x, out.plane(1)[joint] = unit.y;
-    out.plane(2)[joint] = unit.z, out.plane(3)[joint] = unit.w;
+    out.plane(0)[joint] = unit.x;
+    out.plane(1)[joint] = unit.y;
+    out.plane(2)[joint] = unit.z;
+    out.plane(3)[joint] = unit.w;
   }
 }
 
@@ -129,14 +135,7 @@ ErrorCode check(const SampleClipJob& job) noexcept {
   return numbers_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
 }
 
-void run(const SampleClipJob& job) noexcept {
-  const ClipLayout& clip = job.clip->layout();
-  if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
-  if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
-  if (!job.properties.empty())
-    std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
-  HWY_DYNAMIC_DISPATCH(sample_groups)(job);
-}
+SINEW_DISPATCH_RUN(SampleClipJob, sample_clip)
 
 }  // namespace sinew
 #endif  // HWY_ONCE

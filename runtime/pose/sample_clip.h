@@ -11,10 +11,11 @@ namespace sinew {
 /// Local pose of every joint, all morph weights and all animated properties at one time of a clip. What the clip does
 /// not animate gets its rest value (G22). Times outside the clip clamp per track (G10).
 /// eq   as BoneAnimation::interpolate, in float
-/// in   time_s      seconds in the clip
-/// out  pose        of the clip's joint count;   weights[W]  the clip's weight count, may be empty = not wanted
-///      properties[P]  the clip's property count, may be empty = not wanted
-///      holds_clip  the pose is a sample of this very clip: what that does not animate is there already (P01)
+/// in   time_s         seconds in the clip
+///      holds_clip     `pose` holds a sample of this clip already: joints that it does not animate are not written
+///      (P01)
+/// out  pose           of the clip's joint count;   weights[W]  of the clip's weight count; empty = not wanted
+///      properties[P]  of the clip's property count; empty = not wanted
 /// err  size_mismatch        cost O(groups * log K + animated tracks), no allocation
 struct SampleClipJob {
   const Clip* clip = nullptr;

@@ -2,8 +2,7 @@
 #pragma once
 #include <span>
 
-#include "runtime/deform/simd/blend_matrix.h"
-#include "runtime/deform/simd/blend_motion.h"
+#include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/vertex_streams.h"
 
 /// Variants that lost, kept so that they are measured beside the winner.
@@ -24,7 +23,7 @@ inline void vertexwise_linear(const VertexInfluences& influences, std::span<cons
 inline void vertexwise_dual_quaternion(const VertexInfluences& influences, std::span<const RigidStretch> split,
                                        const VertexInput& in, const VertexOutput& out) {
   for_each_vertex(influences, [&](std::size_t v, const auto& joints) {
-    const DualQuat motion = blend_motion(split, joints);
+    const DualQuat motion = blend_dual_quaternion(split, joints);
     out.positions[v] = transform_point(motion, in.positions[v]);
     out.normals[v] = normalised_or(transform_vector(motion, in.normals[v]), in.normals[v]);
   });

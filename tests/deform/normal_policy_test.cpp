@@ -4,8 +4,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "runtime/math/decompose.h"
+#include "runtime/math/matrix_rotation.h"
 #include "tests/reference/skinning.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/skinning_ways.h"
 
 namespace sinew {
@@ -107,6 +110,43 @@ TEST_P(ExactNormals, N22_flat_joints_give_the_side_of_the_winding_not_of_roundin
     for (std::size_t v = 0; v < s.positions.size(); ++v) {
       if (std::abs(s.normals[v].y) < 0.05f) continue;  // their normal lies in the plane and is lost
       EXPECT_GT(glm::dot(s.out_normals[v], winding) * s.normals[v].y, 0.0f) << v;
+    }
+  }
+}
+
+/// Normals of one matrix, which two and four influences of equal weight blend without rounding.
+void expect_outward_normals(Way way, const Mat3<float>& joint) {
+  test::FixedRandom random(16);
+  for (const std::uint32_t count : {1u, 2u, 4u}) {
+    auto s = sphere(random, std::span(&count, 1));
+    s.influences.weights.assign(s.influences.weights.size(), 1.0f / static_cast<float>(count));
+    for (JointMatrix& m : s.palette) m = joint_matrix_from(affine_from(joint, glm::vec3(0)));
+    skin(way, s, s.positions);
+    RigidStretch split;
+    run(SplitPaletteJob{std::span(s.palette).first(1), std::span(&split, 1)});
+    const Mat3<double> stretch(matrix_from_stretch(split.stretch));
+    for (std::size_t v = 0; v < s.positions.size(); ++v) {
+      const Vec3d n(s.normals[v]), found(s.out_normals[v]), truth = transform_normal_outward(Mat3<double>(joint), n);
+      const Vec3d by_stretch = rotate_vector(quat_cast<double>(split.rigid.real), transform_normal_outward(stretch, n));
+      EXPECT_TRUE(test::is_near(found, way == Way::linear_cofactor ? truth : by_stretch, 2e-6)) << count << ' ' << v;
+      EXPECT_GT(glm::dot(found, truth), 0.9) << count << ' ' << v;
+    }
+  }
+}
+
+TEST_P(ExactNormals, G48_normals_of_ill_conditioned_joints_keep_to_the_outside_on_every_instruction_set) {
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    test::FixedRandom random(17);
+    for (int i = 0; i < 40; ++i) {
+      Mat3<double> values(0.0);
+      values[0][0] = 1e3;
+      values[1][1] = i % 2 ? 1e-3 : -1e-3;
+      values[2][2] = i < 20 ? 1e-3 : 4e-2;
+      const Mat3<float> joint(matrix_from_unit_quat(random.rotation<double>()) * values *
+                              matrix_from_unit_quat(random.rotation<double>()));
+      SCOPED_TRACE(test::simd_name(target) + ' ' + std::to_string(i));
+      expect_outward_normals(GetParam(), joint);
     }
   }
 }

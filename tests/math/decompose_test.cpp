@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/math/matrix_rotation.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
@@ -63,6 +64,27 @@ TEST(decompose, N16_polar_of_singular_matrices_still_rebuilds_and_says_so) {
       expect_polar(m, p, 16 * kEps);
     }
   EXPECT_EQ(decompose_polar(Mat3<float>(0.f)).quat, quat_identity<float>());
+}
+
+TEST(decompose, G48_the_stretch_has_the_side_of_its_matrix_also_where_rounding_could_turn_it) {
+  FixedRandom random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const double least = std::pow(10.0, -1 - i % 10) * (i % 20 < 10 ? 1 : -1);
+    Mat3<double> d(0.0);
+    d[0][0] = 1e3;
+    d[1][1] = 1.0;
+    d[2][2] = i % 7 == 0 ? 0.0 : least;
+    const Mat3<float> m(matrix_from_unit_quat(random.rotation<double>()) * d *
+                        matrix_from_unit_quat(random.rotation<double>()));
+    const auto p = decompose_polar(m);
+    EXPECT_EQ(determinant_sign(matrix_from_stretch(p.stretch)), determinant_sign(m)) << i;
+    if (p.status != DecomposeStatus::singular) {
+      EXPECT_EQ(determinant_sign(m), p.status == DecomposeStatus::mirrored ? -1 : 1) << i;
+    }
+    expect_polar(m, p, 16 * kEps * 1e3);
+    const auto trs = decompose_trs(affine_from(m, Vec3<float>(0)));
+    EXPECT_EQ(trs.transform.scale.x < 0.0f, determinant_sign(m) < 0) << i;
+  }
 }
 
 TEST(decompose, N16_noise_does_not_choose_the_rotation_that_a_rank_of_one_leaves_free) {

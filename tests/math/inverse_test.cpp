@@ -58,5 +58,21 @@ TEST(inverse, G51_zero_scale_has_none_and_says_so) {
   EXPECT_FALSE(inverse_of(flat));
 }
 
+TEST(inverse, G48_an_inverse_never_mirrors_where_its_matrix_does_not) {
+  FixedRandom random(6);
+  int found = 0, none = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Mat3<float> m(random.vec3(), random.vec3(), random.vec3());
+    m[2] = m[0] * 0.7f + m[1] * 0.9f + random.vec3() * 4e-7f;  // what rounding leaves of a singular matrix, and more
+    const auto inverse = inverse_of(affine_from(m, Vec3<float>(0)));
+    if (inverse) {
+      EXPECT_EQ(determinant_sign(*inverse), determinant_sign(m)) << i;
+    }
+    ++(inverse ? found : none);
+  }
+  EXPECT_GT(found, 100);
+  EXPECT_GT(none, 100);
+}
+
 }  // namespace
 }  // namespace sinew

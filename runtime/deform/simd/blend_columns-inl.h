@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint matrices of the vertices of a quarter tile, blended one vertex after the other and then turned into columns.
+// Joint matrices of the vertices of a quarter tile: blended vertex by vertex, then transposed into columns.
 #if defined(SINEW_BLEND_COLUMNS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_COLUMNS_INL_H_
 #undef SINEW_BLEND_COLUMNS_INL_H_
@@ -7,24 +7,22 @@
 #define SINEW_BLEND_COLUMNS_INL_H_
 #endif
 
-#include "runtime/deform/simd/blend_parts-inl.h"
+#include "runtime/deform/simd/blend_matrix-inl.h"
 #include "runtime/deform/simd/quarter_lanes-inl.h"
-#include "runtime/math/normal_transform.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Columns of the matrices of a quarter's vertices, one vertex a block.
+/// Columns of the matrices of a quarter tile, one vertex per block.
 struct Columns {
   Wide c0, c1, c2, c3;
 };
 
-HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
+HWY_INLINE Columns columns_of(const MatrixVectors (&m)[kBlocks]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
-  // Blocks are swapped before halves are: a compiler would otherwise take halves twice for the two that are blended of
-  // each.
+  // Blocks are swapped before halves are: compilers would otherwise extract the halves twice.
   const auto even = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a); };
   const auto odd = [](Wide a, Wide b) HWY_ATTR { return hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)); };
   const Wide even_01 = even(m[0].part[0], m[1].part[0]), even_23 = even(m[2].part[0], m[3].part[0]);
@@ -40,14 +38,14 @@ HWY_INLINE Columns columns_of(const MatrixParts (&m)[kBlocks]) {
 #endif
 }
 
-/// Columns of one quarter of the tile. Unrolled also where that is long, or its matrices would be kept in memory.
+/// Columns of one quarter tile. The loop is unrolled, or compilers would keep the matrices in memory.
 template <int kCount>
 HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
-  MatrixParts matrices[kBlocks];
+  MatrixVectors matrices[kBlocks];
 #if HWY_COMPILER_GCC_ACTUAL
 #pragma GCC unroll 4
 #endif
-  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_parts(palette, tile, quarter * kBlocks + b);
+  for (std::size_t b = 0; b < kBlocks; ++b) matrices[b] = blend_matrix_vectors(palette, tile, quarter * kBlocks + b);
   return columns_of(matrices);
 }
 
@@ -58,7 +56,7 @@ HWY_INLINE Wide transform_vectors(const Columns& m, const Spread3& v) {
   return hn::MulAdd(m.c2, v.z, hn::MulAdd(m.c1, v.y, hn::Mul(m.c0, v.x)));
 }
 
-/// (x y z -) to (y z x -) in every block.
+/// Rotates the components of every block: (x y z -) becomes (y z x -).
 HWY_INLINE Wide next_components(Wide v) {
   static constexpr LaneTable kTable([](std::size_t i) { return i / 4 * 4 + (i % 4 == 3 ? 3 : (i + 1) % 4 % 3); });
   return hn::TableLookupLanes(v, hn::SetTableIndices(TileTag(), kTable.lanes));
@@ -74,19 +72,18 @@ HWY_INLINE Columns cofactor(const Columns& m) {
   return {cross_blocks(m.c1, n1, m.c2, n2), cross_blocks(m.c2, n2, m.c0, n0), cross_blocks(m.c0, n0, m.c1, n1), m.c3};
 }
 
-/// x + y + z of every block, in all its lanes.
+/// x + y + z of every block, in all lanes of the block.
 HWY_INLINE Wide component_sums(Wide v) {
   return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v));
 }
 
-/// eq   M n, or sign(det M) cof(M) n as transform_normal_outward has it; not yet unit
+/// Normals, not yet unit; zero where the scalar path has to find their side (OutwardSide).
+/// eq   M n, or sign(det M) cof(M) n
 HWY_INLINE Wide moved_normals(const Columns& m, const Spread3& n, bool cofactor_rule) {
   if (!cofactor_rule) return transform_vectors(m, n);
   const Columns cof = cofactor(m);
-  const Wide moved = transform_vectors(cof, n);
   const Wide squares = component_sums(hn::MulAdd(m.c2, m.c2, hn::MulAdd(m.c1, m.c1, hn::Mul(m.c0, m.c0))));
-  const Wide flat = hn::Mul(hn::Mul(squares, hn::Sqrt(squares)), hn::Set(TileTag(), -kFlatDeterminant<float>));
-  return hn::IfThenElse(hn::Lt(component_sums(hn::Mul(m.c0, cof.c0)), flat), hn::Neg(moved), moved);
+  return OutwardSide(component_sums(hn::Mul(m.c0, cof.c0)), squares).turn(transform_vectors(cof, n));
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stretches of a tile of vertices: blended vertex by vertex, then turned into lanes.
+// Stretches of a tile of vertices: blended vertex by vertex, then transposed into lanes.
 #if defined(SINEW_BLEND_STRETCH_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_BLEND_STRETCH_LANES_INL_H_
 #undef SINEW_BLEND_STRETCH_LANES_INL_H_
@@ -7,7 +7,7 @@
 #define SINEW_BLEND_STRETCH_LANES_INL_H_
 #endif
 
-#include "runtime/deform/simd/eight_lanes-inl.h"
+#include "runtime/deform/simd/float8_lanes-inl.h"
 #include "runtime/deform/simd/lanes-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
 #include "runtime/pose/joint_palette.h"
@@ -15,19 +15,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Symmetric matrices of a tile.
+/// Symmetric matrices of a tile, one vertex a lane.
 struct StretchLanes {
   Wide xx, yy, zz, xy, xz, yz;
 };
 
-/// eq   S = sum(w S_i)
+/// eq   S = sum(w S_i); a vertex with one influence takes the joint's stretch as it is
 template <int kCount>
 HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInfluences<kCount>& tile) {
-  const EightTag d;
-  Eight sums[kTileSize];
+  const Float8Tag d;
+  Float8 sums[kTileSize];
   for_each_of_tile([&](std::size_t k) HWY_ATTR {
     const VertexJoints<kCount> vertex = tile.at(k);
-    sums[k] = times(load_eight(tile.entry(split, k, 0)->stretch), hn::Set(d, vertex.weights[0]));
+    sums[k] = load_float8(tile.entry(split, k, 0)->stretch);
+    if (vertex.count() == 1) return;
+    sums[k] = times(sums[k], hn::Set(d, vertex.weights[0]));
     for (std::size_t i = 1; i < vertex.count(); ++i)
       sums[k] = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
   });
@@ -47,6 +49,7 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
 
+/// Normals, not yet unit; zero where the scalar path has to find their side (OutwardSide).
 /// eq   n' = sign(det S) cof(S) n   (conventions.h)
 HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
   const StretchLanes cof = cofactor(s);
@@ -54,7 +57,9 @@ HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
   const Wide off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
   const Wide squares =
       hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
-  return turned_outward(apply(cof, n), determinant, squares);
+  const OutwardSide outward(determinant, squares);
+  const Lanes3 moved = apply(cof, n);
+  return {outward.turn(moved.x), outward.turn(moved.y), outward.turn(moved.z)};
 }
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of a tile's vertices as structure of arrays: lane i is vertex `vertex_of_lane(i)`.
+// Attributes of a tile as structure of arrays: lane i is vertex `vertex_of_lane(i)` of the tile.
 #if defined(SINEW_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_INL_H_
 #undef SINEW_LANES_INL_H_
@@ -8,7 +8,7 @@
 #endif
 
 #include "runtime/deform/simd/quarter_lanes-inl.h"
-#include "runtime/math/normal_transform.h"
+#include "runtime/pose/simd/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -17,9 +17,7 @@ struct Lanes3 {
   Wide x, y, z;
 };
 
-struct Lanes4 {
-  Wide x, y, z, w;
-};
+using Lanes4 = FourVectors<Wide>;
 
 /// eq   a.x b.x + a.y b.y + a.z b.z, summed in that order
 HWY_INLINE Wide dot(const Lanes3& a, const Lanes3& b) {
@@ -65,14 +63,8 @@ HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
 
 #else
 
-/// Four by four within every block: lane i of the results comes from argument i, and back.
-HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) {
-  const TileTag d;
-  const Wide ac_low = hn::InterleaveLower(d, a, c), ac_high = hn::InterleaveUpper(d, a, c);
-  const Wide be_low = hn::InterleaveLower(d, b, e), be_high = hn::InterleaveUpper(d, b, e);
-  return {hn::InterleaveLower(d, ac_low, be_low), hn::InterleaveUpper(d, ac_low, be_low),
-          hn::InterleaveLower(d, ac_high, be_high), hn::InterleaveUpper(d, ac_high, be_high)};
-}
+/// Quarters of a tile to lanes of its vertices (vertex_of_lane), and back.
+HWY_INLINE Lanes4 transpose(Wide a, Wide b, Wide c, Wide e) { return transpose_blocks(TileTag(), a, b, c, e); }
 
 HWY_INLINE Lanes3 load3(const glm::vec3* tile) {
   const Lanes4 all =
@@ -95,23 +87,16 @@ HWY_INLINE void store4(const Lanes4& v, glm::vec4* tile) {
   const Lanes4 all = transpose(v.x, v.y, v.z, v.w);
   const auto store = [&](Wide quarter, std::size_t q)
                          HWY_ATTR { hn::StoreU(quarter, TileTag(), &tile[q * kBlocks].x); };
-  store(all.x, 0), store(all.y, 1), store(all.z, 2), store(all.w, 3);
+  store(all.x, 0);
+  store(all.y, 1);
+  store(all.z, 2);
+  store(all.w, 3);
 }
 
 #endif  // HWY_TARGET
 
-/// Negates the cofactor normals of matrices that mirror, by their determinants and squared Frobenius norms: the same
-/// choice as transform_normal_outward.
-HWY_INLINE Lanes3 turned_outward(const Lanes3& n, Wide determinant, Wide squared_norm) {
-  const TileTag d;
-  const Wide flat = hn::Mul(hn::Mul(squared_norm, hn::Sqrt(squared_norm)), hn::Set(d, -kFlatDeterminant<float>));
-  const auto mirrors = hn::Lt(determinant, flat);
-  const auto turned = [&](Wide v) HWY_ATTR { return hn::IfThenElse(mirrors, hn::Neg(v), v); };
-  return {turned(n.x), turned(n.y), turned(n.z)};
-}
-
-/// Unit vectors, by an exact square root and division. Answers the lanes whose square is in the range in which float
-/// keeps its digits; the others are for the careful way, vertex by vertex.
+/// Makes vectors unit, by an exact square root and division. Returns the lanes whose squared length is in the range
+/// in which float keeps its digits; the others are for the scalar path.
 HWY_INLINE hn::Mask<TileTag> normalise(Lanes3& v) {
   const TileTag d;
   const Wide squared = dot(v, v);

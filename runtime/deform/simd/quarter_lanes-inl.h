@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tile of vertices in four quarters. A quarter has one vertex in each 128-bit block, (x y z -).
+// A tile of vertices as four quarter tiles, each with one vertex in every 128-bit block, (x y z -).
 #if defined(SINEW_QUARTER_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_QUARTER_LANES_INL_H_
 #undef SINEW_QUARTER_LANES_INL_H_
@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "runtime/deform/simd/tile-inl.h"
+#include "runtime/pose/simd/transpose-inl.h"
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
@@ -17,19 +18,21 @@ namespace sinew::HWY_NAMESPACE {
 
 constexpr std::size_t kBlocks = kTileSize / 4;  ///< vertices of a quarter
 
-/// The components of each vertex of a quarter, spread over its block.
+/// Components of the vertices of a quarter, each broadcast over the block of its vertex.
 struct Spread3 {
   Wide x, y, z;
 };
 
-/// Calls `body(std::integral_constant)` for the four quarters: unrolled, so that what they compute stays in registers.
+/// Calls `body(std::integral_constant)` for the four quarters, unrolled, so that their results stay in registers.
 template <class Body>
 HWY_INLINE void for_each_quarter(const Body& body) {
-  body(std::integral_constant<std::size_t, 0>{}), body(std::integral_constant<std::size_t, 1>{});
-  body(std::integral_constant<std::size_t, 2>{}), body(std::integral_constant<std::size_t, 3>{});
+  body(std::integral_constant<std::size_t, 0>{});
+  body(std::integral_constant<std::size_t, 1>{});
+  body(std::integral_constant<std::size_t, 2>{});
+  body(std::integral_constant<std::size_t, 3>{});
 }
 
-/// Lane numbers for TableLookupLanes, made by `lane(i)`.
+/// Lane indices for TableLookupLanes, made by `lane(i)`.
 struct LaneTable {
   HWY_ALIGN std::int32_t lanes[kTileSize];
   template <class Lane>
@@ -42,7 +45,7 @@ HWY_INLINE Spread3 spread(Wide quarter) {
   return {hn::Broadcast<0>(quarter), hn::Broadcast<1>(quarter), hn::Broadcast<2>(quarter)};
 }
 
-/// One quarter of a tile of packed vectors; the last one is read up to the tile's end.
+/// Loads one quarter of a tile of packed vec3; the last quarter is read up to the end of the tile.
 template <std::size_t kQuarter>
 HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   constexpr std::size_t kBefore = kQuarter == 3 ? kBlocks : 0;
@@ -51,7 +54,7 @@ HWY_INLINE Wide load_quarter(const glm::vec3* tile) {
   return hn::TableLookupLanes(packed, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
 
-/// The same, spread: one step across blocks and three within them, of which processors do more at a time.
+/// The same, broadcast: one step across blocks and three within them, which processors do faster.
 template <std::size_t kQuarter>
 HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   if constexpr (kTileSize > 4) return spread(load_quarter<kQuarter>(tile));
@@ -60,7 +63,7 @@ HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   return {hn::Broadcast<kBefore>(packed), hn::Broadcast<kBefore + 1>(packed), hn::Broadcast<kBefore + 2>(packed)};
 }
 
-/// Lanes `kOutput * N` and following of the tile's packed vectors, as far as they come from one quarter.
+/// Lanes `kOutput * N` and following of the packed tile, as far as they come from one quarter.
 template <std::size_t kOutput, std::size_t kQuarter>
 HWY_INLINE Wide packed_from(Wide quarter) {
   static constexpr LaneTable kTable([](std::size_t i) {
@@ -71,7 +74,7 @@ HWY_INLINE Wide packed_from(Wide quarter) {
   return hn::TableLookupLanes(quarter, hn::SetTableIndices(TileTag(), kTable.lanes));
 }
 
-/// Writes a tile of vectors, packed; past the caches only where it is aligned to vectors.
+/// Stores a tile of packed vec3; with non-temporal stores only where `out` is aligned to vectors.
 HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
@@ -80,29 +83,27 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past
   const Wide packed[3] = {join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])),
                           join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])),
                           join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3]))};
-  if (past_caches)
-    hn::Stream(packed[0], d, to), hn::Stream(packed[1], d, to + kTileSize),
-        hn::Stream(packed[2], d, to + 2 * kTileSize);
-  else
-    hn::StoreU(packed[0], d, to), hn::StoreU(packed[1], d, to + kTileSize),
-        hn::StoreU(packed[2], d, to + 2 * kTileSize);
+  if (past_caches) {
+    hn::Stream(packed[0], d, to);
+    hn::Stream(packed[1], d, to + kTileSize);
+    hn::Stream(packed[2], d, to + 2 * kTileSize);
+  } else {
+    hn::StoreU(packed[0], d, to);
+    hn::StoreU(packed[1], d, to + kTileSize);
+    hn::StoreU(packed[2], d, to + 2 * kTileSize);
+  }
 }
 
-/// Where lanes are vertices, they are in the order in which four by four within the blocks of quarters turns them:
-/// nothing crosses blocks.
+/// Vertex of a lane after the transposition of quarters: four by four within each block, so that nothing crosses
+/// blocks.
 constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
-/// Makes the tile's vectors unit, by an exact square root and division, one vertex a lane. Answers the lanes whose
-/// square is in the range in which float keeps its digits; the others come out wrong.
+/// Makes the vectors of a tile unit, by an exact square root and division. Returns the lanes (vertex_of_lane) whose
+/// squared length is in the range in which float keeps its digits; the others come out wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
-  const Wide ac_low = hn::InterleaveLower(d, quarter[0], quarter[2]),
-             ac_high = hn::InterleaveUpper(d, quarter[0], quarter[2]);
-  const Wide be_low = hn::InterleaveLower(d, quarter[1], quarter[3]),
-             be_high = hn::InterleaveUpper(d, quarter[1], quarter[3]);
-  const Wide x = hn::InterleaveLower(d, ac_low, be_low), y = hn::InterleaveUpper(d, ac_low, be_low),
-             z = hn::InterleaveLower(d, ac_high, be_high);
-  const Wide squared = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
+  const FourVectors<Wide> v = transpose_blocks(d, quarter[0], quarter[1], quarter[2], quarter[3]);
+  const Wide squared = hn::MulAdd(v.z, v.z, hn::MulAdd(v.y, v.y, hn::Mul(v.x, v.x)));
   const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
   quarter[0] = hn::Mul(quarter[0], hn::Broadcast<0>(scale));
   quarter[1] = hn::Mul(quarter[1], hn::Broadcast<1>(scale));
@@ -111,7 +112,7 @@ HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   return keeps_digits(squared);
 }
 
-/// The quarters of a tile, kept for later.
+/// The quarters of a tile, kept in memory for later.
 struct KeptQuarters {
   HWY_ALIGN float lanes[4][kTileSize];
 

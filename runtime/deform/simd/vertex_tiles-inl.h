@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts groups of vertices into tiles of as many as a vector has lanes.
+// Splits groups of vertices into tiles of as many vertices as a vector has lanes.
 #if defined(SINEW_VERTEX_TILES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_VERTEX_TILES_INL_H_
 #undef SINEW_VERTEX_TILES_INL_H_
@@ -9,21 +9,21 @@
 
 #include <algorithm>
 
-#include "runtime/deform/simd/streamed_output-inl.h"
-#include "runtime/deform/simd/tile_places-inl.h"
+#include "runtime/deform/simd/non_temporal_stores-inl.h"
+#include "runtime/deform/simd/tile_memory-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/deform/vertex_streams.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Which vertices a tile is about; one that is not whole is filled up with copies of its last.
+/// Vertices of a tile; a tile that is not whole is filled up with copies of its last vertex.
 struct TilePlace {
   std::size_t first_vertex, count;
   bool whole;
 };
 
-/// Vertices that follow one another, `tile_count` tiles of them.
+/// `tile_count` tiles of consecutive vertices.
 template <int kCount>
 struct TileRow {
   TilePlace place;
@@ -40,12 +40,12 @@ struct TileRow {
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
 };
 
-/// Calls `skin(TileRow)` until all vertices of a group are done. What is left of a group after its last whole tile is
-/// done as a tile that ends with the group: some vertices twice, with the same result, and so is what comes before the
-/// first aligned vertex where output is streamed. A group of fewer vertices goes through copies.
+/// Calls `skin(TileRow)` for all vertices of a group. The vertices after the last whole tile are done as a tile that
+/// ends with the group: it repeats some vertices, with the same result. So are the vertices before the first aligned
+/// one where stores are non-temporal. A group of fewer vertices than a tile goes through copies.
 template <int kCount, class Row>
 HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
-                               const VertexOutput& out, Row skin, const StreamedOutput& streamed = {}) {
+                               const VertexOutput& out, Row skin, const NonTemporalStores& streamed = {}) {
   const AttributesPresent wanted = present(in, out);
   const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
   const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
@@ -64,7 +64,10 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
     std::size_t tiles = whole && is_wide ? left / kTileSize : 1;
     done = whole ? tiles * kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
-    if (tiles > 1 && streamed.until(at) > 0) tiles = 1, done = streamed.until(at);
+    if (tiles > 1 && streamed.until(at) > 0) {
+      tiles = 1;
+      done = streamed.until(at);
+    }
     const bool past_caches = whole && is_wide && streamed.begins_at(at);
     const std::size_t first = group.first_influence + v * stride;
     TileInfluences<kCount> joints{{}, stride};
@@ -74,7 +77,10 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
       joints.first = widened.widen(influences, first, done, stride);
     TileInput from = all_in.from(at);
     const TileOutput to = all_out.from(at);
-    if (!whole) joints = copies.load(joints.first, done), from = copies.load(from, done);
+    if (!whole) {
+      joints = copies.load(joints.first, done);
+      from = copies.load(from, done);
+    }
     // A copy that no store can change, so that loops over tiles keep it in registers.
     const TileRow<kCount> row{{at, std::min(done, kTileSize), whole}, tiles, past_caches, joints, from,
                               whole ? to : copies.in_place_of(to)};
@@ -83,8 +89,8 @@ HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const Influen
   }
 }
 
-/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, one tile after the
-/// other. Inlining is left to the compiler: forced, long tiles as those of centers of rotation come out slower.
+/// Calls `tile(TilePlace, TileInfluences, TileInput, TileOutput)` for all vertices of a group, tile by tile. Inlining
+/// is left to the compiler: forced, long tiles as those of centers of rotation are slower.
 template <int kCount, class Tile>
 void for_each_tile(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                    const VertexOutput& out, const Tile& tile) {

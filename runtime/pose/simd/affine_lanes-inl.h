@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The right factor of a product: where each of its rows is.
+/// Addresses of the three rows of the right factor of a product.
 struct RowsAt {
   const float *x, *y, *z;
 };
@@ -37,11 +37,11 @@ HWY_INLINE Rows product(const Affine& a, const RowsAt& b) {
 
 #elif HWY_MAX_BYTES >= 64
 
-/// A matrix in one vector: row r is block r, the fourth block is of no interest.
+/// A matrix in one vector: row r is block r; the fourth block is unused.
 using RowsTag = hn::CappedTag<float, 16>;
 using Rows = hn::Vec<RowsTag>;
 
-/// The blocks that are rows. Not a number's bits: the compiler would make those anew for each use.
+/// Mask of the three blocks that hold rows. It is loaded: compilers rebuild a constant mask at each use.
 HWY_INLINE hn::Mask<RowsTag> within_rows() {
   const RowsTag d;
   alignas(64) static constexpr float kRows[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0};

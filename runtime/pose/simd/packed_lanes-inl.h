@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so
 // without
-// `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never
-// fused: all targets give the same bits (N27, N28).
+// `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never fused: all
+// targets give the same bits (N27, N28).
 #if defined(SINEW_PACKED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_LANES_INL_H
 #undef SINEW_PACKED_LANES_INL_H
@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
+/// A component of packed values.
 /// eq   number * step + low
 HWY_INLINE Lanes value(const TrackBlock& block, Whole whole, std::size_t component, std::size_t lane) {
   const Floats d;
@@ -51,7 +52,8 @@ struct QuatLanes {
   Lanes x, y, z, w;
 };
 
-/// eq   the component that is left out: sqrt(1 - sum of the squares of the others), which reads as 0 until then
+/// Packed rotations, whose largest component is not stored.
+/// eq   sqrt(1 - sum of the squares of the others); it reads as 0 until it is filled in
 HWY_INLINE QuatLanes rotation(const TrackBlock& block, const Whole (&numbers)[4], std::size_t lane) {
   const Floats d;
   const hn::RebindToSigned<Floats> whole;
@@ -89,9 +91,9 @@ HWY_INLINE Lanes sine_ratio(Lanes squared) {
   return polynomial(kCoefficients, squared);
 }
 
-/// eq   slerp on the short arc (G01): normalise(q0 sin(r a) + q1 sin(s a)), a = 2 asin(|q1 - q0| / 2) of the keys as
-/// packed. Both
-///      weights are divided by a, so that only its square is needed, and no arc is too small (N01).
+/// Slerp along the shorter arc of packed keys (G01).
+/// eq   normalise(q0 sin(r a) + q1 sin(s a)), a = 2 asin(|q1 - q0| / 2). Both weights are divided by a, so that only
+///      its square is needed and no arc is too small (N01).
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r), one = hn::Set(d, 1.0f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole numbers of packed keys, taken out of their rows; included once per SIMD target, so without `#pragma once`.
-// Rows are read as little-endian numbers.
+// Unpacks the integers of packed keys; included once per SIMD target, so without `#pragma once`. Rows are
+// little-endian.
 #if defined(SINEW_PACKED_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_NUMBERS_INL_H
 #undef SINEW_PACKED_NUMBERS_INL_H
@@ -16,7 +16,7 @@ namespace sinew::HWY_NAMESPACE {
 using WholeTag = hn::RebindToSigned<Floats>;
 using Whole = hn::Vec<WholeTag>;
 
-/// Whole numbers of some lanes' components at both keys.
+/// Integers of the components of some lanes at both keys.
 template <std::size_t kComponents>
 struct Numbers {
   Whole begin[kComponents], end[kComponents];
@@ -24,21 +24,23 @@ struct Numbers {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// Takes the numbers of the lane out of two rows.
+/// Unpacks one lane of the rows of two keys.
 template <std::size_t kComponents>
 HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane) {
   const std::uint32_t first_bit = block.packed.first_bit[lane];
   std::uint64_t b, e;
   hwy::CopyBytes<sizeof(b)>(keys.begin + first_bit / 8, &b);
   hwy::CopyBytes<sizeof(e)>(keys.end + first_bit / 8, &e);
-  b >>= first_bit % 8, e >>= first_bit % 8;
+  b >>= first_bit % 8;
+  e >>= first_bit % 8;
   Numbers<kComponents> out;
   for (std::size_t c = 0; c < kComponents; ++c) {
     const std::uint32_t width = block.packed.width[c * block.lane_count + lane];
     const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
     out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask)),
     out.end[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(e & mask));
-    b >>= width, e >>= width;
+    b >>= width;
+    e >>= width;
   }
   return out;
 }
@@ -48,7 +50,7 @@ HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys
 using WordTag = hn::Repartition<std::uint64_t, Floats>;
 using Words = hn::Vec<WordTag>;
 
-/// A number of 64 bits for each of the lanes 0, 2 ..., and 1, 3 ...
+/// 64-bit integers of the even lanes and of the odd lanes.
 struct WordPairs {
   Words even, odd;
 };
@@ -59,7 +61,7 @@ HWY_INLINE WordPairs widened(Whole of_lanes) {
   return {hn::And(pairs, hn::Set(d, 0xffffffffu)), hn::ShiftRight<32>(pairs)};
 }
 
-/// Eight bytes of the row for every lane.
+/// Eight bytes of a row for every lane.
 HWY_INLINE WordPairs gather(const std::uint8_t* row, const WordPairs& first_byte) {
   const WordTag d;
   const hn::RebindToSigned<WordTag> offsets;
@@ -68,14 +70,14 @@ HWY_INLINE WordPairs gather(const std::uint8_t* row, const WordPairs& first_byte
           hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.odd))};
 }
 
-/// The numbers that begin at bit `shift` of the words.
+/// The integers that begin at bit `shift` of each word.
 HWY_INLINE Whole numbers_at(const WordPairs& words, const WordPairs& shift, Whole mask) {
   const WholeTag whole;
   const Words even = hn::Shr(words.even, shift.even), odd = hn::Shr(words.odd, shift.odd);
   return hn::And(hn::OddEven(hn::BitCast(whole, hn::ShiftLeft<32>(odd)), hn::BitCast(whole, even)), mask);
 }
 
-/// Takes the numbers of the lanes from `lane` on out of two rows. Lanes beyond the last track find bits of the first.
+/// Unpacks a vector of lanes from `lane` on of the rows of two keys. Lanes past the last track read bits of the first.
 template <std::size_t kComponents>
 HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane) {
   const WholeTag whole;

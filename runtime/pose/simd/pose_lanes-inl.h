@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A pose's stride is a multiple of 16 joints, so that whole vectors never reach past its planes.
+/// The stride of a pose is a multiple of 16 joints, so that no vector reaches past its planes.
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
@@ -38,13 +38,16 @@ HWY_INLINE TransformLanes load(const PoseSpan& p, std::size_t j) {
 HWY_INLINE void store(const TransformLanes& t, const PoseSpan& p, std::size_t j) {
   const Floats d;
   using P = PoseSpan;
-  hn::StoreU(t.tx, d, p.plane(P::tx) + j), hn::StoreU(t.ty, d, p.plane(P::ty) + j),
-      hn::StoreU(t.tz, d, p.plane(P::tz) + j);
-  hn::StoreU(t.rx, d, p.plane(P::rx) + j), hn::StoreU(t.ry, d, p.plane(P::ry) + j),
-      hn::StoreU(t.rz, d, p.plane(P::rz) + j);
+  hn::StoreU(t.tx, d, p.plane(P::tx) + j);
+  hn::StoreU(t.ty, d, p.plane(P::ty) + j);
+  hn::StoreU(t.tz, d, p.plane(P::tz) + j);
+  hn::StoreU(t.rx, d, p.plane(P::rx) + j);
+  hn::StoreU(t.ry, d, p.plane(P::ry) + j);
+  hn::StoreU(t.rz, d, p.plane(P::rz) + j);
   hn::StoreU(t.rw, d, p.plane(P::rw) + j);
-  hn::StoreU(t.sx, d, p.plane(P::sx) + j), hn::StoreU(t.sy, d, p.plane(P::sy) + j),
-      hn::StoreU(t.sz, d, p.plane(P::sz) + j);
+  hn::StoreU(t.sx, d, p.plane(P::sx) + j);
+  hn::StoreU(t.sy, d, p.plane(P::sy) + j);
+  hn::StoreU(t.sz, d, p.plane(P::sz) + j);
 }
 
 template <class Mask>
@@ -55,7 +58,7 @@ HWY_INLINE TransformLanes choose(Mask m, const TransformLanes& a, const Transfor
           hn::IfThenElse(m, a.sz, b.sz)};
 }
 
-/// Weight of a layer for the joints from `j` on; masks have no padding, so their tail is copied.
+/// Weight of a layer for the joints from `j` on. Joint weights have no padding, so the last ones are copied.
 HWY_INLINE Lanes weight_of(const BlendLayer& layer, std::size_t j) {
   const Floats d;
   Lanes w = hn::Set(d, layer.weight);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of blocks of tracks, written once over Highway's lanes; included once per SIMD target, so without
-// `#pragma once`. Every lane computes its own track in the same order of single multiplications and additions, never
-// fused: all targets give the same bits (N27, N28).
+// `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never fused: all
+// targets give the same bits (N27, N28).
 #if defined(SINEW_TRACK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_LANES_INL_H
 #undef SINEW_TRACK_LANES_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// The stored values of a key, bit for bit (G06).
+/// Copies the values of a key, bit for bit (G06).
 HWY_NOINLINE void copy_key(const TrackBlock& block, std::size_t key, const TrackOutput& out) {
   const KeyRow row(block, key);
   const std::size_t value_plane = block.value_plane, components = component_count(block.property);
@@ -84,15 +84,16 @@ HWY_INLINE Lanes flushed(Lanes v) {
   return hn::IfThenElseZero(hn::Ge(hn::Abs(v), hn::Set(Floats(), kLeastComponent)), v);
 }
 
-/// eq   slerp: normalise(q0 sin(r a) + q1 sin(s a)); a is the stored arc, whose sign turns q1 to the short side (G01)
+/// Slerp along the stored arc a, whose sign selects the shorter way (G01).
+/// eq   normalise(q0 sin(r a) + q1 sin(s a))
 HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r), one = hn::Set(d, 1.0f);
   const KeyRow begin(block, at.key), end(block, at.key + 1);
   for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
     const std::size_t lane = place.lane();
-    const Lanes arc = place.tracks(
-        begin.load(4, lane));  // beyond them, tiny numbers would make products that are no normal numbers (N26)
+    // Zero past the last track, where arbitrary bits could make denormal products (N26).
+    const Lanes arc = place.tracks(begin.load(4, lane));
     const Lanes w0 = sine(hn::Mul(r, hn::Abs(arc))), w1 = sine(hn::Mul(s, arc));
     const auto mix = [&](std::size_t c) HWY_ATTR {
       return flushed(hn::Add(hn::Mul(begin.load(c, lane), w0), hn::Mul(end.load(c, lane), w1)));
@@ -106,9 +107,9 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   });
 }
 
-/// eq   Hermite form of four components, then normalised without sign flip (G04, G05); a sum without direction falls
-/// back to
-///      the nearer key. The sum is first divided by its largest component, so that any finite length works.
+/// Cubic spline of rotations: the Hermite form of four components, then normalised without sign flip (G04, G05).
+/// A sum without direction gives the nearer key. The sum is first divided by its largest component, so that any
+/// finite length works.
 HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenKeys& at, const TrackOutput& out) {
   const Floats d;
   const HermiteRows rows(block, at);
@@ -118,7 +119,10 @@ HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenK
     Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane),
           w = rows.component(3, lane);
     const Lanes largest = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Max(hn::Abs(z), hn::Abs(w)));
-    x = hn::Div(x, largest), y = hn::Div(y, largest), z = hn::Div(z, largest), w = hn::Div(w, largest);
+    x = hn::Div(x, largest);
+    y = hn::Div(y, largest);
+    z = hn::Div(z, largest);
+    w = hn::Div(w, largest);
     const Lanes sum = dot4(x, y, z, w), length = hn::Sqrt(sum);
     const auto has_direction = hn::And(hn::Ge(sum, hn::Set(d, 1.0f)), hn::Le(sum, hn::Set(d, 4.0f)));
     place.store(0, hn::IfThenElse(has_direction, hn::Div(x, length), nearer.load(4, lane)));

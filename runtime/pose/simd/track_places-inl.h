@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the lanes of a block of tracks come from and go to; included once per SIMD target, so without `#pragma once`.
+// Loads and stores of the lanes of a block of tracks; included once per SIMD target, so without `#pragma once`.
 #if defined(SINEW_TRACK_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_PLACES_INL_H
 #undef SINEW_TRACK_PLACES_INL_H
@@ -9,7 +9,7 @@
 
 #include <hwy/highway.h>
 
-#include "runtime/pose/simd/track_output.h"
+#include "runtime/pose/track_output.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -18,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, kLanePadding>;
 using Lanes = hn::Vec<Floats>;
 
-/// The planes of one key. What it has of the block is its own, as below: after a store, the compiler reads again what
-/// that may have changed.
+/// The planes of one key. Copies what it needs of the block: after a store, compilers would reload that from the
+/// block.
 class KeyRow {
  public:
   HWY_INLINE KeyRow(const TrackBlock& block, std::size_t key)
@@ -34,7 +34,7 @@ class KeyRow {
   std::size_t lane_count_;
 };
 
-/// Lanes of weights or numbers from `lane` on, whose targets are neighbours.
+/// A vector of weights or numbers from `lane` on, whose targets are consecutive.
 class NumberPlace {
  public:
   static constexpr std::size_t kComponents = 1;
@@ -56,8 +56,7 @@ class NumberPlace {
   std::size_t lane_, count_;
 };
 
-/// Lanes of joints from `lane` on, and where they go: to the vector of joints from `joint` on, where lane_of has their
-/// lane.
+/// A vector of tracks from `lane` on, and their joints: the vector from `joint` on, permuted by `lane_of`.
 class JointPlace {
  public:
   static constexpr std::size_t kComponents = 3;  // of translations and scales
@@ -71,7 +70,7 @@ class JointPlace {
         lanes_(hn::LoadU(Whole(), lane_of)) {}
 
   HWY_INLINE std::size_t lane() const { return lane_; }
-  /// 0 in lanes beyond the last track.
+  /// Zero in the lanes past the last track.
   HWY_INLINE Lanes tracks(Lanes v) const { return hn::IfThenElseZero(hn::FirstN(Floats(), count_), v); }
   HWY_INLINE void store(std::size_t component, Lanes values) const {
     const Floats d;
@@ -90,7 +89,7 @@ class JointPlace {
   hn::Vec<Whole> lanes_;
 };
 
-/// Calls `body(place)` until all lanes of joints have been placed.
+/// Calls `body(place)` for every vector of joints that a block has tracks of.
 template <class Body>
 HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
   const std::size_t lanes = hn::Lanes(Floats()), count = block.lane_count;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The joint matrices of one vertex, blended.
-#if defined(SINEW_BLEND_PARTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SINEW_BLEND_PARTS_INL_H_
-#undef SINEW_BLEND_PARTS_INL_H_
+// Blends the joint matrices of one vertex.
+#if defined(SINEW_BLEND_MATRIX_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_BLEND_MATRIX_INL_H_
+#undef SINEW_BLEND_MATRIX_INL_H_
 #else
-#define SINEW_BLEND_PARTS_INL_H_
+#define SINEW_BLEND_MATRIX_INL_H_
 #endif
 
 #include "runtime/deform/simd/vertex_tiles-inl.h"
@@ -14,12 +14,12 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
 /// One matrix in as many vectors as it takes.
-struct MatrixParts {
+struct MatrixVectors {
   static constexpr std::size_t kCount = 16 / kTileSize;
   Wide part[kCount];
 };
 
-/// Weight `i` of vertex `k`, in all lanes. Four weights are loaded at once: loads are what blending spends its time on.
+/// Weight `i` of vertex `k`, in all lanes. Loads four weights at once, because blending spends its time on loads.
 template <int kCount>
 HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std::size_t i) {
   const TileTag d;
@@ -38,22 +38,23 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
   return hn::Set(d, tile.at(k).weights[i]);
 }
 
-/// eq   M = sum(w_i * palette[joint_i]) of vertex `k`, fused from the second on; a vertex with one influence takes the
-/// joint's
-///      matrix as it is.
+/// Blended matrix of vertex `k`; fused from the second influence on. A vertex with one influence takes the joint's
+/// matrix as it is.
+/// eq   M = sum(w_i * palette[joint_i])
 template <int kCount>
-HWY_INLINE MatrixParts blend_parts(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t k) {
+HWY_INLINE MatrixVectors blend_matrix_vectors(const JointMatrix* palette, const TileInfluences<kCount>& tile,
+                                              std::size_t k) {
   const TileTag d;
-  MatrixParts sum;
+  MatrixVectors sum;
   const float* joint = &tile.entry(palette, k, 0)->column[0].x;
-  for (std::size_t p = 0; p < MatrixParts::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
+  for (std::size_t p = 0; p < MatrixVectors::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
   if constexpr (kCount == 1) return sum;
   const Wide first = weight_of(tile, k, 0);
   for (Wide& part : sum.part) part = hn::Mul(part, first);
   for (std::size_t i = 1; i < tile.first.count(); ++i) {
     joint = &tile.entry(palette, k, i)->column[0].x;
     const Wide weight = weight_of(tile, k, i);
-    for (std::size_t p = 0; p < MatrixParts::kCount; ++p)
+    for (std::size_t p = 0; p < MatrixVectors::kCount; ++p)
       sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
   }
   return sum;

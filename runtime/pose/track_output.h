@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Where the values of one block of tracks go: planes `plane_stride` floats apart, a lane's place is the block's
-/// target.
+/// Output of one block of tracks: planes `plane_stride` floats apart; the target of a track is its index in each
+/// plane.
 struct TrackOutput {
   float* first_plane = nullptr;
   std::size_t plane_stride = 0;
@@ -15,7 +15,7 @@ struct TrackOutput {
   float* plane(std::size_t component) const noexcept { return first_plane + component * plane_stride; }
 };
 
-/// What all tracks of a group share between two keys.
+/// Position between two keys, shared by all tracks of a group.
 struct BetweenKeys {
   std::size_t key;
   double fraction, interval_s;
@@ -29,13 +29,13 @@ struct BetweenKeys {
         r(static_cast<float>(1.0 - at.fraction)) {}
 };
 
-/// Rows of the two keys of packed tracks that a time lies between; on a key that one twice.
+/// Rows of the two packed keys that enclose a time; at a key, both are the row of that key.
 struct PackedKeys {
   const std::uint8_t *begin, *end;
   float s, r;
 };
 
-/// Weights of the Hermite form, those of tangents times the interval, from double (N24).
+/// Weights of the Hermite form; those of tangents include the interval. Computed in double (N24).
 struct HermiteWeights {
   float value0, out0, value1, in1;
 
@@ -48,7 +48,7 @@ struct HermiteWeights {
   }
 };
 
-/// Otherwise the targets of a block are neighbours.
+/// Whether a property is one of joints. The targets of other blocks are consecutive.
 inline bool moves_joints(Property property) noexcept { return property < Property::weight; }
 
 inline std::size_t component_count(Property property) noexcept {

@@ -71,7 +71,7 @@ struct PlacedOutput {
   }
 };
 
-TEST(streamed_output, has_the_bits_of_output_that_is_not_wherever_it_is_aligned) {
+TEST(non_temporal_stores, has_the_bits_of_output_that_is_not_wherever_it_is_aligned) {
   test::FixedRandom random(41);
   auto s = test::random_skinned_vertices(random, kCounts, kGroupSize, 24, true);
   for (glm::vec4& column : s.palette[5].column)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Eight floats for each vertex of a tile, handled vertex by vertex and then turned into lanes of vertices.
-#if defined(SINEW_EIGHT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SINEW_EIGHT_LANES_INL_H_
-#undef SINEW_EIGHT_LANES_INL_H_
+// Eight floats per vertex (a dual quaternion, a stretch): handled vertex by vertex, then transposed into lanes.
+#if defined(SINEW_FLOAT8_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_FLOAT8_LANES_INL_H_
+#undef SINEW_FLOAT8_LANES_INL_H_
 #else
-#define SINEW_EIGHT_LANES_INL_H_
+#define SINEW_FLOAT8_LANES_INL_H_
 #endif
 
 #include "runtime/deform/simd/lanes-inl.h"
@@ -14,49 +14,49 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
 /// Eight floats of one vertex in as many vectors as they take.
-using EightTag = hn::CappedTag<float, 8>;
-struct Eight {
-  static constexpr std::size_t kLanes = hn::MaxLanes(EightTag()), kCount = 8 / kLanes;
-  hn::Vec<EightTag> part[kCount];
+using Float8Tag = hn::CappedTag<float, 8>;
+struct Float8 {
+  static constexpr std::size_t kLanes = hn::MaxLanes(Float8Tag()), kCount = 8 / kLanes;
+  hn::Vec<Float8Tag> part[kCount];
 };
 
-HWY_INLINE Eight load_eight(const float* from) {
-  Eight out;
-  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Load(EightTag(), from + p * Eight::kLanes);
+HWY_INLINE Float8 load_float8(const float* from) {
+  Float8 out;
+  for (std::size_t p = 0; p < Float8::kCount; ++p) out.part[p] = hn::Load(Float8Tag(), from + p * Float8::kLanes);
   return out;
 }
-HWY_INLINE void store_eight(const Eight& a, float* to) {
-  for (std::size_t p = 0; p < Eight::kCount; ++p) hn::Store(a.part[p], EightTag(), to + p * Eight::kLanes);
+HWY_INLINE void store_float8(const Float8& a, float* to) {
+  for (std::size_t p = 0; p < Float8::kCount; ++p) hn::Store(a.part[p], Float8Tag(), to + p * Float8::kLanes);
 }
-HWY_INLINE Eight times(const Eight& a, hn::Vec<EightTag> w) {
-  Eight out;
-  for (std::size_t p = 0; p < Eight::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);
+HWY_INLINE Float8 times(const Float8& a, hn::Vec<Float8Tag> w) {
+  Float8 out;
+  for (std::size_t p = 0; p < Float8::kCount; ++p) out.part[p] = hn::Mul(a.part[p], w);
   return out;
 }
-HWY_INLINE Eight times_plus(const float* from, hn::Vec<EightTag> w, const Eight& sum) {
-  Eight out;
-  for (std::size_t p = 0; p < Eight::kCount; ++p)
-    out.part[p] = hn::MulAdd(hn::Load(EightTag(), from + p * Eight::kLanes), w, sum.part[p]);
+HWY_INLINE Float8 times_plus(const float* from, hn::Vec<Float8Tag> w, const Float8& sum) {
+  Float8 out;
+  for (std::size_t p = 0; p < Float8::kCount; ++p)
+    out.part[p] = hn::MulAdd(hn::Load(Float8Tag(), from + p * Float8::kLanes), w, sum.part[p]);
   return out;
 }
 
-/// Four numbers for each lane.
+/// Eight floats of every vertex of a tile, one vertex a lane.
 struct Lanes8 {
   Lanes4 low, high;
 };
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// A tile of one vertex has its lanes already.
-HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+/// A tile of one vertex needs no transposition.
+HWY_INLINE Lanes8 lanes_of(const Float8 (&e)[kTileSize]) {
   const auto& p = e[0].part;
   return {{p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]}};
 }
 
 #else
 
-/// A tile's eights as lanes, the first four floats of each in `low`.
-HWY_INLINE Lanes8 lanes_of(const Eight (&e)[kTileSize]) {
+/// Transposes a tile; the first four floats of each vertex go to `low`.
+HWY_INLINE Lanes8 lanes_of(const Float8 (&e)[kTileSize]) {
 #if HWY_MAX_BYTES >= 64
   const TileTag d;
   const auto pair = [&](std::size_t first) HWY_ATTR { return hn::Combine(d, e[first + 2].part[0], e[first].part[0]); };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Outputs that are written past the caches: what does not fit them would be read into them first and leave them unread.
-#if defined(SINEW_STREAMED_OUTPUT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SINEW_STREAMED_OUTPUT_INL_H_
-#undef SINEW_STREAMED_OUTPUT_INL_H_
+// Decides which stores are non-temporal: output that exceeds the caches would be read into them for nothing.
+#if defined(SINEW_NON_TEMPORAL_STORES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_NON_TEMPORAL_STORES_INL_H_
+#undef SINEW_NON_TEMPORAL_STORES_INL_H_
 #else
-#define SINEW_STREAMED_OUTPUT_INL_H_
+#define SINEW_NON_TEMPORAL_STORES_INL_H_
 #endif
 
 #include <hwy/cache_control.h>
@@ -19,13 +19,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< more than a core's part of the last cache
+constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< more than one core's share of the last-level cache
 
-/// At which vertices a tile's stores may go past the caches, which takes whole aligned vectors.
-class StreamedOutput {
+/// At which vertices a tile may be written with non-temporal stores, which takes whole aligned vectors.
+class NonTemporalStores {
  public:
-  StreamedOutput() = default;
-  StreamedOutput(const VertexOutput& out, AttributesPresent wanted) {
+  NonTemporalStores() = default;
+  NonTemporalStores(const VertexOutput& out, AttributesPresent wanted) {
     const std::size_t bytes = sizeof(glm::vec3) * (1 + wanted.normals) + sizeof(glm::vec4) * wanted.tangents;
     if (kTileSize == 1 || out.positions.size() * bytes < kStreamedBytes) return;
     for (std::size_t first = 0; first < kTileSize && !first_; ++first)
@@ -33,15 +33,15 @@ class StreamedOutput {
           (!wanted.tangents || is_aligned(&out.tangents[first])))
         first_ = first;
   }
-  ~StreamedOutput() {
-    if (first_) hwy::FlushStream();  // whoever is told of the output next finds it in memory
+  ~NonTemporalStores() {
+    if (first_) hwy::FlushStream();  // other threads see the output once this one has signalled them
   }
-  StreamedOutput(const StreamedOutput&) = delete;
-  StreamedOutput& operator=(const StreamedOutput&) = delete;
+  NonTemporalStores(const NonTemporalStores&) = delete;
+  NonTemporalStores& operator=(const NonTemporalStores&) = delete;
 
   bool begins_at(std::size_t vertex) const { return first_ && vertex % kTileSize == *first_; }
 
-  /// Vertices from there to the next at which it may; 0 where there is none.
+  /// Vertices from there to the next such vertex; 0 where there is none.
   std::size_t until(std::size_t vertex) const {
     return first_ ? (*first_ + kTileSize - vertex % kTileSize) % kTileSize : 0;
   }

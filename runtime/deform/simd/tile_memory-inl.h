@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where the vertices of a tile are read from and written to.
-#if defined(SINEW_TILE_PLACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SINEW_TILE_PLACES_INL_H_
-#undef SINEW_TILE_PLACES_INL_H_
+// Inputs and outputs of a tile of vertices.
+#if defined(SINEW_TILE_MEMORY_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_TILE_MEMORY_INL_H_
+#undef SINEW_TILE_MEMORY_INL_H_
 #else
-#define SINEW_TILE_PLACES_INL_H_
+#define SINEW_TILE_MEMORY_INL_H_
 #endif
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Influences of a tile of vertices, `stride` apart; only a number known at run time has another stride than itself.
+/// Influences of a tile, `stride` apart. Only a count known at run time alone has a stride other than itself.
 template <int kCount>
 struct TileInfluences {
   VertexJoints<kCount> first;
@@ -29,9 +29,8 @@ struct TileInfluences {
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
 
-  /// What a palette has for joint `i` of vertex `k`. Four numbers are read at once, since loads and instructions are
-  /// what blending spends its time on, and rotated to be offsets in bytes: to shift them would take a copy of all four
-  /// each time.
+  /// Palette entry of joint `i` of vertex `k`. Reads four indices at once, since blending spends its time on loads
+  /// and instructions, and rotates them into byte offsets: shifting would need a copy of all four each time.
   template <class Entry>
   HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
     if constexpr (!kFourAtOnce) return palette + at(k).joints[i];
@@ -48,8 +47,7 @@ struct TileInfluences {
   static constexpr bool kFourAtOnce = kCount > 0 && kTileSize % 4 == 0 && std::endian::native == std::endian::little;
 };
 
-/// Where the attributes of a tile begin; nullptr in the output = not wanted. Looked at once a tile, which costs
-/// nothing.
+/// Attributes from the first vertex of a tile on; nullptr in the output = not wanted.
 template <class V3, class V4>
 struct TileAttributes {
   V3* positions;
@@ -63,7 +61,7 @@ struct TileAttributes {
 using TileInput = TileAttributes<const glm::vec3, const glm::vec4>;
 using TileOutput = TileAttributes<glm::vec3, glm::vec4>;
 
-/// A tile that is not full goes through copies, so that nothing is read or written beyond the arrays.
+/// A tile that is not full goes through copies, so that nothing is read or written past the arrays.
 template <int kCount>
 struct TileCopies {
   glm::vec3 positions[kTileSize], normals[kTileSize], out_positions[kTileSize], out_normals[kTileSize];
@@ -77,8 +75,7 @@ struct TileCopies {
     if (in.tangents) fill(in.tangents, count, tangents);
     return {positions, normals, tangents};
   }
-  /// There is no bound on a number of influences known at run time only: then all vertices of the tile are the first
-  /// one.
+  /// A count known at run time alone is not bounded: all vertices of the tile are then the first one.
   TileInfluences<kCount> load(const VertexJoints<kCount>& in, std::size_t count) {
     if constexpr (kCount == 0) return {in, 0};
     for (std::size_t k = 0; k < kTileSize; ++k) {
@@ -104,7 +101,7 @@ struct TileCopies {
   }
 };
 
-/// Joint numbers and weights of a tile in the numbers that kernels work with.
+/// Joint indices and weights of a tile, converted to the types of the kernels.
 template <int kCount>
 struct WidenedTile {
   static constexpr std::size_t kRoom =

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Dual quaternions of a tile of vertices: blended vertex by vertex, then transposed into lanes.
+#if defined(SINEW_BLEND_DUAL_QUATERNIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_BLEND_DUAL_QUATERNIONS_INL_H_
+#undef SINEW_BLEND_DUAL_QUATERNIONS_INL_H_
+#else
+#define SINEW_BLEND_DUAL_QUATERNIONS_INL_H_
+#endif
+
+#include "runtime/deform/simd/float8_lanes-inl.h"
+#include "runtime/deform/simd/hemisphere_weights-inl.h"
+#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/vertex_tiles-inl.h"
+#include "runtime/pose/joint_palette.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Blended dual quaternion of one vertex, not yet unit (scalar_blend.h).
+/// eq   sum(w sign(r . r_pivot) d_i)
+/// in   one_side  all signs are known to be +
+template <int kCount>
+HWY_INLINE Float8 blend_float8(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k,
+                               bool one_side) {
+  const VertexJoints<kCount> vertex = tile.at(k);
+  const float* first = &tile.entry(split, k, 0)->rigid.real.x;
+  Float8 sum = load_float8(first);
+  if constexpr (kCount == 1) return sum;
+  const Float8Weights<kCount> weights(vertex.weights);
+  sum = times(sum, weights.of(0));
+  if (one_side) {
+    for (std::size_t i = 1; i < vertex.count(); ++i)
+      sum = times_plus(&tile.entry(split, k, i)->rigid.real.x, weights.of(i), sum);
+    return sum;
+  }
+  const Pivot pivot(first);
+  for (std::size_t i = 1; i < vertex.count(); ++i) {
+    const float* next = &tile.entry(split, k, i)->rigid.real.x;
+    sum = times_plus(next, pivot.signed_weight(next, vertex.weights[i]), sum);
+  }
+  return sum;
+}
+
+/// Calls `body(vertex of the tile, Float8)` with the blended dual quaternion of each vertex.
+template <int kCount, class Body>
+HWY_INLINE void for_each_dual_quaternion(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side,
+                                         const Body& body) {
+  if (kCount == 1 || one_side)
+    for_each_of_tile([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, true)); });
+  else
+    for_each_of_tile_by_rows([&](std::size_t k) HWY_ATTR { body(k, blend_float8(split, tile, k, false)); });
+}
+
+/// Dual quaternions of a tile, one vertex a lane, not normalised: rotations divide by the squared length instead,
+/// which takes no square root.
+struct DualQuatLanes {
+  Lanes4 real, dual;
+  Wide twice_over_square;   ///< 2 / |real|^2
+  hn::Mask<TileTag> sound;  ///< the blend did not cancel
+};
+
+template <int kCount>
+HWY_INLINE DualQuatLanes dual_quat_lanes(const Float8 (&sums)[kTileSize]) {
+  const TileTag d;
+  const Wide two = hn::Set(d, 2.0f);
+  const Lanes8 sum = lanes_of(sums);
+  // One by one: compilers keep copies of structs of four in memory.
+  const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
+  const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;
+  DualQuatLanes out;
+  out.real.x = x;
+  out.real.y = y;
+  out.real.z = z;
+  out.real.w = w;
+  out.dual.x = dx;
+  out.dual.y = dy;
+  out.dual.z = dz;
+  out.dual.w = dw;
+  if constexpr (kCount == 1) {
+    out.twice_over_square = two;
+    out.sound = hn::Eq(two, two);
+  } else {
+    const Wide squared = hn::MulAdd(w, w, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
+    out.twice_over_square = hn::Div(two, squared);
+    out.sound = hn::Gt(squared, hn::Set(d, 1e-12f));
+  }
+  return out;
+}
+
+template <int kCount>
+HWY_INLINE DualQuatLanes blend_dual_quaternions(const RigidStretch* split, const TileInfluences<kCount>& tile,
+                                                bool one_side) {
+  Float8 sums[kTileSize];
+  for_each_dual_quaternion(split, tile, one_side, [&](std::size_t k, const Float8& sum) HWY_ATTR { sums[k] = sum; });
+  return dual_quat_lanes<kCount>(sums);
+}
+
+/// Blended dual quaternions of a tile, kept in memory for later.
+class KeptDualQuats {
+ public:
+  template <int kCount>
+  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+    for_each_dual_quaternion(split, tile, one_side,
+                             [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, sums_[k]); });
+  }
+  template <int kCount>
+  HWY_INLINE DualQuatLanes lanes() const {
+    Float8 sums[kTileSize];
+    for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_float8(sums_[k]);
+    return dual_quat_lanes<kCount>(sums);
+  }
+
+ private:
+  HWY_ALIGN float sums_[kTileSize][8];
+};
+
+/// Rotates vectors.
+/// eq   v' = v + w u + r x u, u = 2 / |q|^2 (r x v)   for q = (r, w)
+HWY_INLINE Lanes3 rotate(const DualQuatLanes& m, const Lanes3& v) {
+  const Lanes3 r{m.real.x, m.real.y, m.real.z}, twice = times(cross(r, v), m.twice_over_square);
+  return plus(
+      {hn::MulAdd(twice.x, m.real.w, v.x), hn::MulAdd(twice.y, m.real.w, v.y), hn::MulAdd(twice.z, m.real.w, v.z)},
+      cross(r, twice));
+}
+
+/// Translations.
+/// eq   t = 2 / |r|^2 (r.w d.v - d.w r.v + r.v x d.v)
+HWY_INLINE Lanes3 translation(const DualQuatLanes& m) {
+  const Lanes3 r{m.real.x, m.real.y, m.real.z}, e{m.dual.x, m.dual.y, m.dual.z}, c = cross(r, e);
+  const auto part = [&](Wide rv, Wide dv, Wide cross_part) HWY_ATTR {
+    return hn::Mul(hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part), m.twice_over_square);
+  };
+  return {part(r.x, e.x, c.x), part(r.y, e.y, c.y), part(r.z, e.z, c.z)};
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

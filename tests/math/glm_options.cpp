@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/math/conventions.h"
+int main() {}
