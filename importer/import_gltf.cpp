@@ -13,7 +13,6 @@
 #include "importer/build/build_placements.h"
 #include "importer/build/build_skeleton.h"
 #include "importer/build/build_skins.h"
-#include "importer/build/check_texcoords.h"
 #include "importer/decode/decode_draco.h"
 #include "importer/decode/decode_meshopt.h"
 #include "importer/file/check_capabilities.h"

@@ -57,7 +57,10 @@ class ClipBuilder {
   Animation build(std::uint32_t animation) {
     index_ = animation;
     out_ = {};
-    bones_.clear(), weights_.clear(), properties_.clear(), targets_.clear();
+    bones_.clear();
+    weights_.clear();
+    properties_.clear();
+    targets_.clear();
     out_.name = document_.animations[animation].name;
     for (std::uint32_t c = 0; c < document_.animations[animation].channels.size(); ++c) add_channel(c);
     for (const auto& [target, channel] : targets_)
@@ -99,9 +102,7 @@ class ClipBuilder {
       return found == targets_.end() ? std::nullopt : std::optional(found->second);
     };
     if (const auto same = channel_of(target)) return same;
-    const bool weights =
-        target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
-    if (!weights) return std::nullopt;
+    if (!target.moves_weights()) return std::nullopt;
     const bool whole = target.element == kNone;
     target.element = whole ? 0 : kNone;
     if (!whole) return channel_of(target);

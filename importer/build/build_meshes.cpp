@@ -8,6 +8,7 @@
 #include "importer/build/build_morph_sets.h"
 #include "importer/build/group_vertices.h"
 #include "importer/file/json_pointer.h"
+#include "importer/read/json_member.h"
 #include "importer/read/variants.h"
 #include "importer/topology/normals.h"
 #include "importer/topology/tangents.h"
@@ -44,11 +45,8 @@ std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t 
   if (material == kNone) return kNone;
   const gltf::TextureInfo& info = document.materials[material].normal_texture;
   if (info.index == kNone) return kNone;
-  if (!info.extensions.is_object()) return info.texcoord;
-  const auto transform = info.extensions.find("KHR_texture_transform");
-  if (transform == info.extensions.end() || !transform->is_object()) return info.texcoord;
-  const auto own = transform->find("texCoord");
-  return own != transform->end() && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
+  const gltf::Json* own = member(member(&info.extensions, "KHR_texture_transform"), "texCoord");
+  return own != nullptr && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
 }
 
 /// The set that the tangents of a primitive are for: of its own material's normal map, else of the first variant with
@@ -100,6 +98,23 @@ std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, 
   return weights;
 }
 
+/// The highest set that the textures of a material need, plus one; 0 without textures.
+std::size_t needed_sets(const Material& material) {
+  std::size_t needed = 0;
+  for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
+    if (use->used()) needed = std::max(needed, std::size_t{use->texcoord} + 1);
+  return needed;
+}
+
+/// The same of a primitive: with its own material, and with that of each variant.
+std::size_t needed_sets(const Scene& scene, const Primitive& primitive) {
+  std::size_t needed = primitive.material == kNone ? 0 : needed_sets(scene.materials[primitive.material]);
+  for (const VariantMaterial& other : primitive.variant_materials)
+    if (other.material != kNone) needed = std::max(needed, needed_sets(scene.materials[other.material]));
+  return needed;
+}
+
 }  // namespace
 
 std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptions& options, IssueLog& log) {
@@ -120,6 +135,18 @@ std::vector<Mesh> build_meshes(const gltf::Document& document, const ImportOptio
       options.progress("meshes", 0.35 + 0.3 * static_cast<double>(m + 1) / static_cast<double>(document.meshes.size()));
   }
   return meshes;
+}
+
+void check_texcoords(const Scene& scene, IssueLog& log) {
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+    for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
+      const Primitive& primitive = scene.meshes[m].primitives[p];
+      if (primitive.positions.empty()) continue;
+      if (const std::size_t needed = needed_sets(scene, primitive); needed > primitive.texcoords.size())
+        log.report(Rule::mesh_texcoord_missing, pointer("meshes", m, "primitives", p, "material"),
+                   "its textures use TEXCOORD_" + std::to_string(needed - 1) + ", the mesh has " +
+                       std::to_string(primitive.texcoords.size()) + " sets; 0 0 is used");
+    }
 }
 
 }  // namespace sinew

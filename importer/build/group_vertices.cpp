@@ -45,8 +45,10 @@ void fill_influences(VertexInfluences& out, MergedInfluences merged, const std::
   auto joint = out.joints.begin();
   auto weight = out.weights.begin();
   for (const std::uint32_t old : source)
-    for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i)
-      *joint++ = merged.joints[i], *weight++ = merged.weights[i];
+    for (std::uint32_t i = merged.first[old]; i < merged.first[old + 1]; ++i) {
+      *joint++ = merged.joints[i];
+      *weight++ = merged.weights[i];
+    }
 }
 
 /// Sorts vertices by their number of influences with a stable counting sort.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <limits>
+
+#include "importer/read/memory_budget.h"
 
 namespace sinew {
 
@@ -11,7 +12,7 @@ namespace sinew {
 class DecodeBudget {
  public:
   explicit DecodeBudget(std::uint64_t file_bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max())
-      : left_(std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40))) {}
+      : left_(allowed_bytes(file_bytes, most)) {}
 
   bool take(std::uint64_t bytes) noexcept {
     if (bytes > left_) return false;
@@ -20,8 +21,6 @@ class DecodeBudget {
   }
 
  private:
-  static constexpr std::uint64_t kFree = std::uint64_t{64} << 20;
-  static constexpr std::uint64_t kPerByte = 64;
   std::uint64_t left_ = 0;
 };
 

@@ -97,11 +97,19 @@ class DracoDecoder {
     if (known != nullptr) return known;
     const gltf::Bytes stream = document_.buffer_views[view].bytes;
     const auto size = probe_draco(stream);
-    if (!size) return fail(size.error()), nullptr;
-    if (!budget_.take(12 * std::uint64_t{size->faces} + 32 * std::uint64_t{size->vertices}))
-      return over_budget(), nullptr;
+    if (!size) {
+      fail(size.error());
+      return nullptr;
+    }
+    if (!budget_.take(12 * std::uint64_t{size->faces} + 32 * std::uint64_t{size->vertices})) {
+      over_budget();
+      return nullptr;
+    }
     auto mesh = decode_draco_stream(stream);
-    if (!mesh) return fail(mesh.error()), nullptr;
+    if (!mesh) {
+      fail(mesh.error());
+      return nullptr;
+    }
     return known = *mesh;
   }
 
@@ -144,7 +152,10 @@ class DracoDecoder {
   }
 
   bool allocate(std::uint64_t size, std::vector<std::byte>& bytes) {
-    if (!budget_.take(size)) return over_budget(), false;
+    if (!budget_.take(size)) {
+      over_budget();
+      return false;
+    }
     bytes.resize(static_cast<std::size_t>(size));
     return true;
   }

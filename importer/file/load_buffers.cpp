@@ -47,8 +47,11 @@ std::vector<BufferUse> find_uses(const Document& document) {
       return;
     uses[document.buffer_views[view].buffer].in_accessor = true;
   };
-  for (const auto& accessor : document.accessors)
-    mark(accessor.buffer_view), mark(accessor.sparse.indices_view), mark(accessor.sparse.values_view);
+  for (const auto& accessor : document.accessors) {
+    mark(accessor.buffer_view);
+    mark(accessor.sparse.indices_view);
+    mark(accessor.sparse.values_view);
+  }
   return uses;
 }
 

@@ -40,9 +40,15 @@ class TreeEvents {
   }
   bool Key(const char* text, rapidjson::SizeType size, bool copy) { return String(text, size, copy); }
   bool StartObject() { return enter() && tree_.StartObject(); }
-  bool EndObject(rapidjson::SizeType count) { return --depth_, tree_.EndObject(count); }
+  bool EndObject(rapidjson::SizeType count) {
+    --depth_;
+    return tree_.EndObject(count);
+  }
   bool StartArray() { return enter() && tree_.StartArray(); }
-  bool EndArray(rapidjson::SizeType count) { return --depth_, tree_.EndArray(count); }
+  bool EndArray(rapidjson::SizeType count) {
+    --depth_;
+    return tree_.EndArray(count);
+  }
 
   bool RawNumber(const char* text, rapidjson::SizeType size, bool) {
     if (std::int64_t integer = 0; converts({text, size}, integer)) return tree_.Int64(integer);
@@ -66,7 +72,10 @@ class TreeEvents {
 
  private:
   bool enter() { return ++depth_ <= kMaxJsonDepth; }
-  bool fail(const char* reason) { return reason_ = reason, false; }
+  bool fail(const char* reason) {
+    reason_ = reason;
+    return false;
+  }
 
   /// The reader checks bytes but accepts an escaped half of a surrogate pair, which encodes as ED A0..BF.
   bool is_utf8(std::string_view text) {

@@ -75,8 +75,11 @@ class Emptying {
       : d_(document), broken_(broken), primitives_(primitives), log_(log) {}
 
   void run() {
-    for (auto& buffer : marked(d_.buffers, Quarantine::buffers))
-      buffer->placeholder = true, buffer->byte_length = 0, buffer->bytes = {};
+    for (auto& buffer : marked(d_.buffers, Quarantine::buffers)) {
+      buffer->placeholder = true;
+      buffer->byte_length = 0;
+      buffer->bytes = {};
+    }
     empty_views();
     empty_accessors();
     empty_images();
@@ -120,8 +123,11 @@ class Emptying {
           is(Quarantine::buffer_views, accessor.sparse.values_view))
         broken_[Quarantine::accessors].insert(a);
     }
-    for (auto& accessor : marked(d_.accessors, Quarantine::accessors))
-      accessor->buffer_view = kNone, accessor->count = 0, accessor->sparse = {};
+    for (auto& accessor : marked(d_.accessors, Quarantine::accessors)) {
+      accessor->buffer_view = kNone;
+      accessor->count = 0;
+      accessor->sparse = {};
+    }
   }
 
   void empty_images() {
@@ -189,7 +195,10 @@ class Emptying {
       auto& node = d_.nodes[n];
       if (has_broken_copies(node)) log_.mute(pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"));
       if (is(Quarantine::skins, node.skin)) node.skin = kNone;
-      if (has_broken_mesh(node)) log_.mute(pointer("nodes", n, "skin")), log_.mute(pointer("nodes", n, "weights"));
+      if (has_broken_mesh(node)) {
+        log_.mute(pointer("nodes", n, "skin"));
+        log_.mute(pointer("nodes", n, "weights"));
+      }
     }
     for (auto& node : marked(d_.nodes, Quarantine::nodes)) *node = {};
   }

@@ -57,10 +57,19 @@ class ElementIterator {
       return out;
     }
   }
-  ElementIterator& operator++() noexcept { return ++index_, *this; }
+  ElementIterator& operator++() noexcept {
+    ++index_;
+    return *this;
+  }
   ElementIterator operator++(int) noexcept { return {first_, stride_, index_++}; }
-  ElementIterator& operator--() noexcept { return --index_, *this; }
-  ElementIterator& operator+=(difference_type n) noexcept { return index_ += n, *this; }
+  ElementIterator& operator--() noexcept {
+    --index_;
+    return *this;
+  }
+  ElementIterator& operator+=(difference_type n) noexcept {
+    index_ += n;
+    return *this;
+  }
   ElementIterator operator+(difference_type n) const noexcept { return {first_, stride_, index_ + n}; }
   difference_type operator-(const ElementIterator& other) const noexcept { return index_ - other.index_; }
   bool operator==(const ElementIterator& other) const noexcept { return index_ == other.index_; }
@@ -162,11 +171,11 @@ std::vector<V> read(const Document& document, std::uint32_t index) {
   return out;
 }
 
+}  // namespace
+
 bool is_unsigned(ComponentType type) noexcept {
   return type == ComponentType::u8 || type == ComponentType::u16 || type == ComponentType::u32;
 }
-
-}  // namespace
 
 std::uint32_t component_bytes(ComponentType type) noexcept {
   switch (type) {

@@ -27,6 +27,7 @@ inline ElementLayout element_layout(const gltf::Accessor& accessor) noexcept {
   return element_layout(accessor.type, accessor.component_type);
 }
 std::uint32_t component_bytes(gltf::ComponentType type) noexcept;
+bool is_unsigned(gltf::ComponentType type) noexcept;
 
 /// Bytes from one element to the next: the byteStride of the view, else the element's own size.
 std::uint64_t element_stride(const gltf::Document& document, const gltf::Accessor& accessor) noexcept;

@@ -88,7 +88,8 @@ class SamplerReader {
     const bool flag = target.property == AnimatedProperty::pointed && is_flag(target.pointed.kind);
     if (flag && data.interpolation != Interpolation::step && !step_instead(data.interpolation)) return std::nullopt;
     if (!check_shape(target, components, data.interpolation)) return std::nullopt;
-    warn_stride(sampler_.input, "input"), warn_stride(sampler_.output, "output");
+    warn_stride(sampler_.input, "input");
+    warn_stride(sampler_.output, "output");
     data.times_s = read_floats(document_, sampler_.input);
     if (!check_times(data.times_s)) return std::nullopt;
     data.values = read_floats(document_, sampler_.output);
@@ -121,7 +122,7 @@ class SamplerReader {
     }
     if (!output_format_fits(output, target)) {
       log_.report(Rule::animation_output, pointer(place_, "output"),
-                  "has not the type that the animated property needs");
+                  "does not have the type that the animated property needs");
       return false;
     }
     if (input.count == 0) {
@@ -134,9 +135,7 @@ class SamplerReader {
                   "one key for CUBICSPLINE; channels that use it are left out");
       return false;
     }
-    const bool weights =
-        target.property == AnimatedProperty::weights || target.property == AnimatedProperty::mesh_weights;
-    const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (weights ? components : 1u);
+    const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (target.moves_weights() ? components : 1u);
     if (output.count == input.count * per_key) return true;
     log_.report(Rule::animation_output, pointer(place_, "output"),
                 std::to_string(output.count) + " values for " + std::to_string(input.count) + " keys that need " +
@@ -147,7 +146,7 @@ class SamplerReader {
   void warn_stride(std::uint32_t accessor, const char* name) {
     const auto view = document_.accessors[accessor].buffer_view;
     if (view != kNone && document_.buffer_views[view].byte_stride != 0)
-      log_.report(Rule::animation_stride, pointer(place_, name), "its buffer view has a byteStride; read with it");
+      log_.report(Rule::animation_stride, pointer(place_, name), "its buffer view has a byteStride, which is used");
     const auto& bounds = document_.accessors[accessor];
     if (std::string_view(name) == "input" && (bounds.min.empty() || bounds.max.empty()))
       log_.report(Rule::animation_bounds, pointer(place_, name), "key times without min and max; taken from the data");

@@ -27,6 +27,9 @@ struct ChannelTarget {
   friend auto operator<=>(const ChannelTarget&, const ChannelTarget&) = default;
 
   bool moves_joint() const noexcept { return property < AnimatedProperty::weights; }
+  bool moves_weights() const noexcept {
+    return property == AnimatedProperty::weights || property == AnimatedProperty::mesh_weights;
+  }
 };
 
 /// Finds the target of a channel.

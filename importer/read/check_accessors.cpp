@@ -106,7 +106,7 @@ class AccessorCheck {
   void warn_stride(std::uint32_t view, const char* part) {
     if (document_.buffer_views[view].byte_stride != 0)
       log_.report(Rule::accessor_sparse_stride, pointer(place_, "sparse", part, "bufferView"),
-                  "has a byteStride; read as if it had none");
+                  "has a byteStride, which is ignored");
   }
 
   bool fits_base(std::uint64_t available) {

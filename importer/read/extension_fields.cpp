@@ -2,17 +2,12 @@
 #include "importer/read/extension_fields.h"
 
 #include "importer/file/json_pointer.h"
+#include "importer/read/json_member.h"
 
 namespace sinew {
 namespace {
 
 using gltf::Json;
-
-const Json* member(const Json* object, const char* name) {
-  if (object == nullptr || !object->is_object()) return nullptr;
-  const auto found = object->find(name);
-  return found == object->end() ? nullptr : &*found;
-}
 
 /// False for NaN.
 bool in_range(const Json& value, double lower, double upper) {
@@ -46,7 +41,10 @@ void ExtensionFields::complain(const char* field, const std::string& needed) con
 
 ExtensionFields ExtensionFields::object(const char* field) const {
   const Json* value = find(field);
-  if (value != nullptr && !value->is_object()) complain(field, "object"), value = nullptr;
+  if (value != nullptr && !value->is_object()) {
+    complain(field, "object");
+    value = nullptr;
+  }
   return {value, pointer(place_, field), log_};
 }
 
@@ -77,10 +75,9 @@ void ExtensionFields::numbers(const char* field, float* out, std::size_t count, 
 
 std::uint32_t ExtensionFields::index(const char* field, std::size_t limit) const {
   const Json* value = find(field);
-  if (value == nullptr) return kNone;
-  if (value->is_number_unsigned() && value->get<std::uint64_t>() < limit) return value->get<std::uint32_t>();
-  complain(field, "index below " + std::to_string(limit));
-  return kNone;
+  const std::uint32_t index = index_below(value, limit);
+  if (value != nullptr && index == kNone) complain(field, "index below " + std::to_string(limit));
+  return index;
 }
 
 const Json& ExtensionFields::extensions() const {

@@ -52,7 +52,8 @@ class MaterialReader {
     const std::string& mode = source_.alpha_mode;
     out_.alpha_mode = mode == "MASK" ? AlphaMode::mask : mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
     if (out_.alpha_mode == AlphaMode::opaque && mode != "OPAQUE")
-      log_.report(Rule::material_values, pointer(place_, "alphaMode"), '"' + mode + "\" is none; OPAQUE is used");
+      log_.report(Rule::material_values, pointer(place_, "alphaMode"),
+                  in_quotes(mode) + " is no alpha mode; OPAQUE is used");
     out_.alpha_cutoff = static_cast<float>(source_.alpha_cutoff);
     if (source_.alpha_cutoff < 0.0) {
       log_.report(Rule::material_values, pointer(place_, "alphaCutoff"),

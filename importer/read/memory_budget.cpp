@@ -67,9 +67,13 @@ class Users {
 
 }  // namespace
 
-void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log) {
+std::uint64_t allowed_bytes(std::uint64_t file_bytes, std::uint64_t most) noexcept {
   constexpr std::uint64_t kFree = std::uint64_t{64} << 20;
   constexpr std::uint64_t kPerByte = 64;
+  return std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));
+}
+
+void check_memory_budget(const gltf::Document& document, std::uint64_t file_bytes, std::uint64_t most, IssueLog& log) {
   Budget budget(document);
   for (const auto& mesh : document.meshes)
     for (const auto& primitive : mesh.primitives) {
@@ -88,7 +92,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
     for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) budget.add(accessor, 3);
   for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
-  const std::uint64_t allowed = std::min(most, kFree + kPerByte * std::min(file_bytes, std::uint64_t{1} << 40));
+  const std::uint64_t allowed = allowed_bytes(file_bytes, most);
   if (budget.total() > allowed)
     log.report(Rule::memory_budget, "",
                "vertices and keys would take " + std::to_string(budget.total()) + " bytes, a file of " +

@@ -7,6 +7,10 @@
 
 namespace sinew {
 
+/// How many bytes a file may unpack or grow to: a fixed amount and a multiple of its size that good compression does
+/// not reach, but never more than `most` (G68).
+std::uint64_t allowed_bytes(std::uint64_t file_bytes, std::uint64_t most) noexcept;
+
 /// Adds up how many bytes the document will grow to as vertices, keys and indices, before anything grows. Many
 /// primitives may share one accessor, and an accessor without a view costs no bytes in the file (G68).
 /// in    references in range

@@ -3,6 +3,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "importer/read/json_member.h"
 #include "importer/read/meshes.h"
 #include "importer/read/rotations.h"
 
@@ -84,19 +85,17 @@ class CopyReader {
 std::map<std::string, std::uint32_t> copy_attributes(const gltf::Document& document, std::uint32_t node,
                                                      IssueLog& log) {
   std::map<std::string, std::uint32_t> out;
-  const Json& extensions = document.nodes[node].extensions;
-  if (!extensions.is_object()) return out;
-  const auto extension = extensions.find(kExtension);
-  if (extension == extensions.end()) return out;
-  const auto attributes = extension->is_object() ? extension->find("attributes") : extension->end();
-  if (!extension->is_object() || attributes == extension->end() || !attributes->is_object()) {
+  const Json* extension = member(&document.nodes[node].extensions, kExtension);
+  if (extension == nullptr) return out;
+  const Json* attributes = member(extension, "attributes");
+  if (attributes == nullptr || !attributes->is_object()) {
     log.report(Rule::extension_value, pointer("nodes", node, "extensions", kExtension), "has no attributes; ignored");
     return out;
   }
   for (const auto& [name, index] : attributes->items()) {
-    const bool known = index.is_number_unsigned() && index.get<std::uint64_t>() < document.accessors.size();
-    if (known)
-      out.emplace(name, index.get<std::uint32_t>());
+    const std::uint32_t accessor = index_below(&index, document.accessors.size());
+    if (accessor != kNone)
+      out.emplace(name, accessor);
     else
       log.report(Rule::reference, pointer(place_of(node), pointer_token(name)), "is no index of an accessor");
   }

@@ -18,14 +18,10 @@ glm::vec3 to_vec3(const std::array<double, 3>& v) {
 }
 
 NodeTransform read_matrix(const gltf::Node& node, const std::string& place, IssueLog& log) {
-  const auto& m = node.matrix;
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-    log.report(Rule::node_matrix_row, pointer(place, "matrix"), "the fourth row is not 0 0 0 1; taken as such");
   NodeTransform out;
   out.is_matrix = true;
-  for (std::size_t row = 0; row < 3; ++row)
-    out.matrix.row[row] = {static_cast<float>(m[row]), static_cast<float>(m[4 + row]), static_cast<float>(m[8 + row]),
-                           static_cast<float>(m[12 + row])};
+  if (!to_affine(node.matrix.data(), out.matrix))
+    log.report(Rule::node_matrix_row, pointer(place, "matrix"), "the fourth row is not 0 0 0 1; it is ignored");
   out.transform = decompose_trs(out.matrix).transform;
   return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "importer/file/document.h"
@@ -16,6 +17,15 @@ struct NodeTransform {
   bool is_matrix = false;
   Affine matrix;
 };
+
+/// Reads a matrix from 16 column-major numbers; false when its fourth row is not 0 0 0 1.
+template <class T>
+bool to_affine(const T* m, Affine& out) noexcept {
+  for (std::size_t row = 0; row < 3; ++row)
+    out.row[row] = {static_cast<float>(m[row]), static_cast<float>(m[4 + row]), static_cast<float>(m[8 + row]),
+                    static_cast<float>(m[12 + row])};
+  return m[3] == T(0) && m[7] == T(0) && m[11] == T(0) && m[15] == T(1);
+}
 
 /// Reads one node. Rotations that are not unit quaternions are normalised; a zero rotation becomes the identity (G52).
 /// warning  node-matrix-trs (the matrix is used), node-matrix-row, rotation-length, rotation-zero

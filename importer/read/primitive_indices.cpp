@@ -55,16 +55,13 @@ Indices unroll_fan(const Indices& in) {
 
 bool check_format(const gltf::Document& document, std::uint32_t accessor_index, const std::string& place,
                   IssueLog& log) {
-  using gltf::ComponentType;
   const auto& accessor = document.accessors[accessor_index];
-  const ComponentType type = accessor.component_type;
-  const bool unsigned_type = type == ComponentType::u8 || type == ComponentType::u16 || type == ComponentType::u32;
-  if (accessor.type != gltf::ElementType::scalar || !unsigned_type || accessor.normalized) {
+  if (accessor.type != gltf::ElementType::scalar || !is_unsigned(accessor.component_type) || accessor.normalized) {
     log.report(Rule::mesh_indices, place, "indices are not unsigned integers");
     return false;
   }
   if (accessor.buffer_view != kNone && document.buffer_views[accessor.buffer_view].byte_stride != 0)
-    log.report(Rule::mesh_indices_stride, place, "the buffer view of indices has a byteStride; read with it");
+    log.report(Rule::mesh_indices_stride, place, "the buffer view of indices has a byteStride, which is used");
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "importer/read/json_member.h"
 #include "runtime/animation/property_track.h"
 
 namespace sinew {
@@ -75,12 +76,6 @@ std::optional<std::uint32_t> take_index(std::string_view& text) {
   return index;
 }
 
-const Json* member(const Json* object, const char* name) {
-  if (object == nullptr || !object->is_object()) return nullptr;
-  const auto found = object->find(name);
-  return found == object->end() ? nullptr : &*found;
-}
-
 const Json* lights_of(const gltf::Document& document) {
   const Json* list = member(member(&document.extensions, "KHR_lights_punctual"), "lights");
   return list != nullptr && list->is_array() ? list : nullptr;
@@ -147,7 +142,8 @@ bool read_node_path(std::string_view path, PointedProperty& out) {
   if (std::string_view rest = path; take(rest, "weights/")) {
     const auto element = take_index(rest);
     if (!element || !rest.empty()) return false;
-    out.node_path = "weights", out.element = *element;
+    out.node_path = "weights";
+    out.element = *element;
     return true;
   }
   if (out.list != List::nodes) return false;
@@ -205,7 +201,10 @@ std::optional<PointedProperty> read_property_pointer(const gltf::Document& docum
   PointedProperty out;
   std::string_view path;
   for (const auto& [prefix, list] : kLists)
-    if (std::string_view rest = text; path.empty() && take(rest, prefix)) path = rest, out.list = list;
+    if (std::string_view rest = text; path.empty() && take(rest, prefix)) {
+      path = rest;
+      out.list = list;
+    }
   const auto index = take_index(path);
   if (!index || !take(path, "/")) return fail("is not a pointer that the runtime animates");
   out.index = *index;

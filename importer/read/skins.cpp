@@ -5,19 +5,10 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/accessor.h"
+#include "importer/read/nodes.h"
 #include "runtime/base/all_finite.h"
 
 namespace sinew {
-namespace {
-
-/// Reads one matrix from 16 column-major numbers; false when its fourth row is not 0 0 0 1.
-bool to_affine(const float* m, Affine& out) {
-  for (std::size_t row = 0; row < 3; ++row) out.row[row] = {m[row], m[4 + row], m[8 + row], m[12 + row]};
-  return m[3] == 0.0f && m[7] == 0.0f && m[11] == 0.0f && m[15] == 1.0f;
-}
-
-}  // namespace
-
 std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
   const gltf::Skin& skin = document.skins[index];
   const std::string place = pointer("skins", index, "inverseBindMatrices");
@@ -44,7 +35,7 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
     }
     if (!to_affine(m, matrices[j]))
       log.report(Rule::skin_matrix_row, place,
-                 "the fourth row of matrix " + std::to_string(j) + " is not 0 0 0 1; taken as such");
+                 "the fourth row of matrix " + std::to_string(j) + " is not 0 0 0 1; it is ignored");
   }
   return matrices;
 }

@@ -33,7 +33,9 @@ bool set_magnify(Sampler& sampler, int number) {
 
 bool set_minify(Sampler& sampler, int number) {
   const auto set = [&](Filter minify, Filter mipmap, bool use_mipmaps) {
-    sampler.minify = minify, sampler.mipmap = mipmap, sampler.use_mipmaps = use_mipmaps;
+    sampler.minify = minify;
+    sampler.mipmap = mipmap;
+    sampler.use_mipmaps = use_mipmaps;
     return true;
   };
   switch (number) {

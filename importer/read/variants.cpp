@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "importer/file/json_pointer.h"
+#include "importer/read/json_member.h"
 
 namespace sinew {
 namespace {
@@ -14,18 +15,12 @@ constexpr const char* kExtension = "KHR_materials_variants";
 
 /// The array `name` of the extension; null where there is none.
 const Json* list_in(const Json& extensions, const char* name, const std::string& place, IssueLog& log) {
-  if (!extensions.is_object()) return nullptr;
-  const auto extension = extensions.find(kExtension);
-  if (extension == extensions.end()) return nullptr;
-  if (extension->is_object())
-    if (const auto list = extension->find(name); list != extension->end() && list->is_array()) return &*list;
+  const Json* extension = member(&extensions, kExtension);
+  if (extension == nullptr) return nullptr;
+  if (const Json* list = member(extension, name); list != nullptr && list->is_array()) return list;
   log.report(Rule::extension_value, pointer(place, "extensions", kExtension),
              "has no array " + in_quotes(name) + "; ignored");
   return nullptr;
-}
-
-std::uint32_t index_below(const Json& value, std::size_t limit) {
-  return value.is_number_unsigned() && value.get<std::uint64_t>() < limit ? value.get<std::uint32_t>() : kNone;
 }
 
 }  // namespace
@@ -35,8 +30,8 @@ std::vector<std::string> read_variants(const gltf::Document& document, IssueLog&
   const Json* list = list_in(document.extensions, "variants", "", log);
   if (list == nullptr) return names;
   for (const Json& variant : *list) {
-    const bool named = variant.is_object() && variant.contains("name") && variant["name"].is_string();
-    names.push_back(named ? variant["name"].get<std::string>() : "");
+    const Json* name = member(&variant, "name");
+    names.push_back(name != nullptr && name->is_string() ? name->get<std::string>() : "");
   }
   return names;
 }
@@ -52,13 +47,12 @@ std::vector<VariantMaterial> read_variant_materials(const gltf::Document& docume
   const std::size_t variant_count = variants == nullptr ? 0 : variants->size();
   for (std::size_t m = 0; m < list->size(); ++m) {
     const Json& mapping = (*list)[m];
-    const bool whole = mapping.is_object() && mapping.contains("material") && mapping.contains("variants") &&
-                       mapping["variants"].is_array();
-    const std::uint32_t material = whole ? index_below(mapping["material"], document.materials.size()) : kNone;
-    bool good = material != kNone;
+    const Json* mapped = member(&mapping, "variants");
+    const std::uint32_t material = index_below(member(&mapping, "material"), document.materials.size());
+    bool good = material != kNone && mapped != nullptr && mapped->is_array();
     if (good)
-      for (const Json& variant : mapping["variants"]) {
-        const std::uint32_t index = index_below(variant, variant_count);
+      for (const Json& variant : *mapped) {
+        const std::uint32_t index = index_below(&variant, variant_count);
         if (index != kNone) out.push_back({index, material});
         good = good && index != kNone;
       }

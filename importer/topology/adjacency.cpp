@@ -14,8 +14,6 @@ namespace {
 
 using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-constexpr std::size_t next_corner(std::size_t c) noexcept { return c % 3 == 2 ? c - 2 : c + 1; }
-
 /// An edge of a face, from the vertex of `corner` to that of the next corner. `low` and `high` are its ends in rising
 /// order; `rising` tells the direction.
 struct Edge {

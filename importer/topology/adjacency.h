@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ struct Adjacency {
 
   std::size_t face_count() const noexcept { return corner_vertex.size() / 3; }
 };
+
+/// The next corner of the same face.
+constexpr std::size_t next_corner(std::size_t c) noexcept { return c % 3 == 2 ? c - 2 : c + 1; }
 
 /// in    triangles[3F]   vertex indices below vertex_count; a face that names a vertex twice is left out
 /// cost  O(F) expected

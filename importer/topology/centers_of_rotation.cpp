@@ -95,7 +95,10 @@ struct WeightedSum {
   glm::dvec3 points{0.0};
   double weight = 0.0;
 
-  void add(const glm::dvec3& weighted_points, double w) { points += weighted_points, weight += w; }
+  void add(const glm::dvec3& weighted_points, double w) {
+    points += weighted_points;
+    weight += w;
+  }
 };
 
 /// The part of the surface where two joints have the weights j and k. Triangles of equal weights count as one.

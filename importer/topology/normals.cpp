@@ -33,13 +33,18 @@ std::vector<glm::dvec3> vertex_normals(const Primitive& p, const Adjacency& adja
   return sums;
 }
 
+/// Removes what new normals make wrong: tangents, and morph deltas of both.
+void remove_normals(Primitive& primitive) {
+  primitive.tangents.clear();
+  primitive.normals.clear();
+  for (MorphTarget& target : primitive.morphs.targets) target.normals = target.tangents = {};
+}
+
 }  // namespace
 
 void make_flat_normals(Primitive& primitive) {
   if (!has_faces(primitive)) return;
-  primitive.tangents.clear();
-  primitive.normals.clear();
-  for (MorphTarget& target : primitive.morphs.targets) target.normals = target.tangents = {};
+  remove_normals(primitive);
   std::vector<std::uint32_t> own_copy(primitive.indices.size());
   std::iota(own_copy.begin(), own_copy.end(), 0u);
   split_vertices(primitive, own_copy);
@@ -54,9 +59,7 @@ void make_flat_normals(Primitive& primitive) {
 
 void make_smooth_normals(Primitive& primitive) {
   if (!has_faces(primitive)) return;
-  primitive.tangents.clear();
-  primitive.normals.clear();
-  for (MorphTarget& target : primitive.morphs.targets) target.normals = target.tangents = {};
+  remove_normals(primitive);
 
   const auto place = weld({&primitive.positions[0].x, 3 * primitive.vertex_count()}, 3);
   std::vector<std::uint32_t> triangles(primitive.indices.size());

@@ -79,7 +79,7 @@ std::vector<std::uint32_t> tangent_groups(const std::vector<FaceTexture>& faces,
   for (std::size_t c = 0; c < adjacency.neighbour.size(); ++c) {
     const std::uint32_t g = adjacency.neighbour[c];
     if (g == kNone || faces[g].turn != faces[c / 3].turn) continue;
-    const std::size_t end = c % 3 == 2 ? c - 2 : c + 1;
+    const std::size_t end = next_corner(c);
     sets.join(c, corner_at(g, adjacency.corner_vertex[c]));
     sets.join(end, corner_at(g, adjacency.corner_vertex[end]));
   }

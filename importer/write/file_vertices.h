@@ -31,7 +31,10 @@ struct FileVertices {
     for (std::size_t i = deltas.vertices.size(); i-- > 0;) dense[file_vertex[deltas.vertices[i]]] = deltas.deltas[i];
     SparseDeltas<T> out;
     for (std::uint32_t v = 0; v < dense.size(); ++v)
-      if (dense[v] != T(0.0f)) out.vertices.push_back(v), out.deltas.push_back(dense[v]);
+      if (dense[v] != T(0.0f)) {
+        out.vertices.push_back(v);
+        out.deltas.push_back(dense[v]);
+      }
     return out;
   }
 };

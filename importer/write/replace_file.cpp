@@ -53,7 +53,7 @@ class TemporaryFile {
 std::optional<std::string> replace_file(const fs::path& file, std::span<const std::byte> bytes) {
   std::error_code error;
   const bool exists = fs::exists(file, error);
-  if (exists && !fs::is_regular_file(file, error)) return "is there, and no regular file";
+  if (exists && !fs::is_regular_file(file, error)) return "exists and is not a regular file";
   const fs::path target = exists ? fs::canonical(file, error) : file;
   if (error) return error.message();
   TemporaryFile temporary(target);

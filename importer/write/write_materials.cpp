@@ -126,6 +126,26 @@ void write_materials(const Scene& scene, tinygltf::Model& model) {
     model.materials.push_back(written(scene.materials[m], MovedParts(scene.properties, m), model));
 }
 
+void write_variants(const Scene& scene, tinygltf::Model& model) {
+  if (scene.variants.empty()) return;
+  constexpr const char* kExtension = "KHR_materials_variants";
+  const auto number = [](std::uint32_t index) { return tinygltf::Value(static_cast<int>(index)); };
+  declare_extension(model, kExtension);
+  Array names;
+  for (const auto& name : scene.variants) names.emplace_back(Object{{"name", tinygltf::Value(name)}});
+  model.extensions[kExtension] = tinygltf::Value(Object{{"variants", tinygltf::Value(std::move(names))}});
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+    for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
+      Array mappings;
+      for (const VariantMaterial& other : scene.meshes[m].primitives[p].variant_materials)
+        mappings.emplace_back(
+            Object{{"material", number(other.material)}, {"variants", tinygltf::Value(Array{number(other.variant)})}});
+      if (!mappings.empty())
+        model.meshes[m].primitives[p].extensions[kExtension] =
+            tinygltf::Value(Object{{"mappings", tinygltf::Value(std::move(mappings))}});
+    }
+}
+
 namespace {
 
 /// True for images whose encoded bytes can go into the file: glTF knows their type.
@@ -182,10 +202,14 @@ void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
     out.name = camera.name;
     out.type = camera.perspective ? "perspective" : "orthographic";
     out.perspective = {};
-    out.perspective.yfov = camera.fov_y_rad, out.perspective.aspectRatio = camera.aspect;
-    out.perspective.znear = camera.near_m, out.perspective.zfar = camera.far_m;
-    out.orthographic.xmag = camera.half_width, out.orthographic.ymag = camera.half_height;
-    out.orthographic.znear = camera.near_m, out.orthographic.zfar = camera.far_m;
+    out.perspective.yfov = camera.fov_y_rad;
+    out.perspective.aspectRatio = camera.aspect;
+    out.perspective.znear = camera.near_m;
+    out.perspective.zfar = camera.far_m;
+    out.orthographic.xmag = camera.half_width;
+    out.orthographic.ymag = camera.half_height;
+    out.orthographic.znear = camera.near_m;
+    out.orthographic.zfar = camera.far_m;
     model.cameras.push_back(std::move(out));
   }
   for (const auto& light : scene.lights) {
@@ -196,7 +220,8 @@ void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
     out.color = {light.color.x, light.color.y, light.color.z};
     out.intensity = light.intensity;
     out.range = light.range_m;
-    out.spot.innerConeAngle = light.inner_cone_rad, out.spot.outerConeAngle = light.outer_cone_rad;
+    out.spot.innerConeAngle = light.inner_cone_rad;
+    out.spot.outerConeAngle = light.outer_cone_rad;
     model.lights.push_back(std::move(out));
   }
 }

@@ -34,8 +34,11 @@ void write_copies(const std::vector<Transform>& copies, tinygltf::Model& model, 
   declare_extension(model, "EXT_mesh_gpu_instancing");
   std::vector<glm::vec3> translations, scales;
   std::vector<glm::quat> rotations;
-  for (const Transform& copy : copies)
-    translations.push_back(copy.translation), rotations.push_back(copy.rotation), scales.push_back(copy.scale);
+  for (const Transform& copy : copies) {
+    translations.push_back(copy.translation);
+    rotations.push_back(copy.rotation);
+    scales.push_back(copy.scale);
+  }
   const auto vectors = [&](const std::vector<glm::vec3>& v) {
     return tinygltf::Value(buffer.add(std::span<const glm::vec3>(v), false, ViewUse::other));
   };

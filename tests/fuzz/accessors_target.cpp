@@ -57,7 +57,10 @@ class AccessorFile {
           {"indices",
            {{"bufferView", any_view()}, {"byteOffset", in_.u8()}, {"componentType", 5121 + 2 * (in_.u8() % 3)}}},
           {"values", {{"bufferView", any_view()}, {"byteOffset", in_.u8()}}}};
-    if ((flags & 8) != 0) accessor["min"] = {0}, accessor["max"] = {1};
+    if ((flags & 8) != 0) {
+      accessor["min"] = {0};
+      accessor["max"] = {1};
+    }
     root_["accessors"].push_back(std::move(accessor));
   }
 

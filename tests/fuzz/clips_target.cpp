@@ -10,7 +10,7 @@
 namespace sinew::fuzz {
 namespace {
 
-/// A head that is right for the bytes after it, so that what is behind the checksum is reached.
+/// A valid head for the bytes after it, so that the code behind the checksum is reached.
 std::vector<std::byte> signed_block(Bytes body) {
   std::vector<std::byte> block = save_clips({});
   block.resize(kClipFileHead);

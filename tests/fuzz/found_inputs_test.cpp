@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inputs that fuzzing has found once stay harmless: found/TARGET/* run in every build. The seeds run as well, so that a
-// target that does nothing at all is seen here and not after hours.
+// Inputs that fuzzing once found stay harmless: found/TARGET/* run in every build. The seeds run as well, so that a
+// target that does nothing is noticed here and not after hours of fuzzing.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -8,8 +8,7 @@ namespace sinew::fuzz {
 
 using Bytes = std::span<const std::byte>;
 
-/// What fuzzing does with an input. Any bytes are welcome; a promise that does not hold ends in an exception,
-/// which libFuzzer and GoogleTest both report.
+/// Runs a target on an input of any bytes. A broken promise throws an exception, which libFuzzer and GoogleTest report.
 struct Target {
   std::string_view name;
   void (*run)(Bytes input);

@@ -7,7 +7,7 @@
 
 namespace sinew::fuzz {
 
-/// Imports the bytes. What is refused must name a rule; what is taken must pass the checks of the runtime, and one
+/// Imports the bytes. A refused file must name a rule. An accepted file must pass the checks of the runtime, and one
 /// frame of its first clip must run.
 void import_and_evaluate(Bytes file);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The libFuzzer program: the environment variable SINEW_FUZZ_TARGET names what it feeds.
+// The libFuzzer program: the environment variable SINEW_FUZZ_TARGET names the target.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -31,7 +31,7 @@ const fuzz::Target& chosen_target() {
 
 std::string text_of(fuzz::Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-/// Puts `out` in place of the input when there is room.
+/// Replaces the input by `out` when there is room.
 std::optional<std::size_t> put(const void* out, std::size_t size, std::uint8_t* data, std::size_t max_size) {
   if (size == 0 || size > max_size) return std::nullopt;
   std::memcpy(data, out, size);
@@ -43,7 +43,8 @@ std::optional<std::size_t> change_json(std::uint8_t* data, std::size_t size, std
   return put(text.data(), text.size(), data, max_size);
 }
 
-/// Changes one part of the container and writes its lengths anew, so that what follows the container check is reached.
+/// Changes one part of the container and writes its lengths again, so that the code behind the container check is
+/// reached.
 std::optional<std::size_t> change_glb(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
   IssueLog log;
   const auto parts = open_glb(std::as_bytes(std::span(data, size)), log);

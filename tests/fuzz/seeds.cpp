@@ -149,8 +149,8 @@ void add_document(const Blob& bytes, const std::filesystem::path& folder, std::v
   add_draco_streams(file, out);
 }
 
-/// In the form that accessors_target.cpp reads: one view of 600 bytes, seven accessors on it, each used as what it can
-/// be.
+/// In the form that accessors_target.cpp reads: one view of 600 bytes and seven accessors on it, each used in every way
+/// that its type allows.
 Blob accessor_seed() {
   Blob seed = fields({0, 0, 0, 87, 2, 0, 6});
   append(seed, fields({0, 0, 11, 0, 8, 0, 0, 0}));                      // 0: 12 positions
@@ -191,7 +191,10 @@ std::vector<Seed> own_seeds() {
   std::vector<Seed> out;
   for (const Blob& glb : test::glb_seeds()) add_document(glb, {}, out);
   for (const auto& scene : showcase::showcase())
-    if (const auto glb = export_glb(scene.scene)) add_document(*glb, {}, out), add_clips(scene.scene, out);
+    if (const auto glb = export_glb(scene.scene)) {
+      add_document(*glb, {}, out);
+      add_clips(scene.scene, out);
+    }
   out.push_back({"accessors", accessor_seed()});
   const std::vector<std::uint8_t> pixels(4 * 5 * 4, 90);
   out.push_back({"images", test::encode_png(5, 4, 4, pixels)});

@@ -12,11 +12,11 @@ struct Seed {
   std::vector<std::byte> bytes;
 };
 
-/// Small valid inputs of every kind, made by code.
+/// Small valid inputs for every target, made in code.
 std::vector<Seed> own_seeds();
 
-/// What a glTF file gives: itself as .glb and as text with data URIs, and each compressed stream. Nothing when it
-/// cannot be taken apart or is too large to be worth mutating.
+/// The seeds that a glTF file gives: the file as .glb and as text with data URIs, and each compressed stream. Nothing
+/// when it cannot be parsed or is too large to be worth mutating.
 std::vector<Seed> seeds_of_file(const std::filesystem::path& file);
 
 }  // namespace sinew::fuzz

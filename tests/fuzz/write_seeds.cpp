@@ -29,7 +29,10 @@ std::size_t write(const std::vector<sinew::fuzz::Seed>& seeds, const fs::path& o
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fprintf(stderr, "usage: sinew-fuzz-seeds OUT [FOLDER...]\n"), 2;
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: sinew-fuzz-seeds OUT [FOLDER...]\n");
+    return 2;
+  }
   std::size_t count = write(sinew::fuzz::own_seeds(), argv[1], 0);
   for (int i = 2; i < argc; ++i)
     if (fs::is_directory(argv[i]))

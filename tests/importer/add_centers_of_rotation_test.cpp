@@ -42,7 +42,8 @@ TEST(add_centers_of_rotation, N21_gives_every_skinned_primitive_its_centers) {
 TEST(add_centers_of_rotation, N21_materials_do_not_move_centers) {
   Scene whole = surface(), cut = surface();
   cut_in_two(cut.meshes[0]);
-  add_centers_of_rotation(whole), add_centers_of_rotation(cut);
+  add_centers_of_rotation(whole);
+  add_centers_of_rotation(cut);
   const auto& expected = whole.meshes[0].primitives[0].centers_of_rotation;
   for (const Primitive& part : cut.meshes[0].primitives) EXPECT_EQ(part.centers_of_rotation, expected);
   EXPECT_NE(expected, centers_of_rotation(cut.meshes[0].primitives[0]))
@@ -63,7 +64,8 @@ TEST(add_centers_of_rotation, leaves_alone_what_no_skin_moves_and_what_has_cente
 
 TEST(add_centers_of_rotation, progress_rises_once_over_all_meshes) {
   RandomSceneOptions options;
-  options.meshes = 3, options.instances = 6;
+  options.meshes = 3;
+  options.instances = 6;
   Scene scene = random_scene(5, options);
   std::vector<double> seen;
   CentersOptions how;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every rule of importer/rules.inc is broken by a small file, and answers with its code, severity and JSON pointer.
-// Files in broken/ are named after the rule and say in asset.extras.at where; containers and limits, which no .gltf can
-// break, follow in code.
+// For every rule of importer/rules.inc a small file breaks it; the import reports its code, severity and JSON pointer.
+// Files in broken/ are named after the rule and give the place in asset.extras.at. Rules about containers and limits,
+// which no .gltf can break, are broken in code.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Rules that no file breaks: they guard the importer against its own mistakes.
+/// Rules that no file can break, because they guard the importer against its own mistakes.
 const std::set<std::string_view> kGuards{"scene-check", "internal"};
 
 std::vector<ImportIssue> issues_of(ImportResult<ImportedFile> result) {
@@ -62,7 +62,7 @@ std::string container(const std::vector<std::pair<std::string, std::string>>& ch
 const std::string kEmpty = R"({"asset":{"version":"2.0"}} )";
 const std::string kBin("BIN\0", 4);
 
-/// What no .gltf file can break, as {rule, answer of the importer}.
+/// Rules that no .gltf file can break, as {rule, result of the import}.
 std::multimap<std::string_view, std::vector<ImportIssue>> cases_in_code() {
   const auto text = [](const std::string& bytes, const ImportOptions& options = {}) {
     return issues_of(import_gltf(bytes_of(bytes), "case", options));

@@ -65,7 +65,9 @@ TEST(build_clips, G05_cubic_rotations_are_left_as_stored) {
   TinyGltf file;
   file.root["nodes"] = Json::array({Json::object()});
   std::vector<float> values(24, 0.0f);
-  values[7] = 2.0f, values[4] = 1.0f, values[19] = -1.0f;
+  values[7] = 2.0f;
+  values[4] = 1.0f;
+  values[19] = -1.0f;
   const std::size_t input = file.times({0, 1});
   file.animate("rotation", input, file.vec4(values), "CUBICSPLINE");
   const auto result = file.import();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boxes by which meshes are left out hold on real files: no vertex of any frame is outside.
+// Clip bounds hold on real files: no vertex of any frame is outside them.
 #include <gtest/gtest.h>
 
 #include "importer/import_gltf.h"
@@ -15,7 +15,7 @@ bool holds(const Aabb& outer, const Aabb& inner) {
                            glm::all(glm::greaterThanEqual(outer.upper, inner.upper)));
 }
 
-/// Looks at a few times of the clip. Answers how many boxes there were.
+/// Checks a few times of the clip; returns the number of boxes.
 std::size_t expect_holds(const Scene& scene, const Plan& plan, std::uint32_t clip, const std::string& file) {
   constexpr int kTimes = 23;
   const std::vector<Aabb> reach = clip_bounds(scene, plan.needs(), clip);
@@ -43,7 +43,9 @@ TEST(clip_bounds_corpus, G54_holds_every_vertex_of_every_file) {
     const auto imported = import_gltf(file, options);
     if (!imported) continue;  // other tests tell
     Needs needs;
-    needs.bounds = true, needs.normals = needs.tangents = false, needs.max_layers = 1;
+    needs.bounds = true;
+    needs.normals = needs.tangents = false;
+    needs.max_layers = 1;
     const Plan plan = compile_plan(imported->scene, needs);
     for (std::uint32_t clip = 0; clip < imported->scene.animations.size(); ++clip)
       boxes += expect_holds(imported->scene, plan, clip, file.filename());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Matrices that vertices share give real files the bits that they have without them.
+// Real files give the same bits whether vertices share blended matrices or not.
 #include <gtest/gtest.h>
 
 #include "importer/import_gltf.h"

@@ -140,7 +140,10 @@ TEST(decode_draco, G62_joints_take_the_type_of_the_accessor) {
 
 TEST(decode_draco, G62_accessor_views_are_ignored) {
   auto document = grid_document(encode_grid(draco::MESH_EDGEBREAKER_ENCODING));
-  for (auto& accessor : document.accessors) accessor.buffer_view = 0, accessor.byte_offset = 99;
+  for (auto& accessor : document.accessors) {
+    accessor.buffer_view = 0;
+    accessor.byte_offset = 99;
+  }
   expect_decodes(document);
 }
 

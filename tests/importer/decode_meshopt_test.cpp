@@ -189,7 +189,7 @@ TEST(decode_meshopt, G61_refuses_a_view_with_another_stride) {
   EXPECT_THAT(error_of(document).detail, HasSubstr("byteStride differs"));
 }
 
-/// A stream that the extension allows and the library at hand does not know: a filter, or a later version of the codec.
+/// A stream that the extension allows but the linked library does not know: a filter, or a later codec version.
 gltf::Document unknown_stream(bool filter) {
   std::vector<unsigned char> stream = encode_vertices(some_floats(300), 12);
   if (!filter) stream[0] = 0xa1;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each rule about the document itself: a file of a few lines that breaks it, and the rule and JSON pointer of the
-// answer.
+// For each rule about the document itself: a file of a few lines breaks it, and the import reports rule and pointer.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small files from bytes to the vertices of a frame: rules of glTF that no single part of the importer answers for
-// alone.
+// Small files from bytes to the vertices of a frame: rules of glTF that need several parts of the importer.
 #include <bit>
 #include <cmath>
 #include <stdexcept>

@@ -69,8 +69,13 @@ Scene rich_scene() {
   camera.far_m = 64.0f;
   scene.cameras.push_back(camera);
   Light light;
-  light.name = "sun", light.kind = Light::Kind::spot, light.joint = 1, light.intensity = 4.0f, light.range_m = 8.0f;
-  light.inner_cone_rad = 0.25f, light.outer_cone_rad = 0.5f;
+  light.name = "sun";
+  light.kind = Light::Kind::spot;
+  light.joint = 1;
+  light.intensity = 4.0f;
+  light.range_m = 8.0f;
+  light.inner_cone_rad = 0.25f;
+  light.outer_cone_rad = 0.5f;
   scene.lights.push_back(light);
   finish_scene(scene);
   return scene;
@@ -130,7 +135,7 @@ ImportOptions as_converted() {
   return options;
 }
 
-/// Vertices keep the numbers of their file, but for those that were split because their tangents differ.
+/// Vertices keep the numbers of their file, except those that were split because their tangents differ.
 void expect_same_vertex_numbers(const Scene& before, const Scene& after) {
   for (std::size_t m = 0; m < before.meshes.size(); ++m)
     for (std::size_t p = 0; p < before.meshes[m].primitives.size(); ++p) {

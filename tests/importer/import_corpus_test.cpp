@@ -47,8 +47,8 @@ TEST(import_corpus, poses_do_not_depend_on_images_or_made_vectors) {
   }
 }
 
-/// Codes of the validator for faults in data that the importer reads. Faults in what it does not read (buffer view
-/// targets, bounds of positions, unread extensions, naming, alignment for GPUs) are not among them.
+/// Codes of the validator for faults in data that the importer reads. Faults elsewhere (buffer view targets, bounds of
+/// positions, unread extensions, naming, alignment for GPUs) are not among them.
 const std::set<std::string> kTouchesData{"ACCESSOR_TOO_LONG",
                                          "ACCESSOR_SMALL_BYTESTRIDE",
                                          "ACCESSOR_OFFSET_ALIGNMENT",
@@ -120,7 +120,7 @@ struct Fault {
   std::string code, place;
 };
 
-/// Errors of a report that touch data; the whole document has the empty place there and here.
+/// Errors of a validator report that concern data. Like ours, they have an empty place for the whole document.
 std::vector<Fault> data_faults(const fs::path& report) {
   std::vector<Fault> faults;
   std::ifstream stream(report);
@@ -143,8 +143,9 @@ std::string entry_of(const std::string& place) {
   return place.substr(0, third);
 }
 
-/// The same place, a finer or a coarser one. An error refuses its whole entry of a list, one about the file everything;
-/// of two channels with one target either may be named, and a node with two parents hides one of two cycles.
+/// True when our issue is at the place of the fault, inside it or around it. Our error may refuse the whole list entry
+/// or the whole file. Of two channels with one target either may be named, and a node with two parents hides one of two
+/// cycles.
 bool answers(const ImportIssue& issue, const Fault& fault) {
   const std::string& ours = issue.json_pointer;
   if (ours == fault.place || is_below(fault.place, ours) || is_below(ours, fault.place)) return true;

@@ -51,7 +51,7 @@ TEST_F(import_gltf_test, T11_takes_less_memory_than_three_times_the_file_at_any_
   }
 }
 
-/// Bytes of JSON in a file: its tree is there beside the text while the document is read.
+/// Bytes of JSON in a file. Its tree is in memory together with the text while the document is read.
 std::size_t json_bytes(const fs::path& path) {
   if (path.extension() == ".gltf") return fs::file_size(path);
   std::ifstream stream(path, std::ios::binary);

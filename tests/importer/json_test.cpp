@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a document as a tree: what JSON allows, and nothing else.
+// Parsing JSON text into a tree accepts what JSON allows, and nothing else.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@ using gltf::Json;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Reads one material, and answers its warnings as "rule at place".
+/// Reads one material; returns its warnings as "rule at place".
 struct Reading {
   Material material;
   std::vector<std::string> warnings;
@@ -35,8 +35,13 @@ TEST(read_materials, keep_every_value_of_a_full_material) {
   gltf::Material source;
   source.name = "steel";
   source.base_color = {0.1, 0.2, 0.3, 0.4};
-  source.metallic = 0.5, source.roughness = 0.6, source.normal_scale = -2.0, source.occlusion_strength = 0.7;
-  source.alpha_cutoff = 0.25, source.alpha_mode = "MASK", source.double_sided = true;
+  source.metallic = 0.5;
+  source.roughness = 0.6;
+  source.normal_scale = -2.0;
+  source.occlusion_strength = 0.7;
+  source.alpha_cutoff = 0.25;
+  source.alpha_mode = "MASK";
+  source.double_sided = true;
   source.emissive = {0.25, 0.5, 1.0};
   source.base_color_texture = {0, 1, {}};
   source.metallic_roughness_texture = {1, 2, {}};
@@ -79,7 +84,10 @@ TEST(read_materials, of_an_empty_material_are_the_defaults_of_the_specification)
 TEST(read_materials, clamp_factors_and_say_so) {
   gltf::Material source;
   source.base_color = {2, 0, 0, 1};
-  source.metallic = -1, source.roughness = 1.5, source.occlusion_strength = 3, source.alpha_cutoff = -1;
+  source.metallic = -1;
+  source.roughness = 1.5;
+  source.occlusion_strength = 3;
+  source.alpha_cutoff = -1;
   source.emissive = {0, 0, 7};
   source.alpha_mode = "GLASS";
   const auto [m, warnings] = read_one(source);
@@ -185,7 +193,7 @@ TEST(read_materials, refuse_a_specular_glossiness_texture_that_is_not_there) {
           "extension-value at /materials/0/extensions/KHR_materials_pbrSpecularGlossiness/diffuseTexture/index"));
 }
 
-/// Forward: what a grey metallic-roughness surface is in the other form; the way back must find it again.
+/// A grey metallic-roughness surface in specular-glossiness form; converting it back must give the same surface.
 TEST(to_metallic_roughness, finds_grey_surfaces_again) {
   for (const double grey : {0.2, 0.5, 0.9})
     for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the JSON reader behind the importer does not do, or does wrong, and the importer therefore does itself.
+// Traps of glTF parsers: what common ones do not check, or do wrong, the importer does itself.
 #include <gtest/gtest.h>
 #include <malloc.h>
 

@@ -19,7 +19,7 @@ Json pointing_at(const std::string& text) {
   return {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", text}}}}}};
 }
 
-/// Something of every kind that a pointer can name.
+/// A file with one object of every kind that a pointer can name.
 TinyGltf everything() {
   TinyGltf file;
   Json& primitive = file.add_triangle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the sample models of the format exercise, one feature a file made here, read and evaluated.
+// The features of the glTF sample models: each test makes a file with one of them, imports and evaluates it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -74,7 +74,7 @@ TEST(sample_features, G24_indices_may_be_sparse) {
   EXPECT_EQ(first_primitive(file.import()).indices, (Indices{0, 1, 2}));
 }
 
-/// Replacements out of order and repeated, of vertices that the importer puts into another order.
+/// Sparse replacements out of order and repeated, for vertices that the importer reorders.
 TEST(sample_features, G24_G47_sparse_displacements_follow_their_vertices) {
   TinyGltf file;
   Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0},
@@ -220,7 +220,7 @@ TEST(sample_features, G17_colors_and_texture_coordinates_of_every_type_mean_the_
     }
 }
 
-/// One mesh, one skin and one accessor for everybody.
+/// Several nodes share one mesh, one skin and one accessor.
 TEST(sample_features, everything_may_be_used_by_several) {
   TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0},
@@ -319,8 +319,7 @@ TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_
     for (const bool with_uri : {true, false}) {
       SCOPED_TRACE(std::to_string(says_fallback) + std::to_string(with_uri));
       TinyGltf file;
-      // Two triangles' indices as a meshopt index sequence would need an encoder: an unknown stream shows which rule
-      // speaks first.
+      // A valid stream would need an encoder. An unknown stream shows which rule is reported first.
       const std::size_t view = file.add_view(std::vector<std::uint8_t>(16, 0));
       file.add_triangle();
       const Json whole = Json::parse(file.text());

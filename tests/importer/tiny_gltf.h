@@ -28,12 +28,12 @@ inline std::string base64(const std::vector<std::byte>& bytes) {
   return text;
 }
 
-/// A document in the making: JSON that tests may change at will, and one buffer that becomes a data URI.
+/// Builds a document: JSON that tests may change at will, and one buffer that becomes a data URI.
 class TinyGltf {
  public:
   Json root{{"asset", {{"version", "2.0"}}}};
 
-  /// Appends values as a view of their own and an accessor on it; the answer is the accessor's index.
+  /// Appends values as a new view with an accessor; returns the accessor's index.
   template <class T>
   std::size_t add(const std::vector<T>& values, const char* type, int component_type, std::size_t components,
                   bool normalized = false) {
@@ -59,7 +59,7 @@ class TinyGltf {
   std::size_t vec3(const std::vector<float>& v) { return add(v, "VEC3", 5126, 3); }
   std::size_t vec4(const std::vector<float>& v) { return add(v, "VEC4", 5126, 4); }
 
-  /// Key times, with the bounds that glTF asks for.
+  /// Key times with min and max, which glTF demands.
   std::size_t times(const std::vector<float>& v) {
     const std::size_t accessor = scalars(v);
     if (!v.empty()) root["accessors"][accessor]["min"] = {*std::min_element(v.begin(), v.end())};
@@ -114,7 +114,7 @@ inline std::string outcome(const ImportResult<ImportedFile>& result) {
   return result ? "ok" : result.error().issue.rule + " at " + result.error().issue.json_pointer;
 }
 
-/// Whether an import succeeded with this warning at this place.
+/// True when the import succeeded with this warning at this place.
 inline bool warns(const ImportResult<ImportedFile>& result, const std::string& rule, const std::string& json_pointer) {
   if (!result) return false;
   return std::any_of(result->warnings.begin(), result->warnings.end(), [&](const ImportIssue& issue) {

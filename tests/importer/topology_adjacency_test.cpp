@@ -65,7 +65,7 @@ TEST(adjacency, of_nothing_is_empty) {
   EXPECT_TRUE(make_adjacency({}, 5).source.empty());
 }
 
-/// Faces thrown together from few vertices: nearly every edge and vertex breaks the rules of a surface.
+/// Random faces over few vertices: nearly every edge and vertex is non-manifold.
 TEST(adjacency, of_random_triangle_soup_is_a_manifold_that_leads_back_to_its_source) {
   test::FixedRandom random(11);
   for (int round = 0; round < 400; ++round) {
@@ -109,7 +109,10 @@ TEST(adjacency, joins_every_edge_that_a_plain_search_finds_shared_by_two_opposit
       std::size_t same = 0, opposite = 0, face = 0;
       for (std::size_t d = 0; d < triangles.size(); ++d) {
         same += ends(d) == ends(c);
-        if (ends(d) == std::pair(ends(c).second, ends(c).first)) ++opposite, face = d / 3;
+        if (ends(d) == std::pair(ends(c).second, ends(c).first)) {
+          ++opposite;
+          face = d / 3;
+        }
       }
       if (same == 1 && opposite == 1) {
         ASSERT_EQ(result.neighbour[c], face);

@@ -41,7 +41,7 @@ Primitive tube(std::uint32_t columns, std::uint32_t rows, std::uint16_t joints, 
   return out;
 }
 
-/// A tube whose two weights change along its length only: every ring has one weight vector.
+/// A tube whose two weights change only along its length: all vertices of a ring have the same weights.
 Primitive two_bone_tube(std::uint32_t columns, std::uint32_t rows) {
   Primitive out = tube(columns, rows, 8, 1);
   out.influences = {};
@@ -55,7 +55,7 @@ Primitive two_bone_tube(std::uint32_t columns, std::uint32_t rows) {
   return out;
 }
 
-/// The equation of the header written out over all triangles and all joints.
+/// The equation in centers_of_rotation.h, computed directly over all triangles and all pairs of joints.
 std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_count, double sigma) {
   const std::size_t count = p.vertex_count();
   std::vector<std::vector<double>> w(count, std::vector<double>(joint_count, 0.0));
@@ -87,7 +87,7 @@ std::vector<glm::dvec3> by_definition(const Primitive& p, std::size_t joint_coun
   return centers;
 }
 
-/// Volume within the tube's side and the fans that close its ends.
+/// Volume of the tube, closed by a fan at each end.
 double volume_of(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions,
                  std::uint32_t columns) {
   const auto signed_volume = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -112,7 +112,8 @@ TEST(centers_of_rotation,
   const double rest = volume_of(p.indices, p.positions, kColumns);
   ASSERT_NEAR(rest, std::numbers::pi * 10.0, 0.5);
   test::SkinnedVertices s;
-  s.positions = p.positions, s.influences = p.influences;
+  s.positions = p.positions;
+  s.influences = p.influences;
   s.out_positions.resize(p.vertex_count());
   for (const double degrees : {45.0, 90.0, 120.0}) {
     const double half = degrees * std::numbers::pi / 360.0;
@@ -121,7 +122,8 @@ TEST(centers_of_rotation,
     const Affine up = affine_from(Mat3<float>(1), {0, 5, 0}), down = affine_from(Mat3<float>(1), {0, -5, 0});
     s.palette = {JointMatrix{}, joint_matrix_from(up * bend * down)};  // at the middle of the tube
     const auto share = [&](test::Way way) {
-      return skin(way, s, centers), volume_of(p.indices, s.out_positions, kColumns) / rest;
+      skin(way, s, centers);
+      return volume_of(p.indices, s.out_positions, kColumns) / rest;
     };
     const double linear = share(test::Way::linear), dual = share(test::Way::dual_quaternion),
                  center = share(test::Way::center_of_rotation);

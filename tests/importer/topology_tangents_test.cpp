@@ -70,7 +70,10 @@ TEST(make_tangents, are_shared_by_vertices_that_agree_in_position_normal_and_tex
   indexed.positions[2].z = 0.5f;  // bent along the diagonal, so that the two faces differ
   indexed.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
   Primitive loose = indexed;
-  loose.positions.clear(), loose.normals.clear(), loose.texcoords[0].clear(), loose.indices.clear();
+  loose.positions.clear();
+  loose.normals.clear();
+  loose.texcoords[0].clear();
+  loose.indices.clear();
   for (const std::uint32_t v : indexed.indices) {
     loose.indices.push_back(static_cast<std::uint32_t>(loose.positions.size()));
     loose.positions.push_back(indexed.positions[v]);
