@@ -46,7 +46,7 @@ void print_json(const std::string& file, const std::vector<ImportIssue>& issues,
                     {"message", issue.detail}});
   const nlohmann::ordered_json report = {
       {"file", file}, {"errors", errors}, {"warnings", issues.size() - errors}, {"issues", list}};
-  fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print("{}\n", json_text(report));
 }
 
 ExitCode check_file(const CheckOptions& options) {
@@ -71,8 +71,8 @@ void add_check(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       program.add_subcommand("check",
-                             "List the rules that a file breaks: rule, severity, place in the document, sentence.\n"
-                             "Exit status 1 when an error is among them; a file with warnings only can be loaded.");
+                             "List the rules that a file breaks: place in the document, rule, severity, sentence.\n"
+                             "Exit status 1 when one of them is an error; a file with only warnings can be loaded.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_flag("--json", options->json,
                     "Print JSON: {file, errors, warnings, issues: [{severity, rule, pointer, message}]}");

@@ -15,9 +15,8 @@ namespace sinew::tool {
 namespace {
 
 constexpr const char* kAbout =
-    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and "
-    "vertex\n"
-    "is at any time of their animations.\n\n"
+    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and\n"
+    "vertex is at any time of their animations.\n\n"
     "Examples:\n"
     "  sinew info fox.glb                                what is inside\n"
     "  sinew check fox.glb                               every rule that the file breaks\n"
@@ -25,9 +24,8 @@ constexpr const char* kAbout =
     "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
     "  sinew plan fox.glb                                which stages a frame runs, and why\n"
     "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
-    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with the fewest keys that keep every vertex that "
-    "near\n"
-    "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playing, rounded within the same bounds\n"
+    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with as few keys as keep every vertex within 0.1 mm\n"
+    "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playback, rounded within the same budget\n"
     "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
@@ -53,8 +51,7 @@ ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, con
     program.exit(help_or_version);
     return ExitCode::done;
   } catch (const CLI::ParseError& error) {
-    say_error(usage_message(program, error));
-    return ExitCode::wrong_usage;
+    return fail_with(ExitCode::wrong_usage, usage_message(program, error));
   } catch (const std::bad_alloc&) {
     say_error("not enough memory");
   } catch (const std::exception& error) {
@@ -84,8 +81,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
 #endif
   const ExitCode code = parse_and_run(program, outcome, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  say_error("stdout cannot be written");
-  return ExitCode::machine_lacks;
+  return fail_with(ExitCode::machine_lacks, "stdout cannot be written");
 }
 
 }  // namespace sinew::tool

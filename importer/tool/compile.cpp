@@ -37,7 +37,7 @@ std::vector<Clip> compile_clips(const Scene& scene, double budget_m) {
 
 ExitCode compile_file(const CompileOptions& options) {
   const auto budget_m = parse_length(options.budget);
-  if (!budget_m) return say_error("--budget: " + budget_m.error()), ExitCode::wrong_usage;
+  if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
   std::error_code error;
   if (std::filesystem::equivalent(options.in, options.out, error))
     return say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out)),
@@ -51,7 +51,7 @@ ExitCode compile_file(const CompileOptions& options) {
   for (const Clip& clip : clips) saved.push_back(&clip);
   const std::vector<std::byte> bytes = save_clips(saved);
   if (const auto fault = write::replace_file(options.out, bytes))
-    return say_issue(options.out, {Severity::error, "write-file", "", *fault}), ExitCode::machine_lacks;
+    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
   fmt::print("{}{}: {}, {}\n", certificate_table(clips, file->scene.skeleton.names), options.out,
              counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
@@ -63,11 +63,10 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CompileOptions>();
   CLI::App* command = program.add_subcommand(
       "compile",
-      "Compile the clips of a file for playing, as small as a budget allows: no vertex of the model is ever farther "
-      "off than\n"
-      "that from where the file has it. Prints what was measured of each clip, which is also stored in it; `sinew info "
-      "OUT`\n"
-      "shows it again. OUT belongs to the skeleton of FILE and is read by load_clips (runtime/clip/clip_file.h).");
+      "Compile the clips of a file for playback, as small as a budget allows: at no time is a vertex farther than the\n"
+      "budget from where the file puts it. Prints what was measured of each clip; OUT stores that as well, and\n"
+      "`sinew info OUT` shows it again. OUT belongs to the skeleton of FILE; load_clips (runtime/clip/clip_file.h)\n"
+      "reads it.");
   command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
   command->add_option("-o,--output", options->out, "The file to write")->required();
   command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")

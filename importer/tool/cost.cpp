@@ -67,8 +67,7 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   report.subject = subject;
   report.command = command_of(options);
   if (const auto failed = cost::write_report(report, options.folder)) {
-    say_error(fmt::format("{}: {}", options.folder, *failed));
-    return ExitCode::machine_lacks;
+    return fail_with(ExitCode::machine_lacks, fmt::format("{}: {}", options.folder, *failed));
   }
   for (const cost::Group& group : report.groups)
     fmt::print("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
@@ -77,7 +76,7 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
 }
 
 ExitCode report_on_showcase(const CostOptions& options) {
-  if (options.clip) return say_error("--clip: names a clip of FILE, and there is no FILE"), ExitCode::wrong_usage;
+  if (options.clip) return fail_with(ExitCode::wrong_usage, "--clip: names a clip of FILE, and there is no FILE");
   const auto arms = showcase::twisted_arms(), face = showcase::morphed_face();
   return report_on({&arms.scene, &arms.scene, &face.scene}, std::nullopt,
                    "the built-in showcase: twisted arms and a morphed face", options);
@@ -85,7 +84,7 @@ ExitCode report_on_showcase(const CostOptions& options) {
 
 ExitCode report_cost(const CostOptions& options) {
   if (const std::string why = cost::objection_to(options.folder); !why.empty())
-    return say_error(fmt::format("{}: {}", options.folder, why)), ExitCode::wrong_usage;
+    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
   if (options.file.empty()) return report_on_showcase(options);
   ImportOptions import;
   import.decode_images = false;
@@ -94,7 +93,7 @@ ExitCode report_cost(const CostOptions& options) {
   std::optional<std::uint32_t> clip;
   if (options.clip) {
     const auto chosen = choose_clips(file->scene, options.clip);
-    if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
+    if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
     clip = chosen->front();
   }
   return report_on({&file->scene, &file->scene, &file->scene}, clip, description_of(options.file, file->scene),
@@ -109,13 +108,14 @@ void add_cost(CLI::App& program, ExitCode& outcome) {
       "cost",
       "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, "
       "to\n"
-      "calculate and to darken corners, each with its error against double precision (or rays) and its time on this "
-      "machine. DIR\n"
-      "gets report.html (open it in a browser), report.json and report.csv, and appears complete or not at all.");
+      "calculate, and to compute ambient occlusion. Each has its error against double precision (or rays) and its "
+      "time\n"
+      "on this machine. DIR gets report.html (open it in a browser), report.json and report.csv, and appears complete\n"
+      "or not at all.");
   command->add_option("FILE", options->file, "A .gltf or .glb file; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
   command->add_option("--clip", options->clip,
-                      "Index or name of the clip to look at, or none; the one that moves most joints is the default");
+                      "Index or name of the clip to look at, or none (default: the clip that moves most joints)");
   command->add_flag("--quick", options->quick, "A first impression within seconds, with more noise");
   command->callback([options, &outcome] { outcome = report_cost(*options); });
 }

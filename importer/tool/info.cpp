@@ -1,18 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "importer/tool/info_clips.h"
+#include "importer/tool/certificate_table.h"
 #include "importer/tool/info_json.h"
 #include "importer/tool/info_text.h"
 #include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "runtime/clip/clip_file.h"
 
 namespace sinew::tool {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The whole file, or only its head where that shows that it holds something else.
+std::vector<std::byte> read_clips(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<char> bytes(kClipFileHead);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  const auto in_bytes = [&] { return std::as_bytes(std::span(bytes)); };
+  if (looks_like_clips(in_bytes())) bytes.insert(bytes.end(), std::istreambuf_iterator<char>(stream), {});
+  return {in_bytes().begin(), in_bytes().end()};
+}
+
+Json json_of(const Clip& clip) {
+  Json out{{"name", clip.name()},
+           {"duration_s", clip.duration_s()},
+           {"joints", clip.joint_count()},
+           {"weights", clip.weight_count()},
+           {"properties", clip.property_count()},
+           {"bytes", clip.byte_size()},
+           {"certificate", nullptr}};
+  if (const auto& c = clip.certificate())
+    out["certificate"] = {{"asked_m", c->asked_m},
+                          {"measured_m", c->measured_m},
+                          {"weights_m", c->weights_m},
+                          {"is_met", c->is_met()},
+                          {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)},
+                          {"worst_time_s", c->worst_time_s},
+                          {"times_checked", c->times_checked},
+                          {"source_keys", c->source_keys},
+                          {"kept_keys", c->kept_keys},
+                          {"source_bytes", c->source_bytes},
+                          {"bytes", c->bytes},
+                          {"bytes_per_joint_second", c->bytes_per_joint_second(clip.duration_s())}};
+  return out;
+}
+
+/// Prints what a file of compiled clips holds; nothing when the file is none.
+std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
+  const std::vector<std::byte> bytes = read_clips(file);
+  if (!looks_like_clips(bytes)) return std::nullopt;
+  const auto clips = load_clips(bytes);
+  if (!clips) {
+    return fail_with(ExitCode::input_at_fault, fmt::format("{}: byte {}: {}: {}", file, clips.error().offset,
+                                                           clips.error().rule, clips.error().detail));
+  }
+  if (json) {
+    Json out{{"file", file}, {"version", kClipFileVersion}, {"bytes", bytes.size()}, {"compiled_clips", Json::array()}};
+    for (const Clip& clip : *clips) out["compiled_clips"].push_back(json_of(clip));
+    fmt::print("{}\n", json_text(out));
+    return ExitCode::done;
+  }
+  fmt::print("{}\ncompiled clips, version {}: {} in {} bytes\n{}", file, kClipFileVersion, clips->size(), bytes.size(),
+             certificate_table(*clips, {}));
+  return ExitCode::done;
+}
 
 struct InfoOptions {
   std::string file;
@@ -28,7 +94,7 @@ ExitCode tell_about(const InfoOptions& options) {
   if (!file) return ExitCode::input_at_fault;
   const nlohmann::ordered_json info = info_json(options.file, *file);
   if (options.json)
-    fmt::print("{}\n", info.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", json_text(info));
   else
     fmt::print("{}", info_text(info));
   return ExitCode::done;
@@ -40,7 +106,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand(
       "info",
-      "Tell what is inside: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
+      "Show what a file holds: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
   command->add_option("FILE", options->file, "A .gltf or .glb file, or compiled clips")->required();
   command->add_flag("--json", options->json, "Print the same as JSON");
   command->callback([options, &outcome] { outcome = tell_about(*options); });

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 
 namespace sinew::tool {
@@ -18,9 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string text_of(const Json& value) { return value.get<std::string>(); }
-
-/// A name of the file, with quotes and control characters escaped: terminals obey what they are shown.
-std::string quoted(const Json& name) { return name.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// "a: 1, b: 2" for an object with numbers.
 std::string pairs(const Json& object, const char* separator) {
@@ -33,7 +31,7 @@ std::string pairs(const Json& object, const char* separator) {
 /// The names of an array in quotes: "a", "b".
 std::string names(const Json& list) {
   std::string out;
-  for (const Json& name : list) out += (out.empty() ? "" : ", ") + quoted(name);
+  for (const Json& name : list) out += (out.empty() ? "" : ", ") + quoted(text_of(name));
   return out;
 }
 
@@ -104,8 +102,9 @@ class InfoText {
     columns.insert(columns.begin(), {"#", "name"});
     TextTable table(std::move(columns));
     for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string name = text_of(list[i]["name"]);
       std::vector<std::string> row = cells(list[i]);
-      row.insert(row.begin(), {std::to_string(i), text_of(list[i]["name"]).empty() ? "" : quoted(list[i]["name"])});
+      row.insert(row.begin(), {std::to_string(i), name.empty() ? "" : quoted(name)});
       table.add(std::move(row));
     }
     text_ += table.text();

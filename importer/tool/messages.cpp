@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace sinew::tool {
 
@@ -16,6 +17,24 @@ std::string counted(std::size_t count, std::string_view thing) {
 void say_issue(std::string_view file, const ImportIssue& issue) {
   fmt::print(stderr, "sinew: {}: {}{}{}: {}{}\n", file, issue.json_pointer, issue.json_pointer.empty() ? "" : ": ",
              issue.rule, issue.severity == Severity::warning ? "warning: " : "", issue.detail);
+}
+
+ExitCode fail_with(ExitCode code, std::string_view text) {
+  say_error(text);
+  return code;
+}
+
+ExitCode fail_with(ExitCode code, std::string_view file, const ImportIssue& issue) {
+  say_issue(file, issue);
+  return code;
+}
+
+std::string quoted(std::string_view name) {
+  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_text(const nlohmann::ordered_json& result) {
+  return result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace sinew::tool

@@ -4,7 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "importer/import_error.h"
+#include "importer/tool/exit_code.h"
 
 namespace sinew::tool {
 
@@ -17,5 +20,15 @@ std::string counted(std::size_t count, std::string_view thing);
 /// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left
 /// out when the whole file is meant.
 void say_issue(std::string_view file, const ImportIssue& issue);
+
+/// Prints the message and returns `code`, for a command that ends here.
+ExitCode fail_with(ExitCode code, std::string_view text);
+ExitCode fail_with(ExitCode code, std::string_view file, const ImportIssue& issue);
+
+/// A name from a file in quotes, with quotes and control characters escaped: terminals obey what they are shown.
+std::string quoted(std::string_view name);
+
+/// A result as indented JSON. Bytes of a file that are not UTF-8 are replaced.
+std::string json_text(const nlohmann::ordered_json& result);
 
 }  // namespace sinew::tool

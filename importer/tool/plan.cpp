@@ -129,7 +129,7 @@ void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const 
   nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes()}};
   if (left_out) report["left_out_joints"] = left_out_json(plan.scene(), left_out->within, left_out->asked_m);
   if (work) report["work"] = work_json(*work);
-  fmt::print("{}\n", report.dump(2));
+  fmt::print("{}\n", json_text(report));
 }
 
 void print_text(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
@@ -150,36 +150,34 @@ void print_text(const Plan& plan, const std::optional<LeftOut>& left_out, const 
 ExitCode plan_file(const PlanOptions& options) {
   ImportOptions import;
   import.decode_images = false;
-  import.make_centers_of_rotation = std::any_of(options.skinning.begin(), options.skinning.end(), [](const std::string& method) {
-    return kSkinningNames.at(method) == Skinning::center_of_rotation;
-});
-const auto file = load_file(options.file, import);
-if (!file) return ExitCode::input_at_fault;
-const auto chosen = choose_clips(file->scene, options.clip);
-if (!chosen) return say_error(chosen.error()), ExitCode::wrong_usage;
+  for (const std::string& method : options.skinning)
+    if (kSkinningNames.at(method) == Skinning::center_of_rotation) import.make_centers_of_rotation = true;
+  const auto file = load_file(options.file, import);
+  if (!file) return ExitCode::input_at_fault;
+  const auto chosen = choose_clips(file->scene, options.clip);
+  if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
 
-auto needs = needs_from(options, file->scene);
-if (!needs) {
-  say_error(fmt::format("--skinning: {} methods for {} mesh instances", options.skinning.size(),
-                        file->scene.instances.size()));
-  return ExitCode::wrong_usage;
+  auto needs = needs_from(options, file->scene);
+  if (!needs) {
+    return fail_with(ExitCode::wrong_usage, fmt::format("--skinning: {} methods for {} mesh instances",
+                                                        options.skinning.size(), file->scene.instances.size()));
+  }
+  const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
+  if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
+  if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
+  const Plan plan = compile_plan(file->scene, *needs);
+  std::optional<WorkCounters> work;
+  if (options.clip) {
+    const auto counted = work_of_one_frame(plan, chosen->front());
+    if (!counted)
+      return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(counted.error())));
+    work = *counted;
+  }
+  options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
+  return ExitCode::done;
 }
-const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
-if (!left_out) return say_error(left_out.error()), ExitCode::wrong_usage;
-if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
-const Plan plan = compile_plan(file->scene, *needs);
-std::optional<WorkCounters> work;
-if (options.clip) {
-  const auto counted = work_of_one_frame(plan, chosen->front());
-  if (!counted)
-    return say_error(fmt::format("{}: {}", options.file, describe(counted.error()))), ExitCode::input_at_fault;
-  work = *counted;
-}
-options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
-return ExitCode::done;
+
 }  // namespace
-
-}  // namespace sinew::tool
 
 void add_plan(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<PlanOptions>();

@@ -31,7 +31,7 @@ class PoseReader {
 
   PoseFile file(const json& document) {
     PoseFile out;
-    if (!document.is_object()) return complain("", "a pose file is an object"), out;
+    if (!document.is_object()) return failed<PoseFile>("", "a pose file is an object");
     if (document.contains("extent")) out.extent = number(document["extent"], "/extent");
     each(document, "", "clips",
          [&](const json& clip, const std::string& at) { out.clips.push_back(clip_poses(clip, at)); });
@@ -41,6 +41,12 @@ class PoseReader {
  private:
   void complain(const std::string& at, std::string detail) {
     if (!issue) issue = {Severity::error, "pose-format", at, std::move(detail)};
+  }
+
+  template <class T>
+  T failed(const std::string& at, std::string detail) {
+    complain(at, std::move(detail));
+    return {};
   }
 
   /// Calls `read(element, pointer)` for each element of the array `object[key]`, which must be there.
@@ -56,7 +62,7 @@ class PoseReader {
   double number(const json& value, const std::string& at) {
     constexpr double kLargest = std::numeric_limits<float>::max();
     if (value.is_number() && std::abs(value.get<double>()) <= kLargest) return value.get<double>();
-    return complain(at, "is not a finite number of single precision"), 0.0;
+    return failed<double>(at, "is not a finite number of single precision");
   }
 
   /// Values of a pose were floats when they were written and become floats again, so that an unchanged pose compares
@@ -67,17 +73,20 @@ class PoseReader {
 
   std::uint32_t index(const json& object, const std::string& at, const char* key) {
     if (object.is_object() && object.contains(key)) return index(object[key], at + "/" + key);
-    return complain(at + "/" + key, "an index is missing here"), 0;
+    return failed<std::uint32_t>(at + "/" + key, "an index is missing here");
   }
 
   std::uint32_t index(const json& value, const std::string& at) {
     if (value.is_number_unsigned() && value.get<std::uint64_t>() < kNone) return value.get<std::uint32_t>();
-    return complain(at, "is not an index"), 0;
+    return failed<std::uint32_t>(at, "is not an index");
   }
 
   /// Appends a vector of `width` numbers, or as many NaNs for null.
   void vector(const json& value, const std::string& at, std::size_t width, std::vector<double>& out) {
-    if (value.is_null()) return out.insert(out.end(), width, std::numeric_limits<double>::quiet_NaN()), void();
+    if (value.is_null()) {
+      out.insert(out.end(), width, std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
     if (!value.is_array() || value.size() != width)
       return complain(at, fmt::format("is not a vector of {} numbers", width));
     for (const json& component : value) out.push_back(rounded(component, at));
@@ -86,7 +95,7 @@ class PoseReader {
   ClipPoses clip_poses(const json& clip, const std::string& at) {
     ClipPoses out;
     if (!clip.is_object() || !clip.contains("clip"))
-      return complain(at + "/clip", "an index or null is missing here"), out;
+      return failed<ClipPoses>(at + "/clip", "an index or null is missing here");
     if (!clip["clip"].is_null()) out.clip = index(clip, at, "clip");
     each(clip, at, "samples",
          [&](const json& sample, const std::string& s) { out.samples.push_back(pose(sample, s)); });
@@ -95,7 +104,7 @@ class PoseReader {
 
   Pose pose(const json& sample, const std::string& at) {
     Pose out;
-    if (!sample.is_object() || !sample.contains("time")) return complain(at + "/time", "a time is missing here"), out;
+    if (!sample.is_object() || !sample.contains("time")) return failed<Pose>(at + "/time", "a time is missing here");
     out.time_s = number(sample["time"], at + "/time");
     if (sample.contains("nonUnit")) out.non_unit = number(sample["nonUnit"], at + "/nonUnit");
     if (out.non_unit < 0.0) complain(at + "/nonUnit", "is negative");
@@ -134,7 +143,7 @@ class PoseReader {
     out.node = index(node, at, "node");
     std::vector<double> world;
     each(node, at, "world", [&](const json& value, const std::string& v) { world.push_back(rounded(value, v)); });
-    if (world.size() != out.world.size()) return complain(at + "/world", "is not a matrix of 16 numbers"), out;
+    if (world.size() != out.world.size()) return failed<NodeWorld>(at + "/world", "is not a matrix of 16 numbers");
     std::copy(world.begin(), world.end(), out.world.begin());
     return out;
   }

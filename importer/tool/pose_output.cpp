@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "importer/tool/messages.h"
+
 namespace sinew::tool {
 namespace {
 
@@ -19,10 +21,6 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes handed to zlib at
 template <class... Args>
 void put(Text& text, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-}
-
-std::string quoted(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 /// Nine digits reproduce every float exactly. JSON has no NaN or infinity: a vector that holds one is written as null.

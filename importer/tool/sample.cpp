@@ -81,7 +81,7 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
   errno = 0;
   PoseOutput out(options.output);
   if (!out.opened())
-    return say_error(fmt::format("{}: {}", options.output, std::strerror(errno))), ExitCode::wrong_usage;
+    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.output, std::strerror(errno)));
   ProgressLine progress;
   out.begin(options.file, size_m);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -91,7 +91,7 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
       const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
       progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
       if (const ErrorCode code = sampler.run(clip, times_s[k]); code != ErrorCode::ok)
-        return say_error(fmt::format("{}: {}", options.file, describe(code))), ExitCode::input_at_fault;
+        return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
       out.begin_sample(sampler.pose());
       for (std::size_t p = 0; p < sampler.primitive_count(); ++p) out.add(sampler.primitive(p));
       out.end_sample();
@@ -100,15 +100,15 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
   }
   progress.wipe();
   if (out.end()) return ExitCode::done;
-  say_error(fmt::format("{}: cannot be written to the end", options.output.empty() ? "stdout" : options.output));
-  return ExitCode::machine_lacks;
+  return fail_with(ExitCode::machine_lacks,
+                   fmt::format("{}: cannot be written to the end", options.output.empty() ? "stdout" : options.output));
 }
 
 ExitCode sample_file(const SampleOptions& options) {
   const auto limit = vertex_limit(options.vertices);
-  if (!limit) return say_error(limit.error()), ExitCode::wrong_usage;
+  if (!limit) return fail_with(ExitCode::wrong_usage, limit.error());
   if (options.times)
-    if (const auto times = parse_times(*options.times); !times) return say_error(times.error()), ExitCode::wrong_usage;
+    if (const auto times = parse_times(*options.times); !times) return fail_with(ExitCode::wrong_usage, times.error());
 
   ImportOptions import;
   import.decode_images = false;
@@ -119,7 +119,7 @@ ExitCode sample_file(const SampleOptions& options) {
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto tasks = tasks_for(file->scene, options);
-  if (!tasks) return say_error(tasks.error()), ExitCode::wrong_usage;
+  if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());
   return write_poses(file->scene, *tasks, options, content);
 }
 
@@ -129,7 +129,7 @@ void add_sample(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<SampleOptions>();
   CLI::App* command = program.add_subcommand(
       "sample",
-      "Write where nodes and vertices are: world matrices, morph weights, deformed vertices, as JSON.\n"
+      "Write poses as JSON: world matrices of nodes, morph weights, deformed vertices.\n"
       "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last\n"
       "key, and some keys and middles between them.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();

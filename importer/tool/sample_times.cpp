@@ -14,7 +14,11 @@ namespace {
 std::vector<float> all_key_times(const Animation& animation) {
   std::vector<float> times;
   const auto add = [&](const auto& track) { times.insert(times.end(), track.times_s.begin(), track.times_s.end()); };
-  for (const BoneAnimation& bone : animation.bones) add(bone.translation), add(bone.rotation), add(bone.scale);
+  for (const BoneAnimation& bone : animation.bones) {
+    add(bone.translation);
+    add(bone.rotation);
+    add(bone.scale);
+  }
   for (const WeightAnimation& morph : animation.weights) add(morph.weights);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -87,10 +87,10 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
 
 ExitCode verify_file(const VerifyOptions& options) {
   const auto golden = read_poses(options.golden);
-  if (!golden) return say_issue(options.golden, golden.error()), ExitCode::input_at_fault;
+  if (!golden) return fail_with(ExitCode::input_at_fault, options.golden, golden.error());
   if (options.exact && !holds_bits(*golden, "pose")) {
-    say_issue(options.golden, {Severity::error, "pose-format", "/clips", "holds no bits: sample the file again"});
-    return ExitCode::input_at_fault;
+    return fail_with(ExitCode::input_at_fault, options.golden,
+                     {Severity::error, "pose-format", "/clips", "holds no bits: sample the file again"});
   }
   ImportOptions import;
   import.decode_images = false;
@@ -105,15 +105,14 @@ ExitCode verify_file(const VerifyOptions& options) {
   tolerance.model_size_m = golden->extent ? *golden->extent : model_size_m(file->scene);
   PoseComparison comparison(tolerance, kWorstShown);
   if (const auto done = compare_all(file->scene, *golden, options.exact, comparison); !done)
-    return say_error(fmt::format("{}: {}", options.file, describe(done.error()))), ExitCode::input_at_fault;
+    return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(done.error())));
   print_outcome(comparison, options);
   if (comparison.compared() == 0) {
-    say_issue(options.golden, {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
-    return ExitCode::input_at_fault;
+    return fail_with(ExitCode::input_at_fault, options.golden,
+                     {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
   }
   if (comparison.failed() == 0) return ExitCode::done;
-  say_error(fmt::format("{}: poses differ from {}", options.file, options.golden));
-  return ExitCode::input_at_fault;
+  return fail_with(ExitCode::input_at_fault, fmt::format("{}: poses differ from {}", options.file, options.golden));
 }
 
 }  // namespace
@@ -123,12 +122,13 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "verify",
       "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
-      "Exit status 0 when every pose still matches; else 1, and the worst differences are named.");
+      "Exit status 0 when every pose still matches; else 1, and the worst differences are listed.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz")->required();
-  command->add_flag("--exact", options->exact,
-                    "Every bit of all joints, weights and vertices as well, listed or not. Holds for any thread count\n"
-                    "and between machines with fused multiply-add (AVX2 and later, ARM)");
+  command->add_flag(
+      "--exact", options->exact,
+      "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread count\n"
+      "and between machines with fused multiply-add (AVX2 and later, ARM)");
   command
       ->add_option("--tolerance", options->tolerance_m,
                    "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")

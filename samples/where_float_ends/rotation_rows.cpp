@@ -50,8 +50,8 @@ Row between_keys(const char* name, Kernel kernel, double apart, double bound) {
 void add_interpolation(Rows& rows) {
   const auto slerp = [](auto q, auto r, float t) { return slerp_short_arc(q, r, t); };
   const auto nlerp = [](auto q, auto r, float t) { return nlerp_short_arc(q, r, t); };
-  const auto corrected = [](auto q, auto r, float t) { return corrected_nlerp(q, r, t); };
-  const auto polynomial = [](auto q, auto r, float t) { return polynomial_slerp(q, r, t); };
+  const auto corrected = [](auto q, auto r, float t) { return cost::corrected_nlerp(q, r, t); };
+  const auto polynomial = [](auto q, auto r, float t) { return cost::polynomial_slerp(q, r, t); };
   for (const double apart : {0.0001, 1.0, 90.0, 179.0, 179.999})
     rows.push_back(between_keys("slerp", slerp, apart, 4e-7));
   rows.push_back(between_keys("nlerp for slerp", nlerp, 5, 3e-6));

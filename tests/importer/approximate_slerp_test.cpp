@@ -4,7 +4,7 @@
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
-namespace sinew {
+namespace sinew::cost {
 namespace {
 
 using test::FixedRandom;
@@ -77,4 +77,4 @@ TEST(approximate_slerp, G06_keys_come_back_bit_for_bit) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::cost

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What `sinew cost` measures with: kernels of its own, the probe at the skin, the limb, and the arithmetic of medians
-// and fronts.
+// The parts that `sinew cost` measures with: its own kernels, the probe at the skin, the limb, medians and Pareto
+// fronts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +11,6 @@
 #include "importer/tool/cost/instruction_sets.h"
 #include "importer/tool/cost/limb.h"
 #include "importer/tool/cost/measure.h"
-#include "importer/tool/cost/pareto_front.h"
-#include "importer/tool/cost/plain_skinning.h"
 #include "importer/tool/cost/rotation_lanes.h"
 #include "importer/tool/cost/rotation_tracks.h"
 #include "importer/tool/cost/skin_probe.h"
@@ -32,7 +30,7 @@ using testing::ElementsAre;
 
 constexpr std::uint32_t kJoints = 37;  // no multiple of any vector's length
 
-/// Every joint turns through four keys, neighbours up to 170 degrees apart and on either half sphere.
+/// Every joint turns through four keys, neighbours up to 170 degrees apart in either hemisphere.
 Animation turning(std::uint64_t seed) {
   FixedRandom random(seed);
   Animation out;
@@ -59,9 +57,10 @@ TEST(cost_rotation_lanes, agree_with_their_definitions_in_double_on_every_instru
   const Skeleton skeleton = chain_skeleton(kJoints);
   const Clip clip = compile_clip(animation, skeleton, {}, {}, {});
   using Definition = Quat<double> (*)(const Quat<double>&, const Quat<double>&, double);
-  const std::pair<cost::ArcRule, Definition> rules[] = {{cost::ArcRule::nlerp, nlerp_short_arc<double>},
-                                                        {cost::ArcRule::corrected_nlerp, corrected_nlerp<double>},
-                                                        {cost::ArcRule::polynomial_slerp, polynomial_slerp<double>}};
+  const std::pair<cost::ArcRule, Definition> rules[] = {
+      {cost::ArcRule::nlerp, nlerp_short_arc<double>},
+      {cost::ArcRule::corrected_nlerp, cost::corrected_nlerp<double>},
+      {cost::ArcRule::polynomial_slerp, cost::polynomial_slerp<double>}};
   PoseMemory memory(kJoints);
   for (const cost::InstructionSet& set : cost::instruction_sets()) {
     cost::allow_only(set);
@@ -197,7 +196,8 @@ TEST(cost_influences, whole_weights_have_sum_one_and_the_heaviest_takes_what_is_
 
 cost::Point point(double error, double time_ns) {
   cost::Point p;
-  p.error = error, p.time_ns = time_ns;
+  p.error = error;
+  p.time_ns = time_ns;
   return p;
 }
 
@@ -234,7 +234,8 @@ TEST(cost_pareto_front, weighs_sizes_where_a_group_is_about_them) {
   cost::Group group;
   group.size_unit = "bytes";
   group.points = {point(1.0, 9.0), point(1.0, 1.0)};
-  group.points[0].size = 10.0, group.points[1].size = 20.0;
+  group.points[0].size = 10.0;
+  group.points[1].size = 20.0;
   EXPECT_THAT(front_of(group), ElementsAre(true, false));
 }
 

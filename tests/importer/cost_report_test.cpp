@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sinew cost` as people and programs meet it: errors of known size, the files it writes, and what it refuses.
+// `sinew cost` from outside: errors of known size, the files that it writes, and what it refuses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -86,7 +86,8 @@ TEST(cost_studies, clips_within_a_budget_keep_it_and_are_smaller) {
   Scene arm = arm_scene();
   QuatTrack& track = arm.animations[0].bones[0].rotation;
   const QuatTrack ends = track;
-  track.times_s.clear(), track.values.clear();
+  track.times_s.clear();
+  track.values.clear();
   for (int k = 0; k <= 100; ++k) {  // keys that a slerp between the ends brings back
     track.times_s.push_back(static_cast<float>(k) / 100.0f);
     track.values.push_back(
@@ -188,7 +189,7 @@ TEST(cost_studies, normals_not_made_unit_again_count_as_wrong) {
   face.animations[0].weights[0].weights.values = {1.0f, 0.0f, 1.0f, 0.0f};  // "lift" leans a normal by its own length
   const cost::Study study = cost::study_morphing(cost::Subject(face, 0, cost::Effort::quick()));
   EXPECT_LT(point_named(study.group, "active targets").error, 1e-4);
-  // length sqrt(2) in place of 1: the angle whose chord that is
+  // a normal of length sqrt(2) instead of 1 counts as the angle of that chord
   EXPECT_NEAR(point_named(study.group, "normals as summed").error,
               2.0 * 57.29578 * std::asin(0.5 * (std::sqrt(2.0) - 1.0)), 1e-3);
 }
@@ -205,7 +206,7 @@ TEST(cost_studies, say_why_they_have_nothing_to_say) {
   EXPECT_FALSE(cost::study_arithmetic(subject).group.points.empty()) << "skins a limb of its own";
 }
 
-/// An answer of the measuring program: the error falls until 14 samples, the time rises.
+/// Output of the measuring program: the error falls up to 14 samples, the time rises.
 std::string occlusion_answer() {
   Json trials = Json::array();
   const auto add = [&](const char* name, int samples, bool full, bool blur, double error, double ms) {
@@ -220,7 +221,8 @@ std::string occlusion_answer() {
   };
   add("4 samples", 4, false, true, 0.08, 1.0), add("14 samples", 14, false, true, 0.05, 2.0),
       add("64 samples", 64, false, true, 0.049, 6.0);
-  add("14 full size", 14, true, true, 0.048, 8.0), add("14 no blur", 14, false, false, 0.07, 1.2);
+  add("14 full size", 14, true, true, 0.048, 8.0);
+  add("14 no blur", 14, false, false, 0.07, 1.2);
   return Json{{"device", "a device"}, {"width", 100},         {"height", 50},    {"pixels", 3000},
               {"radius_m", 0.5},      {"error_without", 0.2}, {"trials", trials}}
       .dump();
@@ -273,7 +275,9 @@ cost::Report small_report() {
   group.name = "rotation", group.title = "Rotation", group.question = "Which?", group.error_unit = "mm",
   group.item = "joint";
   cost::Point point;
-  point.name = "slow, but \"exact\"", point.error = std::numeric_limits<double>::infinity(), point.time_ns = 2.5;
+  point.name = "slow, but \"exact\"";
+  point.error = std::numeric_limits<double>::infinity();
+  point.time_ns = 2.5;
   point.values = {{"angle", 0.5, "rad"}};
   group.points = {point, point};
   report.groups = {group};
@@ -300,7 +304,7 @@ TEST(cost_report, csv_quotes_what_has_commas) {
   EXPECT_THAT(cost::report_csv(small_report()), HasSubstr("rotation,\"slow, but \"\"exact\"\"\",inf,mm,2.5,ns/joint,"));
 }
 
-/// Runs the command once for all that is asked of its outcome.
+/// Runs the command once; all tests look at its outcome.
 class CostCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -4,7 +4,7 @@
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
-namespace sinew {
+namespace sinew::cost {
 namespace {
 
 using test::FixedRandom;
@@ -40,4 +40,4 @@ TEST(incremental_slerp, tiny_arcs_are_not_lost) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::cost

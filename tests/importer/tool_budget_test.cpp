@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips within budgets as a person asks for them.
+// Clips within the budgets that users give on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person may ask for: clips, times, vertices.
+// Options of the command line that choose clips, times and vertices.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

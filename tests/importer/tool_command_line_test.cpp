@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line as other programs meet it: exit status, stdout, stderr.
+// The command line from outside: exit status, stdout, stderr.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

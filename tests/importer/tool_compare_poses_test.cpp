@@ -73,7 +73,11 @@ TEST(compare_poses, what_is_missing_fails_and_what_is_more_does_not) {
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives.clear(); }).failed(), 5u);
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].vertices[1] = 8; }).failed(), 2u);
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::dqs)[0] = NAN; }).failed(), 1u);
-  EXPECT_EQ(after([](Pose& golden, Pose&) { golden.primitives.clear(), golden.nodes.clear(); }).failed(), 0u);
+  EXPECT_EQ(after([](Pose& golden, Pose&) {
+              golden.primitives.clear();
+              golden.nodes.clear();
+            }).failed(),
+            0u);
 }
 
 TEST(compare_poses, rotations_that_are_not_unit_in_the_golden_sample_widen_the_tolerance) {

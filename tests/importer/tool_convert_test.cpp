@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sinew convert` as other programs meet it, and what an independent validator says of the files it writes.
+// `sinew convert` from outside, and an independent validator on the files that it writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,7 +107,7 @@ if (process.argv.length > 2) (async () => {
 constexpr const char* kNoValidator =
     "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
 
-/// Errors of each file as the validator tells them; nothing where there is no validator.
+/// Errors that the validator finds in each file; nothing where the validator is not installed.
 std::optional<nlohmann::json> errors_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files) {
   const std::string script = folder.beside("validate.js"), report = folder.beside("report.json");
   std::ofstream(script) << kScript;
@@ -139,7 +139,7 @@ bool has_code(const nlohmann::json& errors, const nlohmann::json& code) {
   return std::any_of(errors.begin(), errors.end(), [&](const auto& error) { return error[0] == code; });
 }
 
-/// Errors that lie in the model itself (such as joints without a common root) are the model's to keep.
+/// Errors of the model itself (such as joints without a common root) remain after conversion.
 TEST(convert_corpus, an_independent_validator_finds_no_new_error_in_what_is_written) {
   if (!corpus()) GTEST_SKIP() << kNoCorpus;
   const ToolModelFile folder;

@@ -54,7 +54,7 @@ class Buffer {
     bytes_.resize((bytes_.size() + 3) / 4 * 4);
     return count_++;
   }
-  /// min and max, which positions and key times must have.
+  /// Writes min and max, which glTF demands for positions and key times.
   static std::string bounds(const std::string& type, int component, const std::string& bytes) {
     if (component != 5126 || (type != "VEC3" && type != "SCALAR")) return "";
     const std::size_t width = type == "VEC3" ? 3 : 1;

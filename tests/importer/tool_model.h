@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// A glTF file, made in memory, with something of everything that a pose holds:
+/// A glTF file, made in memory, with every kind of content that a pose holds:
 /// - node 0 "strip": a skinned mesh of four vertices, normals included, skin of the joints 1 and 2;
 /// - node 1 "root" -> node 2 "tip", one metre above it; clip 0 "bend" turns the tip about z by 90 degrees within 1 s;
 /// - node 3 "face", two metres to the right and scaled by (1, 2, 1): a triangle without normals, two morph targets,
@@ -28,7 +28,7 @@ class ToolModelFile {
   std::filesystem::path folder_;
 };
 
-/// What a command line gave: exit status, and what it wrote.
+/// The outcome of a command line: exit status and output.
 struct CommandOutcome {
   int status = -1;
   std::string out, err;

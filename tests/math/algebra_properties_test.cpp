@@ -90,7 +90,7 @@ RC_GTEST_PROP(slerp, nlerp_and_polynomial_share_its_path, (Q q, Q r, std::uint32
   const double t = inner(bits), whole = test::angle_between(q, r);
   const Q n = nlerp_short_arc(q, r, t);
   RC_ASSERT(std::abs(test::angle_between(q, n) + test::angle_between(n, r) - whole) < 1e-7);
-  RC_ASSERT(test::angle_between(polynomial_slerp(q, r, t), slerp_short_arc(q, r, t)) < 1e-8);
+  RC_ASSERT(test::angle_between(cost::polynomial_slerp(q, r, t), slerp_short_arc(q, r, t)) < 1e-8);
 }
 
 RC_GTEST_PROP(slerp, is_the_power_form, (Q q, Q r, std::uint32_t bits)) {

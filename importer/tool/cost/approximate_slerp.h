@@ -2,7 +2,9 @@
 #pragma once
 #include "runtime/math/interpolate.h"
 
-namespace sinew {
+/// Approximations of slerp that `sinew cost` compares with it. The runtime plays linear rotation tracks with exact
+/// slerp.
+namespace sinew::cost {
 
 /// Approximations of slerp that `sinew cost` compares with it. The runtime plays linear rotation tracks with exact
 /// slerp.
@@ -58,4 +60,4 @@ Quat<T> polynomial_slerp(const Quat<T>& q, const Quat<T>& r, T t) noexcept {
   return (late ? half : q) * sine_ratio(T(1) - u, y) + (late ? s : half) * sine_ratio(u, y);
 }
 
-}  // namespace sinew
+}  // namespace sinew::cost

@@ -63,7 +63,8 @@ void add_job(Study& study, const std::shared_ptr<Bench>& bench, const Instructio
   double error = 0.0;
   allow_only(set);
   for (std::size_t pose = 0; pose < bench->part.poses.size(); ++pose) {
-    bench->run_double(pose), bench->run_job(pose);
+    bench->run_double(pose);
+    bench->run_job(pose);
     error = std::max(error, error_ulp(bench->found.positions, bench->exact.positions));
   }
   allow_all_instruction_sets();
@@ -81,13 +82,16 @@ void add_job(Study& study, const std::shared_ptr<Bench>& bench, const Instructio
 void add_plain(Study& study, const std::shared_ptr<Bench>& bench) {
   double error = 0.0;
   for (std::size_t pose = 0; pose < bench->part.poses.size(); ++pose) {
-    bench->run_double(pose), bench->run_plain_float(pose);
+    bench->run_double(pose);
+    bench->run_plain_float(pose);
     error = std::max(error, error_ulp(bench->plain.positions, bench->exact.positions));
   }
   Point single, precise;
-  single.name = "plain float", single.error = error,
+  single.name = "plain float";
+  single.error = error;
   single.note = "one vertex after the other, as the compiler makes it";
-  precise.name = "plain double", precise.note = "the truth that the others are compared with";
+  precise.name = "plain double";
+  precise.note = "the truth that the others are compared with";
   single.values = precise.values = {{"lanes", 1.0, ""}};
   study.add(std::move(single), {bench->part.vertex_count(), [bench] { bench->run_plain_float(0); }});
   study.add(std::move(precise), {bench->part.vertex_count(), [bench] { bench->run_double(0); }});
@@ -108,9 +112,12 @@ std::vector<std::string> findings(const Group& group) {
 Study study_arithmetic(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "arithmetic", group.title = "Arithmetic";
+  group.name = "arithmetic";
+  group.title = "Arithmetic";
   group.question = "What do precision and vector width cost?";
-  group.error_name = "largest error of a position", group.error_unit = "steps of float", group.item = "vertex";
+  group.error_name = "largest error of a position";
+  group.error_unit = "steps of float";
+  group.item = "vertex";
   const auto bench = std::make_shared<Bench>(subject);
   group.about = fmt::format(
       "Linear blending of positions and normals: {}. Truth is the same sum in double precision, from the same float "

@@ -2,7 +2,7 @@
 #pragma once
 #include "runtime/math/interpolate.h"
 
-namespace sinew {
+namespace sinew::cost {
 
 /// Slerp in constant steps: one multiplication and two additions per frame. `sinew cost` compares it with slerp; it
 /// cannot seek, so the runtime does not use it.
@@ -38,4 +38,4 @@ class IncrementalSlerp {
   double factor_ = 0.0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::cost

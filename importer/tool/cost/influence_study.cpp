@@ -48,7 +48,8 @@ void add_variant(Study& study, const SkinnedPart& part, const char* name, const 
       std::make_shared<Skinned>(Skinned{part, influences, std::move(weights), DeformedVertices(part.vertex_count())});
   constexpr std::size_t kBytes = sizeof(N) + sizeof(std::uint16_t);
   Point point;
-  point.name = name, point.note = note;
+  point.name = name;
+  point.note = note;
   point.error = error_mm(part, skinned->streams());
   point.values = {{"weights and joints",
                    static_cast<double>(kBytes * influences.joints.size()) / static_cast<double>(part.vertex_count()),
@@ -77,11 +78,14 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
 Study study_influences(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "influences", group.title = "Skinning: influences and weights";
+  group.name = "influences";
+  group.title = "Skinning: influences and weights";
   group.question = "How many joints must move a vertex here, and how fine must their weights be?";
-  group.error_name = "largest distance from the full result", group.error_unit = "mm", group.item = "vertex";
+  group.error_name = "largest distance from the full result";
+  group.error_unit = "mm";
+  group.item = "vertex";
   const auto part = skinned_part(subject);
-  if (!part) return group.left_out = "the file has no skinned vertices", study;
+  if (!part) return left_out(std::move(study), "the file has no skinned vertices");
   group.about = fmt::format(
       "Linear blending of positions and normals of the largest primitive: {}. The error is the largest distance of a "
       "vertex "

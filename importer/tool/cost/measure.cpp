@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "importer/tool/cost/pareto_front.h"
-
 namespace sinew::cost {
 namespace {
 
@@ -50,6 +48,18 @@ Middle middle_of(std::span<double> values) {
   };
   const double median = at(0.5);
   return {median, median > 0.0 ? (at(0.75) - at(0.25)) / median : 0.0};
+}
+
+void mark_pareto_front(Group& group) {
+  const auto beats = [&](const Point& a, const Point& b) {
+    const double cost_a = group.cost_of(a), cost_b = group.cost_of(b);
+    const double error_a = group.telling_error_of(a), error_b = group.telling_error_of(b);
+    return error_a <= error_b && cost_a <= cost_b && (error_a < error_b || cost_a < cost_b);
+  };
+  for (Point& point : group.points)
+    point.pareto = !point.other_aim && std::none_of(group.points.begin(), group.points.end(), [&](const Point& other) {
+      return !other.other_aim && beats(other, point);
+    });
 }
 
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double)>& progress) {

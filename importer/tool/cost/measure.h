@@ -14,6 +14,11 @@ namespace sinew::cost {
 /// cost  about repetitions * (seconds_per_repetition + one run) per point, on the calling thread
 void measure(std::span<Study> studies, const Effort& effort, const std::function<void(double done_0_to_1)>& progress);
 
+/// Sets Point::pareto of all points: true where no other point is at least as good in error and in cost and better in
+/// one of them. Errors below Group::rounding count as equal. Of two points that are equal in both, both are on the
+/// front. Points of another aim are neither on the front nor compared with.
+void mark_pareto_front(Group& group);
+
 /// The median of `values`, and their interquartile range divided by it. Sorts the values.
 struct Middle {
   double median = 0.0, spread = 0.0;

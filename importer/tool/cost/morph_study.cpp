@@ -61,8 +61,11 @@ MorphedPart morphed_part(const Subject& subject) {
   std::size_t most = 0;
   for (std::uint32_t i = 0; i < subject.scene.instances.size(); ++i)
     for (const Primitive& primitive : subject.scene.meshes[subject.scene.instances[i].mesh].primitives)
-      if (const std::size_t count = displacement_count(primitive); count > most)
-        most = count, part.primitive = &primitive, part.instance = i;
+      if (const std::size_t count = displacement_count(primitive); count > most) {
+        most = count;
+        part.primitive = &primitive;
+        part.instance = i;
+      }
   if (part.primitive == nullptr) return part;
   part.moments = animated_weights(subject, part.instance);
   part.animated = !part.moments.empty();
@@ -152,7 +155,8 @@ void add_variant(Study& study, const MorphedPart& part, const Variant& variant, 
   const std::size_t count = part.primitive->vertex_count();
   const MorphError error = error_of(part, variant);
   Point point;
-  point.name = variant.name, point.note = variant.note;
+  point.name = variant.name;
+  point.note = variant.note;
   point.error = by_normals ? error.normal_deg : error.distance_mm;
   point.values = {{"vertices off by", error.distance_mm, "mm"}};
   const auto morphed =
@@ -190,7 +194,8 @@ std::vector<std::string> findings(const Group& group) {
 Study study_morphing(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "morphing", group.title = "Morph targets";
+  group.name = "morphing";
+  group.title = "Morph targets";
   group.question = "Which morph targets are worth adding, and may their normals be left as they come?";
   group.item = "vertex";
   const MorphedPart part = morphed_part(subject);
@@ -199,7 +204,7 @@ Study study_morphing(const Subject& subject) {
                                       [](const MorphTarget& t) { return !t.normals.empty(); });
   group.error_name = by_normals ? "largest difference of a normal" : "largest distance from the truth";
   group.error_unit = by_normals ? "degrees" : "mm";
-  if (part.primitive == nullptr) return group.left_out = "the file has no morph targets", study;
+  if (part.primitive == nullptr) return left_out(std::move(study), "the file has no morph targets");
   std::size_t active = 0;
   for (const Weights& weights : part.moments)
     active += static_cast<std::size_t>(std::count_if(weights.begin(), weights.end(), is_active_weight));

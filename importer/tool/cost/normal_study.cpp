@@ -53,12 +53,16 @@ std::vector<std::string> findings(const Group& group) {
 Study study_skinned_normals(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "normals", group.title = "Skinning: normals";
+  group.name = "normals";
+  group.title = "Skinning: normals";
   group.question = "Do the normals of this file need the exact rule?";
-  group.error_name = "largest angle from the true normal", group.error_unit = "degrees", group.item = "vertex";
+  group.error_name = "largest angle from the true normal";
+  group.error_unit = "degrees";
+  group.item = "vertex";
   const auto part = skinned_part(subject);
-  if (!part) return group.left_out = "the file has no skinned vertices", study;
-  if (part->primitive->normals.empty()) return group.left_out = "the largest skinned primitive has no normals", study;
+  if (!part) return left_out(std::move(study), "the file has no skinned vertices");
+  if (part->primitive->normals.empty())
+    return left_out(std::move(study), "the largest skinned primitive has no normals");
   group.about = fmt::format(
       "Linear blending of positions and normals of the largest primitive: {}. Truth is the cofactor matrix of the "
       "blended matrix in double precision.",
@@ -73,7 +77,9 @@ Study study_skinned_normals(const Subject& subject) {
   for (const auto& [rule, name] : rules) {
     Point point;
     const NormalError error = error_of(*part, rule);
-    point.name = name, point.error = error.largest_deg, point.is_default = rule == NormalRule::linear;
+    point.name = name;
+    point.error = error.largest_deg;
+    point.is_default = rule == NormalRule::linear;
     point.values = {{"average angle", error.mean_deg, "degrees"}};
     point.note = rule == NormalRule::linear ? "right when joints are rigid or scaled evenly" : "right under any scale";
     study.add(std::move(point),

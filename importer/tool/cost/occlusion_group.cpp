@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/cost/measure.h"
-#include "importer/tool/cost/pareto_front.h"
 #include "importer/tool/cost/run_beside.h"
 #include "importer/tool/cost/words.h"
 
@@ -21,9 +20,12 @@ constexpr double kHardlyBetter = 1.05;  // times the least error; variants withi
 
 Group empty_group() {
   Group group;
-  group.name = "occlusion", group.title = "Ambient occlusion";
+  group.name = "occlusion";
+  group.title = "Ambient occlusion";
   group.question = "How many samples of ambient occlusion are worth it?";
-  group.error_name = "root mean square off ray casting", group.error_unit = "% of full light", group.item = "pixel";
+  group.error_name = "root mean square off ray casting";
+  group.error_unit = "% of full light";
+  group.item = "pixel";
   return group;
 }
 
@@ -31,10 +33,13 @@ Point point_of(const Json& trial, double pixels) {
   std::vector<double> ms = trial.at("milliseconds").get<std::vector<double>>();
   const Middle middle = middle_of(ms);
   Point point;
-  point.name = trial.at("name"), point.note = trial.at("note"), point.is_default = trial.at("default");
+  point.name = trial.at("name");
+  point.note = trial.at("note");
+  point.is_default = trial.at("default");
   point.error = 100.0 * trial.at("error").get<double>();
   point.time_ns = 1e6 * middle.median / pixels;
-  point.spread = middle.spread, point.noisy = middle.spread > kNoisySpread;
+  point.spread = middle.spread;
+  point.noisy = middle.spread > kNoisySpread;
   point.values = {{"whole picture", middle.median, "ms"}};
   return point;
 }
@@ -88,13 +93,17 @@ std::vector<std::string> findings(const Group& group, const Json& answer) {
 
 Group occlusion_group(const std::string& answer) {
   Group group = empty_group();
+  const auto left_out = [&](std::string why) {
+    group.points.clear();
+    group.left_out = std::move(why);
+    return group;
+  };
   const Json read = Json::parse(answer, nullptr, false);
-  if (read.is_discarded()) return group.left_out = "the measuring program did not finish its answer", group;
-  if (read.contains("left_out")) return group.left_out = read.at("left_out"), group;
+  if (read.is_discarded()) return left_out("the measuring program did not finish its answer");
+  if (read.contains("left_out")) return left_out(read.at("left_out"));
   const double pixels = read.at("width").get<double>() * read.at("height").get<double>();
   for (const Json& trial : read.at("trials")) {
-    if (trial.at("milliseconds").empty())
-      return group.points.clear(), group.left_out = "the Vulkan device has no clock", group;
+    if (trial.at("milliseconds").empty()) return left_out("the Vulkan device has no clock");
     group.points.push_back(point_of(trial, pixels));
   }
   group.about = fmt::format(

@@ -25,7 +25,10 @@ Json point_json(const Group& group, const Point& point) {
               {"pareto", point.pareto},
               {"default", point.is_default},
               {"other_aim", point.other_aim}};
-  if (point.size) out["size"] = *point.size, out["size_unit"] = group.size_unit;
+  if (point.size) {
+    out["size"] = *point.size;
+    out["size_unit"] = group.size_unit;
+  }
   out["values"] = Json::array();
   for (const Value& value : point.values)
     out["values"].push_back({{"name", value.name}, {"value", value.value}, {"unit", value.unit}});
@@ -38,7 +41,9 @@ Json group_json(const Group& group) {
   if (!group.left_out.empty()) out["left_out"] = group.left_out;
   out["about"] = group.about;
   out["findings"] = group.findings;
-  out["error_name"] = group.error_name, out["error_unit"] = group.error_unit, out["rounding"] = group.rounding;
+  out["error_name"] = group.error_name;
+  out["error_unit"] = group.error_unit;
+  out["rounding"] = group.rounding;
   out["cost"] = group.size_unit.empty() ? "time" : "size";
   out["cost_unit"] = group.size_unit.empty() ? "ns a " + group.item : group.size_unit;
   out["points"] = Json::array();

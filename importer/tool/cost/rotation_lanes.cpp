@@ -60,7 +60,10 @@ HWY_INLINE void for_each_arc(const TrackBlock& block, std::size_t key, const Tra
   const KeyRow begin(block, key), end(block, key + 1);
   for_each_place(block, out, [&](const auto& place) HWY_ATTR {
     const Rotations q = between(keys_of(begin, end, place.lane()));
-    place.store(0, q.x), place.store(1, q.y), place.store(2, q.z), place.store(3, q.w);
+    place.store(0, q.x);
+    place.store(1, q.y);
+    place.store(2, q.z);
+    place.store(3, q.w);
   });
 }
 

@@ -195,12 +195,15 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
 Study study_rotation(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "rotation", group.title = "Rotation interpolation";
+  group.name = "rotation";
+  group.title = "Rotation interpolation";
   group.question = "Which interpolation should I use for this clip?";
-  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint";
-  if (subject.animation() == nullptr) return group.left_out = "the file has no clips", study;
+  group.error_name = "largest error at the skin";
+  group.error_unit = "mm";
+  group.item = "joint";
+  if (subject.animation() == nullptr) return left_out(std::move(study), "the file has no clips");
   if (rotations_only(*subject.animation(), Interpolation::linear).bones.empty())
-    return group.left_out = fmt::format("{} turns no joint from one key to another", subject.clip_name()), study;
+    return left_out(std::move(study), fmt::format("{} turns no joint from one key to another", subject.clip_name()));
   const Interpolation usual = usual_interpolation(*subject.animation());
   const Truth truth(subject, telling_moments(*subject.animation(), subject.effort.key_intervals));
   for (const Variant& variant : variants()) {

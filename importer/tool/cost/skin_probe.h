@@ -33,7 +33,10 @@ class SkinProbe {
   void add_instance(const Scene& scene, const MeshInstance& instance, std::size_t step);
   void add_skinned_vertices(const Primitive& primitive, const Skin& skin, std::size_t step);
   void add_joints(const Skeleton& skeleton);
-  void add_point(Pull pull) { pulls_.push_back(pull), first_pull_.push_back(pulls_.size()); }
+  void add_point(Pull pull) {
+    pulls_.push_back(pull);
+    first_pull_.push_back(pulls_.size());
+  }
   Vec3<double> point(std::size_t i, std::span<const Affined> model) const;
 
   std::vector<Pull> pulls_;

@@ -24,8 +24,10 @@ std::optional<SkinnedPart> skinned_part(const Subject& subject) {
     if (instance.skin == kNone) continue;
     for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
       if (!primitive.influences.empty() &&
-          (part.primitive == nullptr || primitive.vertex_count() > part.vertex_count()))
-        part.primitive = &primitive, part.skin = &scene.skins[instance.skin];
+          (part.primitive == nullptr || primitive.vertex_count() > part.vertex_count())) {
+        part.primitive = &primitive;
+        part.skin = &scene.skins[instance.skin];
+      }
   }
   if (part.primitive == nullptr) return std::nullopt;
   for (const ModelPose& model : subject.telling_poses()) part.poses.emplace_back(*part.skin, model);

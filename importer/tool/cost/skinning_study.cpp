@@ -118,11 +118,14 @@ std::vector<std::string> findings(const Group& group) {
 Study study_skinning(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "skinning", group.title = "Skinning: kinds";
+  group.name = "skinning";
+  group.title = "Skinning: kinds";
   group.question = "What do dual quaternions or centers of rotation cost me here, and what do I get?";
-  group.error_name = "largest change of volume, bent or twisted", group.error_unit = "%", group.item = "vertex";
+  group.error_name = "largest change of volume, bent or twisted";
+  group.error_unit = "%";
+  group.item = "vertex";
   const auto part = skinned_part(subject);
-  if (!part) return group.left_out = "the file has no skinned vertices", study;
+  if (!part) return left_out(std::move(study), "the file has no skinned vertices");
   const Limb limb;
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<glm::vec3> centers = part->primitive->centers_of_rotation.empty()
@@ -141,7 +144,8 @@ Study study_skinning(const Subject& subject) {
     const double bent = volume_kept(limb_skinner, kind.skinning, limb.bent),
                  twisted = volume_kept(limb_skinner, kind.skinning, limb.twisted);
     Point point;
-    point.name = kind.name, point.note = kind.note;
+    point.name = kind.name;
+    point.note = kind.note;
     point.error = std::max(std::abs(bent - 100.0), std::abs(twisted - 100.0));
     point.is_default = kind.skinning == Skinning::linear;
     point.values = {{"volume kept, bent", bent, "%"},

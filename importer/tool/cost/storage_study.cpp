@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "importer/tool/cost/keys_in_bits.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"
 #include "runtime/animation/track_sample.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/clip/key_tolerances.h"
+#include "runtime/clip/packed_keys.h"
 #include "runtime/compress/compile_clip_within.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
@@ -31,6 +32,45 @@ std::vector<double> budgets_m(double size_m) {
   for (int power = std::min(-4, hardly_seen - 1); power <= std::max(-3, hardly_seen + 1); ++power)
     budgets.push_back(std::pow(10.0, power));
   return budgets;
+}
+
+/// From one tolerance to the next: fine enough that no bit is given away, since half a bit is a factor of 1.4.
+constexpr double kStep = 1.1;
+
+/// The largest difference of one component between two keys.
+template <class V>
+double range_of(const Track<V>& track) {
+  double range = 0.0;
+  for (int c = 0; c < static_cast<int>(sizeof(V) / sizeof(float)); ++c) {
+    const auto [low, high] = std::minmax_element(track.values.begin(), track.values.end(),
+                                                 [c](const V& a, const V& b) { return a[c] < b[c]; });
+    range = std::max(range, static_cast<double>((*high)[c]) - static_cast<double>((*low)[c]));
+  }
+  return range;
+}
+
+/// The smallest tolerance, up to kStep, whose numbers fit.
+template <class V>
+double tolerance_for(const Track<V>& track, std::uint32_t bits) {
+  if (track.key_count() < 2) return 0.0;
+  const double range = range_of(track);
+  for (double tolerance = std::ldexp(range, -static_cast<int>(bits) - 1); tolerance > 0.0 && tolerance <= 4.0 * range;
+       tolerance *= kStep) {
+    const std::optional<PackedTrack> packed = pack_keys(track, tolerance);
+    if (packed && *std::max_element(packed->width.begin(), packed->width.end()) <= bits) return tolerance;
+  }
+  return 0.0;
+}
+
+/// How far the keys of each joint may be rounded so that no component takes more than `bits` over its own track's
+/// range; 0, which keeps them in float, for tracks that cannot be packed (curves) or do not move. in   bits   1 to
+/// PackedTrack::kMostBits
+KeyTolerances keys_in_bits(const Animation& animation, std::uint32_t bits) {
+  KeyTolerances out;
+  for (const BoneAnimation& bone : animation.bones)
+    out.bones.push_back(
+        {tolerance_for(bone.translation, bits), tolerance_for(bone.rotation, bits), tolerance_for(bone.scale, bits)});
+  return out;
 }
 
 std::vector<float> even_times(double duration_s, double fps) {
@@ -54,7 +94,8 @@ Track<V> resampled(const Track<V>& track, const std::vector<float>& times_s) {
 Animation resampled(const Animation& animation, double fps) {
   const std::vector<float> times_s = even_times(animation.duration_s, fps);
   Animation out;
-  out.name = animation.name, out.duration_s = animation.duration_s;
+  out.name = animation.name;
+  out.duration_s = animation.duration_s;
   for (const BoneAnimation& bone : animation.bones) {
     BoneAnimation& even = out.bones.emplace_back();
     even.joint = bone.joint;
@@ -67,7 +108,9 @@ Animation resampled(const Animation& animation, double fps) {
 
 Animation joints_only(const Animation& animation) {
   Animation out;
-  out.name = animation.name, out.duration_s = animation.duration_s, out.bones = animation.bones;
+  out.name = animation.name;
+  out.duration_s = animation.duration_s;
+  out.bones = animation.bones;
   return out;
 }
 
@@ -105,7 +148,8 @@ void add_stored(Study& study, const Subject& subject, const std::string& name, C
       std::make_shared<Play>(Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), duration_s});
   const std::size_t joints = subject.animation()->bones.size();
   Point point;
-  point.name = name, point.note = note;
+  point.name = name;
+  point.note = note;
   point.error = error_mm(subject, play->clip, moments);
   const auto bytes = static_cast<double>(saved_bytes(play->clip));
   point.size = bytes / (static_cast<double>(joints) * std::max(1e-3, duration_s));
@@ -147,13 +191,16 @@ std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {
 Study study_storage(const Subject& subject) {
   Study study;
   Group& group = study.group;
-  group.name = "storage", group.title = "Key storage";
+  group.name = "storage";
+  group.title = "Key storage";
   group.question = "How should the keys of this clip be kept?";
-  group.error_name = "largest error at the skin", group.error_unit = "mm", group.item = "joint",
+  group.error_name = "largest error at the skin";
+  group.error_unit = "mm";
+  group.item = "joint";
   group.size_unit = "saved bytes a joint and second";
-  if (subject.animation() == nullptr) return group.left_out = "the file has no clips", study;
+  if (subject.animation() == nullptr) return left_out(std::move(study), "the file has no clips");
   if (subject.animation()->bones.empty())
-    return group.left_out = fmt::format("{} moves no joints", subject.clip_name()), study;
+    return left_out(std::move(study), fmt::format("{} moves no joints", subject.clip_name()));
   const std::vector<double> moments = telling_moments(*subject.animation(), subject.effort.key_intervals);
   group.about = fmt::format(
       "The {} animated joints of {}, compiled and sampled by the runtime. The error is the largest distance that {} "

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/tool/cost/report.h"
@@ -27,6 +28,12 @@ struct Study {
     works.push_back(std::move(work));
   }
 };
+
+/// The study of a subject to which it does not apply; the report says why.
+inline Study left_out(Study study, std::string why) {
+  study.group.left_out = std::move(why);
+  return study;
+}
 
 /// How long to measure: a few repetitions for a first impression, or enough for reliable numbers.
 struct Effort {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/cost/report_json.h"
+#include "importer/tool/messages.h"
 
 namespace sinew::cost {
 namespace fs = std::filesystem;
@@ -34,11 +35,9 @@ std::optional<std::string> write_file(const fs::path& file, const std::string& t
 
 std::optional<std::string> fill(const Report& report, const fs::path& folder) {
   for (const std::string_view name : kFiles) {
-    const std::string text =
-        name == "report.json"
-            ? report_json(report).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-        : name == "report.csv" ? report_csv(report)
-                               : report_page(report);
+    const std::string text = name == "report.json"  ? tool::json_text(report_json(report)) + "\n"
+                             : name == "report.csv" ? report_csv(report)
+                                                    : report_page(report);
     if (auto failed = write_file(folder / name, text)) return failed;
   }
   return std::nullopt;
@@ -68,7 +67,7 @@ std::string objection_to(const fs::path& given) {
   std::error_code error;
   if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", parent.string());
   if (!fs::exists(folder, error)) return {};
-  if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "is there, and no folder";
+  if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "exists and is not a folder";
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (std::find(std::begin(kFiles), std::end(kFiles), entry.path().filename().string()) == std::end(kFiles))
       return fmt::format("holds {}, which is no part of a report; it is left as it is",
