@@ -11,8 +11,9 @@
 namespace sinew::showcase {
 namespace {
 
-constexpr std::uint32_t kLinearArm = 1, kDualQuaternionArm = 2;       // instances of twisted_arms()
-constexpr double kSculpted_deg[] = {30.0, 60.0, 90.0, 120.0, 150.0};  // towards 180 linear blending leaves a point
+constexpr std::uint32_t kLinearArm = 1, kDualQuaternionArm = 2;  // instances of twisted_arms()
+constexpr double kSculpted_deg[] = {30.0, 60.0, 90.0, 120.0,
+                                    150.0};  // at 180 linear blending collapses the wrist to a point
 constexpr double kSecondsPerDegree = 3.0 / 180.0;
 
 Affined blended_matrix(const Scene& scene, const FrameResult& frame, const Primitive& arm, std::uint32_t vertex) {
@@ -38,7 +39,7 @@ void displace(SparseDeltas<V>& deltas, std::uint32_t vertex, const V& delta) {
   deltas.deltas.push_back(delta);
 }
 
-/// What must be added to the arm before linear blending, so that it comes out as the other arm does.
+/// The morph target to add before linear blending, so that the result equals that of dual quaternions.
 /// eq   M (p + d) = p', so d = M^-1 p' - p;  normals likewise   (Lewis, Cordner and Fong 2000, section 3)
 MorphTarget sculpt(const Scene& scene, const FrameResult& frame, const Primitive& arm) {
   const DeformedPrimitive& wanted = frame.primitives[frame.instances[kDualQuaternionArm].first_primitive];
@@ -56,7 +57,7 @@ MorphTarget sculpt(const Scene& scene, const FrameResult& frame, const Primitive
   return target;
 }
 
-/// One shape per sculpted twist of the wrist, shown fully there; the linear kernel mixes it with its neighbours only.
+/// One shape for each sculpted twist of the wrist, with full weight there. The linear kernel mixes neighbouring shapes.
 PoseSamples samples_of(const Scene& scene, std::uint32_t first_weight) {
   PoseSamples samples;
   samples.name = "volume of a twisted arm";

@@ -12,13 +12,13 @@
 namespace sinew::showcase {
 namespace {
 
-/// 1 near `centre`, falling off within `width` (per axis).
+/// Gaussian around `centre`: 1 there, 1/e at a distance of `width` along an axis.
 float near_point(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& width) {
   const glm::vec3 d = (p - centre) / width;
   return std::exp(-glm::dot(d, d));
 }
 
-/// A face from a unit sphere; it looks along +Z.
+/// Maps the unit sphere to a face that looks along +Z.
 glm::vec3 neutral_face(const glm::vec3& direction) {
   glm::vec3 p = direction * glm::vec3(0.84f, 1.08f, 0.92f);
   const glm::vec3 half(std::abs(p.x), p.y, p.z);
@@ -65,7 +65,7 @@ std::vector<Expression> expressions() {
   };
 }
 
-constexpr float kNoticeable = 1e-4f;  // displacements below a tenth of a millimetre are left out: targets stay sparse
+constexpr float kNoticeable = 1e-4f;  // smaller displacements (0.1 mm) are dropped, so that the targets stay sparse
 
 MorphTarget target(const Primitive& head, const Expression& expression) {
   std::vector<glm::vec3> moved = head.positions;
@@ -107,7 +107,7 @@ Mesh face_mesh(std::uint32_t material) {
   return mesh;
 }
 
-/// smile -1 is a frown, 1.5 a grin; every expression leaves [0, 1] once.
+/// Weights over time: a smile of -1 is a frown, one of 1.5 a grin. Every expression leaves [0, 1] once.
 WeightAnimation play_of_features(std::uint32_t instance) {
   WeightAnimation out;
   out.instance = instance;

@@ -6,7 +6,7 @@
 
 namespace sinew::showcase {
 
-/// Puts a Scene together piece by piece. Joints are added level by level: all roots, then their children, and so on.
+/// Builds a Scene piece by piece. Add joints level by level: all roots, then their children, and so on.
 class SceneBuilder {
  public:
   std::uint32_t add_material(std::string name, const glm::vec3& base_color, float roughness, float metallic = 0.0f);
@@ -16,11 +16,11 @@ class SceneBuilder {
   void add_instance(std::uint32_t joint, std::uint32_t mesh, std::uint32_t skin = kNone);
   void add_animation(Animation animation);
 
-  /// A mesh of one primitive on a root joint of its own, for things that just stand there. Returns the joint.
+  /// Adds a static mesh of one primitive on its own root joint. Returns the joint.
   std::uint32_t add_prop(const std::string& name, Primitive primitive, std::uint32_t material,
                          const Transform& rest = {});
 
-  /// Completes the scene and proves it: breaking check(Scene) here is a bug.
+  /// Completes the scene. It must pass check(Scene).
   Scene finish();
 
  private:

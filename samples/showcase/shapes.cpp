@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Index of the first vertex at the same place, for every vertex.
+/// For every vertex, the index of the first vertex at the same position.
 std::vector<std::uint32_t> first_at_same_place(const std::vector<glm::vec3>& positions) {
   std::map<std::tuple<long, long, long>, std::uint32_t> seen;
   std::vector<std::uint32_t> first(positions.size());

@@ -8,34 +8,34 @@
 
 namespace sinew::showcase {
 
-/// A built-in scene, made by code: no file is needed to see what the runtime does.
+/// A built-in scene, made by code, so that the runtime can be seen at work without a file.
 struct ShowcaseScene {
   std::string name;             ///< short, for a menu
-  std::string what_to_look_at;  ///< one sentence for the person watching
+  std::string what_to_look_at;  ///< one sentence
   Scene scene;
   Needs needs;
   glm::vec3 eye{0.0f}, target{0.0f};
   float fov_y_rad = 0.7f;
 };
 
-/// A stylised skull flies over a floor with a box and rows of columns that carry spheres: contact shadows by ambient
-/// occlusion. One BoneAnimation of five keyframes drives it.
+/// A stylised skull flies over a floor with a box and rows of columns with spheres. Shows contact shadows by ambient
+/// occlusion. One BoneAnimation of five keyframes moves the skull.
 ShowcaseScene skull_flight();
 
-/// The same arm twisted 0..180 degrees three times: linear-blend skinning collapses, dual quaternions and centers of
-/// rotation keep its volume. Who shows it makes the centers (add_centers_of_rotation); without them the third arm is
-/// the first again.
+/// The same arm three times, twisted by 0 to 180 degrees: linear blend skinning collapses, dual quaternions and centers
+/// of rotation keep the volume. Call add_centers_of_rotation before showing it; without centers the third arm is
+/// skinned like the first.
 ShowcaseScene twisted_arms();
 
-/// Twisted arms again, the left one under linear blending with corrective shapes: pose-space deformation gives it the
-/// volume that dual quaternions keep. Played by samples/correct_a_twist; not in the list below, since files cannot
-/// carry correctives.
+/// Twisted arms, the left one with linear blend skinning and corrective shapes: pose space deformation restores the
+/// volume that dual quaternions keep. Shown by samples/correct_a_twist. It is not in showcase(), because files cannot
+/// contain correctives.
 ShowcaseScene corrected_arms();
 
 /// A face of morph targets, with weights below 0 and above 1.
 ShowcaseScene morphed_face();
 
-/// All of them, in this order.
+/// skull_flight, twisted_arms and morphed_face, in this order.
 std::vector<ShowcaseScene> showcase();
 
 }  // namespace sinew::showcase

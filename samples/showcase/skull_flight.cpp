@@ -15,13 +15,13 @@ namespace {
 constexpr float kSkullRadius = 4.0f;
 constexpr float kFloorY = -3.0f;
 
-/// 1 at `centre`, falling to 0 within about three `width`s: where on the unit sphere a feature sits.
+/// A bump on the unit sphere: 1 at `centre`, nearly 0 at a distance of three `width`s.
 float bump(const glm::vec3& direction, const glm::vec3& centre, float width) {
   const glm::vec3 d = direction - glm::normalize(centre);
   return std::exp(-glm::dot(d, d) / (width * width));
 }
 
-/// A skull as a unit sphere with features pushed in and out along its radius; it looks along +Z.
+/// Maps the unit sphere to a skull that looks along +Z, by moving points along their radius.
 glm::vec3 skull_surface(const glm::vec3& direction) {
   const glm::vec3 mirrored(std::abs(direction.x), direction.y, direction.z);
   float radius = 1.0f;

@@ -17,7 +17,7 @@ constexpr float kLength = 4.0f;  // shoulder to finger tips
 constexpr float kElbow = 1.4f, kWrist = 3.0f;
 constexpr int kArms = 3;
 constexpr float kSpacing = 2.2f;  // between neighbouring arms
-constexpr float kFloorY = 0.08f;  // the arms stand a little in the floor, which hides their lower rim
+constexpr float kFloorY = 0.08f;  // the floor hides the lower rim of the arms
 
 /// Radius of the arm along its length, v in [0, 1]: upper arm, elbow, forearm, wrist, fist.
 float arm_radius(float v) {
@@ -29,7 +29,7 @@ float arm_radius(float v) {
   return (0.36f - 0.12f * v + muscle + fist + shoulder) * tip;
 }
 
-/// Painted bands that run along the arm make the twist visible.
+/// Colour of painted bands along the arm, which make the twist visible.
 glm::vec4 band_color(const glm::vec3& p) {
   const float angle = std::atan2(p.x, p.z);
   const bool band = std::sin(4.0f * angle) > 0.35f;
@@ -39,7 +39,7 @@ glm::vec4 band_color(const glm::vec3& p) {
 /// Weight of the wrist joint: 0 above the elbow, 1 beyond the wrist, linear between.
 float wrist_weight(float y) { return glm::clamp((y - kElbow) / (kWrist - kElbow), 0.0f, 1.0f); }
 
-/// Groups the vertices by influence count, as the importer does, and moves indices along.
+/// Sorts the vertices by influence count, as the importer does, and adapts the indices.
 void bind(Primitive& primitive) {
   std::vector<std::uint32_t> order;
   std::size_t single = 0;
@@ -86,7 +86,7 @@ Mesh arm_mesh(std::uint32_t material) {
 }
 
 BoneAnimation twist(std::uint32_t joint) {
-  // Quarter turns: between keys 180 degrees apart both arcs are equally short, and rounding would choose one.
+  // Quarter turns, because keys 180 degrees apart have two arcs of the same length.
   std::vector<Keyframe> keys;
   const float degrees[] = {0.0f, 90.0f, 180.0f, 180.0f, 90.0f, 0.0f};
   const double times_s[] = {0.0, 1.5, 3.0, 4.0, 5.5, 7.0};

@@ -4,13 +4,16 @@
 #include "runtime/math/normal_transform.h"
 #include "runtime/math/transform.h"
 #include "tests/math/numeric_variants.h"
+#include "tests/reference/quaternion_normal.h"
 #include "tests/support/numeric_read.h"
-#include "viewer/passes/depth.h"
+#include "tests/viewer/stored_depth.h"
 #include "viewer/passes/projection.h"
-#include "viewer/passes/quaternion_normal.h"
 
 namespace sinew::test {
 namespace {
+
+using namespace viewer;
+using namespace reference;
 
 using V = Vec3<float>;
 using M = Mat3<float>;
@@ -78,9 +81,9 @@ Outcome normal_by(const Json& in, M (*matrix)(const M&)) {
 }
 
 template <class T>
-DepthRange range_of(const std::string& op) {
-  if (op.find("reversed") != std::string::npos) return DepthRange::reversed;
-  return op.find("01") != std::string::npos ? DepthRange::zero_one : DepthRange::gl;
+DepthMapping mapping_of(const std::string& op) {
+  if (op.find("reversed") != std::string::npos) return DepthMapping::reversed;
+  return op.find("01") != std::string::npos ? DepthMapping::zero_one : DepthMapping::gl;
 }
 
 bool contains(const std::string& op, const char* part) { return op.find(part) != std::string::npos; }
@@ -89,8 +92,8 @@ template <class T>
 Mat4<T> projection_of(const Json& in, const Mat4<T>& frame) {
   const std::string op = in["op"];
   const T near_m = scalar<T>(in["near"]);
-  if (contains(op, "infinite")) return with_infinite_depth(frame, range_of<T>(op), near_m);
-  return with_depth(frame, range_of<T>(op), near_m, scalar<T>(in["far"]));
+  if (contains(op, "infinite")) return with_infinite_depth(frame, mapping_of<T>(op), near_m);
+  return with_depth(frame, mapping_of<T>(op), near_m, scalar<T>(in["far"]));
 }
 
 template <class T>
@@ -104,7 +107,7 @@ Outcome projection_outcome(const Json& in) {
   const T l = scalar<T>(in["l"]), r = scalar<T>(in["r"]), b = scalar<T>(in["b"]), t = scalar<T>(in["t"]),
           n = scalar<T>(in["near"]);
   if (contains(op, "ortho"))
-    return {{"m", numbers(orthographic(ViewBoxT<T>{l, r, b, t, n, scalar<T>(in["far"])}, range_of<T>(op)))}};
+    return {{"m", numbers(orthographic(ViewBoxT<T>{l, r, b, t, n, scalar<T>(in["far"])}, mapping_of<T>(op)))}};
   return {{"m", numbers(projection_of(in, perspective_frame(FrustumT<T>{l, r, b, t, n}, facing)))}};
 }
 

@@ -8,7 +8,7 @@
 
 namespace sinew::viewer {
 
-/// A scene built in code with the frame that shows it, so that the renderer is tested without a file or a plan.
+/// A scene built in code and its frame, to test the renderer without a file or a plan.
 class BuiltScene {
  public:
   std::uint32_t add_material(const Material& material);
@@ -17,10 +17,10 @@ class BuiltScene {
                     bool mirrored = false);
   void add_light(const Light& light, const Affine& world_from_light);
 
-  /// Positions and normals that replace those of an instance's primitive, as skinning would.
+  /// Replaces positions and normals of an instance's primitive, as skinning does.
   void deform(std::uint32_t instance, std::vector<glm::vec3> positions, std::vector<glm::vec3> normals);
 
-  /// Call when complete: results are views into this object.
+  /// The frame of the complete scene. It refers to this object.
   FrameResult frame(std::uint64_t number = 1) const;
   Scene scene;
 
@@ -45,7 +45,7 @@ Primitive square(float half_size);
 /// A box on a floor with a sphere beside it.
 BuiltScene box_and_sphere_on_floor();
 
-/// A cylinder along +x from 0 to 2, bent upwards by `angle_rad` at x = 1 as two bones would bend it.
+/// A cylinder along +x from 0 to 2, bent upwards by `angle_rad` at x = 1, as by two bones.
 BuiltScene bent_arm(float angle_rad);
 
 }  // namespace sinew::viewer

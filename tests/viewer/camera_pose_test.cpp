@@ -7,7 +7,7 @@
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "viewer/app/file_camera.h"
-#include "viewer/app/sight.h"
+#include "viewer/app/frustum_culling.h"
 
 namespace sinew::viewer {
 namespace {
@@ -68,14 +68,14 @@ TEST(camera_pose, P14_what_a_camera_of_the_file_does_not_see_is_known_before_the
   scene.cameras.push_back({.name = "aside", .joint = 1, .fov_y_rad = 0.3f});  // five metres to the right, along -z
   Needs needs;
   needs.bounds = true;
-  Sight sight(scene, needs);
+  FrustumCulling culling(scene, needs);
   CameraPose pose(scene, 0);
-  EXPECT_TRUE(sight.of(0, pose.at(0, 0.5, 1.0, {}), 1.0).all);
+  EXPECT_TRUE(culling.of(0, pose.at(0, 0.5, 1.0, {}), 1.0).every_instance);
   scene.skeleton.rest[1].translation = {0.0f, 1.0f, 5.0f};
   scene.clips.clear();  // they have the rest pose in them
   finish_scene(scene);
   CameraPose before_it(scene, 0);
-  EXPECT_FALSE(sight.of(0, before_it.at(0, 0.5, 1.0, {}), 1.0).all);
+  EXPECT_FALSE(culling.of(0, before_it.at(0, 0.5, 1.0, {}), 1.0).every_instance);
 }
 
 }  // namespace

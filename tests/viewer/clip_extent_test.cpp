@@ -42,7 +42,7 @@ TEST(clip_extent, reach_as_far_as_the_clip_and_are_as_large_as_one_pose) {
   const Scene scene = flyer(true);
   const ClipExtent bounds = clip_extent(scene, 0);
   EXPECT_NEAR(bounds.reached.lower.x, 0.0f, 1e-5f);
-  EXPECT_GT(bounds.reached.upper.x, 10.0f);  // poses are samples: the very end of the way may fall between two
+  EXPECT_GT(bounds.reached.upper.x, 10.0f);  // poses are sampled: the farthest point may lie between two of them
   EXPECT_LE(bounds.reached.upper.x, 11.0f + 1e-5f);
   EXPECT_NEAR(glm::length(bounds.largest.upper - bounds.largest.lower), std::sqrt(2.0f), 1e-4f);
 }
@@ -58,7 +58,7 @@ TEST(clip_extent, follow_the_joints_where_nothing_is_drawn) {
   const Scene scene = flyer(false);
   const ClipExtent moving = clip_extent(scene, 0);
   EXPECT_GT(moving.reached.upper.x, 9.0f);
-  EXPECT_GT(moving.largest.upper.x - moving.largest.lower.x, 9.0f);  // a point has no size, its way has
+  EXPECT_GT(moving.largest.upper.x - moving.largest.lower.x, 9.0f);  // a point has no size, but its path has
   const ClipExtent resting = clip_extent(scene, kNone);
   EXPECT_GT(glm::length(resting.reached.upper - resting.reached.lower), 0.0f);
   EXPECT_TRUE(clip_extent(Scene{}, kNone).reached.empty());

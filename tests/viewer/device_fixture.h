@@ -6,8 +6,8 @@
 
 namespace sinew::viewer {
 
-/// Tests that draw: skipped with the reason where the machine has no Vulkan device, and none may cause a validation
-/// message.
+/// Base of tests that draw. They are skipped, with the reason, without a Vulkan device, and fail if a validation
+/// message occurs.
 class DeviceTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What reaches the picture: alpha modes, winding, topologies, textures, lines, large coordinates.
+// Draws small scenes: alpha modes, winding, topologies, textures, lines, large coordinates.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,7 +68,7 @@ TEST_F(drawing, opaque_background_is_the_colour_that_was_asked_for) {
 }
 
 TEST_F(drawing, one_sided_faces_show_their_front_only_and_mirrored_ones_their_other_winding) {
-  Affine mirror;  // x -> -x turns the winding round
+  Affine mirror;  // x -> -x reverses the winding
   mirror.row[0].x = -1.0f;
   for (const bool mirrored : {false, true})
     for (const bool flagged : {false, true}) {
@@ -123,7 +123,10 @@ TEST_F(drawing, relief_of_a_mesh_without_tangents_is_that_of_its_texture_coordin
     if (tangents) p.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
     Affine m;
     m.row[0].x = mirror;
-    if (back) m.row[0].x *= -1.0f, m.row[2].z = -1.0f;
+    if (back) {
+      m.row[0].x *= -1.0f;
+      m.row[2].z = -1.0f;
+    }
     built.add(p, built.add_material(material), m, mirror < 0.0f);
     return middle(draw(built));
   };
@@ -139,14 +142,16 @@ TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
   BuiltScene built;
   const std::uint32_t wall = built.add_material(unlit({0.5f, 0.5f, 0.5f, 1}));  // occlusion does not show on it
   built.add(facing_square(0.8f), wall);
-  Affine floor;  // a square that comes out of the wall, towards the viewer
+  Affine floor;  // a square perpendicular to the wall, towards the viewer
   floor.row[1] = {0, 0, 1, -0.1f}, floor.row[2] = {0, -1, 0, 0.4f};
   built.add(facing_square(0.4f), wall, floor);
   Material glass = matte({0.7f, 0.7f, 0.7f});
-  glass.base_color.a = 0.5f, glass.alpha_mode = AlphaMode::blend;
+  glass.base_color.a = 0.5f;
+  glass.alpha_mode = AlphaMode::blend;
   built.add(facing_square(0.8f, 0.05f), built.add_material(glass));
   RenderOptions with, without, ao;
-  without.ao.on = false, ao.show = Show::ao;
+  without.ao.on = false;
+  ao.show = Show::ao;
   EXPECT_LT(middle(draw(built, ao)).r, 0.95f) << "the wall behind is occluded";
   EXPECT_LT(glm::length(middle(draw(built, with)) - middle(draw(built, without))), 1e-4f);
 }
@@ -302,7 +307,7 @@ TEST_F(drawing, flat_normals_come_from_the_deformed_shape) {
   Primitive p = facing_square();
   p.flat_normals = true;
   const std::uint32_t instance = built.add(p, built.add_material(matte({1, 1, 1})));
-  std::vector<glm::vec3> tilted = p.positions;  // 45 degrees about x; the stored normals stay as they were
+  std::vector<glm::vec3> tilted = p.positions;  // by 45 degrees about x; the stored normals are not changed
   for (glm::vec3& v : tilted) v.z = v.y;
   built.deform(instance, tilted, p.normals);
   RenderOptions options;

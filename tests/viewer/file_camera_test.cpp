@@ -12,7 +12,8 @@ namespace {
 
 TEST(file_camera, looks_along_minus_z_of_its_node_whatever_its_scale) {
   Camera camera;
-  camera.fov_y_rad = 0.5f, camera.near_m = 0.25f;
+  camera.fov_y_rad = 0.5f;
+  camera.near_m = 0.25f;
   const Transform local{{1, 2, 3}, quat_xyzw(0.0f, 0.70710678f, 0.0f, 0.70710678f), {2, 3, 4}};
   const View view = view_of_camera(camera, affine_from_transform(local), 1.5, {});
   EXPECT_FALSE(view.parallel());
@@ -28,7 +29,8 @@ TEST(file_camera, looks_along_minus_z_of_its_node_whatever_its_scale) {
 
 TEST(file_camera, shows_all_that_it_sees_in_a_picture_of_any_shape) {
   Camera camera;
-  camera.fov_y_rad = 0.8f, camera.aspect = 1.5f;
+  camera.fov_y_rad = 0.8f;
+  camera.aspect = 1.5f;
   const double half = std::tan(0.4);
   const auto half_height = [&](double aspect) {
     return std::tan(0.5 * view_of_camera(camera, Affine{}, aspect, {}).fov_y_rad);
@@ -42,17 +44,22 @@ TEST(file_camera, shows_all_that_it_sees_in_a_picture_of_any_shape) {
 
 TEST(file_camera, orthographic_ones_show_width_and_height_fully) {
   Camera camera;
-  camera.perspective = false, camera.half_width = 3.0f, camera.half_height = 2.0f;
+  camera.perspective = false;
+  camera.half_width = 3.0f;
+  camera.half_height = 2.0f;
   EXPECT_NEAR(view_of_camera(camera, Affine{}, 1.5, {}).half_height_m, 2.0, 1e-12);
   EXPECT_NEAR(view_of_camera(camera, Affine{}, 4.0, {}).half_height_m, 2.0, 1e-12);
   EXPECT_NEAR(view_of_camera(camera, Affine{}, 0.5, {}).half_height_m, 6.0, 1e-12);
-  camera.half_width = -3.0f, camera.half_height = -2.0f;  // valid, if unusual: glTF only forbids zero
+  camera.half_width = -3.0f;
+  camera.half_height = -2.0f;  // valid, if unusual: glTF only forbids zero
   EXPECT_NEAR(view_of_camera(camera, Affine{}, 1.5, {}).half_height_m, 2.0, 1e-12);
 }
 
 TEST(file_camera, orthographic_ones_have_a_far_plane_behind_everything) {
   Camera camera;
-  camera.perspective = false, camera.half_height = 2.5f, camera.near_m = 0.0f;
+  camera.perspective = false;
+  camera.half_height = 2.5f;
+  camera.near_m = 0.0f;
   const Aabb box{{-1, -1, -21}, {1, 1, -19}};
   const View view = view_of_camera(camera, Affine{}, 1.0, box);
   EXPECT_TRUE(view.parallel());
@@ -64,7 +71,8 @@ TEST(file_camera, orthographic_ones_have_a_far_plane_behind_everything) {
 
 TEST(file_camera, keeps_the_far_plane_of_a_perspective_one) {
   Camera camera;
-  camera.near_m = 0.5f, camera.far_m = 8.0f;
+  camera.near_m = 0.5f;
+  camera.far_m = 8.0f;
   EXPECT_EQ(view_of_camera(camera, Affine{}, 1.0, {}).far_m, 8.0);
 }
 

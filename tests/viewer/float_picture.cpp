@@ -8,7 +8,6 @@
 
 #include "viewer/device/buffer.h"
 #include "viewer/device/image.h"
-#include "viewer/device/read_back.h"
 
 namespace sinew::viewer {
 
@@ -66,7 +65,8 @@ FloatPicture render_float(const BuiltScene& built, int width, int height, const 
 
 reference::DepthAndNormals empty_image(int width, int height, const View& view) {
   reference::DepthAndNormals image;
-  image.width = width, image.height = height;
+  image.width = width;
+  image.height = height;
   image.cot_y = 1.0 / std::tan(0.5 * view.fov_y_rad);
   image.cot_x = image.cot_y * height / width;
   image.near_m = view.near_m;
@@ -75,7 +75,7 @@ reference::DepthAndNormals empty_image(int width, int height, const View& view) 
 
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
                                                  RenderOptions options) {
-  options.transparent_background = true;  // alpha tells what was drawn
+  options.transparent_background = true;  // alpha is 0 where nothing was drawn
   options.depth_range = {0.0f, 64.0f};
   options.show = Show::depth;
   const FloatPicture depth = render_float(built, width, height, view, options);

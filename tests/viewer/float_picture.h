@@ -10,11 +10,11 @@
 
 namespace sinew::viewer {
 
-/// A device for tests, made once with validation where it is installed; null and a reason when the machine has none.
+/// The device for tests, created once, with validation if it is installed. Null and a reason if there is none.
 Device* test_device();
 const std::string& no_device_reason();
 
-/// Pixels as the last pass wrote them, not rounded to 8 bits: the target is a float image.
+/// Pixels as the last pass wrote them, in float instead of 8 bits.
 struct FloatPicture {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
@@ -26,7 +26,7 @@ FloatPicture render_float(const BuiltScene& built, int width, int height, const 
                           const RenderOptions& options, const FrameInputs& extras = {},
                           const OcclusionShape& occlusion = {});
 
-/// Distances and normals as the GPU drew them, by way of Show::depth and Show::normals.
+/// Distances and normals as the GPU drew them, read from the pictures of Show::depth and Show::normals.
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,
                                                  RenderOptions options);
 

@@ -27,7 +27,7 @@ TEST(frame_graph, P17_has_no_occlusion_passes_or_images_when_occlusion_is_off_or
        {FrameNeeds{.opaque = true, .occlusion = false}, FrameNeeds{.opaque = true, .ambient = false}}) {
     const FrameGraph graph(needs);
     EXPECT_THAT(passes(needs), ElementsAre(Pass::opaque, Pass::tonemap));
-    EXPECT_FALSE(graph.access_image || graph.access_between || graph.normal_image);
+    EXPECT_FALSE(graph.ao_image || graph.half_blurred_ao || graph.normal_image);
     EXPECT_TRUE(graph.depth_image && graph.color_image);
   }
 }
@@ -43,8 +43,8 @@ TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {
 
 TEST(frame_graph, leaves_the_blur_and_its_image_out_when_it_is_off) {
   const FrameGraph graph({.opaque = true, .blur = false});
-  EXPECT_TRUE(graph.has(Pass::ssao) && graph.access_image);
-  EXPECT_FALSE(graph.has(Pass::blur_horizontal) || graph.has(Pass::blur_vertical) || graph.access_between);
+  EXPECT_TRUE(graph.has(Pass::ssao) && graph.ao_image);
+  EXPECT_FALSE(graph.has(Pass::blur_horizontal) || graph.has(Pass::blur_vertical) || graph.half_blurred_ao);
 }
 
 TEST(frame_graph, shows_a_buffer_without_shading_anything) {

@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "tests/viewer/device_fixture.h"
-#include "viewer/upload/frame_vertices.h"
-#include "viewer/upload/scene_bounds.h"
+#include "viewer/app/clip_extent.h"
+#include "viewer/app/png_writer.h"
 
 namespace sinew::viewer {
 namespace {
@@ -42,7 +42,7 @@ TEST_F(headless, a_deformed_arm_moves_and_every_frame_stands_for_itself) {
   const auto alpha = [](const Picture& p, std::uint32_t x, std::uint32_t y) {
     return p.rgba[4 * (y * p.width + x) + 3];
   };
-  EXPECT_EQ(alpha(a, 54, 24), 0);  // only the bent forearm reaches up here
+  EXPECT_EQ(alpha(a, 54, 24), 0);  // only the bent forearm covers this pixel
   EXPECT_EQ(alpha(b, 54, 24), 255);
 }
 
@@ -135,7 +135,7 @@ TEST(scene_bounds, are_those_of_the_deformed_vertices) {
 }
 
 TEST(device, a_machine_without_any_driver_is_a_clean_error) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a forked copy of a driver with threads would hang
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a forked process of a driver with threads would hang
   EXPECT_EXIT(
       {
         setenv("VK_ICD_FILENAMES", "/nonexistent/icd.json", 1);

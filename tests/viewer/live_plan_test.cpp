@@ -18,7 +18,8 @@ std::vector<PlanStage> small_plan() {
 
 FrameResult frame(std::uint64_t number, std::span<const std::uint64_t> stage_ns) {
   FrameResult result;
-  result.frame = number, result.stage_ns = stage_ns;
+  result.frame = number;
+  result.stage_ns = stage_ns;
   return result;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changes a scene's look without moving a vertex: parallel cameras, copies, variants, animated materials and
-// flags.
+// What changes the picture without moving a vertex: parallel cameras, copies, variants, animated materials and flags.
 #include "tests/viewer/device_fixture.h"
 #include "viewer/app/headless.h"
 #include "viewer/passes/draw_list.h"
@@ -25,7 +24,8 @@ struct Seen {
   View view = look_at({0.0, 3.0, 0.0}, {0.0, 0.0, 0.0}, 0.8, 0.5);
 
   Seen() {
-    view.half_height_m = 2.0, view.far_m = 10.0;
+    view.half_height_m = 2.0;
+    view.far_m = 10.0;
     built.add(square(0.5f), built.add_material(glowing({1, 0, 0})));
   }
   Picture picture(std::uint32_t variant = kNone, const FrameResult* frame = nullptr) {
@@ -49,7 +49,8 @@ TEST_F(look, a_parallel_camera_shows_the_same_size_at_any_distance) {
   const std::size_t near = covered(seen.picture());
   EXPECT_EQ(near, 16u * 16u) << "1 m of 4 m on 64 pixels";
   seen.view = look_at({0.0, 8.0, 0.0}, {0.0, 0.0, 0.0}, 0.8, 0.5);
-  seen.view.half_height_m = 2.0, seen.view.far_m = 10.0;
+  seen.view.half_height_m = 2.0;
+  seen.view.far_m = 10.0;
   EXPECT_EQ(covered(seen.picture()), near);
   seen.view.far_m = 7.5;
   EXPECT_EQ(covered(seen.picture()), 0u) << "behind the far plane";
@@ -146,7 +147,7 @@ TEST_F(look, lights_follow_the_frame_and_go_out_with_their_hidden_node) {
   frame.properties = {};
   const bool hidden[] = {false, true};  // the light's joint
   frame.hidden = hidden;
-  const Picture key_light = seen.picture(kNone, &frame);  // stands in when no light is left
+  const Picture key_light = seen.picture(kNone, &frame);  // used when no light is left
   seen.built.scene.lights.clear();
   EXPECT_EQ(key_light.rgba, seen.picture(kNone, &frame).rgba);
 }

@@ -23,8 +23,8 @@ VkPhysicalDeviceMemoryProperties device_with(std::initializer_list<VkMemoryPrope
 
 using Types = std::vector<std::uint32_t>;
 
-/// As the drivers of graphics cards list them: system memory that nobody maps, the card's, the system's in two kinds,
-/// and the part of the card's that the CPU writes.
+/// Memory types as drivers of graphics cards list them: system memory that cannot be mapped, memory of the card, two
+/// kinds of mapped system memory, and the part of the card's memory that the CPU can write.
 VkPhysicalDeviceMemoryProperties card() {
   return device_with({0, kLocal, kMapped, kMapped | kCached, kLocal | kMapped});
 }

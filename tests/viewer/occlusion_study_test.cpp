@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays are held to the plain reference that tries every triangle; the study to what must come out whatever the device.
+// Compares rays with the plain reference that tests every triangle, and checks what the study must find on every
+// device.
 #include "viewer/study/occlusion_study.h"
 
 #include <algorithm>
@@ -79,7 +80,9 @@ class occlusion_study : public DeviceTest {};
 TEST_F(occlusion_study, N34_ambient_occlusion_is_nearer_to_rays_than_none_and_the_default_is_marked) {
   const BuiltScene built = box_and_sphere_on_floor();
   AmbientOcclusion settings;
-  settings.radius_m = 0.6f, settings.surface_epsilon_m = 0.012f, settings.fade_start_m = 0.24f,
+  settings.radius_m = 0.6f;
+  settings.surface_epsilon_m = 0.012f;
+  settings.fade_start_m = 0.24f;
   settings.fade_end_m = 1.2f;
   const View view = look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05);
   const OcclusionStudy study =

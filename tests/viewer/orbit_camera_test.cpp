@@ -12,7 +12,7 @@
 namespace sinew::viewer {
 namespace {
 
-// Where a world point lands: x and y in [-1, 1] inside the picture, z = distance along the line of sight.
+// Position of a world point in the picture: x and y in [-1, 1] if it is visible, z = distance from the eye plane.
 glm::dvec3 picture_of(const View& view, double aspect, const glm::dvec3& point) {
   const glm::dvec3 p = transform_point(view.view_from_world, point);
   const double slope = std::tan(0.5 * view.fov_y_rad);
@@ -34,7 +34,7 @@ TEST(orbit_camera, looks_from_the_front_slightly_from_the_right_and_above) {
   EXPECT_NEAR(glm::length(camera.eye() - camera.target), camera.distance_m, 1e-12);
 }
 
-// How far from the middle the outermost corner of the box lands, and how near the nearest one is.
+// The largest distance of a corner of the box from the middle of the picture, and the nearest corner.
 std::pair<double, double> outermost_and_nearest(const View& view, double aspect, const Aabb& bounds) {
   double outermost = 0.0, nearest = 1e300;
   for (int c = 0; c < 8; ++c) {
@@ -78,17 +78,20 @@ TEST(orbit_camera, framing_puts_points_in_the_middle) {
   double right = -2, left = -2, top = -2, bottom = -2;
   for (const glm::dvec3 p : points) {
     const glm::dvec3 seen = picture_of(camera.view({}), 1.2, p);
-    right = std::max(right, seen.x), left = std::max(left, -seen.x), top = std::max(top, seen.y),
+    right = std::max(right, seen.x);
+    left = std::max(left, -seen.x);
+    top = std::max(top, seen.y);
     bottom = std::max(bottom, -seen.y);
   }
-  // One pair of edges is touched on both sides, and nothing sticks out.
+  // The points touch both sides of one pair of edges, and none is outside.
   EXPECT_NEAR(std::max(std::min(right, left), std::min(top, bottom)), 1.0, 1e-9);
   EXPECT_LT(std::max({right, left, top, bottom}), 1.0 + 1e-9);
 }
 
 TEST(orbit_camera, framing_keeps_the_direction_and_survives_boxes_without_extent) {
   OrbitCamera camera;
-  camera.yaw_rad = 1.0, camera.pitch_rad = -0.4;
+  camera.yaw_rad = 1.0;
+  camera.pitch_rad = -0.4;
   camera.frame(Aabb{}, 1.5);
   EXPECT_LT(glm::length(camera.target), 1.0);
   EXPECT_EQ(camera.yaw_rad, 1.0);
@@ -155,9 +158,9 @@ TEST(orbit_camera, placing_puts_the_eye_where_it_was_asked_for) {
   camera.place(eye, to);
   EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
   EXPECT_EQ(camera.target, to);
-  camera.place(to, to);  // means nothing
+  camera.place(to, to);  // no direction: no effect
   EXPECT_LT(glm::length(camera.eye() - eye), 1e-12);
-  camera.place({0, 10, 0}, {0, 0, 0});  // straight down is as good as it gets
+  camera.place({0, 10, 0}, {0, 0, 0});  // straight down is limited to kSteepest_rad
   EXPECT_NEAR(camera.pitch_rad, OrbitCamera::kSteepest_rad, 1e-12);
 }
 
@@ -175,7 +178,8 @@ TEST(orbit_camera, takes_over_from_a_view_without_moving_the_picture) {
 TEST(orbit_camera, takes_over_the_size_that_a_parallel_view_shows) {
   const Aabb scene = box({-1, -1, -1}, {1, 1, 1});
   View given = look_at({0.0, 0.0, 50.0}, {0.0, 0.0, 0.0}, 0.8, 0.01);
-  given.half_height_m = 2.0, given.far_m = 100.0;
+  given.half_height_m = 2.0;
+  given.far_m = 100.0;
   OrbitCamera camera;
   camera.take_over(given, scene);
   EXPECT_LT(glm::length(camera.target), 1e-9);

@@ -9,7 +9,7 @@
 namespace sinew::viewer {
 namespace {
 
-// ImGui without window or device: layouts are made and can be clicked on, nothing is drawn.
+// ImGui without window or device: the panel is laid out and can be clicked, but is not drawn.
 class PanelTest : public testing::Test {
  protected:
   PanelTest() : context_(ImGui::CreateContext()) {
@@ -36,13 +36,13 @@ class PanelTest : public testing::Test {
     return wishes;
   }
 
-  // Presses the item of that label in the panel: true when some frame reported it active.
+  // Presses the item with that label. True if some frame reported it active.
   PanelWishes click(const char* label, Playback& playback) {
     PanelWishes wishes;
     frame(playback);
     const ImGuiID id = ImGui::FindWindowByName("sinew (h hides this)")->GetID(label);
     ImGuiContext& g = *context_;
-    // ImGui of this version has no test hooks: walk the mouse over the panel until the item is hovered.
+    // This version of ImGui has no test hooks: moves the mouse over the panel until the item is hovered.
     for (float y = 10; y < 700 && g.HoveredId != id; y += 4)
       for (float x = 20; x < 360 && g.HoveredId != id; x += 6) {
         ImGui::GetIO().MousePos = {x, y};
@@ -144,7 +144,11 @@ TEST_F(PanelTest, every_section_opens_without_a_device) {
 
 TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) {
   Playback playback(scene_);
-  const auto drawn = [&] { return frame(playback), frame(playback), ImGui::GetDrawData()->TotalVtxCount; };
+  const auto drawn = [&] {
+    frame(playback);
+    frame(playback);
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
   const int without = drawn();
   EXPECT_EQ(ImGui::FindWindowByName("live plan (e hides this)"), nullptr);
   click("live plan", playback);

@@ -76,14 +76,14 @@ TEST(playback, repeats_or_turns_back_or_stops_at_the_end) {
   EXPECT_EQ(playback.time_s(), 0.5);
   playback.next_mode();
   EXPECT_EQ(playback.mode(), PlayMode::ping_pong);
-  EXPECT_EQ(playback.time_s(), 0.5);  // changing the mode does not move the pose
+  EXPECT_EQ(playback.time_s(), 0.5);  // changing the mode keeps the time
   playback.advance(2.0);
   EXPECT_NEAR(playback.time_s(), 1.5, 1e-12);
   playback.next_mode();
   EXPECT_EQ(playback.mode(), PlayMode::once);
   playback.advance(9.0);
   EXPECT_EQ(playback.time_s(), 2.0);
-  playback.toggle();  // at its end, play means play again
+  playback.toggle();  // at the end, play starts again
   EXPECT_TRUE(playback.playing());
   playback.advance(0.5);
   EXPECT_EQ(playback.time_s(), 0.5);

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/passes/depth.h"
+#include "tests/viewer/stored_depth.h"
 
-namespace sinew {
+namespace sinew::viewer {
 namespace {
 
 using V4 = Vec4<double>;
@@ -17,30 +17,30 @@ V4 project(const Mat4<double>& m, double x, double y, double z) {
 
 const double kNear = 0.1, kFar = 500;
 
-void expect_range(DepthRange range, double at_near, double at_far) {
+void expect_range(DepthMapping mapping, double at_near, double at_far) {
   for (const double facing : {-1.0, 1.0}) {
     const auto frame = perspective_frame(FrustumT<double>{-0.1, 0.3, -0.05, 0.2, kNear}, facing);
-    const auto m = with_depth(frame, range, kNear, kFar);
+    const auto m = with_depth(frame, mapping, kNear, kFar);
     const V4 corner = project(m, 0.3, 0.2, facing * kNear);
     EXPECT_NEAR(corner.x, 1, 1e-14);
     EXPECT_NEAR(corner.y, 1, 1e-14);
     EXPECT_NEAR(corner.z, at_near, 1e-12);
     EXPECT_NEAR(project(m, -0.1, -0.05, facing * kNear).x, -1, 1e-14);
     EXPECT_NEAR(project(m, 0, 0, facing * kFar).z, at_far, 1e-12);
-    const auto infinite = with_infinite_depth(frame, range, kNear);
+    const auto infinite = with_infinite_depth(frame, mapping, kNear);
     EXPECT_NEAR(project(infinite, 0, 0, facing * kNear).z, at_near, 1e-12);
     EXPECT_NEAR(project(infinite, 0, 0, facing * 1e12).z, at_far, 1e-9);
   }
-  const auto box = orthographic(ViewBoxT<double>{-2, 3, -1, 4, -kNear, -kFar}, range);
+  const auto box = orthographic(ViewBoxT<double>{-2, 3, -1, 4, -kNear, -kFar}, mapping);
   EXPECT_NEAR(project(box, 3, 4, -kNear).x, 1, 1e-14);
   EXPECT_NEAR(project(box, -2, -1, -kNear).y, -1, 1e-14);
   EXPECT_NEAR(project(box, 0, 0, -kNear).z, at_near, 1e-12);
   EXPECT_NEAR(project(box, 0, 0, -kFar).z, at_far, 1e-12);
 }
 
-TEST(projection, gl_depth_runs_from_minus_one_to_one) { expect_range(DepthRange::gl, -1, 1); }
-TEST(projection, zero_one_depth_runs_from_zero_to_one) { expect_range(DepthRange::zero_one, 0, 1); }
-TEST(projection, N30_reversed_depth_runs_from_one_to_zero) { expect_range(DepthRange::reversed, 1, 0); }
+TEST(projection, gl_depth_runs_from_minus_one_to_one) { expect_range(DepthMapping::gl, -1, 1); }
+TEST(projection, zero_one_depth_runs_from_zero_to_one) { expect_range(DepthMapping::zero_one, 0, 1); }
+TEST(projection, N30_reversed_depth_runs_from_one_to_zero) { expect_range(DepthMapping::reversed, 1, 0); }
 
 TEST(projection, angle_and_rectangle_agree) {
   const auto a = perspective_frame(1.1, 1.7, -1.0), b = perspective_frame(symmetric_frustum(1.1, 1.7, kNear), -1.0);
@@ -50,21 +50,17 @@ TEST(projection, angle_and_rectangle_agree) {
 
 TEST(projection, near_times_far_may_overflow) {
   const auto frame = perspective_frame(1.0f, 1.0f, -1.0f);
-  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::gl, 1e20f, 1e21f)[3][2], -2e20f / 0.9f);
-  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::zero_one, 1e20f, 1e21f)[3][2], -1e20f / 0.9f);
-  EXPECT_FLOAT_EQ(with_depth(frame, DepthRange::reversed, 1e20f, 1e21f)[3][2], 1e20f / 0.9f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthMapping::gl, 1e20f, 1e21f)[3][2], -2e20f / 0.9f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthMapping::zero_one, 1e20f, 1e21f)[3][2], -1e20f / 0.9f);
+  EXPECT_FLOAT_EQ(with_depth(frame, DepthMapping::reversed, 1e20f, 1e21f)[3][2], 1e20f / 0.9f);
 }
 
 TEST(depth, distance_survives_the_round_trip) {
-  for (const DepthRange range : {DepthRange::gl, DepthRange::zero_one, DepthRange::reversed})
+  for (const DepthMapping mapping : {DepthMapping::gl, DepthMapping::zero_one, DepthMapping::reversed})
     for (const double d : {0.1, 0.5, 3.0, 100.0, 499.0}) {
-      const auto terms = depth_terms(with_depth(perspective_frame(1.0, 1.0, -1.0), range, kNear, kFar));
+      const auto terms = depth_terms(with_depth(perspective_frame(1.0, 1.0, -1.0), mapping, kNear, kFar));
       EXPECT_NEAR(distance_from_depth(terms, depth_from_distance(terms, d)) / d, 1, 1e-11);
     }
-  for (const double d : {0.1, 3.0, 499.0})
-    EXPECT_NEAR(distance_from_logarithmic_depth(logarithmic_depth(d, kNear, kFar), kNear, kFar) / d, 1, 1e-13);
-  EXPECT_EQ(logarithmic_depth(kNear, kNear, kFar), 0);
-  EXPECT_EQ(logarithmic_depth(kFar, kNear, kFar), 1);
 }
 
 /// Distance between neighbouring float depths at 1 km.
@@ -77,9 +73,9 @@ double step_at_1_km(const Mat4<float>& m) {
 
 TEST(depth, N30_reversed_infinite_depth_resolves_a_kilometre_four_orders_finer) {
   const auto frame = perspective_frame(1.0f, 1.0f, -1.0f);
-  EXPECT_GT(step_at_1_km(with_depth(frame, DepthRange::zero_one, 0.1f, 10000.0f)), 0.3);
-  EXPECT_LT(step_at_1_km(with_infinite_depth(frame, DepthRange::reversed, 0.1f)), 1.2e-4);
+  EXPECT_GT(step_at_1_km(with_depth(frame, DepthMapping::zero_one, 0.1f, 10000.0f)), 0.3);
+  EXPECT_LT(step_at_1_km(with_infinite_depth(frame, DepthMapping::reversed, 0.1f)), 1.2e-4);
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::viewer

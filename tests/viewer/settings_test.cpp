@@ -37,7 +37,8 @@ TEST(settings, pictures_are_evaluated_in_every_frame_unless_asked_otherwise) {
   next_updates(settings);
   EXPECT_EQ(settings.updates, Updates::held);
   EXPECT_NE(settings.evaluation(), first) << "another plan";
-  next_updates(settings), next_updates(settings);
+  next_updates(settings);
+  next_updates(settings);
   EXPECT_EQ(settings.evaluation(), first);
 }
 
@@ -80,7 +81,8 @@ TEST(settings, show_and_skinning_go_around) {
 
 TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
   ClipExtent standing, walking;
-  standing.reached.add({-1, 0, -1}), standing.reached.add({1, 2, 1});
+  standing.reached.add({-1, 0, -1});
+  standing.reached.add({1, 2, 1});
   standing.largest = walking.largest = standing.reached;
   walking.reached = standing.reached;
   walking.reached.add({500, 2, 1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prepass and shading against a ray caster and plain double-precision light, pixel by pixel.
+// Compares prepass and shading with a ray caster and plain double-precision lighting, pixel by pixel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,8 +40,8 @@ std::vector<reference::RayTriangle> triangles_of(const BuiltScene& built, const 
   return triangles;
 }
 
-/// The reference picture; pixels whose neighbours show another surface are left out of comparisons, because which of
-/// two triangles covers the middle of a pixel on their border is rounding.
+/// The reference picture. Pixels whose neighbours show another surface are not compared, because rounding decides which
+/// of two triangles covers the centre of a pixel on their border.
 struct Seen {
   std::vector<std::optional<reference::RayHit>> hits;
   std::vector<glm::dvec3> points;
@@ -161,8 +161,10 @@ TEST_F(shade_pass, occlusion_scales_the_ambient_term_only) {
   const FloatPicture picture = render_float(shiny_scene(), kWidth, kHeight, the_view(), access_only);
   std::vector<double> access;
   double darkest = 1.0;
-  for (const glm::vec4& pixel : picture.pixels)
-    access.push_back(static_cast<double>(pixel.r)), darkest = std::min(darkest, access.back());
+  for (const glm::vec4& pixel : picture.pixels) {
+    access.push_back(static_cast<double>(pixel.r));
+    darkest = std::min(darkest, access.back());
+  }
   ASSERT_LT(darkest, 0.8);
   expect_shaded(shiny_scene(), options, access, sun_of(options.lighting));
 }
@@ -188,7 +190,8 @@ TEST_F(shade_pass, where_normals_are_zero_surfaces_show_their_color_as_if_unlit)
   const auto picture_of = [&](bool unlit) {
     Primitive floor = square(2.0f);
     Material material = matte({0.5f, 0.3f, 0.1f});
-    material.unlit = unlit, material.emissive = glm::vec3(0.0f);
+    material.unlit = unlit;
+    material.emissive = glm::vec3(0.0f);
     if (!unlit) std::fill(floor.normals.begin(), floor.normals.end(), glm::vec3(0.0f));
     BuiltScene built;
     built.add(floor, built.add_material(material));
@@ -231,7 +234,9 @@ TEST_F(shade_pass, what_lies_before_light_beyond_what_images_hold_hides_it) {
   const auto behind_a_pane = [&](float intensity) {
     BuiltScene built = sunny_scene(intensity);
     Material pane = matte({0.2f, 0.1f, 0.05f});
-    pane.unlit = true, pane.alpha_mode = AlphaMode::blend, pane.double_sided = true;
+    pane.unlit = true;
+    pane.alpha_mode = AlphaMode::blend;
+    pane.double_sided = true;
     built.add(square(3.0f), built.add_material(pane), translation({0.0f, 1.5f, 0.0f}));
     return render_float(built, kWidth, kHeight, the_view(), options).pixels;
   };
@@ -256,7 +261,7 @@ TEST_F(shade_pass, P17_occlusion_of_strength_0_is_bit_for_bit_the_picture_withou
 
 TEST_F(shade_pass, leaves_out_the_prepass_without_changing_the_picture) {
   RenderOptions with, without;
-  with.ao.power = 1e-6f;  // occlusion that darkens next to nothing
+  with.ao.power = 1e-6f;  // occlusion with hardly any effect
   without.ao.on = false;
   const FloatPicture a = render_float(shiny_scene(), kWidth, kHeight, the_view(), with);
   const FloatPicture b = render_float(shiny_scene(), kWidth, kHeight, the_view(), without);

@@ -9,7 +9,9 @@ namespace {
 
 Affine at(float x, float y, float z) {
   Affine m;
-  m.row[0].w = x, m.row[1].w = y, m.row[2].w = z;
+  m.row[0].w = x;
+  m.row[1].w = y;
+  m.row[2].w = z;
   return m;
 }
 
@@ -21,7 +23,7 @@ Scene chain() {
   return scene;
 }
 
-// The outline touches both ends four times, and everything else lies nearer to the parent.
+// The outline touches each end four times, and its other points are nearer to the parent.
 void expect_bone(std::span<const LineVertex> lines, const glm::vec3& from, const glm::vec3& to) {
   int at_parent = 0, at_joint = 0, nearer_to_parent = 0;
   for (const auto& vertex : lines.first(SkeletonLines::kVerticesPerBone)) {
@@ -71,7 +73,9 @@ TEST(skeleton_lines, axes_have_the_asked_length_whatever_the_scale_and_vanish_wh
   scene.skeleton.parents = {kNone};
   SkeletonLines lines(scene);
   Affine scaled = at(1, 2, 3);
-  scaled.row[0].x = 40.0f, scaled.row[1].y = -0.01f, scaled.row[2].z = 0.0f;
+  scaled.row[0].x = 40.0f;
+  scaled.row[1].y = -0.01f;
+  scaled.row[2].z = 0.0f;
   const auto made = lines.make({&scaled, 1}, 0.25f);
   ASSERT_EQ(made.size(), 4u);
   EXPECT_EQ(made[1].position, glm::vec3(1.25f, 2, 3));

@@ -44,8 +44,8 @@ TEST(ssao_kernel, spreads_any_number_of_lines_evenly) {
       const glm::vec3 line = glm::normalize(kernel.offsets[i]);
       EXPECT_LT(glm::dot(line, glm::normalize(kernel.offsets[i + 1])), -0.999f) << "both ends of a line";
       for (std::size_t j = 0; j < i; j += 2) {
-        // As many caps as cover the half sphere, were there no gaps, are 4 / samples high: lines are no nearer than
-        // half of their width.
+        // samples / 2 caps of height 4 / samples have the area of the sphere. Lines must be at least half the angular
+        // radius of such a cap apart.
         const float cap = 1.0f - 4.0f / static_cast<float>(samples);
         EXPECT_LT(std::abs(glm::dot(line, glm::normalize(kernel.offsets[j]))),
                   std::cos(0.5f * std::acos(std::max(cap, 0.0f))))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The passes from depth to ambient access against plain double precision, on the depth and normals that the GPU itself
-// drew.
+// Compares the passes from depth to ambient access with plain double precision, on depth and normals drawn by the GPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +59,7 @@ std::vector<double> reference_access(const reference::DepthAndNormals& image, co
 }
 
 struct Difference {
-  double mean = 0.0, worst = 0.0, spread = 0.0;  ///< spread: of the reference, so that agreement means something
+  double mean = 0.0, worst = 0.0, spread = 0.0;  ///< spread = of the reference; without it agreement would mean nothing
 };
 
 Difference compare(const FloatPicture& picture, const std::vector<double>& expected) {
@@ -91,7 +90,7 @@ TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
     const Difference d =
         compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
     EXPECT_GT(d.spread, 0.3) << "nothing is occluded: the comparison is empty";
-    // A sample on the border between two pixels can fall to either side in float: one of 14 samples, rarely.
+    // In float, a sample on the border of two pixels may fall to either side: rarely, and for one of 14 samples.
     EXPECT_LT(d.mean, 5e-4) << "blur " << blur;
     EXPECT_LT(d.worst, 0.12) << "blur " << blur;
   }
@@ -136,7 +135,7 @@ TEST_F(ssao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
     BuiltScene built;
     built.add(square(30.0f), built.add_material(matte({1, 1, 1})));
     RenderOptions options = options_with(0.5f);
-    options.ao.surface_epsilon_m = 0.0f;  // the epsilon must not be what saves it
+    options.ao.surface_epsilon_m = 0.0f;  // the result must not depend on the epsilon
     options.ao.blur = false;
     const View view = look_at({0.0, height, 6.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);
     const FloatPicture picture = render_float(built, 96, 64, view, options);
@@ -219,7 +218,7 @@ TEST_F(ssao_pass, N34_is_nearer_to_ray_cast_truth_than_no_occlusion_and_steady_b
       const auto i = static_cast<std::size_t>(y * kWidth + x);
       if (image.distance[i] == 0.0) continue;
       const glm::dvec3 n = image.normals[i], p = reference::leave_surface(image.point(x, y), n, kDepthRoundoff);
-      // Rays that leave a box start inside no other: back faces need no test.
+      // Rays that leave a box start in no other, so back faces need no test.
       const double open = reference::open_share(triangles, p, n, static_cast<double>(options.ao.radius_m), 64);
       with += std::pow(open - static_cast<double>(picture.pixels[i].r), 2.0);
       without += std::pow(open - 1.0, 2.0);

@@ -16,11 +16,13 @@ View seen_from(double distance_m) { return look_at({0.0, 1.0, distance_m}, {0.0,
 
 Plan plan_for(const Scene& scene, Updates updates) {
   Needs needs;
-  needs.bounds = true, needs.max_layers = 1, needs.between_updates = updates == Updates::interpolated;
+  needs.bounds = true;
+  needs.max_layers = 1;
+  needs.between_updates = updates == Updates::interpolated;
   return compile_plan(scene, needs);
 }
 
-/// A character that plays 24 frames while it is looked at from that far.
+/// Plays 24 frames of a character that is seen from a distance.
 struct Watched {
   Watched(const Scene& scene, Updates updates) : plan(plan_for(scene, updates)), frame(plan), levels(plan, updates) {}
 
@@ -64,7 +66,8 @@ TEST(update_levels, P19_small_characters_are_sampled_at_the_share_of_their_level
       std::uint64_t sampled = 0, skinned = 0;
       for (std::uint64_t number = 0; number < 48; ++number) {
         const WorkCounters& work = watched.show(number, seen_from(distance_m)).work;
-        sampled += work.tracks_sampled, skinned += work.vertices_skinned_linear > 0;
+        sampled += work.tracks_sampled;
+        skinned += work.vertices_skinned_linear > 0;
       }
       const std::uint64_t period = updates == Updates::every || distance_m < 10.0 ? 1 : distance_m < 50.0 ? 2 : 4;
       EXPECT_NEAR(static_cast<double>(sampled), 48.0 / static_cast<double>(period), 2.0)

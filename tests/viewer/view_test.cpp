@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/view.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include <glm/geometric.hpp>
+
+#include "runtime/math/inverse.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
 
 namespace sinew::viewer {
 namespace {
@@ -20,6 +22,46 @@ TEST(view, looks_along_minus_z_with_y_up) {
   EXPECT_NEAR(determinant(view.view_from_world), 1.0, 1e-12);
   const glm::dvec3 eye = eye_of(view);
   EXPECT_NEAR(glm::length(eye - glm::dvec3(3.0, 4.0, 5.0)), 0.0, 1e-12);
+}
+
+TEST(view, puts_the_eye_at_the_origin_and_the_target_ahead) {
+  using V = glm::dvec3;
+  test::FixedRandom random(1);
+  for (int i = 0; i < 100; ++i) {
+    const V eye = random.vec3<double>(-5, 5), target = random.vec3<double>(-5, 5), up = random.direction<double>();
+    const Affined view = look_at(eye, target, 0.8, 0.1, up).view_from_world;
+    EXPECT_TRUE(test::is_near(transform_point(view, eye), V(0), 1e-13));
+    EXPECT_TRUE(test::is_near(transform_point(view, target), V(0, 0, -test::distance(eye, target)), 1e-13));
+    const V up_seen = transform_vector(view, up);
+    EXPECT_NEAR(up_seen.x, 0, 1e-12);
+    EXPECT_GE(up_seen.y, 0);
+    EXPECT_TRUE(test::is_near(view * inverse_rigid(view), Affined{}, 1e-13));
+  }
+}
+
+TEST(view, up_along_the_line_of_sight_or_no_direction_at_all_still_gives_a_rotation) {
+  const glm::dvec3 eye(1, 2, 3);
+  for (const glm::dvec3& target : {glm::dvec3(0, 0, 0), glm::dvec3(0, 5, 0), eye}) {
+    const Affined view = look_at(eye, target, 0.8, 0.1, eye - target).view_from_world;
+    EXPECT_TRUE(test::is_near(view * inverse_rigid(view), Affined{}, 1e-14));
+    EXPECT_NEAR(determinant(view), 1, 1e-14);
+  }
+}
+
+TEST(view, clip_space_is_the_one_of_its_frustum_with_reversed_depth) {
+  View view = look_at({0, 0, 0}, {0, 0, -1}, 2.0 * std::atan(0.5), 0.25);
+  const auto projected = [&](double x, double y, double distance) {
+    const Vec4<double> clip = clip_from_view(view, 2.0) * Vec4<double>(x, y, -distance, 1.0);
+    return Vec3<double>(clip) / clip.w;
+  };
+  EXPECT_TRUE(test::is_near(projected(4.0, 2.0, 4.0), {1.0, 1.0, 0.25 / 4.0}, 1e-14));
+  EXPECT_TRUE(test::is_near(projected(0.0, -0.125, 0.25), {0.0, -1.0, 1.0}, 1e-14));
+  view.far_m = 100.0;
+  EXPECT_TRUE(test::is_near(projected(0.0, 0.0, 0.25), {0.0, 0.0, 1.0}, 1e-14));
+  EXPECT_TRUE(test::is_near(projected(100.0, 50.0, 100.0), {1.0, 1.0, 0.0}, 1e-14));
+  view.half_height_m = 3.0;
+  EXPECT_TRUE(test::is_near(projected(-6.0, 3.0, 0.25), {-1.0, 1.0, 1.0}, 1e-14));
+  EXPECT_TRUE(test::is_near(projected(6.0, -3.0, 100.0), {1.0, -1.0, 0.0}, 1e-14));
 }
 
 TEST(view, stays_a_rotation_when_looking_straight_down_or_from_the_target_itself) {
@@ -89,7 +131,8 @@ TEST(view, P14_a_box_is_out_of_view_when_it_lies_beyond_one_side) {
 
 TEST(view, P14_a_parallel_view_is_as_wide_everywhere) {
   View view = look_at({0, 0, 0}, {0, 0, -1}, 0.8, 1.0);
-  view.half_height_m = 2.0, view.far_m = 100.0;
+  view.half_height_m = 2.0;
+  view.far_m = 100.0;
   for (const float z : {-2.0f, -90.0f}) {
     EXPECT_FALSE(is_out(view, {4.05f, 2.05f, z}) || is_out(view, {-4.05f, -2.05f, z}));
     EXPECT_TRUE(is_out(view, {4.2f, 0, z}) && is_out(view, {0, -2.2f, z}));

@@ -8,8 +8,8 @@
 
 namespace sinew::viewer {
 
-/// A camera of the file at any time, known before the pose is: a plan of its own evaluates the camera's joint and those
-/// above it, and no other (SkeletonLod).
+/// The view of a camera of the file at any time, before the pose of the frame is evaluated. It has its own plan, whose
+/// skeleton LOD keeps only the camera's joint and the joints above it.
 class CameraPose {
  public:
   /// in   camera  of the scene, on a joint; the scene must outlive this
@@ -17,12 +17,12 @@ class CameraPose {
 
   std::uint32_t camera() const noexcept { return camera_; }
 
-  /// Some clip moves it, or changes what it sees.
+  /// Some clip animates the camera, its joint or a joint above.
   bool moves() const noexcept { return !plan_.moved_joints().empty() || plan_.runs(Stage::properties); }
 
-  /// What it sees at one time of a clip, as view_of_camera (file_camera.h).
+  /// The view at one time of a clip, as view_of_camera (file_camera.h) makes it.
   /// in   clip  kNone = the rest pose;   bounds  of the clip
-  /// cost O(joints above the camera), no allocation but for moved properties
+  /// cost O(joints above the camera); allocates only where clips animate properties
   View at(std::uint32_t clip, double time_s, double aspect, const Aabb& bounds);
 
  private:

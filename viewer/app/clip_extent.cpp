@@ -3,9 +3,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "runtime/model/mesh_copies.h"
 #include "runtime/plan/run_plan.h"
 #include "viewer/app/skeleton_lines.h"
-#include "viewer/upload/scene_bounds.h"
 
 namespace sinew::viewer {
 namespace {
@@ -14,7 +14,7 @@ constexpr int kPoses = 17;
 
 float diagonal(const Aabb& box) { return box.empty() ? -1.0f : glm::length(box.upper - box.lower); }
 
-// A point becomes a cube around it, so that lengths that follow the box are never zero.
+// Replaces a point by a cube around it, so that lengths derived from the box are never zero.
 void give_extent(Aabb& box) {
   if (box.empty() || diagonal(box) > 0.0f) return;
   const float half = glm::length(box.lower) > 0.0f ? 0.01f * glm::length(box.lower) : 0.5f;
@@ -23,6 +23,25 @@ void give_extent(Aabb& box) {
 }
 
 }  // namespace
+
+Aabb bounds_of(const Scene& scene, const FrameResult& frame) {
+  Aabb box;
+  for (std::size_t i = 0; i < frame.instances.size(); ++i) {
+    const InstanceResult& instance = frame.instances[i];
+    if (!instance.visible) continue;
+    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      const DeformedPrimitive& deformed = frame.primitives[instance.first_primitive + p];
+      const Primitive& primitive = mesh.primitives[p];
+      const std::span<const glm::vec3> positions =
+          deformed.positions.empty() ? primitive.positions : deformed.positions;
+      for_each_copy(scene.instances[i], instance.world_from_mesh, [&](const Affine& world_from_copy) {
+        for (const std::uint32_t v : primitive.indices) box.add(transform_point(world_from_copy, positions[v]));
+      });
+    }
+  }
+  return box;
+}
 
 ClipExtent clip_extent(const Scene& scene, std::uint32_t clip) {
   Needs needs;
@@ -49,7 +68,7 @@ ClipExtent clip_extent(const Scene& scene, std::uint32_t clip) {
     bounds.reached.add(box.lower);
     bounds.reached.add(box.upper);
   }
-  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // a point that travels
+  if (diagonal(bounds.largest) <= 0.0f) bounds.largest = bounds.reached;  // a point that moves
   give_extent(bounds.reached);
   give_extent(bounds.largest);
   return bounds;

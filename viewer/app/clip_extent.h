@@ -3,21 +3,28 @@
 #include <cstdint>
 
 #include "runtime/model/scene.h"
+#include "runtime/plan/frame_result.h"
 #include "viewer/app/outline.h"
 
 namespace sinew::viewer {
 
-/// How much room a clip takes, in world space.
+/// The space that a clip takes, in world coordinates.
 struct ClipExtent {
-  Aabb reached;     ///< holds every pose
-  Outline outline;  ///< of every pose: what the camera frames
-  Aabb largest;  ///< of the single pose with the longest diagonal: what shading lengths follow, so that a walk across
-                 ///< the world does not blur the walker's ambient occlusion
+  Aabb reached;     ///< contains every pose
+  Outline outline;  ///< of all poses: the camera frames it
+  Aabb largest;     ///< of the pose with the longest diagonal. Lengths of ambient occlusion follow it, so that they do
+                    ///< not grow when a character walks far
 };
 
-/// From the deformed vertices of poses spread over the clip, first and last included; from the joints when the scene
-/// draws nothing. `clip` kNone = the rest pose. A single point counts as a small cube; a scene without joints has empty
-/// boxes. cost up to 17 evaluations
+/// Measured on the deformed vertices of 17 poses spread over the clip, the first and the last included, or on the
+/// joints when the scene draws nothing. A single point counts as a small cube; a scene without joints has empty boxes.
+/// in   clip  kNone = the rest pose
+/// cost up to 17 evaluations
 ClipExtent clip_extent(const Scene& scene, std::uint32_t clip);
+
+/// World-space box of everything that the frame draws, from the deformed vertices, because a skinned mesh may be far
+/// from its static box. Empty when the scene draws nothing.
+/// cost O(vertices)
+Aabb bounds_of(const Scene& scene, const FrameResult& frame);
 
 }  // namespace sinew::viewer

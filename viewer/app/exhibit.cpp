@@ -27,7 +27,7 @@ std::vector<Exhibit> built_in() {
   return exhibits;
 }
 
-/// What the scene has and the viewer does not show.
+/// Warns about what the scene has and the viewer does not show.
 void say_what_is_left_out(const std::string& file, const Scene& scene,
                           const std::function<void(const std::string&)>& say) {
   if (scene.lights.size() > kMaxLights)

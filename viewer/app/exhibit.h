@@ -17,10 +17,10 @@ namespace sinew::viewer {
 /// A scene to be shown: a file, or one of the built-in scenes.
 struct Exhibit {
   std::string name;  ///< for the title and the menu
-  std::string note;  ///< what to look at, may be empty
+  std::string note;  ///< one sentence: what to look at; may be empty
   Scene scene;
-  std::vector<Skinning> instance_skinning;  ///< as in Needs: what the scene insists on
-  std::optional<PlacedCamera> camera;       ///< none = frame everything
+  std::vector<Skinning> instance_skinning;  ///< as in Needs: the kind of skinning that the scene itself asks for
+  std::optional<PlacedCamera> camera;       ///< none = the camera frames everything
   double fov_y_rad = 0.785398163397448;
 };
 
@@ -28,29 +28,29 @@ struct Exhibit {
 struct Evaluation {
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::every;
-  bool stage_times = false;  ///< while somebody looks at them
+  bool stage_times = false;  ///< measured while the live plan is shown
 
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 };
 
-/// What the viewer asks the runtime for: vertices, and boxes to leave out what is not in view.
+/// What the viewer asks the runtime for: vertices, and bounds for frustum culling.
 Needs needs_of(const Exhibit& exhibit, const Evaluation& evaluation);
 
-/// Why there is nothing to show, and how the program ends.
+/// Why there is nothing to show, and the exit code of the program.
 struct LoadError {
   int exit_code = 1;
   std::string message;
 };
 
 /// Reads the file, or makes the built-in scenes when no file is named.
-/// in   say  gets each warning as one line;   progress  part of the work that is done, 0 to 1, may be empty
-/// err  what is wrong with the file and where
+/// in   say  receives each warning as one line;   progress  receives the finished part of the work, 0 to 1; may be
+/// empty err  what is wrong with the file, and where
 tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress);
 
-/// Makes the centers of rotation of the scene's skinned meshes, once, if this kind of skinning or the scene's own
-/// choice asks for them. Large meshes take seconds.
+/// Computes the centers of rotation of the scene's skinned meshes if `skinning` or the scene's own choice needs them
+/// and they are not there yet. cost seconds for large meshes
 void add_missing_centers(Exhibit& exhibit, Skinning skinning, const std::function<void(double)>& progress = {});
 
 }  // namespace sinew::viewer

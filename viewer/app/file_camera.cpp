@@ -11,16 +11,17 @@ namespace sinew::viewer {
 namespace {
 
 constexpr double kNarrowest_rad = 1e-3, kWidest_rad = std::numbers::pi - 1e-3;
-constexpr double kSmallest_m = 1e-6;     // of lengths that must be above 0
-constexpr double kSmallestRange = 1e-6;  // far - near, relative to near or a metre
+constexpr double kSmallest_m = 1e-6;  // lower limit of lengths that must be positive
+constexpr double kSmallestRange =
+    1e-6;  // lower limit of far - near, relative to near, or to a metre if near is smaller
 
-/// Unit vector along a column of the matrix; `fallback` where the joint's scale has taken its direction.
+/// Unit vector along a column of the matrix; `fallback` if the joint scales the column to zero.
 glm::dvec3 axis(const glm::dvec3& column, const glm::dvec3& fallback) {
   const double length = glm::length(column);
   return length > 0.0 ? column / length : fallback;
 }
 
-/// Half of the height that is shown, when the camera shows `half_height` and `half_width` fully.
+/// Half of the height to show, so that `half_height` and `half_width` both fit.
 double half_height_for(double half_height, double half_width, double aspect) {
   return std::max(half_height, half_width / aspect);
 }
@@ -28,7 +29,8 @@ double half_height_for(double half_height, double half_width, double aspect) {
 double fov_for(const Camera& camera, double aspect) {
   const double half = 0.5 * std::clamp(static_cast<double>(camera.fov_y_rad), kNarrowest_rad, kWidest_rad);
   const double height = std::tan(half), width = height * std::max(static_cast<double>(camera.aspect), 0.0);
-  return std::min(2.0 * std::atan(half_height_for(height, width, aspect)), kWidest_rad);  // aspect 0: the picture's own
+  return std::min(2.0 * std::atan(half_height_for(height, width, aspect)),
+                  kWidest_rad);  // camera without aspect: width is 0
 }
 
 double far_behind(const Aabb& bounds, const glm::dvec3& eye) {

@@ -5,11 +5,11 @@
 
 namespace sinew::viewer {
 
-/// What the camera sees from its joint; scale of the joint has no effect. Where the picture has another shape than the
-/// camera, it shows more at two sides and never less: nothing is cut off or stretched. An orthographic camera without
-/// far plane gets one behind `bounds`. Angles and lengths that a clip moves out of their range count as the nearest
-/// that make sense. in   camera   of this frame's look;   world_from_camera   of its joint;   aspect   width / height
-/// of the picture
+/// The view of a camera of the file from its joint. The scale of the joint has no effect. If the picture has another
+/// aspect than the camera, it shows more at two sides, never less, and is not stretched. An orthographic camera without
+/// a far plane gets one behind `bounds`. Angles and lengths that a clip animates out of their valid range are clamped.
+/// in   camera             as animated in this frame;   world_from_camera  of its joint
+///      aspect             width / height of the picture;   bounds  of the clip, world space
 View view_of_camera(const Camera& camera, const Affine& world_from_camera, double aspect, const Aabb& bounds);
 
 }  // namespace sinew::viewer

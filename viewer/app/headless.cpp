@@ -5,7 +5,6 @@
 
 #include "viewer/device/buffer.h"
 #include "viewer/device/image.h"
-#include "viewer/device/read_back.h"
 
 namespace sinew::viewer {
 
@@ -45,7 +44,8 @@ Headless::~Headless() = default;
 Picture Headless::render(const FrameResult& frame, const View& view, const RenderOptions& options,
                          std::span<const LineVertex> lines, std::uint32_t variant) {
   State& s = *state_;
-  s.frame_upload.update(0, frame, ++s.pictures);  // frames of any instance may follow each other here
+  s.frame_upload.update(
+      0, frame, ++s.pictures);  // every call is a new source: consecutive frames may come from different frame buffers
   s.scene_upload.update(0, s.frame_upload.look(0));
   const DrawnScene drawn{&s.scene_upload, &s.frame_upload, variant};
   FrameInputs inputs;

@@ -13,11 +13,12 @@
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
 #include "viewer/app/camera_pose.h"
+#include "viewer/app/frustum_culling.h"
 #include "viewer/app/headless.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
+#include "viewer/app/png_writer.h"
 #include "viewer/app/settings.h"
-#include "viewer/app/sight.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/validation_outcome.h"
 
@@ -26,10 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The pose of the exhibit at any time, evaluated where it is asked for.
-class Poser {
+// Evaluates the pose of the exhibit at any time, on the calling thread.
+class PoseEvaluator {
  public:
-  Poser(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
+  PoseEvaluator(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
       : clip_(clip),
         plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))),
         stages_(plan_.stages()),
@@ -41,13 +42,13 @@ class Poser {
   const FrameResult& newest() const noexcept { return frame_.result(); }
   UpdateLevels& levels() noexcept { return levels_; }
 
-  /// in   ahead_s  the time of the picture that is that many frames from this one
-  const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s, const Unseen& unseen,
-                        bool joints_watched) {
+  /// in   ahead_s  gives the clip time of the picture that is that many frames from this one
+  const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s,
+                        const CulledInstances& culled, bool joints_watched) {
     const ClipLayer layer{clip_, time_s, 1.0f}, ahead{clip_, ahead_s(levels_.frames_to_update()), 1.0f};
     const std::size_t count = clip_ != kNone;
     FrameInput now;
-    leave_out(unseen, joints_watched, now);
+    leave_out(culled, joints_watched, now);
     now.layers = {&layer, count};
     const ErrorCode code = run_plan(plan_, levels_.input(now, {&ahead, count}), frame_);
     CONTRACT(code == ErrorCode::ok);  // the clip is in range and the time is finite
@@ -69,7 +70,7 @@ OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const Cli
   return camera;
 }
 
-// A camera that was placed is taken as it is: an orbit camera cannot look straight down.
+// A placed camera bypasses OrbitCamera, which cannot look straight down.
 View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
   const OrbitCamera camera = camera_for(options, exhibit, bounds);
   const auto placed = options.camera ? options.camera : exhibit.camera;
@@ -78,7 +79,7 @@ View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& 
   return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
 }
 
-// Pose, view and look of one command line, and the pictures of any time.
+// Renders the pictures of one command line, at any time.
 class PictureMaker {
  public:
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
@@ -90,27 +91,27 @@ class PictureMaker {
         watches_plan_(options.plan),
         frame_s_(1.0 / options.fps),
         aspect_(static_cast<double>(options.width) / options.height),
-        poser_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
-        sight_(exhibit.scene, poser_.needs()),
+        evaluator_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
+        culling_(exhibit.scene, evaluator_.needs()),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
   }
 
-  /// Of one time, exactly.
+  /// One picture, evaluated exactly at its time.
   Picture at(double time_s) {
-    poser_.levels().begin_exact_frame("one picture");
+    evaluator_.levels().begin_exact_frame("one picture");
     return draw(time_s, [time_s](std::uint32_t) { return time_s; });
   }
 
-  /// Number `picture` of a row, whose times are `time_of(number)`.
-  Picture in_row(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
-    if (poser_.newest().frame == 0)
-      poser_.levels().begin_exact_frame("the first picture");
+  /// Picture `picture` of a sequence; `time_of` gives the time of each picture.
+  Picture in_sequence(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
+    if (evaluator_.newest().frame == 0)
+      evaluator_.levels().begin_exact_frame("the first picture");
     else if (camera_ && camera_->moves())
-      poser_.levels().begin_exact_frame("the camera moves with the clip");
+      evaluator_.levels().begin_exact_frame("the camera moves with the clip");
     else
-      poser_.levels().begin_frame(size_in_picture(poser_.newest(), view_), frame_s_);
+      evaluator_.levels().begin_frame(size_in_picture(evaluator_.newest(), view_), frame_s_);
     return draw(time_of(picture), [&](std::uint32_t frames) { return time_of(picture + frames); });
   }
 
@@ -119,16 +120,16 @@ class PictureMaker {
  private:
   Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
     if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
-    const Unseen unseen = sight_.of(clip_, view_, aspect_);
-    const FrameResult& pose = poser_.at(time_s, ahead_s, unseen, settings_.watches_joints());
+    const CulledInstances culled = culling_.of(clip_, view_, aspect_);
+    const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.watches_joints());
     RenderOptions look = render_options(settings_, bounds_, eye_of(view_));
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
     Picture picture = headless_.render(pose, view_, look, lines, settings_.variant);
     if (watches_plan_) {
-      live_plan_.updates(poser_.levels());
-      live_plan_.evaluated(poser_.stages(), pose);
+      live_plan_.updates(evaluator_.levels());
+      live_plan_.evaluated(evaluator_.stages(), pose);
       live_plan_.drawn(headless_.upload_counts(), headless_.report(), headless_.pass_times());
     }
     return picture;
@@ -139,17 +140,17 @@ class PictureMaker {
   View view_;
   Settings settings_;
   bool transparent_, watches_plan_;
-  double frame_s_;  // from picture to picture of a row
+  double frame_s_;  // time between pictures of a sequence
   double aspect_;
-  Poser poser_;
-  Sight sight_;
-  std::optional<CameraPose> camera_;  // of the file, where the picture is seen through it
+  PoseEvaluator evaluator_;
+  FrustumCulling culling_;
+  std::optional<CameraPose> camera_;  // set when the picture shows the view of a camera of the file
   SkeletonLines skeleton_;
   Headless headless_;
   LivePlan live_plan_;
 };
 
-// Pictures that nobody keeps, so that a plan's times are not those of a first frame.
+// Renders pictures and discards them, so that the times of the live plan are not those of a first frame.
 void warm_up(PictureMaker& maker, double duration_s) {
   constexpr std::uint32_t kPictures = 20;
   for (std::uint32_t n = 1; n <= kPictures; ++n) maker.at(duration_s * n / (kPictures + 1.0));
@@ -192,7 +193,7 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
     const auto [first, last] = *options.frames;
     const auto time_of = [&](std::uint32_t n) { return picture_time_s(n, options.fps, duration); };
     for (std::uint32_t n = first;; ++n) {
-      writer.write(fs::path(options.headless) / picture_name(n), maker.in_row(n, time_of));
+      writer.write(fs::path(options.headless) / picture_name(n), maker.in_sequence(n, time_of));
       show_progress(n - first + 1, last - first + 1);
       if (n == last) break;
     }

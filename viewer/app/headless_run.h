@@ -8,13 +8,13 @@
 
 namespace sinew::viewer {
 
-/// Clip time of picture n of a range: n / fps, past the end of the clip again from its start. A picture that falls on
+/// Clip time of picture n of a range: n / fps, repeated from the start after the end of the clip. A picture exactly at
 /// the end shows the end.
 double picture_time_s(std::uint32_t picture, double fps, double duration_s) noexcept;
 
-/// Writes the picture, or the numbered pictures DIR/00000.png ..., that the options ask for. Needs no display.
+/// Writes the picture that the options ask for, or numbered pictures DIR/00000.png ... Needs no display.
 /// in   clip  kNone = rest pose
-/// out  exit code of the program: 0; 3 when a file cannot be written, or Options::validate and the layer complained
+/// out  exit code of the program: 0, or 3 when a file cannot be written or the validation layer reported something
 /// err  DeviceError when there is no device
 int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip);
 

@@ -6,7 +6,7 @@
 namespace sinew::viewer {
 namespace {
 
-// Key codes as GLFW 3 defines them; glfw3.h itself is for the window's own files only (window_test holds them equal).
+// Key codes of GLFW 3, repeated because only window.cpp and panel_backend.cpp may include glfw3.h.
 constexpr int kSpace = 32, kEscape = 256, kRight = 262, kLeft = 263, kDown = 264, kUp = 265;
 
 constexpr std::array kBindings{

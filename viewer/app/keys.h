@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// What a key of the window does.
+/// What a key does in the window.
 enum class Action {
   toggle_play,
   step_back,
@@ -30,7 +30,7 @@ enum class Action {
   quit
 };
 
-/// One row of the key table, which --help, the panel and the window all read.
+/// One row of the key table. --help, the panel and the window read the same table.
 struct KeyBinding {
   int key;  ///< GLFW key code: ASCII capital for letters
   Action action;
@@ -40,10 +40,10 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_bindings() noexcept;
 
-/// The action of a key, nothing when it has none.
+/// The action of a key; nothing when the key has none.
 std::optional<Action> action_of_key(int key) noexcept;
 
-/// The key table and the mouse as text, one line each, for --help.
+/// The key table and the mouse buttons as text for --help, one line each.
 std::string describe_keys();
 
 }  // namespace sinew::viewer

@@ -24,13 +24,18 @@ PlanRow& LivePlan::row(PlanPart part, std::string_view stage) {
 
 void LivePlan::tell(PlanPart part, std::string_view stage, bool runs, std::string_view reason, std::uint64_t count) {
   PlanRow& told = row(part, stage);
-  told.runs = runs, told.reason = reason, told.count = count;
-  if (!runs) told.timed = 0, told.time_us = 0.0;
+  told.runs = runs;
+  told.reason = reason;
+  told.count = count;
+  if (!runs) {
+    told.timed = 0;
+    told.time_us = 0.0;
+  }
 }
 
 void LivePlan::time(PlanPart part, std::string_view stage, double time_us) {
   PlanRow& timed = row(part, stage);
-  timed.time_us = ++timed.timed > kFirst ? timed.time_us + kShare * (time_us - timed.time_us) : time_us;
+  timed.time_us = ++timed.timed > kWarmUpFrames ? timed.time_us + kSmoothing * (time_us - timed.time_us) : time_us;
 }
 
 void LivePlan::evaluated(std::span<const PlanStage> stages, const FrameResult& frame) {

@@ -18,7 +18,7 @@ namespace {
 
 void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
-/// Writes how far `work` is, on a terminal.
+/// Shows the progress of `work`, if stderr is a terminal.
 std::function<void(double)> progress_of(const char* work) {
   if (!isatty(STDERR_FILENO)) return nullptr;
   return [work](double done) {

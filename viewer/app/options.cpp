@@ -17,9 +17,9 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint32_t kLargestSide = 16384;  // what every Vulkan 1.3 device of a desktop can render to
+constexpr std::uint32_t kLargestSide = 16384;  // every desktop device with Vulkan 1.3 supports it
 
-// All of `text` as a number, or nothing.
+// `text` as a number; nothing if any character is left over.
 template <class T>
 std::optional<T> number(std::string_view text) {
   T value{};
@@ -75,7 +75,7 @@ bool names_png(const std::string& path) {
   return end == ".png";
 }
 
-// Rules between options, beyond what CLI11's needs() and excludes() say.
+// Checks rules between options that CLI11's needs() and excludes() cannot express.
 void check_together(const Options& options) {
   if (options.camera && options.camera->eye == options.camera->target)
     throw CLI::ValidationError("--eye", "the camera cannot look at the same point that it is at");
@@ -89,7 +89,7 @@ void check_together(const Options& options) {
         "'" + options.headless + "' does not end in .png; for a folder of pictures add --frames FIRST:LAST --fps N");
 }
 
-// The value that `text` names, from a short table.
+// The value that `text` names in a table.
 template <class T>
 T named(const char* option, const std::string& text, std::initializer_list<std::pair<const char*, T>> names) {
   std::string all;
@@ -100,7 +100,7 @@ T named(const char* option, const std::string& text, std::initializer_list<std::
   throw CLI::ValidationError(option, "'" + text + "' is not one of: " + all);
 }
 
-// An option that `read` turns from text into its place in the options.
+// Adds an option whose text is parsed by `read`.
 template <class Read>
 CLI::Option* text_option(CLI::App& app, const char* name, const char* type, const char* what, Read read) {
   return app.add_option_function<std::string>(name, read, what)->type_name(type);
@@ -191,7 +191,7 @@ void add_time_options(CLI::App& app, Options& options) {
   exit_after->excludes(headless);
 }
 
-// CLI11 writes "Needs:" and "Excludes:" into the option column; a wrong combination says so by itself.
+// CLI11 would print "Needs:" and "Excludes:" in the option column; the message for a wrong combination says the same.
 class ShortFormatter : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -199,12 +199,12 @@ class ShortFormatter : public CLI::Formatter {
   }
 };
 
-// "-.5,1,2" starts like a short option; CLI11 takes "-0.5,1,2" for the value that it is.
+// "-.5,1,2" looks like a short option to CLI11; "-0.5,1,2" is accepted as a value.
 std::vector<std::string> arguments(int argc, const char* const* argv) {
   std::vector<std::string> list(argv + (argc > 0 ? 1 : 0), argv + argc);
   for (auto& text : list)
     if (text.size() > 2 && text[0] == '-' && text[1] == '.') text.insert(1, "0");
-  return {list.rbegin(), list.rend()};  // CLI11 takes them last first
+  return {list.rbegin(), list.rend()};  // CLI11 expects the last argument first
 }
 
 }  // namespace

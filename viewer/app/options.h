@@ -13,12 +13,12 @@
 
 namespace sinew::viewer {
 
-/// Numbered pictures `first` to `last`, both included; picture n shows time n / fps.
+/// Numbered pictures `first` to `last`, both included. Picture n shows time n / fps.
 struct FrameRange {
   std::uint32_t first = 0, last = 0;
 };
 
-/// Where the user puts the camera. Without it the camera frames everything that the clip reaches.
+/// A camera position given by the user. Without it the camera frames the whole clip.
 struct PlacedCamera {
   glm::vec3 eye{0.0f}, target{0.0f};
 };
@@ -44,18 +44,18 @@ struct Options {
   std::optional<double> fov_y_deg;         ///< unset = 45, or what the built-in scene was made for
   std::optional<double> exit_after_s;      ///< close the window by itself
   std::optional<Updates>
-      updates;            ///< of what is small in the picture; unset = interpolated in the window, every in pictures
-  bool plan = false;      ///< print the plan as it ran, after the pictures
-  bool validate = false;  ///< with Vulkan's validation layer; what it says ends with exit code 3
+      updates;  ///< of meshes that are small in the picture; unset = interpolated in the window, every in pictures
+  bool plan = false;      ///< print the live plan after the pictures
+  bool validate = false;  ///< use Vulkan's validation layer; any message of it gives exit code 3
 };
 
-/// Nothing to do but to print `text` and leave with `code`: help and version (0, stdout) or wrong usage (2, stderr).
+/// The program prints `text` and exits with `code`: help and version (0, stdout) or wrong usage (2, stderr).
 struct Leave {
   int code = 0;
   std::string text;
 };
 
-/// Reads the command line. No file is touched.
+/// Parses the command line. Opens no file.
 /// in   argv[argc] as main gets it
 std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
 

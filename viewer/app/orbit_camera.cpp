@@ -14,7 +14,7 @@ namespace {
 constexpr double kZoomPerStep = 0.9, kMargin = 1.08, kZoomRange = 1000.0;
 
 struct Axes {
-  glm::dvec3 right, up, back;  // of the camera, in world space; back points from the target to the eye
+  glm::dvec3 right, up, back;  // world space; back points from the target to the eye
 };
 
 Axes axes_of(double yaw, double pitch) noexcept {
@@ -49,9 +49,12 @@ void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect) noexce
   double right = kNever, left = kNever, top = kNever, bottom = kNever, nearest = kNever, farthest = -kNever;
   for (const glm::dvec3 p : points) {
     const double x = glm::dot(p, axes.right), y = glm::dot(p, axes.up), z = glm::dot(p, axes.back);
-    right = std::max(right, x + slope_x * z), left = std::max(left, -x + slope_x * z);
-    top = std::max(top, y + slope_y * z), bottom = std::max(bottom, -y + slope_y * z);
-    nearest = std::max(nearest, z), farthest = std::min(farthest, z);
+    right = std::max(right, x + slope_x * z);
+    left = std::max(left, -x + slope_x * z);
+    top = std::max(top, y + slope_y * z);
+    bottom = std::max(bottom, -y + slope_y * z);
+    nearest = std::max(nearest, z);
+    farthest = std::min(farthest, z);
   }
   const double eye_z = std::max((right + left) / (2.0 * slope_x), (top + bottom) / (2.0 * slope_y));
   const double middle = 0.5 * (nearest + farthest);
@@ -87,7 +90,7 @@ void OrbitCamera::take_over(const View& view, const Aabb& bounds) noexcept {
   const glm::dvec3 from = eye_of(view), ahead = -glm::dvec3(view.view_from_world.row[2]);
   const glm::dvec3 middle = bounds.empty() ? from : 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
   double depth = glm::dot(middle - from, ahead);
-  if (!(depth > view.near_m)) depth = std::max(2.0 * view.near_m, scale_m_);  // it looks away from the scene
+  if (!(depth > view.near_m)) depth = std::max(2.0 * view.near_m, scale_m_);  // the view looks away from the scene
   const double distance = view.parallel() ? view.half_height_m / std::tan(0.5 * fov_y_rad) : depth;
   place(from + (depth - distance) * ahead, from + depth * ahead);
 }

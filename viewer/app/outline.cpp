@@ -12,7 +12,7 @@
 
 namespace sinew::viewer {
 
-// The golden spiral: equal slices of height, turned on by the golden angle.
+// Spherical Fibonacci lattice: equal steps of height, each turned by the golden angle.
 Outline::Outline() noexcept {
   const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (std::size_t i = 0; i < kDirections; ++i) {

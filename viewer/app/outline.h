@@ -8,9 +8,9 @@
 
 namespace sinew::viewer {
 
-/// The outermost points of a cloud in directions spread evenly over the sphere: enough to frame it tightly, because
-/// boxes have empty corners.
-/// err  a ball reaches less than 8 percent of its radius beyond them: inside the margin that framing leaves
+/// The extreme points of a point cloud in 48 directions spread evenly over the sphere. The camera frames them instead
+/// of a box, because a box has empty corners. A ball reaches less than 8 percent of its radius beyond its extreme
+/// points, which is within the margin that OrbitCamera::frame leaves.
 class Outline {
  public:
   static constexpr std::size_t kDirections = 48;
@@ -19,11 +19,11 @@ class Outline {
 
   void add(const glm::vec3& point) noexcept;
 
-  /// All vertices of a frame that lie in its box; others belong to no triangle.
+  /// Adds the vertices of a frame that lie in `box`, the box of what is drawn; other vertices belong to no triangle.
   /// cost O(vertices * directions)
   void add(const Scene& scene, const FrameResult& frame, const Aabb& box) noexcept;
 
-  /// Empty before the first point.
+  /// One extreme point for each direction; empty before the first point.
   std::span<const glm::vec3> points() const noexcept { return {points_.data(), any_ ? kDirections : 0}; }
 
  private:

@@ -77,7 +77,7 @@ void time_controls(const Scene& scene, Playback& playback) {
   ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
   const bool moved =
       ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
-  if (ImGui::IsItemActive()) playback.pause();  // from the press on, so that the time does not run away under the hand
+  if (ImGui::IsItemActive()) playback.pause();  // pauses while the slider is held
   if (moved) playback.seek(time);
   double speed = playback.speed();
   const double slowest = -2.0, fastest = 4.0;
@@ -184,7 +184,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({unit, unit}, ImGuiCond_FirstUseEver);
   const float width = std::min(unit * 26.0f, std::max(room.x - 2.0f * unit, unit));
-  // As high as its contents, at most as the window; then it scrolls.
+  // As high as its contents, at most as high as the window; then it scrolls.
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {

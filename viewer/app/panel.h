@@ -14,27 +14,27 @@
 
 namespace sinew::viewer {
 
-/// What the panel tells.
+/// What the panel shows.
 struct PanelFacts {
   std::string_view name, note, device;
   const Scene* scene = nullptr;
   const Needs* needs = nullptr;
   std::string updates;                    ///< how often poses are evaluated, and why
-  std::span<const PlanRow> rows;          ///< of the live plan
-  bool resting = false;                   ///< nothing moves: no pose is evaluated
-  double frame_ms = 0.0;                  ///< from one picture to the next, smoothed
-  std::span<const std::string> exhibits;  ///< names to choose from; fewer than two = no choice is offered
+  std::span<const PlanRow> rows;          ///< the live plan
+  bool resting = false;                   ///< nothing moves, so no pose is evaluated
+  double frame_ms = 0.0;                  ///< time from one picture to the next, smoothed
+  std::span<const std::string> exhibits;  ///< names of the scenes; a choice is offered from two on
   std::uint32_t exhibit = 0;
 };
 
-/// What the user asked for besides changing settings and playback.
+/// What the user asked for, apart from changed settings and playback.
 struct PanelWishes {
   bool frame_all = false;
   std::optional<std::uint32_t> exhibit;
 };
 
-/// Lays out the panel with ImGui calls; settings and playback change where the user changes them. Needs an ImGui frame
-/// that was begun, no device.
+/// Lays out the panel with ImGui calls, and applies what the user changes to settings and playback. An ImGui frame must
+/// have begun; no device is needed.
 PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback);
 
 }  // namespace sinew::viewer

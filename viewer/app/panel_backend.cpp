@@ -19,7 +19,8 @@ void set_style(GLFWwindow* window) {
   style.WindowRounding = style.FrameRounding = style.GrabRounding = 4.0f;
   style.WindowBorderSize = 0.0f;
   style.Colors[ImGuiCol_WindowBg].w = 0.85f;
-  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_TitleBg];  // there is only one
+  style.Colors[ImGuiCol_TitleBgActive] =
+      style.Colors[ImGuiCol_TitleBg];  // one window: active or not must look the same
   float scale = 1.0f, vertical = 1.0f;
   glfwGetWindowContentScale(window, &scale, &vertical);
   style.ScaleAllSizes(scale);
@@ -32,16 +33,16 @@ void set_style(GLFWwindow* window) {
 
 PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindow* window) : device_(device) {
   make_render_pass(swapchain.format());
-  const VkDescriptorPoolSize one{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // the font's
+  const VkDescriptorPoolSize one{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};  // for the font
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;  // newer releases of Dear ImGui give theirs back
+  pool.flags = VK_DESCRIPTOR_POOL_CREATE_FREE_DESCRIPTOR_SET_BIT;  // newer releases of Dear ImGui free their sets
   pool.maxSets = 1;
   pool.poolSizeCount = 1;
   pool.pPoolSizes = &one;
   must(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &descriptors_), "making the panel's descriptors");
 
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // nothing is written into the folder that the user happens to be in
+  ImGui::GetIO().IniFilename = nullptr;  // do not write imgui.ini into the current folder
   set_style(window);
   ImGui_ImplGlfw_InitForVulkan(window, true);
   ImGui_ImplVulkan_InitInfo info{};
@@ -52,11 +53,11 @@ PanelBackend::PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindo
   info.Queue = device.queue();
   info.DescriptorPool = descriptors_;
   info.MinImageCount = 2;
-  info.ImageCount = 8;  // vertex buffers that are kept: at least one per frame in flight
+  info.ImageCount = 8;  // number of vertex buffers: at least one per frame in flight
   info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   info.CheckVkResultFn = [](VkResult result) { must(result, "drawing the panel"); };
   ImGui_ImplVulkan_Init(&info, render_pass_);
-#if IMGUI_VERSION_NUM >= 19000  // uploads by itself
+#if IMGUI_VERSION_NUM >= 19000  // it uploads the font by itself
   ImGui_ImplVulkan_CreateFontsTexture();
 #else
   device.run_now([](VkCommandBuffer commands) { ImGui_ImplVulkan_CreateFontsTexture(commands); });
@@ -75,7 +76,7 @@ PanelBackend::~PanelBackend() {
   vkDestroyRenderPass(device_.handle(), render_pass_, nullptr);
 }
 
-// A classic render pass: this version of ImGui's Vulkan part knows no dynamic rendering.
+// A classic render pass, because the Vulkan backend of ImGui 1.89 has no dynamic rendering.
 void PanelBackend::make_render_pass(VkFormat format) {
   VkAttachmentDescription color{};
   color.format = format;

@@ -12,23 +12,23 @@ namespace sinew::viewer {
 class Device;
 class Swapchain;
 
-/// Dear ImGui with its GLFW and Vulkan parts: takes input of the window, draws over a finished picture.
-/// thread: the window's;   one at a time
+/// Dear ImGui with its GLFW and Vulkan backends: receives the input of the window, draws over a finished picture.
+/// thread: the one of the window;   only one object may exist at a time
 class PanelBackend {
  public:
   PanelBackend(Device& device, const Swapchain& swapchain, GLFWwindow* window);
-  ~PanelBackend();  ///< the GPU must be done with all frames
+  ~PanelBackend();  ///< waits for the device
   PanelBackend(const PanelBackend&) = delete;
   PanelBackend& operator=(const PanelBackend&) = delete;
 
-  /// Call after Swapchain::remake.
+  /// Adapts to the new images after Swapchain::remake.
   void follow(const Swapchain& swapchain);
 
-  /// Between begin() and record() the panel is laid out with ImGui calls.
+  /// Begins an ImGui frame. Lay out the panel with ImGui calls between begin() and record().
   void begin();
 
-  /// Finishes the layout and draws it over the image, which must be in COLOR_ATTACHMENT_OPTIMAL and is left ready for
-  /// presenting.
+  /// Ends the ImGui frame and draws it over the image.
+  /// in   image  in layout COLOR_ATTACHMENT_OPTIMAL; left in PRESENT_SRC
   void record(VkCommandBuffer commands, std::uint32_t image);
 
   bool wants_mouse() const;  ///< the mouse is over the panel, or a drag began there

@@ -5,7 +5,7 @@
 namespace sinew::viewer {
 
 /// Lays out the window of the live plan with ImGui calls, one row per stage.
-/// io   open   false when the user closes the window
+/// io   open   becomes false when the user closes the window
 void lay_out_plan(const PanelFacts& facts, bool& open);
 
 }  // namespace sinew::viewer

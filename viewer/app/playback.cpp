@@ -48,7 +48,7 @@ void Playback::advance(double dt_s) noexcept {
 void Playback::step(int direction) noexcept {
   playing_ = false;
   if (duration_s() <= 0.0) return;
-  // A time that sits on a frame, but for rounding, counts as on it.
+  // A time within rounding of a frame counts as on it.
   const double frames = time_s() / kFrame_s, nearest = std::round(frames);
   const bool on_frame = std::abs(frames - nearest) < 1e-6;
   const double here = on_frame ? nearest : direction > 0 ? std::floor(frames) : std::ceil(frames);

@@ -9,34 +9,35 @@
 
 namespace sinew::viewer {
 
-/// What a person does with the time of one scene: choose a clip, play, pause, seek, step, change speed and looping.
+/// Playback of one scene as a user controls it: choose a clip, play, pause, seek, step, change speed and looping.
 class Playback {
  public:
-  static constexpr double kFrame_s = 1.0 / 30.0;  ///< of a frame step
+  static constexpr double kFrame_s = 1.0 / 30.0;  ///< length of a frame step
   static constexpr double kSlowest = 0.05, kFastest = 8.0;
 
-  /// Plays the first clip; the scene must outlive this.
+  /// Plays the first clip.
+  /// in   scene  must outlive this
   explicit Playback(const Scene& scene);
 
-  /// Any clip of the scene from its start, or the rest pose (kNone). Speed and looping stay.
+  /// Plays a clip from its start, or shows the rest pose (kNone). Speed and looping stay.
   void choose(std::uint32_t clip);
-  /// The next clip (+1) or the one before (-1), around the ends.
+  /// Goes to the next (+1) or previous (-1) clip, around the ends.
   void next(int direction);
   std::uint32_t clip() const noexcept { return clip_; }
 
-  /// Stopped at the end of a clip that plays once, it plays from the start again.
+  /// Plays or pauses. At the end of a clip that plays once, it plays again from the start.
   void toggle() noexcept;
   void pause() noexcept { playing_ = false; }
   bool playing() const noexcept { return playing_; }
 
-  /// Moves on by what passed outside, if it plays.
+  /// Advances the clip by the real time that passed, if it plays.
   void advance(double dt_s) noexcept;
   void seek(double time_s) noexcept { clock_.seek(time_s); }
 
-  /// Pauses and moves to the next (+1) or previous (-1) whole frame of kFrame_s; past an end it goes on at the other.
+  /// Pauses and moves to the next (+1) or previous (-1) multiple of kFrame_s, around the ends.
   void step(int direction) noexcept;
 
-  /// Speeds .05 .1 .25 .5 .75 1 1.5 2 4 8: the next one up or down.
+  /// The next speed up or down in .05 .1 .25 .5 .75 1 1.5 2 4 8.
   void faster() noexcept;
   void slower() noexcept;
   void set_speed(double speed) noexcept { clock_.set_speed(speed); }
@@ -49,13 +50,13 @@ class Playback {
   double time_s() const noexcept { return clock_.time_s(); }
   double duration_s() const noexcept { return clock_.duration_s(); }
 
-  /// What to evaluate: one layer, or none for the rest pose. Valid until this changes.
+  /// The layers to evaluate: one, or none for the rest pose. Valid until this object changes.
   std::span<const ClipLayer> layers() noexcept;
 
-  /// What passed outside between the last two frames; 0 while it does not play.
+  /// Real time between the last two frames; 0 while paused.
   double last_step_s() const noexcept { return last_step_s_; }
 
-  /// What to evaluate that many frames later, if time goes on in steps like the last. Valid until this changes.
+  /// The layers to evaluate `frames` frames later, if each takes as long as the last. Valid until this object changes.
   std::span<const ClipLayer> layers_ahead(std::uint32_t frames) noexcept;
 
  private:

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/headless.h"
+#include "viewer/app/png_writer.h"
 
 #include <condition_variable>
 #include <deque>
 #include <fstream>
+#include <limits>
 #include <mutex>
+#include <span>
 #include <thread>
 
-#include "viewer/app/stb_png.h"
+// stb's PNG encoder. STATIC keeps its symbols local, because other libraries may contain a copy.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
 
 namespace sinew::viewer {
 
@@ -20,7 +31,23 @@ struct Job {
   Picture picture;
 };
 
-/// Empty when the file was written, else why not.
+/// A PNG file in memory, 8 bits RGBA; empty when the size is wrong or memory ran out.
+std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height) {
+  constexpr auto most = static_cast<std::uint32_t>(std::numeric_limits<std::int16_t>::max());
+  if (width == 0 || height == 0 || width > most || height > most || rgba.size() != std::size_t{4} * width * height)
+    return {};
+  std::vector<unsigned char> bytes;
+  const auto append = [](void* context, void* data, int size) {
+    const auto* first = static_cast<const unsigned char*>(data);
+    static_cast<std::vector<unsigned char>*>(context)->insert(static_cast<std::vector<unsigned char>*>(context)->end(),
+                                                              first, first + size);
+  };
+  const int done = stbi_write_png_to_func(append, &bytes, static_cast<int>(width), static_cast<int>(height), 4,
+                                          rgba.data(), static_cast<int>(4 * width));
+  return done ? bytes : std::vector<unsigned char>{};
+}
+
+/// Writes the file. Empty on success, else the reason.
 std::string write_png(const Job& job) {
   const std::vector<unsigned char> bytes = encode_png(job.picture.rgba, job.picture.width, job.picture.height);
   if (bytes.empty()) return job.file.string() + ": the picture cannot be encoded";

@@ -9,8 +9,8 @@
 
 namespace sinew::viewer {
 
-/// The clip that `text` names: "none" is the rest pose (kNone), digits are an index, anything else a name. A clip whose
-/// name is made of digits is found by name when no index fits; one named "none" by its index only.
+/// The clip that `text` names: "none" is the rest pose (kNone), digits are an index, everything else is a name. If no
+/// index fits, digits are tried as a name. A clip named "none" is found by its index only.
 /// err  nothing when the scene has no such clip
 std::optional<std::uint32_t> choose_clip(const Scene& scene, std::string_view text);
 
@@ -21,12 +21,12 @@ std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view 
 /// The material variant that `text` names, by index or name.
 std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text);
 
-/// "--clip Fly: no such clip; the scene has 0 \"Survey\", 1 \"Walk\""; of cameras those that nodes carry.
+/// "--clip Fly: no such clip; the scene has 0 \"Survey\", 1 \"Walk\""; only cameras on nodes are listed.
 std::string describe_missing_clip(const Scene& scene, std::string_view text);
 std::string describe_missing_camera(const Scene& scene, std::string_view text);
 std::string describe_missing_variant(const Scene& scene, std::string_view text);
 
-/// Names for menus: never empty.
+/// Names for menus, never empty.
 std::string clip_label(const Scene& scene, std::uint32_t clip);
 std::string camera_label(const Scene& scene, std::uint32_t camera);
 std::string variant_label(const Scene& scene, std::uint32_t variant);

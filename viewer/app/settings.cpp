@@ -19,7 +19,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
 
 void toggle_ao_only(Settings& settings) noexcept {
   settings.show = settings.show == Show::ao ? Show::color : Show::ao;
-  if (settings.show == Show::ao) settings.ambient_occlusion = true;  // else there is nothing to see
+  if (settings.show == Show::ao) settings.ambient_occlusion = true;  // without it the picture would be white
 }
 
 void toggle_plan(Settings& settings) noexcept {

@@ -8,50 +8,50 @@
 
 namespace sinew::viewer {
 
-/// What the user can switch while looking. Times and clips are in Playback.
+/// What the user can change while the window is open. Clips and times are in Playback.
 struct Settings {
   Show show = Show::color;
   bool ambient_occlusion = true;
   bool skeleton = false;
   bool panel = true;
-  bool plan = false;  ///< the live plan, beside the panel
+  bool plan = false;  ///< the live plan beside the panel
 
-  /// The live plan can be seen.
+  /// The live plan is visible.
   bool watches_plan() const noexcept { return panel && plan; }
 
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::interpolated;
-  std::uint32_t camera = kNone;   ///< of the scene; kNone = the user's own
-  std::uint32_t variant = kNone;  ///< of the scene's materials
+  std::uint32_t camera = kNone;   ///< camera of the scene; kNone = the user's own
+  std::uint32_t variant = kNone;  ///< material variant of the scene; kNone = none
 
   Evaluation evaluation() const noexcept { return {skinning, updates, watches_plan()}; }
 
-  /// The picture takes joints even where no mesh is in view.
+  /// The picture depends on joints even where no mesh is in view.
   bool watches_joints() const noexcept { return skeleton || camera != kNone; }
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// A scene without meshes shows its skeleton, whatever the options say: there is nothing else to see. Camera and
-/// variant are those that the options name, where the scene has them.
+/// Settings from the command line. Camera and variant are those that the options name, if the scene has them. A scene
+/// without meshes always shows its skeleton, because there is nothing else to see.
 Settings settings_from(const Options& options, const Scene& scene);
 
-/// Turns ambient occlusion only on, and back to the lit picture.
+/// Switches between ambient occlusion alone and the lit picture.
 void toggle_ao_only(Settings& settings) noexcept;
 
-/// Shows the live plan, with the panel beside which it stands, or hides it.
+/// Shows the live plan together with the panel, or hides the live plan.
 void toggle_plan(Settings& settings) noexcept;
 
-/// Every frame; where meshes are small interpolated, or held; and again.
+/// Cycles through every, interpolated, held.
 void next_updates(Settings& settings) noexcept;
 
-/// Linear, dual quaternion, center of rotation, and again.
+/// Cycles through linear, dual quaternion, center of rotation.
 void next_skinning(Settings& settings) noexcept;
 
-/// Color, ao, normals, depth, and again.
+/// Cycles through color, ao, normals, depth.
 void next_show(Settings& settings) noexcept;
 
-/// What the renderer takes for these settings, with lengths that follow the clip's size.
+/// The options of the renderer for these settings, with lengths that follow the size of the clip.
 RenderOptions render_options(const Settings& settings, const ClipExtent& bounds, const glm::dvec3& eye);
 
 }  // namespace sinew::viewer

@@ -9,8 +9,8 @@ namespace sinew::viewer {
 ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count)
     : exhibit_(exhibit),
       playback_(exhibit.scene),
-      sight_(exhibit.scene, needs_of(exhibit, evaluation)),
-      unseen_(sight_.nothing()),
+      culling_(exhibit.scene, needs_of(exhibit, evaluation)),
+      culled_(culling_.all_in_view()),
       scene_upload_(device, exhibit.scene, slot_count),
       frame_upload_(device, exhibit.scene, slot_count),
       look_(exhibit.scene),
@@ -20,7 +20,7 @@ ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation&
 }
 
 void ShownScene::stop() noexcept {
-  jobs_.reset();  // before the plan that it runs
+  jobs_.reset();  // the job thread uses the plan, so it ends first
   newest_ = nullptr;
 }
 
@@ -35,25 +35,27 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   jobs_ = std::make_unique<JobThread>();
   character_ = jobs_->add_character(plan_);
   ready_seen_ = false;
-  sight_ = Sight(exhibit_.scene, plan_.needs());
-  unseen_ = sight_.nothing();
-  const auto ticket = ask();
-  CONTRACT(ticket.has_value());  // nothing else was submitted
+  culling_ = FrustumCulling(exhibit_.scene, plan_.needs());
+  culled_ = culling_.all_in_view();
+  const auto ticket = request();
+  CONTRACT(ticket.has_value());  // the job thread is idle
   jobs_->wait(ticket_);
   newest();
   CONTRACT(newest_ != nullptr);
 }
 
-Result<Ticket> ShownScene::ask() {
+Result<Ticket> ShownScene::request() {
   FrameInput now;
   now.layers = playback_.layers();
-  leave_out(unseen_, joints_watched_, now);
+  leave_out(culled_, joints_watched_, now);
   const FrameInput input = levels_->input(now, playback_.layers_ahead(levels_->frames_to_update()));
   const auto ticket = jobs_->submit({&input, 1});
   if (!ticket) return ticket;
   ticket_ = *ticket;
-  asked_ = current(), asked_exactly_ = input.interpolation_factor == 0.0f && same_layers(input.layers, now.layers);
-  asked_unseen_ = unseen_, asked_joints_ = joints_watched_;
+  requested_ = current();
+  request_is_exact_ = input.interpolation_factor == 0.0f && same_layers(input.layers, now.layers);
+  requested_culled_ = culled_;
+  requested_joints_ = joints_watched_;
   ready_seen_ = false;
   return ticket;
 }
@@ -69,14 +71,15 @@ void ShownScene::begin_frame(const View& view, bool view_is_moved) {
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_watched) {
   begin_frame(view, view_is_moved);
-  unseen_ = sight_.of(playback_.clip(), view, aspect);
-  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // one of them may be chosen any time
-  const bool lacks = asked_unseen_.hides_more_than(unseen_) || (asked_unseen_.all && !asked_joints_ && joints_watched_);
-  if (!lacks && has_asked()) return;
-  if (!ask()) {
-    if (!lacks) return;  // busy: the next frame asks again
+  culled_ = culling_.of(playback_.clip(), view, aspect);
+  joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // the user may choose one of them at any time
+  const bool lacks = requested_culled_.culls_more_than(culled_) ||
+                     (requested_culled_.every_instance && !requested_joints_ && joints_watched_);
+  if (!lacks && is_requested()) return;
+  if (!request()) {
+    if (!lacks) return;  // the worker is busy: the next frame requests again
     jobs_->wait(ticket_);
-    CONTRACT(ask().has_value());
+    CONTRACT(request().has_value());
   }
   if (lacks) jobs_->wait(ticket_);
 }
@@ -88,7 +91,7 @@ const FrameResult& ShownScene::newest() {
   return *newest_;
 }
 
-bool ShownScene::settled() const noexcept { return ready_seen_ && has_asked(); }
+bool ShownScene::settled() const noexcept { return ready_seen_ && is_requested(); }
 
 DrawnScene ShownScene::upload(std::uint32_t slot, std::uint32_t variant) {
   frame_upload_.update(slot, newest(), plan_number_);

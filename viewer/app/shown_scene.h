@@ -10,15 +10,15 @@
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
+#include "viewer/app/frustum_culling.h"
 #include "viewer/app/playback.h"
-#include "viewer/app/sight.h"
 #include "viewer/app/skeleton_lines.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/passes/frame_renderer.h"
 
 namespace sinew::viewer {
 
-/// One exhibit being played in the window: its evaluation on the job thread, its place on the GPU, its clock.
+/// One exhibit that plays in the window: its poses come from the job thread, its vertices and materials are on the GPU.
 class ShownScene {
  public:
   ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count);
@@ -30,59 +30,61 @@ class ShownScene {
   const UpdateLevels& update_levels() const noexcept { return *levels_; }
   Playback& playback() noexcept { return playback_; }
 
-  /// Ends the evaluation: until the next plan_for only that may be called.
+  /// Ends the evaluation. After it, only plan_for may be called.
   void stop() noexcept;
 
-  /// Compiles the plan anew and waits for its first pose, so that no frame shows nothing.
+  /// Compiles a new plan and waits for its first pose, so that there is always one to draw.
   void plan_for(const Evaluation& evaluation);
 
-  /// Asks for the pose at the playback's time without what the picture to come does not show, unless the worker still
-  /// has one waiting or has that pose already. Waits only where something comes into view that no pose on the way has.
-  /// in   view            of the picture, through a camera of the file that of the time
-  ///      view_is_moved   by the clip: then every frame is evaluated
+  /// Requests the pose at the current time, without meshes that are out of view. Does nothing if that pose was
+  /// requested already, or while another request waits for the worker. Waits for the pose only if a mesh comes into
+  /// view that the requested poses leave out. in   view            of the next picture
+  ///      view_is_moved   the clip moves the camera: then every frame is evaluated
   void submit(const View& view, bool view_is_moved, double aspect, bool joints_watched);
 
-  /// The newest pose that is ready, never null.
+  /// The newest pose that is ready.
   const FrameResult& newest();
 
-  /// The newest pose is the one asked for last, and is the current one.
+  /// The newest pose is the one requested last, and is exactly that of the current time.
   bool settled() const noexcept;
 
-  /// Settled, and the time stands still.
+  /// Settled, and the time does not advance.
   bool resting() const noexcept { return settled() && (!playback_.playing() || playback_.duration_s() == 0.0); }
 
-  /// Fills the slot with the newest pose, in one of the scene's variants.
+  /// Uploads the newest pose to the slot.
+  /// in   variant  of the scene's materials
   DrawnScene upload(std::uint32_t slot, std::uint32_t variant);
 
   const UploadCounts& upload_counts() const noexcept { return frame_upload_.last_update(); }
 
-  /// What a camera of the scene sees in the newest pose, in a picture of this shape.
+  /// The view of a camera of the scene in the newest pose.
+  /// in   aspect  width / height of the picture
   View view_of(std::uint32_t camera, double aspect);
 
-  /// What it will see in the pose that is asked for next.
+  /// Its view in the pose that is requested next.
   View coming_view_of(std::uint32_t camera, double aspect);
 
-  /// A clip moves that camera, or changes what it sees.
+  /// A clip animates that camera.
   bool is_moved(std::uint32_t camera) { return camera_pose(camera).moves(); }
 
   std::span<const LineVertex> skeleton_lines();
 
-  /// Of the clip that plays now; worked out once for each clip.
+  /// Extent of the current clip; computed once for each clip.
   const ClipExtent& bounds();
 
   ErrorCode last_error() const noexcept { return jobs_->last_error(); }
 
  private:
-  struct Asked {
+  struct Request {
     std::uint32_t clip = kNone;
     double time_s = 0.0;
-    friend bool operator==(const Asked&, const Asked&) = default;
+    friend bool operator==(const Request&, const Request&) = default;
   };
-  Asked current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
-  bool has_asked() const noexcept { return asked_exactly_ && asked_ == current(); }
+  Request current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
+  bool is_requested() const noexcept { return request_is_exact_ && requested_ == current(); }
   void begin_frame(const View& view, bool view_is_moved);
   CameraPose& camera_pose(std::uint32_t camera);
-  Result<Ticket> ask();
+  Result<Ticket> request();
 
   const Exhibit& exhibit_;
   Playback playback_;
@@ -90,19 +92,19 @@ class ShownScene {
   Plan plan_;
   std::vector<PlanStage> stages_;  ///< of the plan
   std::unique_ptr<UpdateLevels> levels_;
-  std::optional<CameraPose> camera_pose_;  ///< of the camera that was looked through last
+  std::optional<CameraPose> camera_pose_;  ///< of the camera that was used last
   std::unique_ptr<JobThread> jobs_;
   JobThread::Character character_ = 0;
   Ticket ticket_ = 0;
-  Asked asked_;
-  bool asked_exactly_ = false;  ///< not for a pose that stands in for the current one
-  Sight sight_;
-  Unseen unseen_;        ///< what the next pose leaves out
-  Unseen asked_unseen_;  ///< what the one asked for last does
-  bool asked_joints_ = true, joints_watched_ = true;
+  Request requested_;
+  bool request_is_exact_ = false;  ///< false for an interpolated or held pose
+  FrustumCulling culling_;
+  CulledInstances culled_;            ///< in the next pose
+  CulledInstances requested_culled_;  ///< in the pose requested last
+  bool requested_joints_ = true, joints_watched_ = true;
   bool ready_seen_ = false;  ///< newest() was called after ticket_ was done
   const FrameResult* newest_ = nullptr;
-  std::uint64_t plan_number_ = 0;  ///< tells the frames of one plan from those of the last
+  std::uint64_t plan_number_ = 0;  ///< distinguishes the frames of this plan from those of earlier plans
   SceneUpload scene_upload_;
   FrameUpload frame_upload_;
   SceneLook look_;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr float kAxisPerDiagonal = 0.012f, kLoneAxisPerDiagonal = 0.05f;
 constexpr std::uint32_t kBoneColor = 0xff5fd7ffu;                                  // yellow
-constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                              // of a bone, in bone lengths
+constexpr float kRingAt = 0.15f, kRingRadius = 0.06f;                              // relative to the length of the bone
 constexpr std::uint32_t kAxisColors[3] = {0xff4040ffu, 0xff40d040u, 0xffff8040u};  // x red, y green, z blue
 
-// The outline of a long octahedron: thick at the parent, pointed at the joint, so that one sees which end is which.
+// The outline of a long octahedron: thick near the parent and pointed at the joint, so that the direction is visible.
 void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 along = to - from;
   const float length = glm::length(along);
@@ -32,13 +32,13 @@ void add_bone(std::vector<LineVertex>& lines, const glm::vec3& from, const glm::
     }
 }
 
-// Joints of the skins, and every joint on the way from one of them up to another.
+// The joints of the skins, and every joint between two of them.
 std::vector<bool> skin_joints(const Scene& scene) {
   const auto& parents = scene.skeleton.parents;
   std::vector<bool> named(parents.size(), false);
   for (const auto& skin : scene.skins)
     for (const auto joint : skin.joints) named[joint] = true;
-  // Parents come first, so one pass down finds the joints below a named one and one pass up those above.
+  // Parents come before children: a forward pass finds the joints below a skin joint, a backward pass those above.
   std::vector<bool> below = named, above = named;
   for (std::size_t j = 0; j < parents.size(); ++j)
     if (parents[j] != kNone && below[parents[j]]) below[j] = true;

@@ -52,14 +52,16 @@ UpdateLevels::UpdateLevels(const Plan& plan, Updates updates) : updates_(updates
 
 void UpdateLevels::begin_frame(double size, double frame_s) noexcept {
   ++frame_;
-  size_ = size, why_exact_.clear();
+  size_ = size;
+  why_exact_.clear();
   by_size_ = updates_ == Updates::every ? UpdateLevel::every : update_level(size, by_size_);
   level_ = limited_level(by_size_, frame_s);
 }
 
 void UpdateLevels::begin_exact_frame(std::string_view why) {
   ++frame_;
-  why_exact_ = why, level_ = UpdateLevel::every;
+  why_exact_ = why;
+  level_ = UpdateLevel::every;
   if (between_) between_->restart();
 }
 

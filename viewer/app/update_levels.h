@@ -12,40 +12,41 @@
 
 namespace sinew::viewer {
 
-/// What happens to meshes that are small in the picture: every frame is evaluated all the same, or fewer, with poses in
-/// between interpolated or held.
+/// How often poses are evaluated when the meshes are small in the picture: in every frame, or in fewer frames with
+/// interpolated or held poses in between.
 enum class Updates : std::uint8_t { every, interpolated, held };
 
 /// "every", "interpolated", "held"
 std::string_view name_of(Updates updates) noexcept;
 
-/// Height of the largest mesh that a frame shows, as part of the picture's height, from the boxes of its vertices;
-/// infinite around the eye, 0 where nothing is in view.
+/// Height of the largest visible mesh as a fraction of the height of the picture, from its bounds. Infinite if the eye
+/// is in its bounding sphere, 0 if nothing is in view.
 double size_in_picture(const FrameResult& frame, const View& view) noexcept;
 
-/// Chooses which frames of the character in the picture are evaluated (update_rate.h), and what the others show.
+/// Chooses the frames in which the character is evaluated (update_rate.h), and what the other frames show.
 class UpdateLevels {
  public:
-  /// in   plan  with Needs::between_updates where updates are interpolated
+  /// in   plan  compiled with Needs::between_updates if updates are interpolated
   UpdateLevels(const Plan& plan, Updates updates);
 
-  /// The next frame begins, of a picture in which the last pose was that large.
-  /// in   frame_s  from one picture to the next
+  /// Begins the next frame.
+  /// in   size_in_picture  of the last pose;   frame_s  time from one picture to the next
   void begin_frame(double size_in_picture, double frame_s) noexcept;
 
-  /// The next frame begins, and shows what is asked for exactly: `why` as after "every frame: ".
+  /// Begins the next frame, which is evaluated exactly.
+  /// in   why  ends the sentence "every frame: ..." of reason()
   void begin_exact_frame(std::string_view why);
 
-  /// Frames from this one to the next that is evaluated.
+  /// Number of frames until the next one that is evaluated.
   std::uint32_t frames_to_update() const noexcept { return sinew::frames_to_update(level_, frame_, 0); }
 
-  /// What to run in this frame; may be asked for again.
-  /// in   ahead  layers of the frame that is frames_to_update from now
+  /// The input of this frame; calling it again gives the same.
+  /// in   ahead  layers of the frame that is frames_to_update() from now
   FrameInput input(const FrameInput& now, std::span<const ClipLayer> ahead);
 
   UpdateLevel level() const noexcept { return level_; }
 
-  /// "every 4th frame, interpolated: 3 % of the picture's height"
+  /// For example "every 4th frame, interpolated in between: 3 % of the picture's height".
   std::string reason() const;
 
  private:

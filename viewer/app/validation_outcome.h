@@ -5,8 +5,8 @@
 
 namespace sinew::viewer {
 
-/// How the program ends after work that went well: 0; 3 when validation was asked for and the layer complained or is
-/// not installed. Says why on stderr.
+/// Exit code after work that succeeded: 0, or 3 when validation was asked for and the layer reported something or is
+/// not installed. Prints the reason to stderr.
 int exit_code_after_validation(const Options& options, const Device& device);
 
 }  // namespace sinew::viewer

@@ -11,16 +11,16 @@ struct GLFWwindow;
 
 namespace sinew::viewer {
 
-/// What the user did since the last look.
+/// What the user did since the last poll.
 struct Input {
   std::vector<int> keys;                ///< pressed or repeated, key codes of keys.h
   double moved_x = 0.0, moved_y = 0.0;  ///< of the mouse, framebuffer pixels, y down
   double wheel = 0.0;
-  bool turn_held = false, move_held = false;  ///< the drag that the mouse buttons mean
-  bool any = false;                           ///< something happened, perhaps none of the above
+  bool turn_held = false, move_held = false;  ///< what the held mouse buttons do
+  bool any = false;                           ///< some event arrived, possibly none of the above
 };
 
-/// A window of the desktop. The only file that knows GLFW, besides the panel's backend.
+/// A window of the desktop. Only window.cpp and panel_backend.cpp know GLFW.
 class Window {
  public:
   /// err  DeviceError when there is no display or the display cannot do Vulkan
@@ -37,14 +37,14 @@ class Window {
   void close();
   void set_title(const std::string& title);
 
-  /// Handles what the desktop sent; waits for something up to `wait_s` (0 = does not wait).
+  /// Handles the events of the desktop; waits up to `wait_s` for the first (0 = does not wait).
   Input poll(double wait_s);
 
   GLFWwindow* handle() const noexcept { return window_; }
 
  private:
   GLFWwindow* window_ = nullptr;
-  std::unique_ptr<Input> input_;  ///< callbacks keep its address
+  std::unique_ptr<Input> input_;  ///< callbacks hold its address
   double mouse_x_ = 0.0, mouse_y_ = 0.0;
 };
 

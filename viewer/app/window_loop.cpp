@@ -21,9 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kFramePeriod_s = 1.0 / 60.0;  // some drivers do not wait for the display
-constexpr double kIdleLook_s = 0.1;            // how long to rest when nothing moves and nothing happens
-constexpr double kLongestStep_s = 0.25;  // after a pause of the whole machine the animation goes on, it does not leap
+constexpr double kFramePeriod_s = 1.0 / 60.0;  // a cap, because some drivers do not wait for the display
+constexpr double kIdleWait_s = 0.1;            // longest wait for an event while nothing moves
+constexpr double kLongestStep_s = 0.25;  // after the machine was suspended, the animation continues instead of jumping
 constexpr int kFramesAfterChange = 4;    // ImGui reacts to input over a few frames
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
@@ -85,16 +85,16 @@ class WindowLoop {
   Settings settings_;
   LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
-  int frames_to_draw_ = kFramesAfterChange;  // until the loop rests, when nothing moves
+  int frames_to_draw_ = kFramesAfterChange;  // before the loop stops drawing because nothing moves
   double frame_ms_ = 0.0;
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
 void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip) {
   device_.wait_idle();
-  if (index != exhibit_) settings_.camera = settings_.variant = kNone;  // they were the last scene's
+  if (index != exhibit_) settings_.camera = settings_.variant = kNone;  // they belong to the last scene
   exhibit_ = index;
-  shown_.reset();  // its memory first
+  shown_.reset();  // frees its memory before the next scene is uploaded
   add_missing_centers(exhibits_[index], settings_.skinning);
   shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots);
   live_plan_.forget();
@@ -114,7 +114,7 @@ void WindowLoop::place_camera() {
     frame_all();
 }
 
-// The user's own camera goes on from the file's.
+// Continues from the view of the file's camera with the user's own camera.
 void WindowLoop::leave_file_camera() {
   if (settings_.camera == kNone) return;
   camera_.take_over(shown_->view_of(settings_.camera, aspect()), shown_->bounds().reached);
@@ -126,7 +126,7 @@ double WindowLoop::aspect() const {
   return size.height == 0 ? 1.0 : static_cast<double>(size.width) / size.height;
 }
 
-// Asks for the pose of the next picture, without what it does not show.
+// Requests the pose of the next picture, without what is out of view.
 void WindowLoop::ask() {
   const bool of_file = settings_.camera != kNone;
   const View view =
@@ -183,7 +183,7 @@ bool WindowLoop::act_on_look(Action action) {
   }
 }
 
-// False while the window has no area.
+// Adapts the swapchain to the window. False while the window has no area.
 bool WindowLoop::fit_swapchain() {
   const VkExtent2D size = window_.framebuffer_size();
   if (size.width == 0 || size.height == 0) return false;
@@ -231,15 +231,16 @@ void WindowLoop::draw() {
   --frames_to_draw_;
   const double passed_ms = 1000.0 * seconds_since(last_picture_);
   last_picture_ = Clock::now();
-  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) * (passed_ms - frame_ms_);  // a rest is not a slow frame
+  frame_ms_ += (passed_ms < 1000.0 ? 0.1 : 0.0) *
+               (passed_ms - frame_ms_);  // a second without a picture was a pause, not a slow frame
 }
 
-// What the last frame's panel or a key asked for and the frame itself could not do.
+// Does what the panel or a key asked for and what cannot be done within a frame.
 void WindowLoop::grant_wishes() {
   if (wished_exhibit_ && *wished_exhibit_ != exhibit_) show_exhibit(*wished_exhibit_, std::nullopt);
   wished_exhibit_.reset();
   if (settings_.evaluation() == shown_->evaluation()) return;
-  shown_->stop();  // nothing may read the scene meanwhile
+  shown_->stop();  // the job thread must not read the scene while it changes
   add_missing_centers(exhibits_[exhibit_], settings_.skinning);
   shown_->plan_for(settings_.evaluation());
   live_plan_.forget();
@@ -257,13 +258,13 @@ void WindowLoop::keep_pace() {
 int WindowLoop::run() {
   const auto start = Clock::now();
   while (!window_.should_close()) {
-    react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleLook_s));
+    react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleWait_s));
     if (options_.exit_after_s && seconds_since(start) >= *options_.exit_after_s) break;
     shown_->playback().advance(std::min(seconds_since(last_look_), kLongestStep_s));
     last_look_ = Clock::now();
     grant_wishes();
     if (!fit_swapchain()) {
-      frames_to_draw_ = 0;  // minimised: look again when something happens
+      frames_to_draw_ = 0;  // minimised: wait for an event
       continue;
     }
     ask();

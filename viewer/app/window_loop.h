@@ -10,9 +10,10 @@
 namespace sinew::viewer {
 
 /// Opens the window and plays until the user closes it.
-/// in   clip  to begin with; nothing = the first one;   exhibits  get centers of rotation when the user asks for that
-/// skinning out  exit code of the program: 0, or 3 when Options::validate and the validation layer complained err
-/// DeviceError when there is no display or no device
+/// in   clip  shown first; nothing = the first one
+/// io   exhibits  get centers of rotation when the user chooses that kind of skinning
+/// out  exit code of the program: 0, or 3 when Options::validate is set and the validation layer reported something
+/// err  DeviceError when there is no display or no device
 int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip);
 
 }  // namespace sinew::viewer

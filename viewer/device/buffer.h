@@ -4,11 +4,11 @@
 
 namespace sinew::viewer {
 
-/// A buffer and its memory; movable, destroyed with its device still alive.
+/// A buffer with its memory. Movable. Its device must outlive it.
 class Buffer {
  public:
   Buffer() = default;
-  /// in   bytes  at least 1 is allocated
+  /// in   bytes  0 counts as 1
   Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryUse use);
   ~Buffer() { reset(); }
   Buffer(Buffer&& other) noexcept;

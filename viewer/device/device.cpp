@@ -74,11 +74,12 @@ void Device::create_device() {
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   features13.dynamicRendering = VK_TRUE;
   features13.synchronization2 = VK_TRUE;
-  features13.maintenance4 = VK_TRUE;  // part of 1.3: a fragment shader may ignore outputs of the vertex shader
+  features13.maintenance4 = VK_TRUE;  // mandatory in 1.3; lets a fragment shader ignore outputs of the vertex shader
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
   features.features.samplerAnisotropy = offered.samplerAnisotropy;
   features.features.largePoints = offered.largePoints;
-  features.features.fullDrawIndexUint32 = offered.fullDrawIndexUint32;  // else meshes end at 2^24 vertices
+  features.features.fullDrawIndexUint32 =
+      offered.fullDrawIndexUint32;  // without it meshes are limited to 2^24 vertices
   max_anisotropy_ = offered.samplerAnisotropy ? limits_.maxSamplerAnisotropy : 1.0f;
   max_point_size_ = offered.largePoints ? limits_.pointSizeRange[1] : 1.0f;
 

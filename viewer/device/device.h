@@ -14,19 +14,18 @@
 namespace sinew::viewer {
 
 struct DeviceOptions {
-  bool validation = false;                           ///< the Khronos layer with synchronisation checks, where installed
-  std::function<void(std::string_view)> on_message;  ///< validation messages; empty = standard error
-  std::vector<const char*> instance_extensions;      ///< what the window system asks for; empty = headless
-  std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< empty = headless; the device then owns the surface
+  bool validation = false;  ///< use the Khronos layer with synchronisation checks, if installed
+  std::function<void(std::string_view)> on_message;      ///< validation messages; empty = standard error
+  std::vector<const char*> instance_extensions;          ///< those that the window system needs; empty = headless
+  std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< empty = headless; the device owns the surface
 };
 
-/// Instance, the chosen physical device, one queue that draws, copies and (with a surface) presents, and memory.
-/// Knows no window library: the application hands in extensions and a surface.
-/// Needs Vulkan 1.3 with dynamic rendering and synchronization2; prefers discrete over integrated over software
-/// devices.
+/// The Vulkan instance, the chosen physical device, one queue that draws, copies and (with a surface) presents, and
+/// device memory. Needs Vulkan 1.3 with dynamic rendering and synchronization2. Knows no window library: the
+/// application passes extensions and a surface.
 class Device {
  public:
-  /// err  DeviceError when no device fits, with what each of them lacks
+  /// err  DeviceError when no device fits; lists what each device lacks
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -40,16 +39,17 @@ class Device {
   VkSurfaceKHR surface() const noexcept { return surface_; }  ///< null when headless
   const std::string& name() const noexcept { return name_; }
   const VkPhysicalDeviceLimits& limits() const noexcept { return limits_; }
-  float max_anisotropy() const noexcept { return max_anisotropy_; }  ///< 1 where the device has no anisotropic filter
+  float max_anisotropy() const noexcept { return max_anisotropy_; }  ///< 1 if the device has no anisotropic filter
   float max_point_size() const noexcept { return max_point_size_; }
   std::uint32_t timestamp_bits() const noexcept { return timestamp_bits_; }  ///< 0 = the queue has no timestamps
   Memory& memory() const noexcept { return *memory_; }
 
-  /// Validation errors and warnings so far; always 0 without validation.
+  /// Number of validation errors and warnings so far; 0 without validation.
   std::uint64_t validation_messages() const noexcept { return messages_.load(); }
   bool validation_active() const noexcept { return messenger_ != VK_NULL_HANDLE; }
 
-  /// Records, submits and waits: for uploads at load time and read-back, never inside a frame of a window.
+  /// Records commands, submits them and waits. For uploads at load time and for read-back; not for frames of the
+  /// window.
   void run_now(const std::function<void(VkCommandBuffer)>& record) const;
   void wait_idle() const;
 

@@ -81,7 +81,10 @@ DeviceChoice choose_device(VkInstance instance, VkSurfaceKHR surface) {
           std::string("\n  ") + properties.deviceName + " lacks " + (lack ? lack : "a queue that draws and presents");
       continue;
     }
-    if (rank(properties.deviceType) > best_rank) best = choice, best_rank = rank(properties.deviceType);
+    if (rank(properties.deviceType) > best_rank) {
+      best = choice;
+      best_rank = rank(properties.deviceType);
+    }
   }
   if (!best)
     throw DeviceError("Vulkan: no device can draw this" +

@@ -13,8 +13,8 @@ struct DeviceChoice {
 };
 
 /// The best device that can run the passes and, with a surface, present to it: discrete before integrated before
-/// virtual before software, the driver's order among equals.
-/// err  DeviceError that lists what each device lacks
+/// virtual before software. Among equals, the first in the driver's order.
+/// err  DeviceError, which lists what each device lacks
 DeviceChoice choose_device(VkInstance instance, VkSurfaceKHR surface);
 
 }  // namespace sinew::viewer

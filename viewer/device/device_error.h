@@ -7,15 +7,15 @@
 
 namespace sinew::viewer {
 
-/// The machine lacks something or gave up: no Vulkan device, out of memory, device lost. Programs print the message and
-/// exit with code 3. The only exception that the viewer throws.
+/// A failure of the machine: no Vulkan device, out of memory, device lost. Programs print the message and exit with
+/// code 3. The viewer throws no other exception.
 class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws DeviceError naming `what` and the code unless the call succeeded. VK_SUBOPTIMAL_KHR and other positive codes
-/// pass.
+/// Throws DeviceError with `what` and the name of the code if the call failed. Positive codes such as VK_SUBOPTIMAL_KHR
+/// are no failure.
 void must(VkResult result, const char* what);
 
 }  // namespace sinew::viewer

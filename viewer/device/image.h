@@ -11,7 +11,7 @@ struct ImageShape {
   VkImageUsageFlags usage = 0;
 };
 
-/// A 2D image, a view of all of it and its memory; movable, destroyed with its device still alive.
+/// A 2D image with a view of the whole image and its memory. Movable. Its device must outlive it.
 class GpuImage {
  public:
   GpuImage() = default;
@@ -35,16 +35,21 @@ class GpuImage {
   MemoryPiece piece_;
 };
 
-/// What an image was used for before a barrier, or will be after it.
+/// The use of an image before or after a barrier.
 struct ImageUse {
   VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
   VkAccessFlags2 access = VK_ACCESS_2_NONE;
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-/// Makes writes of `before` visible to `after` and changes the layout; layout UNDEFINED in `before` drops the contents.
+/// Makes writes of `before` visible to `after` and changes the layout. Layout UNDEFINED in `before` discards the
+/// contents.
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& before,
              const ImageUse& after);
+
+/// Copies a whole image in layout TRANSFER_SRC_OPTIMAL to a buffer: tight rows, the top row first. The CPU may read the
+/// buffer once the commands are done.
+void read_back(VkCommandBuffer commands, VkImage image, VkExtent2D extent, VkBuffer to);
 
 VkImageAspectFlags aspect_of(VkFormat format) noexcept;
 

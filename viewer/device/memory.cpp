@@ -9,17 +9,18 @@ namespace {
 
 constexpr VkDeviceSize kBlockBytes = VkDeviceSize{32} << 20;
 
-/// Types of further properties are for features that are not switched on (protected, uncached on AMD, transient
-/// attachments).
-constexpr VkMemoryPropertyFlags kPlain = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                         VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+/// Memory types with other properties belong to features that are not enabled (protected memory, AMD's uncached memory,
+/// transient attachments).
+constexpr VkMemoryPropertyFlags kUsableFlags =
+    VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
+    VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 
 VkDeviceSize round_up(VkDeviceSize value, VkDeviceSize alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }
 
-/// Property flags in falling order of preference.
-std::vector<VkMemoryPropertyFlags> wishes(MemoryUse use) {
+/// Property flags, the preferred ones first.
+std::vector<VkMemoryPropertyFlags> preferred_flags(MemoryUse use) {
   constexpr VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
   constexpr VkMemoryPropertyFlags mapped = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   switch (use) {
@@ -34,10 +35,10 @@ std::vector<VkMemoryPropertyFlags> wishes(MemoryUse use) {
 std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
                                             MemoryUse use) {
   std::vector<std::uint32_t> types;
-  for (const VkMemoryPropertyFlags wish : wishes(use))
+  for (const VkMemoryPropertyFlags preferred : preferred_flags(use))
     for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
       const VkMemoryPropertyFlags flags = properties.memoryTypes[type].propertyFlags;
-      const bool fits = (allowed >> type & 1u) && (flags & wish) == wish && (flags & ~kPlain) == 0;
+      const bool fits = (allowed >> type & 1u) && (flags & preferred) == preferred && (flags & ~kUsableFlags) == 0;
       if (fits && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
     }
   return types;
@@ -54,7 +55,9 @@ Memory::~Memory() {
 
 VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image, Block& block) const {
   block = {};
-  block.size = size, block.type = type, block.image = image;
+  block.size = size;
+  block.type = type;
+  block.image = image;
   VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
   info.allocationSize = size;
   info.memoryTypeIndex = type;
@@ -67,7 +70,7 @@ VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use
   return result;
 }
 
-/// The place of a block of that kind that has room, or blocks_.size().
+/// Index of a block of that kind with room for the piece, or blocks_.size().
 std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint32_t type, bool mapped, bool image) {
   const auto has_room = [&](const Block& block) {
     const bool is_kind =
@@ -77,9 +80,9 @@ std::size_t Memory::block_with_room(const VkMemoryRequirements& needs, std::uint
   return static_cast<std::size_t>(std::find_if(blocks_.begin(), blocks_.end(), has_room) - blocks_.begin());
 }
 
-/// The place of a block for the piece: one that has room, else a new one of the best type that is not full.
+/// Index of a block for the piece: one with room, else a new one of the best type that is not full.
 std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, bool image) {
-  // A large piece gets a block of its own, so that it goes back to the driver alone.
+  // A large piece gets its own block, so that freeing the piece frees the block.
   const VkDeviceSize size = needs.size > kBlockBytes / 4 ? needs.size : kBlockBytes;
   VkResult result = VK_SUCCESS;
   for (const std::uint32_t type : memory_types_for(properties_, needs.memoryTypeBits, use)) {
@@ -94,7 +97,7 @@ std::size_t Memory::block_for(const VkMemoryRequirements& needs, MemoryUse use, 
     return static_cast<std::size_t>(at - blocks_.begin());
   }
   must(result, "vkAllocateMemory");
-  throw DeviceError("Vulkan: no memory type fits");  // there was none to ask
+  throw DeviceError("Vulkan: no memory type fits");  // the list of types was empty
 }
 
 MemoryPiece Memory::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image) {

@@ -10,14 +10,14 @@
 
 namespace sinew::viewer {
 
-/// What memory is for decides where it lies.
+/// What memory is used for; it decides the memory type.
 enum class MemoryUse : std::uint8_t {
-  device,    ///< written once by copies, read by the GPU
+  device,    ///< written once by a copy, read by the GPU
   upload,    ///< written by the CPU every frame, read by the GPU; mapped and coherent
-  read_back  ///< written by the GPU, read by the CPU; mapped, coherent and cached where the device has it
+  read_back  ///< written by the GPU, read by the CPU; mapped, coherent, and cached if the device has such memory
 };
 
-/// A piece of device memory; give it back with Memory::free.
+/// A piece of device memory. Return it with Memory::free.
 struct MemoryPiece {
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkDeviceSize offset = 0;
@@ -25,14 +25,15 @@ struct MemoryPiece {
   std::uint32_t block = 0;
 };
 
-/// The device's memory types for a use, best first. Where the best is full, the next is taken: the part of a graphics
-/// card's memory that the CPU can write may be as small as 256 MB, while the system's own serves as well, only slower.
-/// in   allowed  bit per type, as VkMemoryRequirements has them
+/// The memory types of the device for a use, best first. If the best is full, the next is tried: the memory of a
+/// graphics card that the CPU can write may be as small as 256 MB; system memory works too, but is slower. in   allowed
+/// one bit per type, as in VkMemoryRequirements
 std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
                                             MemoryUse use);
 
-/// Device memory in blocks: drivers allow few allocations, scenes have many textures. A block is filled front to back
-/// and returned when all its pieces are gone; buffers and images never share a block (bufferImageGranularity).
+/// Allocates device memory in blocks, because drivers allow few allocations and scenes have many textures. A block is
+/// filled from front to back and freed when its last piece is freed. Buffers and images never share a block, so
+/// bufferImageGranularity does not matter.
 class Memory {
  public:
   Memory(VkPhysicalDevice physical, VkDevice device);
@@ -40,11 +41,11 @@ class Memory {
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
 
-  /// err  DeviceError when the device has no memory of that kind left
+  /// err  DeviceError when no memory of a suitable type is left
   MemoryPiece allocate(const VkMemoryRequirements& needs, MemoryUse use, bool image);
   void free(const MemoryPiece& piece) noexcept;
 
-  std::size_t block_count() const noexcept;  ///< live vkAllocateMemory blocks
+  std::size_t block_count() const noexcept;  ///< blocks allocated now
 
  private:
   struct Block {

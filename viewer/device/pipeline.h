@@ -8,24 +8,24 @@
 
 namespace sinew::viewer {
 
-/// What differs between our graphics pipelines; everything else is fixed: dynamic rendering, dynamic viewport and
-/// scissor, no multisampling, one colour attachment, reversed depth.
+/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, no
+/// multisampling, one colour attachment, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
   std::array<std::uint32_t, 4> constants{};  ///< specialisation constants 0 to 3 of the fragment shader
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
-  bool depth = false;  ///< there is a D32 attachment
+  bool depth = false;  ///< there is a D32 depth attachment
   bool depth_write = false;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
   bool blend = false;
-  bool premultiplied = true;  ///< of the blended colour
-  bool meshes = false;        ///< dynamic culling, winding and vertex strides
+  bool premultiplied = true;  ///< alpha of the blended colour is premultiplied
+  bool meshes = false;        ///< cull mode, front face and vertex strides are dynamic
   std::span<const VkVertexInputBindingDescription> bindings;
   std::span<const VkVertexInputAttributeDescription> attributes;
 };
 
-/// The caller destroys it.   err  DeviceError
+/// Creates a pipeline; the caller destroys it.   err  DeviceError
 VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape);
 
 }  // namespace sinew::viewer

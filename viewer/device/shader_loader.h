@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// Shaders in viewer/shaders, compiled when the viewer is built and part of the program.
+/// The shaders of viewer/shaders. They are compiled to SPIR-V when the viewer is built and are part of the program.
 enum class Shader : std::uint8_t {
   geometry_vert,
   normal_depth_frag,
@@ -23,7 +23,7 @@ enum class Shader : std::uint8_t {
 
 std::span<const std::uint32_t> code_of(Shader shader) noexcept;
 
-/// A shader module, alive while pipelines are made from it.
+/// A shader module. It is only needed while pipelines are created from it.
 class ShaderModule {
  public:
   ShaderModule(const Device& device, Shader shader);

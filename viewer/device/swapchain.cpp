@@ -6,7 +6,7 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr std::uint64_t kPatience_ns = 100'000'000;  // a window that nobody sees may hold its images back for ever
+constexpr std::uint64_t kAcquireTimeout_ns = 100'000'000;  // the images of a hidden window may never become free
 
 VkSurfaceFormatKHR choose_format(const Device& device) {
   std::uint32_t count = 0;
@@ -50,7 +50,7 @@ void Swapchain::remake(VkExtent2D size) {
 
 void Swapchain::make(VkExtent2D size, VkSwapchainKHR old) {
   stale_ = false;
-  asked_ = size;
+  requested_size_ = size;
   VkSurfaceCapabilitiesKHR surface{};
   must(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), device_.surface(), &surface),
        "asking the surface");
@@ -106,14 +106,14 @@ std::optional<std::uint32_t> Swapchain::acquire(VkSemaphore ready) {
   }
   std::uint32_t image = 0;
   const VkResult result =
-      vkAcquireNextImageKHR(device_.handle(), swapchain_, kPatience_ns, ready, VK_NULL_HANDLE, &image);
+      vkAcquireNextImageKHR(device_.handle(), swapchain_, kAcquireTimeout_ns, ready, VK_NULL_HANDLE, &image);
   if (result == VK_TIMEOUT || result == VK_NOT_READY) return std::nullopt;
   if (result == VK_ERROR_OUT_OF_DATE_KHR) {
     stale_ = true;
     return std::nullopt;
   }
   must(result, "acquiring a swapchain image");
-  if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // this one can still be drawn and shown
+  if (result == VK_SUBOPTIMAL_KHR) stale_ = true;  // this image can still be drawn and presented
   return image;
 }
 

@@ -7,7 +7,7 @@
 
 namespace sinew::viewer {
 
-/// GPU times of the parts of one frame: marks are written between them. Does nothing on a queue without timestamps.
+/// GPU times of the parts of one frame, measured between marks. Does nothing on a queue without timestamps.
 class Timestamps {
  public:
   Timestamps(const Device& device, std::uint32_t max_marks);
@@ -15,10 +15,10 @@ class Timestamps {
   Timestamps(const Timestamps&) = delete;
   Timestamps& operator=(const Timestamps&) = delete;
 
-  void begin(VkCommandBuffer commands);  ///< outside of rendering; forgets the old marks and makes the first
+  void begin(VkCommandBuffer commands);  ///< outside of rendering; removes the old marks and writes the first
   void mark(VkCommandBuffer commands);
 
-  /// Milliseconds between neighbouring marks; the GPU must be done with the frame. One value less than marks.
+  /// Milliseconds between consecutive marks, one fewer than marks. The GPU must be done with the frame.
   std::vector<double> milliseconds() const;
 
  private:

@@ -8,12 +8,12 @@ namespace sinew::viewer {
 
 bool validation_installed();
 
-/// Asks an instance for validation with synchronisation checks and for its messages.
+/// Enables validation with synchronisation checks on an instance, and delivers its messages.
 class ValidationRequest {
  public:
   ValidationRequest(PFN_vkDebugUtilsMessengerCallbackEXT callback, void* user);
 
-  /// Extends `info` and `extensions`; this object must live until the instance is created.
+  /// Adds the layer to `info` and its extension to `extensions`. This object must live until the instance is created.
   void add_to(VkInstanceCreateInfo& info, std::vector<const char*>& extensions);
   VkDebugUtilsMessengerEXT create_messenger(VkInstance instance) const;
 

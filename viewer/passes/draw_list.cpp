@@ -26,7 +26,7 @@ void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& 
   }
 }
 
-/// How many draws an instance takes when it is in view.
+/// Number of draws of an instance that is in view.
 std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
   const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(),
                                    [](const Primitive& p) { return !p.indices.empty(); });
@@ -73,18 +73,18 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
 
 void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh_d,
                    bool mirrored) {
-  const SceneResources& resources = drawn.scene->resources();
   const FrameVertices& vertices = drawn.frame->vertices(frame.slot);
-  const Scene& scene = resources.scene;
+  const Scene& scene = drawn.scene->scene();
+  const MeshSet& meshes = drawn.scene->meshes();
   const Affine view_from_mesh = affine_cast<float>(view_from_mesh_d);
   const std::uint32_t mesh_index = scene.instances[instance].mesh;
   const Mesh& mesh = scene.meshes[mesh_index];
   for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
     const Primitive& primitive = mesh.primitives[p];
-    const PrimitiveBuffers& own = resources.meshes.primitive(mesh_index, p);
+    const PrimitiveBuffers& own = meshes.primitive(mesh_index, p);
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
-    const bool moved = deformed.positions != kAbsent;  // then the box of the whole instance is what is known
+    const bool moved = deformed.positions != kAbsent;  // then only the bounds of the whole instance are known
     if (moved
             ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, vertices.instances[instance].bounds)
             : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds)) {
@@ -95,11 +95,11 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const Material* material = material_index == kNone ? nullptr : &scene.materials[material_index];
     const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
     Draw& draw = (alpha == AlphaMode::blend ? blended_ : opaque_).emplace_back();
-    bind_attributes(draw, resources.meshes, own, deformed, {resources.meshes.buffer(), vertices.buffer.handle()});
-    draw.indices = resources.meshes.buffer();
+    bind_attributes(draw, meshes, own, deformed, {meshes.buffer(), vertices.buffer.handle()});
+    draw.indices = meshes.buffer();
     draw.indices_at = own.indices;
     draw.index_count = own.index_count;
-    draw.material = resources.materials.set_of(material_index, frame.slot);
+    draw.material = drawn.scene->materials().set_of(material_index, frame.slot);
     draw.constants = constants_of(primitive, view_from_mesh, frame.point_size);
     if (mirrored) draw.constants.flags |= kMirrored;
     draw.topology = primitive.topology;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "viewer/passes/view.h"
-#include "viewer/upload/frame_vertices.h"
-#include "viewer/upload/scene_resources.h"
+#include "viewer/upload/frame_upload.h"
+#include "viewer/upload/scene_upload.h"
 
 namespace sinew::viewer {
 
@@ -17,7 +17,8 @@ struct DrawConstants {
 };
 inline constexpr std::uint32_t kFlatNormals = 1, kHasNormals = 2, kHasTangents = 4, kMirrored = 8;
 
-/// One draw call. Buffers are bound per attribute: the deformed one, else the mesh's own, else a default with stride 0.
+/// One draw call. Each attribute has its own binding: the deformed one, else the mesh's own, else a default of stride
+/// 0.
 struct Draw {
   std::array<VkBuffer, kAttributeCount> buffers{};
   std::array<VkDeviceSize, kAttributeCount> offsets{}, strides{};
@@ -28,15 +29,15 @@ struct Draw {
   DrawConstants constants{};
   Topology topology = Topology::triangles;
   bool masked = false, double_sided = false, mirrored = false;
-  float distance = 0.0f;  ///< of its middle along the line of sight, metres
+  float distance = 0.0f;  ///< from the eye plane to the centre of the primitive, metres
 };
 
 struct DrawnScene;
 
-/// The draws of a frame: opaque and masked ones in the scene's order, blended ones from far to near.
+/// The draws of a frame: opaque and masked ones in the order of the scene, blended ones from far to near.
 class DrawList {
  public:
-  /// Leaves out what is hidden or out of view.
+  /// Collects the draws of the scenes, without instances that are hidden and primitives that are out of view.
   /// in   aspect  width / height of the picture
   /// cost O(primitives); allocates only while the number of draws grows
   void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
@@ -44,11 +45,13 @@ class DrawList {
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
-  std::uint32_t hidden() const noexcept { return hidden_; }            ///< instances that are not shown
-  std::uint32_t out_of_view() const noexcept { return out_of_view_; }  ///< primitives, counted for each copy
+  std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
+  std::uint32_t out_of_view() const noexcept {
+    return out_of_view_;
+  }  ///< primitives out of view, counted for each copy
 
  private:
-  /// Of the frame that is collected.
+  /// The frame whose draws are collected.
   struct Frame {
     std::uint32_t slot;
     const View& view;

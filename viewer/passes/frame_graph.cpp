@@ -19,7 +19,10 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {
     add(Pass::ssao);
-    if (needs.blur) add(Pass::blur_horizontal), add(Pass::blur_vertical);
+    if (needs.blur) {
+      add(Pass::blur_horizontal);
+      add(Pass::blur_vertical);
+    }
   }
   if (picture) {
     add(Pass::opaque);
@@ -32,8 +35,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   depth_image = true;
   normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
-  access_image = occlusion;
-  access_between = occlusion && needs.blur;
+  ao_image = occlusion;
+  half_blurred_ao = occlusion && needs.blur;
 }
 
 bool FrameGraph::has(Pass pass) const noexcept { return std::find(begin(), end(), pass) != end(); }

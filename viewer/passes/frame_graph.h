@@ -11,7 +11,7 @@ namespace sinew::viewer {
 
 enum class Pass : std::uint8_t {
   normal_depth,  ///< view-space normals and depth of everything opaque
-  ssao,          ///< ambient access at half size
+  ssao,          ///< ambient access: how much ambient light arrives; at half size
   blur_horizontal,
   blur_vertical,
   opaque,
@@ -24,23 +24,23 @@ inline constexpr std::size_t kPassCount = 9;
 
 std::string_view name_of(Pass pass) noexcept;
 
-/// What a frame has to draw and what was asked for.
+/// What a frame contains and what was asked for.
 struct FrameNeeds {
   bool opaque = false;  ///< something opaque or masked is visible
   bool blended = false;
   bool overlay = false;   ///< lines or a panel
-  bool ambient = true;    ///< there is ambient light for occlusion to scale
+  bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
   Show show = Show::color;
 
-  /// Something reads ambient access.
+  /// Some pass reads ambient access.
   bool occluded() const noexcept {
     return opaque && occlusion && (show == Show::ao || (show == Show::color && ambient));
   }
 };
 
-/// The passes of a frame in order, and the images between them. A pass or an image that is not needed does not exist.
+/// The passes of a frame in order, and the images between them. What the frame does not need does not exist.
 class FrameGraph {
  public:
   explicit FrameGraph(const FrameNeeds& needs) noexcept;
@@ -51,7 +51,8 @@ class FrameGraph {
   std::size_t size() const noexcept { return count_; }
 
   bool depth_image = false, normal_image = false, color_image = false;
-  bool access_image = false, access_between = false;  ///< of SSAO, and between its blur passes
+  bool ao_image = false,
+       half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
 
  private:
   void add(Pass pass) noexcept { passes_[count_++] = pass; }

@@ -28,7 +28,7 @@ struct FrameSlot {
   FrameSet set;
   Timestamps timestamps;
   Buffer lines;
-  std::vector<Pass> passes;  ///< that its last frame ran
+  std::vector<Pass> passes;  ///< of its last frame
   std::vector<PassTime> times;
   FrameReport report;
 };
@@ -63,7 +63,7 @@ FrameRenderer::FrameRenderer(Device& device, VkFormat target_format, std::uint32
     : state_(std::make_unique<State>(device, target_format, slot_count, occlusion)) {}
 
 FrameRenderer::~FrameRenderer() {
-  vkDeviceWaitIdle(state_->device.handle());  // a lost device is reported by the next frame, not here
+  vkDeviceWaitIdle(state_->device.handle());  // no throw here: the next frame reports a lost device
 }
 
 void FrameRenderer::State::upload_lines(FrameSlot& slot, const FrameInputs& inputs) const {
@@ -91,26 +91,12 @@ void FrameRenderer::State::collect_lights(const FrameInputs& inputs) {
 
 namespace {
 
-void record_pass(Pass pass, const PassContext& context) {
-  switch (pass) {
-    case Pass::normal_depth: return record_normal_depth(context);
-    case Pass::ssao: return record_ssao(context);
-    case Pass::blur_horizontal: return record_ssao_blur(context, false);
-    case Pass::blur_vertical: return record_ssao_blur(context, true);
-    case Pass::opaque: return record_opaque(context);
-    case Pass::transparent: return record_transparent(context);
-    case Pass::tonemap: return record_tonemap(context);
-    case Pass::show: return record_show(context);
-    case Pass::overlay: return record_overlay(context);
-  }
-}
-
 FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs,
                       const FrameTargets& targets, double collect_us) {
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
              blended = static_cast<std::uint32_t>(draws.blended().size());
   const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(),
-                      targets.access_extent()};
+                      targets.ao_extent()};
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
@@ -140,7 +126,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const FrameGraph graph(needs);
   state.targets.fit(graph, target.extent);
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
-  const bool occlusion = graph.access_image;
+  const bool occlusion = graph.ao_image;
   slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
                  state.targets, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
@@ -156,7 +142,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             target,
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
-  // Waits only for what the target's semaphore is waited for at: colour output.
+  // The submit waits for the target's semaphore at colour output; this barrier continues from there.
   barrier(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT},
           kWriteColor);
   slot.timestamps.begin(commands);

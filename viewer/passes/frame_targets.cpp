@@ -12,16 +12,16 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
       return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::normals: return {kNormalFormat, full, 1, color};
     case Target::color: return {kColorFormat, full, 1, color};
-    default: return {kAccessFormat, access, 1, color};
+    default: return {kAoFormat, access, 1, color};
   }
 }
 
 }  // namespace
 
-FrameTargets::FrameTargets(const Device& device, std::uint32_t access_step)
+FrameTargets::FrameTargets(const Device& device, std::uint32_t ao_step)
     : device_(device),
-      step_(access_step),
-      nothing_(device, {kAccessFormat, {1, 1}, 1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}) {
+      step_(ao_step),
+      nothing_(device, {kAoFormat, {1, 1}, 1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}) {
   constexpr ImageUse cleared{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
   device.run_now([&](VkCommandBuffer commands) {
@@ -35,8 +35,8 @@ FrameTargets::FrameTargets(const Device& device, std::uint32_t access_step)
 
 void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   const bool resized = extent.width != extent_.width || extent.height != extent_.height;
-  const std::array<bool, kTargetCount> wanted = {graph.depth_image, graph.normal_image, graph.access_image,
-                                                 graph.access_between, graph.color_image};
+  const std::array<bool, kTargetCount> wanted = {graph.depth_image, graph.normal_image, graph.ao_image,
+                                                 graph.half_blurred_ao, graph.color_image};
   bool changed = resized;
   for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
   if (!changed) return;
@@ -45,7 +45,7 @@ void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   for (std::size_t i = 0; i < kTargetCount; ++i) {
     if (wanted[i] && !resized && slots_[i].image) continue;
     slots_[i] = {};
-    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, access_extent()));
+    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, ao_extent()));
   }
 }
 

@@ -8,16 +8,16 @@
 namespace sinew::viewer {
 
 /// The images between passes.
-enum class Target : std::uint8_t { depth, normals, access, access_between, color };
+enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color };
 inline constexpr std::size_t kTargetCount = 5;
 
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
-inline constexpr VkFormat kAccessFormat =
-    VK_FORMAT_R32G32B32A32_SFLOAT;  ///< access, distance, packed normal: one fetch per neighbour
+inline constexpr VkFormat kAoFormat =
+    VK_FORMAT_R32G32B32A32_SFLOAT;  ///< ambient access, distance, packed normal: one fetch reads a neighbour
 inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// How passes use them.
+/// How passes use these images.
 inline constexpr ImageUse kWriteColor{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                                       VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT,
                                       VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
@@ -33,26 +33,27 @@ inline constexpr ImageUse kReadDepth{
 inline constexpr ImageUse kReadInShader{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
                                         VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
 
-/// Owns the images that the frame graph calls for, and no others, and knows what each was last used for.
+/// Owns the images that the frame graph needs and knows the last use of each.
 class FrameTargets {
  public:
-  /// in   access_step  OcclusionShape::step
-  FrameTargets(const Device& device, std::uint32_t access_step);
+  /// in   ao_step  OcclusionShape::step
+  FrameTargets(const Device& device, std::uint32_t ao_step);
 
-  /// Makes and drops images to fit; waits for the device when something changes.
+  /// Creates and destroys images to match; waits for the device if something changes.
   void fit(const FrameGraph& graph, VkExtent2D extent);
 
-  /// The next use of an image: puts the barrier in between. `keep` = the contents matter.
+  /// Inserts the barrier between the last use of an image and the next one.
+  /// in   keep  false = the contents are discarded
   void next_use(VkCommandBuffer commands, Target target, const ImageUse& use, bool keep = true);
 
   bool exists(Target target) const noexcept { return static_cast<bool>(slot(target).image); }
-  /// The image, or a single texel that stands in for one that does not exist.
+  /// View of the image; of a single black texel if the image does not exist.
   VkImageView view(Target target) const noexcept {
     return exists(target) ? slot(target).image.view() : nothing_.view();
   }
   VkExtent2D extent() const noexcept { return extent_; }
-  /// Of Target::access and access_between.
-  VkExtent2D access_extent() const noexcept {
+  /// Of Target::ao and half_blurred_ao: the extent of the picture divided by the step, rounded up.
+  VkExtent2D ao_extent() const noexcept {
     return {(extent_.width + step_ - 1) / step_, (extent_.height + step_ - 1) / step_};
   }
 

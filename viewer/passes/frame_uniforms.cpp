@@ -19,20 +19,13 @@ glm::vec3 into_view(const View& view, const glm::vec3& world) {
   return glm::vec3(transform_vector(view.view_from_world, glm::dvec3(world)));
 }
 
-/// The two numbers that give clip z from view z: x + y * z.
-glm::dvec2 clip_depth(const View& view) {
-  if (!view.parallel() && view.far_m == 0.0) return {view.near_m, 0.0};
-  const double slope = (view.parallel() ? 1.0 : view.near_m) / (view.far_m - view.near_m);
-  return {slope * view.far_m, slope};
-}
-
 LightUniforms key_light(const View& view, const Lighting& lighting) {
   const glm::vec3 to_key = safe_normalize(lighting.to_key, {0.0f, 1.0f, 0.0f});
   return {glm::vec4(0.0f), glm::vec4(lighting.key_follows_camera ? to_key : into_view(view, to_key), 0.0f),
           glm::vec4(lighting.key, 0.0f), glm::vec4(0.0f)};
 }
 
-/// KHR_lights_punctual: a light shines along -z of its node, scale has no effect.
+/// KHR_lights_punctual: a light shines along -z of its node; the scale of the node has no effect.
 LightUniforms scene_light(const View& view, const PlacedLight& placed) {
   const Light& light = *placed.light;
   const Affined world = affine_cast<double>(placed.world_from_light);
@@ -56,9 +49,9 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
                                   std::span<const PlacedLight> lights, const SsaoKernel& kernel) {
   FrameUniforms u{};
   const double aspect = static_cast<double>(extent.width) / extent.height;
-  const double scale = view.parallel() ? 1.0 / view.half_height_m : 1.0 / std::tan(0.5 * view.fov_y_rad);
-  u.projection = glm::vec4(glm::dvec4(scale / aspect, scale, clip_depth(view)));
-  u.lens = glm::vec4(glm::dvec4(view.near_m, 0.5 * scale * extent.height, view.parallel() ? 1.0 : 0.0, 0.0));
+  const Mat4<double> clip = clip_from_view(view, aspect);
+  u.projection = glm::vec4(glm::dvec4(clip[0][0], clip[1][1], clip[3][2], clip[2][2]));
+  u.lens = glm::vec4(glm::dvec4(view.near_m, 0.5 * clip[1][1] * extent.height, view.parallel() ? 1.0 : 0.0, 0.0));
   const AmbientOcclusion& ao = options.ao;
   u.occlusion = {ao.radius_m, ao.surface_epsilon_m, ao.fade_start_m,
                  std::max(ao.fade_end_m, ao.fade_start_m * 1.0001f)};
@@ -74,7 +67,10 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
 
   std::size_t count = options.lighting.scene_lights ? std::min(lights.size(), kMaxLights) : 0;
   for (std::size_t i = 0; i < count; ++i) u.lights[i] = scene_light(view, lights[i]);
-  if (count == 0) u.lights[0] = key_light(view, options.lighting), count = 1;
+  if (count == 0) {
+    u.lights[0] = key_light(view, options.lighting);
+    count = 1;
+  }
   const DepthRange& range = options.depth_range;
   u.output_range = {options.lighting.exposure, range.nearest_m, std::max(range.farthest_m, range.nearest_m + 1e-6f),
                     static_cast<float>(count)};

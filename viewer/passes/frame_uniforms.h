@@ -14,7 +14,7 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kMaxLights = 16;  ///< the first ones of the scene are used
+inline constexpr std::size_t kMaxLights = 16;  ///< of a scene; further lights have no effect
 
 /// Mirrors shaders/frame_uniforms.glsl, std140.
 struct LightUniforms {
@@ -35,13 +35,13 @@ struct FrameUniforms {
 };
 static_assert(sizeof(FrameUniforms) == 16 * (9 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
-/// A light of the scene with the joint it hangs on, both from this frame.
+/// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
   const Light* light = nullptr;
   Affine world_from_light;
 };
 
-/// in   lights  of all scenes shown; the key light of `options` stands in when there are none or they are not wanted
+/// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
                                   std::span<const PlacedLight> lights, const SsaoKernel& kernel);
 

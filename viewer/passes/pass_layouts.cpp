@@ -72,10 +72,10 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
   std::memcpy(uniforms_.mapped(), &uniforms, sizeof(uniforms));
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), 0, sizeof(FrameUniforms)};
   for (std::size_t s = 0; s < sets_.size(); ++s) {
-    // Without a prepass no shader reads depth; the normals' stand-in keeps the attachment itself out of the set.
+    // Without a prepass no shader reads depth. The set then must not contain the depth attachment: the view of the
+    // missing normals takes its place.
     const std::array<Target, kFrameBindings - 1> bound = {prepass ? Target::depth : Target::normals, Target::normals,
-                                                          s == 0 ? Target::access : Target::access_between,
-                                                          Target::color};
+                                                          s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {

@@ -70,20 +70,25 @@ VkPipeline PassPipelines::screen(Pass pass, Show show) {
       {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12}}};
   switch (pass) {
     case Pass::ssao:
-      shape.fragment = Shader::ssao_frag, shape.color_format = kAccessFormat;
+      shape.fragment = Shader::ssao_frag;
+      shape.color_format = kAoFormat;
       shape.constants = {occlusion_.samples, 0, 0, occlusion_.step};
       break;
     case Pass::blur_horizontal:
     case Pass::blur_vertical:
-      shape.fragment = Shader::ssao_blur_frag, shape.color_format = kAccessFormat;
+      shape.fragment = Shader::ssao_blur_frag;
+      shape.color_format = kAoFormat;
       shape.constants = {pass == Pass::blur_vertical, occlusion_.blur_reach, occlusion_.keep_edges, occlusion_.step};
       break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:
-      shape.vertex = Shader::line_vert, shape.fragment = Shader::line_frag;
+      shape.vertex = Shader::line_vert;
+      shape.fragment = Shader::line_frag;
       shape.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
-      shape.bindings = line_bindings, shape.attributes = line_attributes;
-      shape.blend = true, shape.premultiplied = false;
+      shape.bindings = line_bindings;
+      shape.attributes = line_attributes;
+      shape.blend = true;
+      shape.premultiplied = false;
       break;
     default: shape.fragment = Shader::tonemap_frag; break;
   }

@@ -12,8 +12,8 @@
 
 namespace sinew::viewer {
 
-/// Layouts that all pipelines share: set 0 = the frame (shaders/frame_uniforms.glsl), set 1 = the material, and the
-/// push constants of a draw.
+/// Layouts that all pipelines share: set 0 is the frame (shaders/frame_uniforms.glsl), set 1 the material
+/// (shaders/material.glsl), and push constants hold a draw (shaders/geometry.glsl).
 class PassLayouts {
  public:
   explicit PassLayouts(const Device& device);
@@ -40,11 +40,13 @@ class FrameSet {
   FrameSet(const FrameSet&) = delete;
   FrameSet& operator=(const FrameSet&) = delete;
 
-  /// `prepass`: the depth image may be read by shaders; else it is only ever an attachment.
+  /// in   prepass  shaders read the depth image; false = it is only an attachment
   void write(const FrameUniforms& uniforms, const FrameTargets& targets, bool prepass);
 
   VkDescriptorSet set() const noexcept { return sets_[0]; }
-  VkDescriptorSet between_blurs() const noexcept { return sets_[1]; }  ///< reads access_between as the access image
+  VkDescriptorSet between_blurs() const noexcept {
+    return sets_[1];
+  }  ///< its ao_image is the one after the first blur pass
 
  private:
   const Device& device_;
@@ -66,7 +68,7 @@ struct MeshPipelineKey {
   auto operator<=>(const MeshPipelineKey&) const = default;
 };
 
-/// Pipelines, made when first needed and kept.
+/// All pipelines. Each is created at its first use and kept.
 class PassPipelines {
  public:
   PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format,
@@ -76,7 +78,7 @@ class PassPipelines {
   PassPipelines& operator=(const PassPipelines&) = delete;
 
   VkPipeline mesh(const MeshPipelineKey& key);
-  VkPipeline screen(Pass pass, Show show = Show::color);  ///< passes that cover the target; overlay = the lines
+  VkPipeline screen(Pass pass, Show show = Show::color);  ///< of passes that cover the target; overlay = of the lines
 
  private:
   const Device& device_;

@@ -3,6 +3,29 @@
 
 namespace sinew::viewer {
 
+namespace {
+
+/// The attachments of a pass.
+struct Attachments {
+  VkImageView color = VK_NULL_HANDLE;
+  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  ///< CLEAR = to zeros
+  VkImageView depth = VK_NULL_HANDLE;
+  bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
+  VkExtent2D extent{};
+};
+
+/// Dynamic rendering: begins on construction and ends with the object.
+class Rendering {
+ public:
+  Rendering(VkCommandBuffer commands, const Attachments& attachments);
+  ~Rendering() { vkCmdEndRendering(commands_); }
+  Rendering(const Rendering&) = delete;
+  Rendering& operator=(const Rendering&) = delete;
+
+ private:
+  VkCommandBuffer commands_;
+};
+
 Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) : commands_(commands) {
   VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   color.imageView = attachments.color;
@@ -29,15 +52,12 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
-namespace {
-
 void draw_mesh(const PassContext& context, const Draw& draw, VkCullModeFlags cull) {
   vkCmdSetCullMode(context.commands, cull);
   vkCmdDrawIndexed(context.commands, draw.index_count, 1, 0, 0, 0);
 }
 
-}  // namespace
-
+/// Draws meshes; each draw completes `key` with its topology and alpha test.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
   const VkDescriptorSet frame_set = context.set.set();
@@ -45,9 +65,10 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
   VkPipeline bound = VK_NULL_HANDLE;
   for (const Draw& draw : draws) {
     key.topology = draw.topology;
-    key.masked = draw.masked && !key.after_prepass;  // after the prepass, equal depth is the alpha test
+    key.masked = draw.masked && !key.after_prepass;  // after the prepass, the EQUAL depth test is the alpha test
     const VkPipeline pipeline = context.pipelines.mesh(key);
-    if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline), bound = pipeline;
+    if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    bound = pipeline;
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 1, 1, &draw.material, 0,
                             nullptr);
     vkCmdPushConstants(commands, context.layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
@@ -57,15 +78,116 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
     vkCmdBindIndexBuffer(commands, draw.indices, draw.indices_at, VK_INDEX_TYPE_UINT32);
     vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     const bool sides = draw.double_sided && draw.topology == Topology::triangles;
-    if (sides && key.pass == Pass::transparent) draw_mesh(context, draw, VK_CULL_MODE_FRONT_BIT);  // far side first
+    if (sides && key.pass == Pass::transparent) draw_mesh(context, draw, VK_CULL_MODE_FRONT_BIT);  // back faces first
     draw_mesh(context, draw, sides && key.pass != Pass::transparent ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
   }
 }
 
+/// Covers the target with one triangle.
 void draw_screen(const PassContext& context, VkPipeline pipeline, VkDescriptorSet set) {
   vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
   vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
   vkCmdDraw(context.commands, 3, 1, 0, 0);
+}
+
+void record_normal_depth(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::depth, kWriteDepth, false);
+  const bool normals = context.graph.normal_image;
+  if (normals) context.targets.next_use(context.commands, Target::normals, kWriteColor, false);
+  {
+    const VkImageView color = normals ? context.targets.view(Target::normals) : VK_NULL_HANDLE;
+    const Rendering rendering(context.commands, {color, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 context.targets.view(Target::depth), true, context.targets.extent()});
+    draw_meshes(context, context.draws.opaque(), {.pass = Pass::normal_depth, .depth_only = !normals});
+  }
+  context.targets.next_use(context.commands, Target::depth, kReadDepth);
+  if (normals) context.targets.next_use(context.commands, Target::normals, kReadInShader);
+}
+
+void record_ssao(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::ao, kWriteColor, false);
+  {
+    const Rendering rendering(context.commands,
+                              {.color = context.targets.view(Target::ao), .extent = context.targets.ao_extent()});
+    draw_screen(context, context.pipelines.screen(Pass::ssao), context.set.set());
+  }
+  context.targets.next_use(context.commands, Target::ao, kReadInShader);
+}
+
+void record_ssao_blur(const PassContext& context, bool vertical) {
+  const Target to = vertical ? Target::ao : Target::half_blurred_ao;
+  context.targets.next_use(context.commands, to, kWriteColor, false);
+  {
+    const Rendering rendering(context.commands,
+                              {.color = context.targets.view(to), .extent = context.targets.ao_extent()});
+    draw_screen(context, context.pipelines.screen(vertical ? Pass::blur_vertical : Pass::blur_horizontal),
+                vertical ? context.set.between_blurs() : context.set.set());
+  }
+  context.targets.next_use(context.commands, to, kReadInShader);
+}
+
+void record_opaque(const PassContext& context) {
+  const bool prepass = context.graph.has(Pass::normal_depth);
+  context.targets.next_use(context.commands, Target::color, kWriteColor, false);
+  if (!prepass) context.targets.next_use(context.commands, Target::depth, kWriteDepth, false);
+  {
+    const Rendering rendering(context.commands,
+                              {context.targets.view(Target::color), VK_ATTACHMENT_LOAD_OP_CLEAR,
+                               context.targets.view(Target::depth), !prepass, context.targets.extent()});
+    draw_meshes(context, context.draws.opaque(),
+                {.pass = Pass::opaque, .after_prepass = prepass, .occluded = context.graph.ao_image});
+  }
+  if (!prepass) context.targets.next_use(context.commands, Target::depth, kReadDepth);
+}
+
+void record_transparent(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::color, kWriteColor);
+  const Rendering rendering(context.commands, {context.targets.view(Target::color), VK_ATTACHMENT_LOAD_OP_LOAD,
+                                               context.targets.view(Target::depth), false, context.targets.extent()});
+  draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
+}
+
+void record_tonemap(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::color, kReadInShader);
+  const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
+  draw_screen(context, context.pipelines.screen(Pass::tonemap), context.set.set());
+}
+
+void record_show(const PassContext& context) {
+  const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
+  draw_screen(context, context.pipelines.screen(Pass::show, context.inputs.options.show), context.set.set());
+}
+
+void record_overlay(const PassContext& context) {
+  barrier(context.commands, context.target.image, VK_IMAGE_ASPECT_COLOR_BIT, kWriteColor, kWriteColor);
+  const Rendering rendering(
+      context.commands,
+      {.color = context.target.view, .load = VK_ATTACHMENT_LOAD_OP_LOAD, .extent = context.target.extent});
+  if (context.line_vertices > 0) {
+    const VkDescriptorSet set = context.set.set();
+    const VkDeviceSize offset = 0;
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.pipelines.screen(Pass::overlay));
+    vkCmdBindVertexBuffers(context.commands, 0, 1, &context.lines, &offset);
+    vkCmdDraw(context.commands, context.line_vertices, 1, 0, 0);
+  }
+  if (context.inputs.overlay) context.inputs.overlay(context.commands);
+}
+
+}  // namespace
+
+void record_pass(Pass pass, const PassContext& context) {
+  switch (pass) {
+    case Pass::normal_depth: return record_normal_depth(context);
+    case Pass::ssao: return record_ssao(context);
+    case Pass::blur_horizontal: return record_ssao_blur(context, false);
+    case Pass::blur_vertical: return record_ssao_blur(context, true);
+    case Pass::opaque: return record_opaque(context);
+    case Pass::transparent: return record_transparent(context);
+    case Pass::tonemap: return record_tonemap(context);
+    case Pass::show: return record_show(context);
+    case Pass::overlay: return record_overlay(context);
+  }
 }
 
 }  // namespace sinew::viewer

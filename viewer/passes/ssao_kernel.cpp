@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 0x51e2d5a0;
 
-/// SplitMix64: standard engines are portable, but the standard distributions are not.
+/// SplitMix64. The standard distributions would give other numbers on other platforms.
 class Random {
  public:
   float in(float lower, float upper) noexcept {
@@ -33,9 +33,8 @@ glm::vec3 scaled_to(const glm::vec3& v, float length) {
   return v * (length / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z));
 }
 
-/// One end of each line through the middle.
-/// eq   more than seven: height (i + 1/2) / count over the equator, turned on by the golden angle   (Swinbank and
-/// Purser 2006)
+/// Directions, without the opposite of any.
+/// eq   more than seven: height (i + 1/2) / count, angle i times the golden angle   (Swinbank and Purser 2006)
 std::vector<glm::vec3> lines(std::size_t count) {
   constexpr std::array<glm::vec3, 7> of_cube = {
       {{1, 1, 1}, {-1, 1, 1}, {1, 1, -1}, {-1, 1, -1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
@@ -61,10 +60,12 @@ SsaoKernel make_ssao_kernel(std::uint32_t samples) {
     kernel.offsets.push_back(scaled_to(-line, random.in(0.25f, 1.0f)));
   }
   for (glm::vec3& mirror : kernel.noise) {
-    glm::vec3 v(0.0f);  // uniform in the ball, so uniform in direction
+    glm::vec3 v(0.0f);  // rejection sampling: uniform in the ball, so uniform in direction
     float squared = 0.0f;
     do {
-      v.x = random.in(-1.0f, 1.0f), v.y = random.in(-1.0f, 1.0f), v.z = random.in(-1.0f, 1.0f);
+      v.x = random.in(-1.0f, 1.0f);
+      v.y = random.in(-1.0f, 1.0f);
+      v.z = random.in(-1.0f, 1.0f);
       squared = v.x * v.x + v.y * v.y + v.z * v.z;
     } while (squared > 1.0f || squared < 0.01f);
     mirror = scaled_to(v, 1.0f);

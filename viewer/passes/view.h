@@ -5,8 +5,8 @@
 
 namespace sinew::viewer {
 
-/// A camera that looks along -z of its own space, +y up. Depth is reversed, 0 where nothing was drawn (N30). Double
-/// precision, because the product with a mesh's matrix is where large world coordinates cancel (N25).
+/// A camera that looks along -z of its own space, +y up. Depth is reversed, with 0 where nothing was drawn. In double
+/// precision, because large world coordinates cancel in the product with the matrix of a mesh.
 /// eq   perspective:  clip = (x * c / aspect, y * c, near * (far + z) / (far - near), -z),  c = cot(fov_y/2);
 ///                    with the far plane at infinity the depth is near / distance
 ///      parallel:     clip = (x / (h * aspect), y / h, (far + z) / (far - near), 1),  h = half_height_m
@@ -14,32 +14,37 @@ struct View {
   Affined view_from_world;
   double fov_y_rad = 0.8;
   double near_m = 0.01;
-  double half_height_m = 0.0;  ///< above 0: parallel projection, which shows this much above the middle
+  double half_height_m = 0.0;  ///< above 0: a parallel projection that shows this height above the middle
   double far_m = 0.0;          ///< above near_m; 0 = infinite, which a parallel projection cannot have
 
   bool parallel() const noexcept { return half_height_m > 0.0; }
 };
 
-/// No point of the box can be in the picture.
-/// in   view_from_box  from the box's space, also with scale and shear;   aspect  width / height of the picture
-/// cost O(1); keeps a margin of a ten-thousandth for the rounding of the GPU. An empty box is taken for one of unknown
-/// size.
+/// No point of the box can be in the picture. An empty box stands for unknown bounds and is never out of view. A margin
+/// of 1e-4 covers the rounding of the GPU.
+/// in   view_from_box  may scale and shear;   aspect  width / height of the picture
+/// cost O(1)
 bool is_out_of_view(const View& view, double aspect, const Affined& view_from_box, const Aabb& box) noexcept;
 
-/// Rotation and position from an eye point towards a target; any `up` that is not parallel to the line of sight, and a
-/// safe substitute when it is.
+/// A view from an eye point towards a target. The eye at the target looks along -z of the world.
+/// eq   rows r, u, v with v = eye - target, r = up x v, u = v x r, each unit; translation -(rows eye)
+///      (Real-Time Rendering, eqs. 4.18, 4.19). If `up` is parallel to v or zero, -z or +x of the world replaces it.
 /// in   eye, target  world space, metres
 View look_at(const glm::dvec3& eye, const glm::dvec3& target, double fov_y_rad, double near_m,
              const glm::dvec3& up = {0.0, 1.0, 0.0});
 
-/// Where `look_at` stands.
+/// Position of the eye, world space.
 glm::dvec3 eye_of(const View& view);
 
-/// A view that shows the whole box from the front, slightly from the right and above, with a near plane to match.
+/// A view of the whole box from the front, slightly from the right and above, with a suitable near plane.
 /// in   bounds  world space; an empty box gives a view of the unit cube;   aspect  width / height
 View view_of_all(const Aabb& bounds, double fov_y_rad, double aspect);
 
-/// A near plane for an eye at this distance from the middle of `bounds`: as far out as it can be without cutting them.
+/// Matrix from view space to clip space, with reversed depth and y up.
+/// in   aspect  width / height of the picture
+Mat4<double> clip_from_view(const View& view, double aspect);
+
+/// The farthest near plane for this eye that does not cut `bounds`.
 double near_plane_for(const glm::dvec3& eye, const Aabb& bounds);
 
 }  // namespace sinew::viewer

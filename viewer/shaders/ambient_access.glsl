@@ -4,18 +4,21 @@
 
 float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
   if (frame.occlusion_use.y == 0.0 || n == vec3(0.0)) return 1.0;
-  ivec2 last = textureSize(access_image, 0) - 1;
+  ivec2 last = textureSize(ao_image, 0) - 1;
   float metres_per_pixel = 1.0 / pixels_per_metre(-p.z);
   float sum = 0.0, weight_sum = 0.0, nearest = 1.0, nearest_squared = 3.4e38;
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    if (any(greaterThan(offset, pixel % kAccessStep))) continue;   // a pixel that is a texel of its own has no neighbour on that axis
-    ivec2 texel = min(pixel / kAccessStep + offset, last);
-    vec4 stored = texelFetch(access_image, texel, 0);
+    if (any(greaterThan(offset, pixel % kAoStep))) continue;   // a pixel that is a texel of its own has no neighbour on that axis
+    ivec2 texel = min(pixel / kAoStep + offset, last);
+    vec4 stored = texelFetch(ao_image, texel, 0);
     if (stored.g <= 0.0) continue;
     vec3 other = view_point(full_pixel(texel), stored.g);
     float squared = dot(other - p, other - p);
-    if (squared < nearest_squared) nearest_squared = squared, nearest = stored.r;
+    if (squared < nearest_squared) {
+      nearest_squared = squared;
+      nearest = stored.r;
+    }
     if (!same_surface(p, n, other, unpack_normal(stored.ba), metres_per_pixel)) continue;
     sum += stored.r;
     weight_sum += 1.0;

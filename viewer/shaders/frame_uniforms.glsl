@@ -25,5 +25,5 @@ layout(set = 0, binding = 0, std140) uniform Frame {
 
 layout(set = 0, binding = 1) uniform sampler2D depth_image;      // near / distance, 0 = nothing
 layout(set = 0, binding = 2) uniform sampler2D normal_image;     // view space, zero = surface without normal
-layout(set = 0, binding = 3) uniform sampler2D access_image;     // half size: ambient access, distance, packed normal
+layout(set = 0, binding = 3) uniform sampler2D ao_image;     // half size: ambient access, distance, packed normal
 layout(set = 0, binding = 4) uniform sampler2D color_image;      // linear, premultiplied

@@ -50,7 +50,8 @@ bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
   b = -side * (across_y * uv_x.y + across_x * uv_y.y);
   float longest = max(dot(t, t), dot(b, b));
   if (longest == 0.0) return false;
-  t *= inversesqrt(longest), b *= inversesqrt(longest);
+  t *= inversesqrt(longest);
+  b *= inversesqrt(longest);
   return true;
 }
 

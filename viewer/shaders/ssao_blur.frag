@@ -16,20 +16,20 @@ layout(location = 0) out vec4 access_distance_normal;
 
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  vec4 middle = texelFetch(access_image, texel, 0);
+  vec4 middle = texelFetch(ao_image, texel, 0);
   access_distance_normal = middle;
   if (middle.g == 0.0 || middle.b > 1.5) return;
   vec3 n = unpack_normal(middle.ba);
   vec3 p = view_point(full_pixel(texel), middle.g);
-  ivec2 last = textureSize(access_image, 0) - 1;
+  ivec2 last = textureSize(ao_image, 0) - 1;
   // Not a choice between two vectors: Mesa 22.3 folds that specialisation constant to (0, 0).
   ivec2 direction = ivec2(kVertical ? 0 : 1, kVertical ? 1 : 0);
-  float metres_per_texel = float(kAccessStep) / pixels_per_metre(middle.g);
+  float metres_per_texel = float(kAoStep) / pixels_per_metre(middle.g);
   float sum = middle.r, weight_sum = 1.0;
   for (int k = -kReach; k <= kReach; ++k) {
     ivec2 at = texel + k * direction;
     if (k == 0 || any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
-    vec4 other = texelFetch(access_image, at, 0);
+    vec4 other = texelFetch(ao_image, at, 0);
     if (other.g == 0.0 || other.b > 1.5) continue;
     vec3 q = view_point(full_pixel(at), other.g);
     if (kKeepEdges && !same_surface(p, n, q, unpack_normal(other.ba), float(abs(k)) * metres_per_texel)) continue;

@@ -13,9 +13,9 @@ vec3 view_point(ivec2 pixel, float distance) {
   return vec3(is_parallel() ? xy : xy * distance, -distance);
 }
 
-layout(constant_id = 3) const int kAccessStep = 2;   // OcclusionShape::step: pixels from one texel of ambient access to the next
+layout(constant_id = 3) const int kAoStep = 2;   // OcclusionShape::step: pixels from one texel of ambient access to the next
 
 // Half-size texels stand for every second pixel of the full image.
 ivec2 full_pixel(ivec2 texel) {
-  return min(texel * kAccessStep, textureSize(depth_image, 0) - 1);
+  return min(texel * kAoStep, textureSize(depth_image, 0) - 1);
 }

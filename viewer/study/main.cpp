@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew-occlusion-study: what ambient occlusion costs on this machine's Vulkan device, and how far it is from ray
-// casting; JSON on stdout. `sinew cost` runs it, so that neither the tool needs Vulkan nor the viewer needs Embree.
+// sinew-occlusion-study measures the time of ambient occlusion on this machine's Vulkan device and its difference from
+// ray casting, and prints JSON. `sinew cost` runs it, so that the tool does not need Vulkan and the viewer not Embree.
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMoment = 0.4;  // of the clip
+constexpr double kMoment = 0.4;  // fraction of the clip at which the pose is taken
 
 Json json_of(const OcclusionStudy& study) {
   Json out = {{"device", study.device}, {"width", study.width},       {"height", study.height},
@@ -62,20 +62,23 @@ OcclusionStudy study_of(Device& device, const Exhibit& exhibit, std::uint32_t cl
   return study_occlusion(device, exhibit.scene, frame.result(), view, ambient_occlusion_for(bounds.largest), effort);
 }
 
-/// The study, or {"left_out": why}; nothing and an exit code when the command line or the file is at fault.
+/// Runs the study.
+/// out  the study as JSON, or {"left_out": why}; returns an exit code other than 0 when the command line or the file is
+///      at fault
 int answer(const Options& options, bool quick, Json& out) {
   auto exhibits = load_exhibits(options, [](const std::string&) {}, {});
-  if (!exhibits)
-    return std::fprintf(stderr, "sinew-occlusion-study: %s\n", exhibits.error().message.c_str()),
-           exhibits.error().exit_code;
+  if (!exhibits) {
+    std::fprintf(stderr, "sinew-occlusion-study: %s\n", exhibits.error().message.c_str());
+    return exhibits.error().exit_code;
+  }
   const Exhibit& exhibit = exhibits->front();
   std::uint32_t clip = exhibit.scene.animations.empty() ? kNone : 0;
   if (options.clip) {
     const auto chosen = choose_clip(exhibit.scene, *options.clip);
-    if (!chosen)
-      return std::fprintf(stderr, "sinew-occlusion-study: %s\n",
-                          describe_missing_clip(exhibit.scene, *options.clip).c_str()),
-             2;
+    if (!chosen) {
+      std::fprintf(stderr, "sinew-occlusion-study: %s\n", describe_missing_clip(exhibit.scene, *options.clip).c_str());
+      return 2;
+    }
     clip = *chosen;
   }
   try {

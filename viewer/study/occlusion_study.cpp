@@ -14,8 +14,10 @@ namespace {
 
 OcclusionTrial trial(std::string name, OcclusionShape shape, bool blur, std::string note) {
   OcclusionTrial made;
-  made.name = std::move(name), made.note = std::move(note);
-  made.shape = shape, made.blur = blur;
+  made.name = std::move(name);
+  made.note = std::move(note);
+  made.shape = shape;
+  made.blur = blur;
   made.is_default = shape == OcclusionShape{} && blur;
   return made;
 }
@@ -37,7 +39,7 @@ std::vector<OcclusionTrial> trials_of(bool every_way) {
   return trials;
 }
 
-/// One way of drawing, ready to be repeated.
+/// Renders with one set of options, repeatedly.
 class Drawing {
  public:
   Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial,
@@ -45,13 +47,14 @@ class Drawing {
       : headless_(device, scene, effort.width, effort.height, trial.shape) {
     options_.show = Show::ao;
     options_.ao = settings;
-    options_.ao.on = true, options_.ao.blur = trial.blur;
+    options_.ao.on = true;
+    options_.ao.blur = trial.blur;
     options_.transparent_background = true;
   }
 
   Picture draw(const FrameResult& frame, const View& view) { return headless_.render(frame, view, options_); }
 
-  /// Of the passes that make ambient access in the last picture; negative when the device has no clock.
+  /// Time of the ambient occlusion passes in the last picture; negative without timestamps.
   double milliseconds() const {
     double sum = 0.0;
     for (const PassTime& time : headless_.pass_times())
@@ -71,14 +74,15 @@ struct Difference {
   double root_mean() const { return pixels > 0 ? std::sqrt(squares / static_cast<double>(pixels)) : 0.0; }
 };
 
-/// Over the pixels that show a surface in the picture and to the rays: at outlines the two may differ.
+/// Compares the pixels that show a surface both in the picture and to the rays; at outlines the two may differ.
 template <class Access>
 Difference difference_of(const Picture& picture, const std::vector<double>& truth, const Access& access) {
   Difference d;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (truth[i] < 0.0 || picture.rgba[4 * i + 3] == 0) continue;
     const double off = access(picture.rgba[4 * i]) - truth[i];
-    d.squares += off * off, ++d.pixels;
+    d.squares += off * off;
+    ++d.pixels;
   }
   return d;
 }
@@ -96,7 +100,7 @@ std::vector<double> true_access(const RayCaster& rays, const View& view, std::ui
     for (std::uint32_t x = 0; x < width; ++x) {
       const glm::dvec3 in_view((2.0 * (x + 0.5) / width - 1.0) * slope_x, (1.0 - 2.0 * (y + 0.5) / height) * slope_y,
                                -1.0);
-      glm::dvec3 direction(0.0);  // the view only turns and moves: its inverse turn is its transpose
+      glm::dvec3 direction(0.0);  // the rotation of the view: its inverse is its transpose
       for (int r = 0; r < 3; ++r) direction += in_view[r] * glm::dvec3(view.view_from_world.row[r]);
       const auto seen = rays.seen(eye, direction);
       access.push_back(seen ? rays.open_share(*seen, radius_m, ray_count) : -1.0);

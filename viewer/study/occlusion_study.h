@@ -11,42 +11,43 @@
 
 namespace sinew::viewer {
 
-/// One way of making ambient occlusion, measured.
+/// One way to compute ambient occlusion, measured.
 struct OcclusionTrial {
   std::string name, note;
   OcclusionShape shape;
   bool blur = true;
   bool is_default = false;
-  double error = 0.0;                ///< root mean square difference of ambient access from ray casting, 0 to 1
-  std::vector<double> milliseconds;  ///< of its passes on the device, one for each repetition; empty without timestamps
+  double error = 0.0;                ///< root mean square difference of ambient access from ray casting, in [0, 1]
+  std::vector<double> milliseconds;  ///< GPU time of its passes, one for each repetition; empty without timestamps
 };
 
 struct OcclusionStudy {
   std::string device;
   std::uint32_t width = 0, height = 0;
-  std::uint64_t pixels = 0;    ///< that show a surface, and so count
+  std::uint64_t pixels = 0;    ///< that show a surface; only these are compared
   double error_without = 0.0;  ///< of a picture without ambient occlusion
   double radius_m = 0.0;
   std::vector<OcclusionTrial> trials;
 };
 
-/// How large the picture is, and how long to look.
+/// Size of the picture and number of repetitions.
 struct OcclusionEffort {
   std::uint32_t width = 640, height = 400;
-  int rays = 128;  ///< of each pixel's truth
+  int rays = 128;  ///< per pixel of the reference
   int repetitions = 15;
-  bool every_way = true;  ///< else those that the questions are about: the driver compiles shaders for each
+  bool every_way = true;  ///< false = a short list, because the driver compiles shaders for each
 
   static OcclusionEffort quick() { return {320, 200, 64, 7, false}; }
 };
 
-/// Draws one frame in each way and compares every pixel that shows a surface with what rays from there find.
-/// Repetitions are in random order, so that a disturbance of the machine falls on all alike. err  DeviceError,
-/// std::runtime_error      cost seconds to half a minute on a software device
+/// Draws one frame in each way and compares each pixel that shows a surface with ray casting. The repetitions run in
+/// random order, so that disturbances of the machine affect all ways alike.
+/// err  DeviceError, std::runtime_error
+/// cost seconds to half a minute on a software device
 OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
                                const AmbientOcclusion& settings, const OcclusionEffort& effort);
 
-/// Ambient access of every pixel by ray casting, rows from the top; negative where nothing is seen.
+/// Ambient access of every pixel by ray casting, the top row first; negative where nothing is visible.
 /// in   view  a perspective
 std::vector<double> true_access(const RayCaster& rays, const View& view, std::uint32_t width, std::uint32_t height,
                                 double radius_m, int ray_count);

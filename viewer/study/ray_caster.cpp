@@ -28,7 +28,7 @@ struct Triangle {
   bool double_sided;
 };
 
-/// Triangles in world space, front faces counter-clockwise: the winding is turned round where the mesh is mirrored.
+/// Adds triangles in world space with counter-clockwise front faces; reverses the winding of mirrored meshes.
 void add_triangles(const Primitive& primitive, const DeformedPrimitive& deformed, const Affined& world_from_mesh,
                    bool mirrored, bool double_sided, std::vector<Triangle>& out) {
   const std::span<const glm::vec3> positions =
@@ -75,7 +75,7 @@ std::vector<Triangle> triangles_of(const Scene& scene, const FrameResult& frame)
   return triangles;
 }
 
-/// Embree asks whether a hit counts.
+/// Filter callback of Embree: rejects hits on back faces.
 void leave_out_back_faces(const RTCFilterFunctionNArguments* asked) {
   const auto& triangle = static_cast<const Triangle*>(asked->geometryUserPtr)[RTCHitN_primID(asked->hit, asked->N, 0)];
   const glm::dvec3 direction(RTCRayN_dir_x(asked->ray, asked->N, 0), RTCRayN_dir_y(asked->ray, asked->N, 0),
@@ -85,11 +85,15 @@ void leave_out_back_faces(const RTCFilterFunctionNArguments* asked) {
 
 RTCRay ray_of(const glm::dvec3& from, const glm::dvec3& direction, double limit) {
   RTCRay ray{};
-  ray.org_x = static_cast<float>(from.x), ray.org_y = static_cast<float>(from.y),
+  ray.org_x = static_cast<float>(from.x);
+  ray.org_y = static_cast<float>(from.y);
   ray.org_z = static_cast<float>(from.z);
-  ray.dir_x = static_cast<float>(direction.x), ray.dir_y = static_cast<float>(direction.y),
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
   ray.dir_z = static_cast<float>(direction.z);
-  ray.tnear = 0.0f, ray.tfar = static_cast<float>(limit), ray.mask = ~0u;
+  ray.tnear = 0.0f;
+  ray.tfar = static_cast<float>(limit);
+  ray.mask = ~0u;
   return ray;
 }
 
@@ -126,7 +130,10 @@ struct RayCaster::State {
     rtcCommitScene(scene);
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("ray casting has no memory");
   }
-  ~State() { rtcReleaseScene(scene), rtcReleaseDevice(device); }
+  ~State() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -139,7 +146,10 @@ struct RayCaster::State {
     if (!corners || !indices) throw std::runtime_error("ray casting has no memory");
     std::uint32_t next = 0;
     for (const Triangle& triangle : triangles)
-      for (const glm::vec3& corner : triangle.corners) *corners++ = corner, *indices++ = next++;
+      for (const glm::vec3& corner : triangle.corners) {
+        *corners++ = corner;
+        *indices++ = next++;
+      }
     rtcSetGeometryUserData(geometry, triangles.data());
     rtcSetGeometryIntersectFilterFunction(geometry, leave_out_back_faces);
     rtcSetGeometryOccludedFilterFunction(geometry, leave_out_back_faces);
@@ -173,7 +183,7 @@ std::optional<RayCaster::Seen> RayCaster::seen(const glm::dvec3& from, const glm
 }
 
 double RayCaster::open_share(const Seen& at, double radius_m, int ray_count) const {
-  // Coordinates are floats: the start is lifted off its own triangle by more than their roundings.
+  // Coordinates are floats: the start is moved off its triangle by more than their rounding errors.
   const double off = 0x1p-20 * (std::abs(at.point.x) + std::abs(at.point.y) + std::abs(at.point.z)) + 1e-5 * radius_m;
   const glm::dvec3 from = at.point + off * at.geometric;
   const glm::dvec3 aside = std::abs(at.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);

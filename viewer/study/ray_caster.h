@@ -10,8 +10,8 @@
 
 namespace sinew::viewer {
 
-/// The opaque triangles of a frame as rays meet them: what screen-space occlusion only guesses at. Back faces are met
-/// where the material has two sides, and nowhere else, as in pictures.
+/// Casts rays against the opaque triangles of a frame: the reference for screen-space occlusion. As in pictures, rays
+/// pass through back faces unless the material is double-sided.
 class RayCaster {
  public:
   /// err  std::runtime_error when Embree has no memory
@@ -23,12 +23,13 @@ class RayCaster {
     glm::dvec3 geometric{0.0};           ///< unit normal of the triangle, on the viewer's side
   };
 
-  /// The nearest surface along a ray.
+  /// The nearest surface that a ray hits.
   std::optional<Seen> seen(const glm::dvec3& from, const glm::dvec3& direction) const;
 
-  /// Share of light that comes in when every direction is equally bright and blockers are nearer than `radius_m`.
-  /// eq   share of `ray_count` directions, with density cos / pi about the normal (Hammersley points), that meet
-  /// nothing
+  /// Ambient access of a point: the fraction of ambient light that arrives when only geometry nearer than `radius_m`
+  /// blocks it.
+  /// eq   fraction of `ray_count` rays without a hit; directions have density cos / pi about the normal (Hammersley
+  ///      points)
   double open_share(const Seen& at, double radius_m, int ray_count) const;
 
  private:

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "runtime/base/contract.h"
-#include "viewer/upload/frame_vertices.h"
 
 namespace sinew::viewer {
 
@@ -18,8 +17,8 @@ struct FrameUpload::State {
   std::uint64_t uploaded_bytes = 0;
   UploadCounts counts;
 
-  void bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed, DeformedBuffers next,
-             DeformedBuffers& last, bool kept);
+  void upload_primitive(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed,
+                        DeformedBuffers next, DeformedBuffers& last, bool kept);
 };
 
 namespace {
@@ -36,7 +35,7 @@ VkDeviceSize bytes_of(const FrameResult& result) noexcept {
   return bytes;
 }
 
-/// Where the attributes of a primitive go, from `at` on.
+/// Places the attributes of a primitive from offset `at` on, and advances `at`.
 DeformedBuffers place(const DeformedPrimitive& deformed, VkDeviceSize& at) noexcept {
   const auto take = [&](const auto& values) {
     const VkDeviceSize begin = values.empty() ? kAbsent : at;
@@ -55,7 +54,7 @@ bool same_places(const DeformedBuffers& a, const DeformedBuffers& b) noexcept {
   return a.positions == b.positions && a.normals == b.normals && a.tangents == b.tangents && a.colors == b.colors;
 }
 
-/// Answers the bytes.
+/// Returns the number of bytes copied.
 std::uint64_t copy(const DeformedPrimitive& deformed, const DeformedBuffers& to, std::byte* memory) noexcept {
   std::uint64_t bytes = 0;
   const auto write = [&](const auto& values, VkDeviceSize at) {
@@ -107,11 +106,13 @@ FrameUpload::FrameUpload(Device& device, const Scene& scene, std::uint32_t slot_
 
 FrameUpload::~FrameUpload() = default;
 
-/// Brings one primitive into the slot, unless its vertices are there already (P19).
-void FrameUpload::State::bring(FrameVertices& slot, const Primitive& primitive, const DeformedPrimitive& deformed,
-                               DeformedBuffers next, DeformedBuffers& last, bool kept) {
-  const bool there = kept && deformed.since_frame != 0 && last.frame >= deformed.since_frame && same_places(next, last);
-  if (there) {
+/// Uploads one primitive to the slot, unless the slot has its vertices already.
+void FrameUpload::State::upload_primitive(FrameVertices& slot, const Primitive& primitive,
+                                          const DeformedPrimitive& deformed, DeformedBuffers next,
+                                          DeformedBuffers& last, bool kept) {
+  const bool unchanged =
+      kept && deformed.since_frame != 0 && last.frame >= deformed.since_frame && same_places(next, last);
+  if (unchanged) {
     next.centre = last.centre;
     ++counts.unchanged;
   } else {
@@ -148,13 +149,16 @@ void FrameUpload::update(std::uint32_t slot_index, const FrameResult& result, st
       const DeformedPrimitive& deformed = result.primitives[instance.first_primitive + p];
       DeformedBuffers next = place(deformed, at);
       next.frame = result.frame;
-      state_->bring(slot, mesh.primitives[p], deformed, next, slot.primitives[instance.first_primitive + p], kept);
+      state_->upload_primitive(slot, mesh.primitives[p], deformed, next, slot.primitives[instance.first_primitive + p],
+                               kept);
     }
   }
   place_lights(scene, result, slot);
   apply_properties(scene, result.properties, slot.look);
   state_->uploaded_bytes += state_->counts.bytes;
-  slot.frame = result.frame, slot.source = source, slot.filled = true;
+  slot.frame = result.frame;
+  slot.source = source;
+  slot.filled = true;
   state_->counts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 

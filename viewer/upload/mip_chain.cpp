@@ -10,11 +10,11 @@ namespace sinew::viewer {
 
 namespace {
 
-/// sRGB both ways by tables: a pow per channel would cost a second for a large texture.
+/// Tables between sRGB and linear. A pow per channel would cost a second for a large texture.
 struct SrgbTables {
-  std::array<float, 256> linear{};         // of each code
-  std::array<float, 256> above{};          // where the next code begins; the last is never reached
-  std::array<std::uint8_t, 1025> guess{};  // a code at or below that of i / 1024
+  std::array<float, 256> linear{};  // of each code
+  std::array<float, 256> above{};   // the smallest value that encodes to the next code; the last is never reached
+  std::array<std::uint8_t, 1025> guess{};  // a code not above that of i / 1024
 
   SrgbTables() {
     const auto decode = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
@@ -45,7 +45,8 @@ const SrgbTables& srgb_tables() {
 MipLevel halved(const MipLevel& from, bool srgb) {
   const SrgbTables& tables = srgb_tables();
   MipLevel to;
-  to.width = std::max(from.width / 2, 1u), to.height = std::max(from.height / 2, 1u);
+  to.width = std::max(from.width / 2, 1u);
+  to.height = std::max(from.height / 2, 1u);
   to.rgba.resize(std::size_t{4} * to.width * to.height);
   for (std::uint32_t y = 0; y < to.height; ++y) {
     const std::size_t y0 = 2 * y, y1 = std::min(2 * y + 1, from.height - 1);

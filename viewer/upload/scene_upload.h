@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <memory>
+#include <cstdint>
 
 #include "runtime/model/scene_look.h"
-#include "viewer/device/device.h"
+#include "viewer/upload/upload_materials.h"
+#include "viewer/upload/upload_mesh.h"
 
 namespace sinew::viewer {
 
-struct SceneResources;  // scene_resources.h: for the passes
-
 /// The parts of a scene that no clip deforms, on the GPU: vertex attributes, indices, materials, textures with mipmaps.
-/// A missing image becomes a magenta and black checkerboard (G66). Keeps a pointer to the scene, which must outlive it.
+/// A checkerboard of magenta and black stands in for a missing image (G66). Keeps a pointer to the scene, which must
+/// outlive it. The GPU must be done with all frames that drew the scene before it is destroyed.
 /// cost copies all attributes and pixels once; waits until they have arrived
 class SceneUpload {
  public:
-  /// in   slot_count  frames in flight: materials that clips move are kept once for each
+  /// in   slot_count  frames in flight: each has its own copy of the materials that clips animate
   SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count = 1);
-  ~SceneUpload();  ///< the GPU must be done with all frames that drew it
-  SceneUpload(const SceneUpload&) = delete;
-  SceneUpload& operator=(const SceneUpload&) = delete;
 
-  const Scene& scene() const noexcept;
-
-  /// Puts the materials of a frame's look into the slot.
+  /// Writes the materials of a frame into the slot.
   /// in   slot  the GPU must be done with its last use
-  void update(std::uint32_t slot, const SceneLook& look);
-  const SceneResources& resources() const noexcept { return *resources_; }
+  void update(std::uint32_t slot, const SceneLook& look) { materials_.update(slot, look.materials); }
+
+  const Scene& scene() const noexcept { return scene_; }
+  const MeshSet& meshes() const noexcept { return meshes_; }
+  const MaterialSet& materials() const noexcept { return materials_; }
 
  private:
-  std::unique_ptr<SceneResources> resources_;
+  SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count);
+
+  const Scene& scene_;
+  MeshSet meshes_;
+  MaterialSet materials_;
 };
 
 }  // namespace sinew::viewer

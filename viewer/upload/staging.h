@@ -10,15 +10,15 @@
 
 namespace sinew::viewer {
 
-/// Copies to device memory, collected and then sent together: one submit for a whole scene, or one whenever the
-/// collected bytes exceed a bound, so that large textures need no second copy of everything.
+/// Collects copies to device memory and submits them together: once for a whole scene, or whenever 64 MiB are
+/// collected, so that the staging memory stays small.
 class Staging {
  public:
   explicit Staging(const Device& device) : device_(device) {}
 
   void copy(const Buffer& to, std::span<const std::byte> bytes);
-  void copy(const GpuImage& to, std::span<const MipLevel> levels);  ///< leaves it readable by fragment shaders
-  void send();                                                      ///< waits until all has arrived
+  void copy(const GpuImage& to, std::span<const MipLevel> levels);  ///< fragment shaders can read it afterwards
+  void send();                                                      ///< submits, and waits until all copies are done
 
  private:
   struct ImageCopy {

@@ -8,8 +8,8 @@ namespace sinew::viewer {
 
 namespace {
 
-/// KHR_texture_transform: uv' = offset + R * (scale * uv), counter-clockwise as seen in the image, whose v points down
-/// (G60).
+/// eq   KHR_texture_transform: uv' = offset + R * (scale * uv); counter-clockwise as seen in the image, whose v points
+///      down
 TextureUseUniforms texture_use(const TextureUse& use) noexcept {
   if (!use.used()) return {};
   const float c = std::cos(use.rotation_rad), s = std::sin(use.rotation_rad);
@@ -91,7 +91,7 @@ void MaterialSet::update(std::uint32_t slot, std::span<const Material> materials
   for (const std::uint32_t m : animated_) write_uniforms(slot % slots_ * count_ + m, usable(materials[m]));
 }
 
-/// Without the data textures that cannot be read: their factors count alone.
+/// The material without its unreadable data textures; only their factors count then.
 Material MaterialSet::usable(const Material& given) const {
   Material material = given;
   for (TextureUse* data : {&material.metallic_roughness_texture, &material.normal_texture, &material.occlusion_texture})

@@ -27,8 +27,8 @@ MaterialUniforms material_uniforms(const Material& material) noexcept;
 /// Descriptor set 1 of all geometry pipelines: the uniforms and five textures. The caller destroys it.
 VkDescriptorSetLayout make_material_layout(const Device& device);
 
-/// One descriptor set per material of the scene, and a last one for primitives without material (glTF's default). Where
-/// clips move a material, each frame in flight has sets of its own.
+/// One descriptor set per material of the scene, and a last one for primitives without a material (glTF's default). If
+/// clips animate a material, each frame in flight has its own sets.
 class MaterialSet {
  public:
   MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count);
@@ -40,8 +40,8 @@ class MaterialSet {
     return sets_[slot % slots_ * count_ + std::min(material, count_ - 1)];
   }
 
-  /// Writes the materials that clips move.
-  /// in   slot  the GPU must be done with its last use;   materials  as many as the scene has
+  /// Writes the materials that clips animate.
+  /// in   slot  the GPU must be done with its last use;   materials[materials of the scene]
   void update(std::uint32_t slot, std::span<const Material> materials);
 
  private:

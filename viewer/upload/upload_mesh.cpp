@@ -5,7 +5,7 @@ namespace sinew::viewer {
 
 namespace {
 
-/// Streams begin at multiples of 16 bytes.
+/// Appends a stream at the next multiple of 16 bytes and returns its offset.
 template <class T>
 VkDeviceSize append(std::vector<std::byte>& bytes, const std::vector<T>& values) {
   if (values.empty()) return kAbsent;

@@ -16,15 +16,14 @@ inline constexpr std::array<std::uint32_t, kAttributeCount> kAttributeBytes = {1
 
 inline constexpr VkDeviceSize kAbsent = ~VkDeviceSize{0};
 
-/// Where the attributes and indices of a primitive lie, in bytes; kAbsent = it has none.
+/// Byte offsets of the attributes and indices of a primitive; kAbsent = the primitive lacks the attribute.
 struct PrimitiveBuffers {
   std::array<VkDeviceSize, kAttributeCount> attributes{};
   VkDeviceSize indices = 0;
   std::uint32_t index_count = 0;
 };
 
-/// All meshes of a scene in one buffer. Attributes are separate streams, because deformation replaces some and not
-/// others.
+/// All meshes of a scene in one buffer. Each attribute is a stream of its own, because deformation replaces only some.
 class MeshSet {
  public:
   MeshSet(const Device& device, const Scene& scene, Staging& staging);
@@ -33,7 +32,7 @@ class MeshSet {
   const PrimitiveBuffers& primitive(std::uint32_t mesh, std::uint32_t primitive) const noexcept {
     return primitives_[first_[mesh] + primitive];
   }
-  /// Bound with stride 0 for an absent attribute: every vertex reads the same default.
+  /// Offset of the default value of an absent attribute. It is bound with stride 0, so that every vertex reads it.
   VkDeviceSize default_of(Attribute attribute) const noexcept;
 
  private:

@@ -7,7 +7,7 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr std::uint32_t kWhite = kNone - 1, kPlaceholder = kNone - 2;  // keys that no image of a scene has
+constexpr std::uint32_t kWhite = kNone - 1, kPlaceholder = kNone - 2;  // no image of a scene has these indices
 
 VkSamplerAddressMode address_mode(Wrap wrap) noexcept {
   switch (wrap) {
@@ -57,7 +57,7 @@ VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) n
   info.addressModeU = address_mode(sampler.wrap_u);
   info.addressModeV = address_mode(sampler.wrap_v);
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  // Without mipmaps only the first level is read; 0.25 instead of 0 keeps magnification and minification apart.
+  // Without mipmaps only level 0 is read. 0.25 instead of 0 keeps the filters of magnification and minification apart.
   info.maxLod = sampler.use_mipmaps ? VK_LOD_CLAMP_NONE : 0.25f;
   if (!sampler.use_mipmaps) info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
   const bool smooth =

@@ -10,7 +10,7 @@
 
 namespace sinew::viewer {
 
-/// The images and samplers of a scene. An image that is used both as colour (sRGB) and as data is there twice.
+/// The images and samplers of a scene. An image that is used both as colour (sRGB) and as data is uploaded twice.
 class TextureSet {
  public:
   explicit TextureSet(Device& device);
@@ -18,8 +18,8 @@ class TextureSet {
   TextureSet(const TextureSet&) = delete;
   TextureSet& operator=(const TextureSet&) = delete;
 
-  /// What to bind for a texture of the scene; the placeholder when its image is missing, plain white for kNone. Uploads
-  /// the image at its first use.
+  /// The image and sampler to bind for a texture: the placeholder if its image is missing, white for kNone. The image
+  /// is uploaded at its first use.
   VkDescriptorImageInfo use(const Scene& scene, std::uint32_t texture, bool srgb, Staging& staging);
 
  private:
@@ -27,18 +27,18 @@ class TextureSet {
   VkSampler sampler(const Sampler& wanted);
 
   Device& device_;
-  std::map<std::pair<std::uint32_t, bool>, GpuImage> images_;  // by image index and whether it is sRGB
+  std::map<std::pair<std::uint32_t, bool>, GpuImage> images_;  // by image index and sRGB
   std::map<std::uint32_t, VkSampler> samplers_;
 };
 
-/// Whether a texture's pixels can be uploaded. Missing colours become a visible placeholder; missing data (normals,
-/// roughness, occlusion) is better left out, since a checkerboard of slopes would only look broken.
+/// The image of the texture can be uploaded. Missing colours become a visible placeholder; missing data (normals,
+/// roughness, occlusion) is left out, because a placeholder would look like a broken surface.
 bool readable(const Scene& scene, const TextureUse& use) noexcept;
 
-/// Trilinear by default, with the device's best anisotropy where all filters are linear.
+/// Vulkan sampler of a glTF sampler. It is anisotropic, at most 8, if all filters are linear.
 VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) noexcept;
 
-/// What stands in for an image that could not be read: a checkerboard of magenta and black, 8 x 8 fields.
+/// Stands in for an image that could not be read: a checkerboard of magenta and black, 8 x 8 fields.
 MipLevel placeholder_image();
 
 }  // namespace sinew::viewer

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/passes/quaternion_normal.h"
+#include "tests/reference/quaternion_normal.h"
 
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 
-namespace sinew {
+namespace sinew::reference {
 namespace {
 
 using test::FixedRandom;
@@ -40,4 +40,4 @@ TEST(quaternion_normal, N35_edges_across_the_pole_need_the_alignment) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::reference

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/frustum_culling.h"
+
+#include <algorithm>
+
+namespace sinew::viewer {
+
+bool CulledInstances::culls_more_than(const CulledInstances& other) const noexcept {
+  for (std::size_t i = 0; i < out_of_view.size(); ++i)
+    if (out_of_view[i] > other.out_of_view[i]) return true;
+  return false;
+}
+
+CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double aspect) {
+  const bool plays = clip < scene_->animations.size();
+  auto& bounds = plays ? bounds_[clip] : bounds_.back();
+  if (!bounds) bounds = clip_bounds(*scene_, needs_, plays ? clip : kNone);
+  CulledInstances culled = all_in_view();
+  for (std::size_t i = 0; i < bounds->size(); ++i)
+    culled.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, (*bounds)[i]);
+  culled.every_instance = !bounds->empty() && std::find(culled.out_of_view.begin(), culled.out_of_view.end(), 0) ==
+                                                  culled.out_of_view.end();
+  return culled;
+}
+
+void leave_out(const CulledInstances& culled, bool joints_watched, FrameInput& input) {
+  input.out_of_view = culled.out_of_view;
+  input.asleep = culled.every_instance && !joints_watched;
+}
+
+}  // namespace sinew::viewer
