@@ -29,9 +29,11 @@ std::vector<VkDynamicState> dynamic_states(const PipelineShape& shape) {
 
 VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape) {
   const ShaderModule vertex(device, shape.vertex), fragment(device, shape.fragment);
-  const std::array<VkSpecializationMapEntry, 4> entries = {{{0, 0, 4}, {1, 4, 4}, {2, 8, 4}, {3, 12, 4}}};
-  const VkSpecializationInfo constants{4, entries.data(), sizeof(shape.constants), shape.constants.data()};
-  const std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT),
+  std::array<VkSpecializationMapEntry, kShaderConstants> entries{};
+  for (std::uint32_t id = 0; id < kShaderConstants; ++id) entries[id] = {id, 4 * id, 4};
+  const VkSpecializationInfo constants{kShaderConstants, entries.data(), sizeof(shape.constants),
+                                       shape.constants.data()};
+  const std::array stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, &constants),
                              fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, &constants)};
 
   VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};

@@ -8,11 +8,13 @@
 
 namespace sinew::viewer {
 
+inline constexpr std::size_t kShaderConstants = 15;
+
 /// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, no
 /// multisampling, one colour attachment, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
-  std::array<std::uint32_t, 4> constants{};  ///< specialisation constants 0 to 3 of the fragment shader
+  std::array<std::uint32_t, kShaderConstants> constants{};  ///< specialisation constants of both shaders, by their ids
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
   bool depth = false;  ///< there is a D32 depth attachment

@@ -33,13 +33,14 @@ std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
   return static_cast<std::uint32_t>(static_cast<std::size_t>(drawn) * std::max<std::size_t>(instance.copies.size(), 1));
 }
 
-DrawConstants constants_of(const Primitive& primitive, const Affine& view_from_mesh, float point_size) {
-  DrawConstants constants{{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]}, 0, point_size};
-  if (primitive.topology != Topology::triangles) return constants;
-  if (primitive.flat_normals) constants.flags |= kFlatNormals;
-  if (!primitive.normals.empty()) constants.flags |= kHasNormals;
-  if (!primitive.tangents.empty()) constants.flags |= kHasTangents;
-  return constants;
+SurfaceFeatures surface_of(const Primitive& primitive, const MaterialFeatures& material) {
+  SurfaceFeatures surface;
+  surface.material = material;
+  if (primitive.topology != Topology::triangles) return surface;
+  if (!primitive.normals.empty()) surface.normals = NormalSource::vertices;
+  if (primitive.flat_normals) surface.normals = NormalSource::faces;
+  surface.tangents = !primitive.tangents.empty();
+  return surface;
 }
 
 }  // namespace
@@ -100,8 +101,10 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.indices_at = own.indices;
     draw.index_count = own.index_count;
     draw.material = drawn.scene->materials().set_of(material_index, frame.slot);
-    draw.constants = constants_of(primitive, view_from_mesh, frame.point_size);
-    if (mirrored) draw.constants.flags |= kMirrored;
+    draw.constants = {{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]},
+                      mirrored ? -1.0f : 1.0f,
+                      frame.point_size};
+    draw.surface = surface_of(primitive, drawn.scene->materials().features_of(material_index));
     draw.topology = primitive.topology;
     draw.masked = alpha == AlphaMode::mask;
     draw.double_sided = material && material->double_sided;

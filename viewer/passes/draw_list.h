@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <compare>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,11 +14,26 @@ namespace sinew::viewer {
 
 /// Mirrors the push constants of shaders/geometry.glsl.
 struct DrawConstants {
-  glm::vec4 view_from_mesh[3];
-  std::uint32_t flags = 0;
+  std::array<glm::vec4, 3> view_from_mesh;  ///< rows
+  float handedness = 1.0f;                  ///< -1 for mirrored meshes
   float point_size = 1.0f;
 };
-inline constexpr std::uint32_t kFlatNormals = 1, kHasNormals = 2, kHasTangents = 4, kMirrored = 8;
+
+/// Where the normals of a surface come from.
+enum class NormalSource : std::uint8_t {
+  none,     ///< points and lines, and triangles without normals
+  faces,    ///< each triangle is flat
+  vertices  ///< interpolated
+};
+
+/// What the shaders of a draw are compiled for.
+struct SurfaceFeatures {
+  NormalSource normals = NormalSource::none;
+  bool tangents = false;
+  MaterialFeatures material;
+
+  auto operator<=>(const SurfaceFeatures&) const = default;
+};
 
 /// One draw call. Each attribute has its own binding: the deformed one, else the mesh's own, else a default of stride
 /// 0.
@@ -27,6 +45,7 @@ struct Draw {
   std::uint32_t index_count = 0;
   VkDescriptorSet material = VK_NULL_HANDLE;
   DrawConstants constants{};
+  SurfaceFeatures surface;
   Topology topology = Topology::triangles;
   bool masked = false, double_sided = false, mirrored = false;
   float distance = 0.0f;  ///< from the eye plane to the centre of the primitive, metres

@@ -100,6 +100,13 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
+FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights) {
+  return {.occluded = graph.ao_image,
+          .parallel = inputs.view.parallel(),
+          .transparent_background = inputs.options.transparent_background,
+          .light_count = light_count(inputs.options, lights)};
+}
+
 FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs) {
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
@@ -140,6 +147,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             state.draws,
                             inputs,
                             target,
+                            features_of(inputs, graph, state.lights),
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
   // The submit waits for the target's semaphore at colour output; this barrier continues from there.

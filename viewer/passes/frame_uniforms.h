@@ -18,22 +18,32 @@ inline constexpr std::size_t kMaxLights = 16;  ///< of a scene; further lights h
 
 /// Mirrors shaders/frame_uniforms.glsl, std140.
 struct LightUniforms {
-  glm::vec4 position_kind, to_light_range, color, cone;
+  glm::vec3 position{0.0f};  ///< view space
+  std::uint32_t kind = 0;    ///< 0 directional, 1 point, 2 spot
+  glm::vec3 to_light{0.0f};  ///< directional and spot: unit vector against the direction of the light
+  float range_m = 0.0f;      ///< 0 = unlimited
+  glm::vec3 color{0.0f};     ///< linear, times intensity
+  float cos_outer = 0.0f;    ///< of the cone of a spot light
+  float inverse_cone_width = 0.0f;
+  std::array<float, 3> padding{};
 };
 
 struct FrameUniforms {
-  glm::vec4 projection;     ///< clip x and y = these * view x and y; clip z = third + fourth * view z
-  glm::vec4 lens;           ///< near, pixels per metre (of a perspective: at distance 1), 1 = parallel
-  glm::vec4 occlusion;      ///< radius, surface epsilon, fade start, fade end
-  glm::vec4 occlusion_use;  ///< power, 1 = on
-  glm::vec4 sky, ground, up;
-  glm::vec4 background;    ///< linear; w: 1 = transparent
-  glm::vec4 output_range;  ///< exposure, depth range, light count
-  std::array<glm::vec4, kMostOcclusionSamples> offsets;
-  std::array<glm::vec4, 16> noise;
-  std::array<LightUniforms, kMaxLights> lights;
+  glm::vec4 projection{0.0f};  ///< clip x and y = these * view x and y; clip z = third + fourth * view z
+  float near_m = 0.0f;
+  float pixels_per_metre = 0.0f;  ///< of a perspective: at distance 1
+  float exposure = 1.0f;
+  float occlusion_power = 0.0f;
+  float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
+  float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< range of the depth picture
+  std::array<float, 2> padding{};
+  glm::vec4 sky{0.0f}, ground{0.0f}, up{0.0f};
+  glm::vec4 background{0.0f};  ///< linear
+  std::array<glm::vec4, kMostOcclusionSamples> offsets{};
+  std::array<glm::vec4, 16> noise{};
+  std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (9 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (8 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
@@ -42,8 +52,12 @@ struct PlacedLight {
 };
 
 /// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
+///      occlusion  the frame has ambient occlusion: its sample offsets are needed
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
                                   std::span<const PlacedLight> lights, const SsaoKernel& kernel);
+
+/// Number of lights in the uniforms, at least the key light.
+std::uint32_t light_count(const RenderOptions& options, std::span<const PlacedLight> lights) noexcept;
 
 /// eq   IEC 61966-2-1
 float linear_from_srgb(float encoded) noexcept;

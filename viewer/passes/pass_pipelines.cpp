@@ -22,6 +22,42 @@ bool encodes_in_hardware(VkFormat format) noexcept {
          format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
 }
 
+/// Ids of specialisation constants; each shader declares those that it uses. Ids 0 to 2 depend on the shader.
+enum ConstantId : std::size_t {
+  id_masked = 0,
+  id_blended = 1,
+  id_occluded = 2,
+  id_ao_step = 3,
+  id_parallel = 4,
+  id_normals = 5,
+  id_tangents = 6,
+  id_unlit = 7,
+  id_texcoord_sets = 8,
+  id_light_count = 13,
+  id_transparent_background = 14
+};
+
+/// The key without features that the shaders of the pass do not use, so that draws share pipelines.
+MeshPipelineKey without_unused_features(MeshPipelineKey key) {
+  SurfaceFeatures& surface = key.surface;
+  auto& sets = surface.material.texcoord_sets;
+  key.frame.transparent_background = false;
+  const bool shades = key.pass != Pass::normal_depth;
+  if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
+  if (key.depth_only) surface.normals = NormalSource::none;
+  if (surface.material.unlit && shades) surface.normals = NormalSource::none;
+  if (!shades || surface.normals == NormalSource::none) {
+    key.frame.occluded = false;
+    key.frame.light_count = 0;
+    sets[1] = sets[2] = sets[3] = 0;
+  }
+  if (!shades || surface.material.unlit) sets[4] = 0;
+  if (!shades) surface.material.unlit = false;
+  if (!shades && !key.masked) sets[0] = 0;
+  if (sets[2] == 0) surface.tangents = false;
+  return key;
+}
+
 }  // namespace
 
 PassPipelines::PassPipelines(const Device& device, const PassLayouts& layouts, VkFormat target_format,
@@ -33,7 +69,8 @@ PassPipelines::~PassPipelines() {
   for (const auto& [key, pipeline] : screen_) vkDestroyPipeline(device_.handle(), pipeline, nullptr);
 }
 
-VkPipeline PassPipelines::mesh(const MeshPipelineKey& key) {
+VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
+  const MeshPipelineKey key = without_unused_features(given);
   VkPipeline& pipeline = mesh_[key];
   if (pipeline) return pipeline;
   std::array<VkVertexInputBindingDescription, kAttributeCount> bindings{};
@@ -52,33 +89,50 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& key) {
   const bool prepass = key.pass == Pass::normal_depth, blended = key.pass == Pass::transparent;
   shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
-  shape.constants = {key.masked, blended, key.occluded, occlusion_.step};
+  shape.constants[id_masked] = key.masked;
+  shape.constants[id_blended] = blended;
+  shape.constants[id_occluded] = key.frame.occluded;
+  shape.constants[id_ao_step] = occlusion_.step;
+  shape.constants[id_parallel] = key.frame.parallel;
+  shape.constants[id_normals] = static_cast<std::uint32_t>(key.surface.normals);
+  shape.constants[id_tangents] = key.surface.tangents;
+  shape.constants[id_unlit] = key.surface.material.unlit;
+  for (std::size_t i = 0; i < kMaterialTextures; ++i)
+    shape.constants[id_texcoord_sets + i] = key.surface.material.texcoord_sets[i];
+  shape.constants[id_light_count] = key.frame.light_count;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
 
-VkPipeline PassPipelines::screen(Pass pass, Show show) {
-  VkPipeline& pipeline = screen_[{pass, show}];
+VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
+  VkPipeline& pipeline = screen_[key];
   if (pipeline) return pipeline;
   PipelineShape shape;
   shape.color_format = target_format_;
-  shape.constants = {!encodes_in_hardware(target_format_), static_cast<std::uint32_t>(show), 0, occlusion_.step};
+  shape.constants[0] = !encodes_in_hardware(target_format_);  // kEncode
+  shape.constants[1] = static_cast<std::uint32_t>(key.show);  // kShow
+  shape.constants[id_occluded] = key.frame.occluded;
+  shape.constants[id_ao_step] = occlusion_.step;
+  shape.constants[id_parallel] = key.frame.parallel;
+  shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
   constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {
       {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12}}};
-  switch (pass) {
+  switch (key.pass) {
     case Pass::ssao:
       shape.fragment = Shader::ssao_frag;
       shape.color_format = kAoFormat;
-      shape.constants = {occlusion_.samples, 0, 0, occlusion_.step};
+      shape.constants[0] = occlusion_.samples;
       break;
     case Pass::blur_horizontal:
     case Pass::blur_vertical:
       shape.fragment = Shader::ssao_blur_frag;
       shape.color_format = kAoFormat;
-      shape.constants = {pass == Pass::blur_vertical, occlusion_.blur_reach, occlusion_.keep_edges, occlusion_.step};
+      shape.constants[0] = key.pass == Pass::blur_vertical;
+      shape.constants[1] = occlusion_.blur_reach;
+      shape.constants[2] = occlusion_.keep_edges;
       break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <compare>
 #include <map>
-#include <tuple>
 #include <vector>
 
 #include "viewer/device/buffer.h"
 #include "viewer/device/pipeline.h"
+#include "viewer/passes/draw_list.h"
 #include "viewer/passes/frame_targets.h"
 #include "viewer/passes/frame_uniforms.h"
 #include "viewer/upload/upload_mesh.h"
@@ -56,16 +57,38 @@ class FrameSet {
   std::array<VkDescriptorSet, 2> sets_{};
 };
 
-/// How a pipeline for meshes differs from the others.
+/// What a frame has that shaders are compiled for. Each combination has its own pipelines, with the features as
+/// specialisation constants. They are no uniforms, because drivers that run on the CPU compile a shader again for each
+/// value of a uniform that it branches on.
+struct FrameFeatures {
+  bool occluded = false;  ///< there is an ambient access image
+  bool parallel = false;  ///< parallel projection
+  bool transparent_background = false;
+  std::uint32_t light_count = 0;
+
+  auto operator<=>(const FrameFeatures&) const = default;
+};
+
+/// The properties of a pipeline that draws meshes.
 struct MeshPipelineKey {
   Pass pass = Pass::opaque;  ///< normal_depth, opaque or transparent
   Topology topology = Topology::triangles;
   bool masked = false;
-  bool after_prepass = false;  ///< opaque: depth is there already, test for equal
-  bool occluded = false;       ///< there is an ambient-access image
-  bool depth_only = false;     ///< normal_depth: nobody reads normals
+  bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
+  bool depth_only = false;     ///< normal_depth: no pass reads normals
+  FrameFeatures frame;
+  SurfaceFeatures surface;
 
   auto operator<=>(const MeshPipelineKey&) const = default;
+};
+
+/// The properties of a pipeline that covers the target, or draws the lines of the overlay.
+struct ScreenPipelineKey {
+  Pass pass = Pass::tonemap;
+  Show show = Show::color;  ///< Pass::show: which buffer
+  FrameFeatures frame;
+
+  auto operator<=>(const ScreenPipelineKey&) const = default;
 };
 
 /// All pipelines. Each is created at its first use and kept.
@@ -78,7 +101,7 @@ class PassPipelines {
   PassPipelines& operator=(const PassPipelines&) = delete;
 
   VkPipeline mesh(const MeshPipelineKey& key);
-  VkPipeline screen(Pass pass, Show show = Show::color);  ///< of passes that cover the target; overlay = of the lines
+  VkPipeline screen(const ScreenPipelineKey& key);
 
  private:
   const Device& device_;
@@ -86,7 +109,7 @@ class PassPipelines {
   VkFormat target_format_;
   OcclusionShape occlusion_;
   std::map<MeshPipelineKey, VkPipeline> mesh_;
-  std::map<std::pair<Pass, Show>, VkPipeline> screen_;
+  std::map<ScreenPipelineKey, VkPipeline> screen_;
 };
 
 }  // namespace sinew::viewer

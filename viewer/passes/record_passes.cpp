@@ -57,14 +57,16 @@ void draw_mesh(const PassContext& context, const Draw& draw, VkCullModeFlags cul
   vkCmdDrawIndexed(context.commands, draw.index_count, 1, 0, 0, 0);
 }
 
-/// Draws meshes; each draw completes `key` with its topology and alpha test.
+/// Draws meshes; each draw completes `key` with its topology, alpha test and surface.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
   const VkDescriptorSet frame_set = context.set.set();
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0, nullptr);
+  key.frame = context.features;
   VkPipeline bound = VK_NULL_HANDLE;
   for (const Draw& draw : draws) {
     key.topology = draw.topology;
+    key.surface = draw.surface;
     key.masked = draw.masked && !key.after_prepass;  // after the prepass, the EQUAL depth test is the alpha test
     const VkPipeline pipeline = context.pipelines.mesh(key);
     if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
@@ -109,7 +111,7 @@ void record_ssao(const PassContext& context) {
   {
     const Rendering rendering(context.commands,
                               {.color = context.targets.view(Target::ao), .extent = context.targets.ao_extent()});
-    draw_screen(context, context.pipelines.screen(Pass::ssao), context.set.set());
+    draw_screen(context, context.pipelines.screen({.pass = Pass::ssao, .frame = context.features}), context.set.set());
   }
   context.targets.next_use(context.commands, Target::ao, kReadInShader);
 }
@@ -120,7 +122,9 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
   {
     const Rendering rendering(context.commands,
                               {.color = context.targets.view(to), .extent = context.targets.ao_extent()});
-    draw_screen(context, context.pipelines.screen(vertical ? Pass::blur_vertical : Pass::blur_horizontal),
+    draw_screen(context,
+                context.pipelines.screen(
+                    {.pass = vertical ? Pass::blur_vertical : Pass::blur_horizontal, .frame = context.features}),
                 vertical ? context.set.between_blurs() : context.set.set());
   }
   context.targets.next_use(context.commands, to, kReadInShader);
@@ -134,8 +138,7 @@ void record_opaque(const PassContext& context) {
     const Rendering rendering(context.commands,
                               {context.targets.view(Target::color), VK_ATTACHMENT_LOAD_OP_CLEAR,
                                context.targets.view(Target::depth), !prepass, context.targets.extent()});
-    draw_meshes(context, context.draws.opaque(),
-                {.pass = Pass::opaque, .after_prepass = prepass, .occluded = context.graph.ao_image});
+    draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .after_prepass = prepass});
   }
   if (!prepass) context.targets.next_use(context.commands, Target::depth, kReadDepth);
 }
@@ -150,12 +153,13 @@ void record_transparent(const PassContext& context) {
 void record_tonemap(const PassContext& context) {
   context.targets.next_use(context.commands, Target::color, kReadInShader);
   const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
-  draw_screen(context, context.pipelines.screen(Pass::tonemap), context.set.set());
+  draw_screen(context, context.pipelines.screen({.pass = Pass::tonemap, .frame = context.features}), context.set.set());
 }
 
 void record_show(const PassContext& context) {
   const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
-  draw_screen(context, context.pipelines.screen(Pass::show, context.inputs.options.show), context.set.set());
+  draw_screen(context, context.pipelines.screen({Pass::show, context.inputs.options.show, context.features}),
+              context.set.set());
 }
 
 void record_overlay(const PassContext& context) {
@@ -167,7 +171,8 @@ void record_overlay(const PassContext& context) {
     const VkDescriptorSet set = context.set.set();
     const VkDeviceSize offset = 0;
     vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
-    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.pipelines.screen(Pass::overlay));
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      context.pipelines.screen({.pass = Pass::overlay, .frame = context.features}));
     vkCmdBindVertexBuffers(context.commands, 0, 1, &context.lines, &offset);
     vkCmdDraw(context.commands, context.line_vertices, 1, 0, 0);
   }

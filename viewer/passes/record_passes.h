@@ -17,6 +17,7 @@ struct PassContext {
   const DrawList& draws;
   const FrameInputs& inputs;
   const ColorTarget& target;
+  FrameFeatures features;
   VkBuffer lines;  ///< vertices in view space, 16 bytes each
   std::uint32_t line_vertices;
 };

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Ambient access of a full-size pixel from the half-size image: bilinear, but only from texels on the same surface.
-// Without any, the nearest texel in space.
+// Ambient access of a full-size pixel: the fraction of ambient light that arrives, from the half-size image. The mean of
+// the neighbouring texels on the same surface; if there is none, the texel nearest in space.
+
+layout(constant_id = 2) const bool kOccluded = false;   // there is an ambient access image
 
 float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
-  if (frame.occlusion_use.y == 0.0 || n == vec3(0.0)) return 1.0;
+  if (!kOccluded || n == vec3(0.0)) return 1.0;
   ivec2 last = textureSize(ao_image, 0) - 1;
   float metres_per_pixel = 1.0 / pixels_per_metre(-p.z);
   float sum = 0.0, weight_sum = 0.0, nearest = 1.0, nearest_squared = 3.4e38;
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    if (any(greaterThan(offset, pixel % kAoStep))) continue;   // a pixel that is a texel of its own has no neighbour on that axis
+    if (any(greaterThan(offset, pixel % kAoStep))) continue;   // on this axis, the pixel has a texel of its own
     ivec2 texel = min(pixel / kAoStep + offset, last);
     vec4 stored = texelFetch(ao_image, texel, 0);
     if (stored.g <= 0.0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linear to sRGB as displayed (IEC 61966-2-1), unless the target's format does it.
+// Encodes linear values to sRGB (IEC 61966-2-1), unless the format of the target does it.
 
 layout(constant_id = 0) const bool kEncode = true;
 
@@ -9,7 +9,7 @@ vec3 displayed(vec3 linear) {
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-// A value that is shown as it is, not as light.
+// For values that are shown unchanged, such as normals.
 vec3 displayed_data(vec3 value) {
   vec3 c = clamp(value, 0.0, 1.0);
   if (kEncode) return c;

@@ -1,6 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// One triangle that covers the target.
+// A triangle that covers the target.
 
 void main() {
   vec2 corner = vec2(gl_VertexIndex == 1 ? 3.0 : -1.0, gl_VertexIndex == 2 ? 3.0 : -1.0);

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Meshes into view space. The prepass and the shading passes use this one module and `invariant`: their depths are equal.
+// Transforms meshes to view space. Prepass and shading passes use this module and `invariant`, so that their depths are
+// equal.
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "projection.glsl"
@@ -21,12 +22,12 @@ layout(location = 4) out vec4 vertex_color;
 
 invariant gl_Position;
 
-// eq   n' = sign(det M) * cofactor(M) * n: no division, right for mirrored and flattened meshes (N22)
+// eq   n' = sign(det M) * cofactor(M) * n: no division, right for mirrored and flattened meshes
 vec3 transformed_normal(vec3 n) {
   vec3 a = draw.view_from_mesh[0].xyz, b = draw.view_from_mesh[1].xyz, c = draw.view_from_mesh[2].xyz;
   vec3 bc = cross(b, c);
   vec3 turned = vec3(dot(bc, n), dot(cross(c, a), n), dot(cross(a, b), n));
-  if (dot(a, bc) < 0.0) turned = -turned;
+  turned = mix(turned, -turned, bvec3(dot(a, bc) < 0.0));
   float length_squared = dot(turned, turned);
   return length_squared > 0.0 ? turned * inversesqrt(length_squared) : n;
 }

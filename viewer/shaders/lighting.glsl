@@ -28,27 +28,25 @@ vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   return (diffuse + fresnel * distribution * 0.5 / smith) * n_l * irradiance;
 }
 
-// KHR_lights_punctual: inverse square with a smooth end at `range`, and a smooth edge between the cones of a spot light.
+// eq   KHR_lights_punctual: inverse square with a smooth end at the range, and a smooth edge of the cone of a spot light
+// The kind and the range of the light select values, not branches, because they are uniforms (surface_features.glsl).
 vec3 from_light(Light light, Surface s, vec3 p) {
-  if (light.position_kind.w == 0.0) return reflected(s, light.to_light_range.xyz, light.color.rgb);
-  vec3 towards = light.position_kind.xyz - p;
+  vec3 towards = light.position - p;
   float d2 = max(dot(towards, towards), 1e-8), d = sqrt(d2);
-  vec3 to_light = towards / d;
-  float falloff = 1.0 / d2;
-  if (light.to_light_range.w > 0.0) {
-    float part = d / light.to_light_range.w;
-    falloff *= clamp(1.0 - part * part * part * part, 0.0, 1.0);
-  }
-  if (light.position_kind.w == 2.0) {
-    float edge = clamp((dot(light.to_light_range.xyz, to_light) - light.cone.x) * light.cone.y, 0.0, 1.0);
-    falloff *= edge * edge;
-  }
-  return reflected(s, to_light, light.color.rgb * falloff);
+  vec3 to_point = towards / d;
+  float part = d / light.range_m;
+  float within = mix(1.0, clamp(1.0 - part * part * part * part, 0.0, 1.0), light.range_m > 0.0);
+  float edge = clamp((dot(light.to_light, to_point) - light.cos_outer) * light.inverse_cone_width, 0.0, 1.0);
+  float cone = mix(1.0, edge * edge, light.kind == 2u);
+  bool directional = light.kind == 0u;
+  vec3 to_light = mix(to_point, light.to_light, bvec3(directional));
+  return reflected(s, to_light, light.color * mix(1.0 / d2 * within * cone, 1.0, directional));
 }
 
 vec3 hemisphere(vec3 direction) { return mix(frame.ground.rgb, frame.sky.rgb, 0.5 + 0.5 * dot(direction, frame.up.xyz)); }
 
-// Specular share of ambient light by Karis' fit ("Physically Based Shading on Mobile", 2014), seen in the mirror direction.
+// Ambient light. The specular part uses the fit of Karis ("Physically Based Shading on Mobile", 2014) and the light from
+// the mirror direction.
 vec3 ambient(Surface s) {
   float n_v = clamp(dot(s.n, s.to_viewer), 0.0, 1.0);
   vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Lines over the picture; vertices are in view space already.
+// Lines over the picture. The vertices are in view space.
 #include "frame_uniforms.glsl"
 #include "projection.glsl"
 

@@ -1,9 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// View-space normals beside the depth; the alpha test of masked materials happens here.
+// Writes view-space normals beside the depth, and does the alpha test of masked materials.
 #include "frame_uniforms.glsl"
-#include "geometry.glsl"
 #include "material.glsl"
 #include "surface_normal.glsl"
 
@@ -18,5 +17,5 @@ layout(location = 0) out vec4 normal;
 
 void main() {
   normal = vec4(surface_normal(view_normal, view_position), 1.0);
-  if (kMasked && base_color_at(texcoords, vertex_color).a < material.emissive.w) discard;
+  if (kMasked && base_color_at(texcoords, vertex_color).a < material.alpha_cutoff) discard;
 }

@@ -1,9 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Opaque and transparent surfaces. Ambient occlusion scales the ambient term only.
-// Textures and dFdx are read where all pixels of a draw come by, and nothing is discarded before: what they take from the
-// neighbours in a quad is undefined otherwise.
+// Shades opaque and transparent surfaces. Ambient occlusion scales the ambient term only.
+// Textures and dFdx use the neighbours in a quad of pixels. They are read in control flow that all pixels of a draw share,
+// and before any discard: otherwise their values are undefined.
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -16,9 +16,9 @@
 
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
-layout(constant_id = 2) const bool kOccluded = false;    // the ambient-access image exists
+layout(constant_id = 13) const int kLightCount = 1;
 
-const float kMostLight = 65504.0;   // of a half float; beyond it drivers store infinity, and 0 times that is no light
+const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
 
 layout(location = 0) in vec3 view_position;
 layout(location = 1) in vec3 view_normal;
@@ -28,22 +28,23 @@ layout(location = 4) in vec4 vertex_color;
 
 layout(location = 0) out vec4 color;   // premultiplied
 
-// Where the relief's right and up point on the surface; false when nothing tells.
+// Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
 bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
   t = view_tangent.xyz - n * dot(n, view_tangent.xyz);
   if (dot(t, t) == 0.0) return false;
   t = normalize(t);
-  // On back faces n is turned round; t and the handedness turn with it, so that the relief keeps its direction.
-  float turn = gl_FrontFacing == ((draw.flags & kMirrored) == 0u) ? 1.0 : -1.0;
-  b = cross(n, t) * view_tangent.w * turn;
+  // On back faces n is reversed; the bitangent must not change then.
+  float side = gl_FrontFacing ? draw.handedness : -draw.handedness;
+  b = cross(n, t) * view_tangent.w * side;
   return true;
 }
 
-// The same of a mesh without tangents, from how position and texture coordinate change over the screen; v points down.
+// The same for a mesh without tangents, from the screen-space derivatives of position and texture coordinates; v points
+// down.
 // eq   Schueler, "Followup: Normal Mapping Without Precomputed Tangents" (2013)
 bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
   vec3 dx = dFdx(view_position), dy = dFdy(view_position);
-  vec2 uv = set_of(2, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
+  vec2 uv = uv_of_set(kNormalSet, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
   vec3 across_y = cross(dy, n), across_x = cross(n, dx);
   float side = sign(dot(dx, across_y));
   t = side * (across_y * uv_x.x + across_x * uv_y.x);
@@ -56,33 +57,36 @@ bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
 }
 
 vec3 mapped_normal(vec3 n) {
-  if (!has_texture(2)) return n;
-  vec3 relief = texture(normal_texture, texcoord_of(2, texcoords)).xyz * 2.0 - 1.0;
+  if (kNormalSet == 0) return n;
+  vec3 relief = texture(normal_texture, transformed_uv(2, kNormalSet, texcoords)).xyz * 2.0 - 1.0;
   vec3 t, b;
-  if (!((draw.flags & kHasTangents) != 0u ? stored_frame(n, t, b) : derived_frame(n, t, b))) return n;
-  return normalize(t * relief.x * material.surface.z + b * relief.y * material.surface.z + n * relief.z);
+  bool found;
+  if (kTangents) found = stored_frame(n, t, b);
+  else found = derived_frame(n, t, b);
+  if (!found) return n;
+  return normalize(t * relief.x * material.normal_scale + b * relief.y * material.normal_scale + n * relief.z);
 }
 
 vec3 lit(vec3 base_color, vec3 geometry_normal) {
   Surface s;
   s.base_color = base_color;
-  s.metallic = material.surface.x;
-  s.roughness = material.surface.y;
-  if (has_texture(1)) {
-    vec4 texel = texture(metallic_roughness_texture, texcoord_of(1, texcoords));
+  s.metallic = material.metallic;
+  s.roughness = material.roughness;
+  if (kMetallicRoughnessSet != 0) {
+    vec4 texel = texture(metallic_roughness_texture, transformed_uv(1, kMetallicRoughnessSet, texcoords));
     s.metallic *= texel.b;
     s.roughness *= texel.g;
   }
   s.roughness = clamp(s.roughness, 0.045, 1.0);   // keeps the highlight of a mirror visible and finite
   s.n = mapped_normal(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
-  float open = kOccluded ? ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal) : 1.0;
-  if (has_texture(3)) {
-    float baked = texture(occlusion_texture, texcoord_of(3, texcoords)).r;
-    open *= 1.0 + material.surface.w * (baked - 1.0);
+  float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal);
+  if (kOcclusionSet != 0) {
+    float baked = texture(occlusion_texture, transformed_uv(3, kOcclusionSet, texcoords)).r;
+    access *= 1.0 + material.occlusion_strength * (baked - 1.0);
   }
-  vec3 sum = ambient(s) * open;
-  for (int i = 0; i < int(frame.output_range.w); ++i) sum += from_light(frame.lights[i], s, view_position);
+  vec3 sum = ambient(s) * access;
+  for (int i = 0; i < kLightCount; ++i) sum += from_light(frame.lights[i], s, view_position);
   return sum;
 }
 
@@ -90,16 +94,16 @@ void main() {
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 light = base.rgb;
-  if (material.kind.x == 0.0) {
-    if ((draw.flags & (kFlatNormals | kHasNormals)) != 0u) {
+  if (!kUnlit) {
+    if (kNormals != 0) {
       vec3 shaded = lit(base.rgb, n);
       if (n != vec3(0.0)) light = shaded;
     }
-    vec3 glow = material.emissive.rgb;
-    if (has_texture(4)) glow *= texture(emissive_texture, texcoord_of(4, texcoords)).rgb;
-    light += glow;
+    vec3 emitted = material.emissive;
+    if (kEmissiveSet != 0) emitted *= texture(emissive_texture, transformed_uv(4, kEmissiveSet, texcoords)).rgb;
+    light += emitted;
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
   color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
-  if (kMasked && base.a < material.emissive.w) discard;
+  if (kMasked && base.a < material.alpha_cutoff) discard;
 }

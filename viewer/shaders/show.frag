@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// One of the buffers that the passes work with, instead of the picture.
+// Shows one of the buffers between passes instead of the picture.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
 #include "view_position.glsl"
@@ -9,7 +9,8 @@
 #include "same_surface.glsl"
 #include "ambient_access.glsl"
 
-layout(constant_id = 1) const int kShow = 1;   // enum Show
+layout(constant_id = 1) const int kShow = 1;   // enum Show: 1 ambient occlusion, 2 normals, 3 depth
+layout(constant_id = 14) const bool kTransparentBackground = false;
 
 layout(location = 0) out vec4 shown;
 
@@ -24,12 +25,12 @@ void main() {
   float covered = far_p > 0.0 ? 1.0 : 0.0;
   vec3 value;
   if (kShow == 1) {
-    value = vec3(covered == 0.0 || frame.occlusion_use.y == 0.0 ? 1.0 : access_at(pixel, far_p));
+    value = vec3(covered == 0.0 || !kOccluded ? 1.0 : access_at(pixel, far_p));
   } else if (kShow == 2) {
     value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz * 0.5 + 0.5;
   } else {
-    float part = (far_p - frame.output_range.y) / (frame.output_range.z - frame.output_range.y);
+    float part = (far_p - frame.nearest_shown_m) / (frame.farthest_shown_m - frame.nearest_shown_m);
     value = vec3(covered == 0.0 ? 0.0 : 1.0 - clamp(part, 0.0, 1.0));
   }
-  shown = vec4(displayed_data(value), frame.background.w == 1.0 ? covered : 1.0);
+  shown = vec4(displayed_data(value), kTransparentBackground ? covered : 1.0);
 }

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// One direction of the edge-preserving blur. The weights 1/2 1 1 1 1/2 average any pattern of period 4 exactly, and the noise
-// of the SSAO pass repeats every 4 texels.
+// One direction of the edge-preserving blur. The noise of the SSAO pass repeats every 4 texels, and the weights
+// 1/2 1 1 1 1/2 average every pattern of period 4 exactly.
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
@@ -22,7 +22,7 @@ void main() {
   vec3 n = unpack_normal(middle.ba);
   vec3 p = view_point(full_pixel(texel), middle.g);
   ivec2 last = textureSize(ao_image, 0) - 1;
-  // Not a choice between two vectors: Mesa 22.3 folds that specialisation constant to (0, 0).
+  // Two scalar choices instead of one between vectors: Mesa 22.3 folds the latter wrongly to (0, 0).
   ivec2 direction = ivec2(kVertical ? 0 : 1, kVertical ? 1 : 0);
   float metres_per_texel = float(kAoStep) / pixels_per_metre(middle.g);
   float sum = middle.r, weight_sum = 1.0;

@@ -1,10 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Scene light to display light with the Khronos PBR Neutral curve, which leaves base colours as they are up to 0.8 and
-// only compresses highlights. Output has straight alpha.
+// Maps light of the scene to light of the display with the Khronos PBR Neutral curve: it keeps base colours up to 0.8
+// and compresses highlights. The output has straight alpha.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
+
+layout(constant_id = 14) const bool kTransparentBackground = false;
 
 layout(location = 0) out vec4 shown;
 
@@ -24,7 +26,7 @@ vec3 tone_mapped(vec3 color) {
 void main() {
   vec4 stored = texelFetch(color_image, ivec2(gl_FragCoord.xy), 0);
   float coverage = clamp(stored.a, 0.0, 1.0);
-  vec3 light = coverage > 0.0 ? tone_mapped(stored.rgb / coverage * frame.output_range.x) : vec3(0.0);
-  if (frame.background.w == 1.0) shown = vec4(displayed(light), coverage);
+  vec3 light = coverage > 0.0 ? tone_mapped(stored.rgb / coverage * frame.exposure) : vec3(0.0);
+  if (kTransparentBackground) shown = vec4(displayed(light), coverage);
   else shown = vec4(displayed(mix(frame.background.rgb, light, coverage)), 1.0);
 }

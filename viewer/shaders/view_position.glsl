@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From pixels to view space (N30).
+// From pixels to view space.
 #include "projection.glsl"
 
 float distance_at(ivec2 pixel) {
@@ -10,12 +10,13 @@ float distance_at(ivec2 pixel) {
 vec3 view_point(ivec2 pixel, float distance) {
   vec2 ndc = (vec2(pixel) + 0.5) / vec2(textureSize(depth_image, 0)) * 2.0 - 1.0;
   vec2 xy = vec2(ndc.x, -ndc.y) / frame.projection.xy;
-  return vec3(is_parallel() ? xy : xy * distance, -distance);
+  if (kParallel) return vec3(xy, -distance);
+  return vec3(xy * distance, -distance);
 }
 
-layout(constant_id = 3) const int kAoStep = 2;   // OcclusionShape::step: pixels from one texel of ambient access to the next
+layout(constant_id = 3) const int kAoStep = 2;   // OcclusionShape::step: pixels per texel and axis of ao_image
 
-// Half-size texels stand for every second pixel of the full image.
+// The pixel that a texel of ao_image was computed for.
 ivec2 full_pixel(ivec2 texel) {
   return min(texel * kAoStep, textureSize(depth_image, 0) - 1);
 }

@@ -10,11 +10,10 @@ namespace {
 
 /// eq   KHR_texture_transform: uv' = offset + R * (scale * uv); counter-clockwise as seen in the image, whose v points
 ///      down
-TextureUseUniforms texture_use(const TextureUse& use) noexcept {
+TextureTransformUniforms texture_transform(const TextureUse& use) noexcept {
   if (!use.used()) return {};
   const float c = std::cos(use.rotation_rad), s = std::sin(use.rotation_rad);
-  const float texcoord = use.texcoord == 1 ? 2.0f : 1.0f;
-  return {{c * use.scale.x, s * use.scale.y, use.offset.x, texcoord},
+  return {{c * use.scale.x, s * use.scale.y, use.offset.x, 0.0f},
           {-s * use.scale.x, c * use.scale.y, use.offset.y, 0.0f}};
 }
 
@@ -22,11 +21,22 @@ TextureUseUniforms texture_use(const TextureUse& use) noexcept {
 
 MaterialUniforms material_uniforms(const Material& m) noexcept {
   return {m.base_color,
-          glm::vec4(m.emissive * m.emissive_strength, m.alpha_cutoff),
-          {m.metallic, m.roughness, m.normal_scale, m.occlusion_strength},
-          {m.unlit ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f},
-          {texture_use(m.base_color_texture), texture_use(m.metallic_roughness_texture), texture_use(m.normal_texture),
-           texture_use(m.occlusion_texture), texture_use(m.emissive_texture)}};
+          m.emissive * m.emissive_strength,
+          m.alpha_cutoff,
+          m.metallic,
+          m.roughness,
+          m.normal_scale,
+          m.occlusion_strength,
+          {texture_transform(m.base_color_texture), texture_transform(m.metallic_roughness_texture),
+           texture_transform(m.normal_texture), texture_transform(m.occlusion_texture),
+           texture_transform(m.emissive_texture)}};
+}
+
+MaterialFeatures material_features(const Material& m) noexcept {
+  const auto set_of = [](const TextureUse& use) -> std::uint8_t { return !use.used() ? 0 : use.texcoord == 1 ? 2 : 1; };
+  return {m.unlit,
+          {set_of(m.base_color_texture), set_of(m.metallic_roughness_texture), set_of(m.normal_texture),
+           set_of(m.occlusion_texture), set_of(m.emissive_texture)}};
 }
 
 VkDescriptorSetLayout make_material_layout(const Device& device) {
@@ -61,6 +71,9 @@ MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, s
     const std::size_t material = set % count_;
     write_set(set, material < scene.materials.size() ? scene.materials[material] : Material{}, staging);
   }
+  for (std::size_t material = 0; material < count_; ++material)
+    features_.push_back(
+        material_features(material < scene.materials.size() ? usable(scene.materials[material]) : Material{}));
 }
 
 void MaterialSet::allocate_sets() {

@@ -12,16 +12,30 @@
 namespace sinew::viewer {
 
 /// Mirrors shaders/material.glsl, std140.
-struct TextureUseUniforms {
+struct TextureTransformUniforms {
   glm::vec4 row_u, row_v;
 };
 
-struct MaterialUniforms {
-  glm::vec4 base_color, emissive, surface, kind;
-  std::array<TextureUseUniforms, 5> uses;  ///< base colour, metallic-roughness, normal, occlusion, emissive
-};
-static_assert(sizeof(MaterialUniforms) == 16 * (4 + 2 * 5));
+inline constexpr std::size_t kMaterialTextures = 5;  ///< base colour, metallic-roughness, normal, occlusion, emissive
 
+struct MaterialUniforms {
+  glm::vec4 base_color;
+  glm::vec3 emissive;
+  float alpha_cutoff;
+  float metallic, roughness, normal_scale, occlusion_strength;
+  std::array<TextureTransformUniforms, kMaterialTextures> transforms;
+};
+static_assert(sizeof(MaterialUniforms) == 16 * (3 + 2 * kMaterialTextures));
+
+/// What shaders are compiled for: these never change in a clip, unlike the uniforms.
+struct MaterialFeatures {
+  bool unlit = false;
+  std::array<std::uint8_t, kMaterialTextures> texcoord_sets{};  ///< 0 = no texture, 1 = TEXCOORD_0, 2 = TEXCOORD_1
+
+  auto operator<=>(const MaterialFeatures&) const = default;
+};
+
+MaterialFeatures material_features(const Material& material) noexcept;
 MaterialUniforms material_uniforms(const Material& material) noexcept;
 
 /// Descriptor set 1 of all geometry pipelines: the uniforms and five textures. The caller destroys it.
@@ -38,6 +52,10 @@ class MaterialSet {
 
   VkDescriptorSet set_of(std::uint32_t material, std::uint32_t slot) const noexcept {
     return sets_[slot % slots_ * count_ + std::min(material, count_ - 1)];
+  }
+
+  const MaterialFeatures& features_of(std::uint32_t material) const noexcept {
+    return features_[std::min(material, count_ - 1)];
   }
 
   /// Writes the materials that clips animate.
@@ -60,6 +78,7 @@ class MaterialSet {
   VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   std::vector<VkDescriptorSet> sets_;
+  std::vector<MaterialFeatures> features_;  // [materials + 1]
 };
 
 }  // namespace sinew::viewer
