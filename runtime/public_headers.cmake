@@ -12,6 +12,7 @@ set(sinew_public_headers
   runtime/math/axis_angle.h
   runtime/math/conventions.h
   runtime/math/decompose.h
+  runtime/math/determinant_sign.h
   runtime/math/dual_quaternion.h
   runtime/math/euler.h
   runtime/math/interpolate.h
@@ -64,7 +65,6 @@ set(sinew_public_headers
   runtime/deform/flat_normals.h
   runtime/deform/grow_bounds.h
   runtime/deform/influence_streams.h
-  runtime/deform/morph_colors.h
   runtime/deform/morph_vertices.h
   runtime/deform/skin_center_of_rotation.h
   runtime/deform/skin_dual_quaternion.h
