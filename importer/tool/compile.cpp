@@ -39,9 +39,10 @@ ExitCode compile_file(const CompileOptions& options) {
   const auto budget_m = parse_length(options.budget);
   if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
   std::error_code error;
-  if (std::filesystem::equivalent(options.in, options.out, error))
-    return say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out)),
-           ExitCode::wrong_usage;
+  if (std::filesystem::equivalent(options.in, options.out, error)) {
+    say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out));
+    return ExitCode::wrong_usage;
+  }
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(options.in, import);

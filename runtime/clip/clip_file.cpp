@@ -282,7 +282,10 @@ class Loader {
     p.low.assign(lanes * components + kLanePadding, 0.0f);
     p.step = p.low;
     std::size_t next = 0;
-    const auto half = [&] { return next < ranges.size() ? std::uint32_t{ranges[next++]} : (++next, 0u); };
+    const auto half = [&] {
+      const std::size_t at = next++;
+      return at < ranges.size() ? std::uint32_t{ranges[at]} : 0u;
+    };
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       std::uint32_t bits = 0;
       for (std::size_t c = 0; c < components; ++c) bits += p.width[c * lanes + lane];

@@ -23,7 +23,11 @@ constexpr double kBetween[] = {1.0 / 6, 2.0 / 6, 3.0 / 6, 4.0 / 6, 5.0 / 6};
 /// Calls `visit(track)` for each track of joints and weights.
 template <class Visit>
 void each_track(const Animation& truth, const Visit& visit) {
-  for (const BoneAnimation& bone : truth.bones) visit(bone.translation), visit(bone.rotation), visit(bone.scale);
+  for (const BoneAnimation& bone : truth.bones) {
+    visit(bone.translation);
+    visit(bone.rotation);
+    visit(bone.scale);
+  }
   for (const WeightAnimation& animated : truth.weights) visit(animated.weights);
 }
 
@@ -79,7 +83,8 @@ class Meter {
     error_.weights_m = std::max(error_.weights_m, weights_m);
     if (!(joints_m + weights_m <= error_.worst_m)) {
       error_.worst_m = joints_m + weights_m;
-      error_.worst_time_s = time_s, error_.worst_joint = joint;
+      error_.worst_time_s = time_s;
+      error_.worst_joint = joint;
     }
   }
 

@@ -24,7 +24,10 @@ void add_rigid(const MeshInstance& instance, const Primitive& primitive, Aabb& b
   Aabb mesh;
   each_place(primitive, [&](std::size_t, const glm::vec3& p) { mesh.add(p); });
   if (mesh.empty()) return;
-  if (instance.copies.empty()) box.add(mesh.lower), box.add(mesh.upper);
+  if (instance.copies.empty()) {
+    box.add(mesh.lower);
+    box.add(mesh.upper);
+  }
   for (const Transform& copy : instance.copies) {
     const Affined place = affine_cast<double>(affine_from_transform(copy));
     for (const Vec3<double>& corner : corners_of(mesh)) box.add(glm::vec3(transform_point(place, corner)));

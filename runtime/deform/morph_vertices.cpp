@@ -105,7 +105,9 @@ HWY_INLINE void move_vector(const V* base, const glm::vec3* sums, bool normalise
   for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
     if (flags[k] == 0.0f) continue;
     const glm::vec3 unit = normalised_or(glm::vec3(base[k]) + sums[k], glm::vec3(base[k]));
-    out[k].x = unit.x, out[k].y = unit.y, out[k].z = unit.z;
+    out[k].x = unit.x;
+    out[k].y = unit.y;
+    out[k].z = unit.z;
   }
 }
 

@@ -27,7 +27,10 @@ struct Part {
 
 void grow(Aabb& box, double by_m) {
   const auto most = static_cast<float>(by_m);
-  if (!box.empty()) box.lower -= most, box.upper += most;
+  if (!box.empty()) {
+    box.lower -= most;
+    box.upper += most;
+  }
 }
 
 double diagonal(const Aabb& box) { return safe_length(Vec3<double>(box.upper) - Vec3<double>(box.lower)); }
@@ -86,7 +89,10 @@ void add_part(std::vector<Part>& parts, std::uint32_t joint, Aabb box, double gr
 void add_rigid_parts(const Scene& scene, const MeshInstance& instance, double morphed_m, std::vector<Part>& parts) {
   Aabb mesh;
   for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
-    if (!primitive.bounds.empty()) mesh.add(primitive.bounds.lower), mesh.add(primitive.bounds.upper);
+    if (!primitive.bounds.empty()) {
+      mesh.add(primitive.bounds.lower);
+      mesh.add(primitive.bounds.upper);
+    }
   if (instance.copies.empty()) return add_part(parts, instance.joint, mesh, morphed_m);
   if (mesh.empty()) return;
   for (const Transform& copy : instance.copies) {
@@ -150,7 +156,8 @@ void add_piece(const PoseDrift& drift, std::span<const Part> parts, Aabb& box) {
       there.add(glm::vec3(transform_point(drift.middle()[part.joint], corner)));
     const Drift& stray = drift.drifts()[part.joint];
     grow(there, stray.fixed_m + stray.per_metre * part.farthest_m);
-    box.add(there.lower), box.add(there.upper);
+    box.add(there.lower);
+    box.add(there.upper);
   }
 }
 

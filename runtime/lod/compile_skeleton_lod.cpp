@@ -77,7 +77,8 @@ std::vector<Transform> mean_locals(const Scene& scene, std::span<const Moment> m
     for (std::size_t j = 0; j < sum.size(); ++j) {
       const Transformd& now = poses.local[j];
       changes[j] = changes[j] || !same_bits(now, first[j]);
-      sum[j].translation += now.translation, sum[j].scale += now.scale;
+      sum[j].translation += now.translation;
+      sum[j].scale += now.scale;
       sum[j].rotation = sum[j].rotation + aligned_with(first[j].rotation, now.rotation);
     }
   }
@@ -134,7 +135,10 @@ class Pruner {
     for (const Branch& branch : accepted_) {
       out.left_out += static_cast<std::uint32_t>(branch.joints.size());
       for (const std::uint32_t j : branch.joints) out.detail.kept[j] = false;
-      if (branch.worst_m > out.measured_m) out.measured_m = branch.worst_m, out.worst_joint = branch.worst_joint;
+      if (branch.worst_m > out.measured_m) {
+        out.measured_m = branch.worst_m;
+        out.worst_joint = branch.worst_joint;
+      }
     }
     if (out.left_out == 0) out.detail = {};
     return out;
@@ -198,7 +202,10 @@ class Pruner {
       for (const Vec3<double>& corner : corners_of(vertices_.boxes[j])) {
         const double off_m =
             safe_length(transform_point(held_model_[j], corner) - transform_point(poses_.model[j], corner));
-        if (!(off_m <= branch.worst_m)) branch.worst_m = off_m, branch.worst_joint = j;
+        if (!(off_m <= branch.worst_m)) {
+          branch.worst_m = off_m;
+          branch.worst_joint = j;
+        }
       }
       if (branch.worst_m > tolerance_m_) return;
     }
@@ -235,7 +242,8 @@ struct FramesApart {
 FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& detail,
                            std::span<const Moment> moments) {
   needs.joints = needs.normals = needs.tangents = needs.bounds = needs.between_updates = false;
-  needs.positions = true, needs.skeleton_lod = {};
+  needs.positions = true;
+  needs.skeleton_lod = {};
   const Plan full = compile_plan(scene, needs);
   needs.skeleton_lod = detail;
   const Plan lean = compile_plan(scene, needs);

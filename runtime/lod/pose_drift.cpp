@@ -50,7 +50,10 @@ PoseDrift::Stray PoseDrift::stray_of(std::size_t joint) const noexcept {
     stray.rotation = std::max(stray.rotation, rotation_between_m(there.rotation, middle.rotation));
     stray.scale = std::max(stray.scale, largest(there.scale - middle.scale));
   }
-  if (cubic_vectors_[joint]) stray.translation *= kCubic, stray.scale *= kCubic * std::sqrt(3.0);
+  if (cubic_vectors_[joint]) {
+    stray.translation *= kCubic;
+    stray.scale *= kCubic * std::sqrt(3.0);
+  }
   if (bent_rotations_[joint]) stray.rotation = stray.rotation > kMuch ? kAnyRotation : kBent * stray.rotation;
   return stray;
 }

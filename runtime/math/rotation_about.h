@@ -13,8 +13,10 @@ Mat3<T> rotation_about_axis(int axis, T angle_rad) noexcept {
   const T c = std::cos(angle_rad), s = std::sin(angle_rad);
   const int j = (axis + 1) % 3, k = (axis + 2) % 3;
   Mat3<T> m(T(1));
-  m[j][j] = c, m[j][k] = s;
-  m[k][j] = -s, m[k][k] = c;
+  m[j][j] = c;
+  m[j][k] = s;
+  m[k][j] = -s;
+  m[k][k] = c;
   return m;
 }
 

@@ -20,11 +20,19 @@ class SeenScales {
     const bool even = scale[0] == scale[1] && scale[0] == scale[2];
     seen_.kind = std::max(seen_.kind, !even ? ScaleKind::uneven : scale[0] == 1.0f ? ScaleKind::none : ScaleKind::even);
     const std::array<int, 3> signs = {sign_of(scale[0]), sign_of(scale[1]), sign_of(scale[2])};
-    if (!any_) first_ = scale, signs_ = signs, any_ = true, seen_.sign = signs[0] * signs[1] * signs[2];
+    if (!any_) {
+      first_ = scale;
+      signs_ = signs;
+      any_ = true;
+      seen_.sign = signs[0] * signs[1] * signs[2];
+    }
     varies_ |= scale != first_;
     seen_.may_change |= signs != signs_;
   }
-  void add_anything() noexcept { seen_.kind = ScaleKind::uneven, seen_.may_change = true; }
+  void add_anything() noexcept {
+    seen_.kind = ScaleKind::uneven;
+    seen_.may_change = true;
+  }
   JointScale result(bool additive) const noexcept {
     JointScale seen = seen_;
     seen.may_change |= additive && varies_;

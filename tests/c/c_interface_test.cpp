@@ -334,7 +334,12 @@ TEST(c_interface, bad_calls_answer_codes_and_change_nothing) {
   refuses([](sinew_needs& n) { n.max_layers = 0; }, SINEW_UNSUPPORTED);
   refuses([](sinew_needs& n) { n.skinning = 3; }, SINEW_UNSUPPORTED);
   refuses([](sinew_needs& n) { n.mask_count = 1; }, SINEW_NULL_ARGUMENT);
-  refuses([&](sinew_needs& n) { n.mask_count = 1, n.masks = nan_mask; }, SINEW_NOT_FINITE);
+  refuses(
+      [&](sinew_needs& n) {
+        n.mask_count = 1;
+        n.masks = nan_mask;
+      },
+      SINEW_NOT_FINITE);
   EXPECT_EQ(sinew_plan_create(nullptr, &needs, &plan), SINEW_NULL_ARGUMENT);
   ASSERT_EQ(sinew_plan_create(&scene, &needs, &plan), SINEW_OK);
 
@@ -374,7 +379,8 @@ TEST(c_interface, a_newer_caller_works_while_it_uses_nothing_new) {
     sinew_shape known{};
     std::uint64_t added = 7;
   } shape;
-  newer.known.struct_size = sizeof(newer), shape.known.struct_size = sizeof(shape);
+  newer.known.struct_size = sizeof(newer);
+  shape.known.struct_size = sizeof(shape);
   const sinew_scene scene{arm_scene()};
   sinew_plan* plan = nullptr;
   sinew_frame* frame = nullptr;
@@ -387,7 +393,8 @@ TEST(c_interface, a_newer_caller_works_while_it_uses_nothing_new) {
   EXPECT_EQ(shape.known.struct_size, sizeof(shape));
   sinew_frame_destroy(frame);
   sinew_plan_destroy(plan);
-  plan = nullptr, newer.added = 1;
+  plan = nullptr;
+  newer.added = 1;
   EXPECT_EQ(sinew_plan_create(&scene, &newer.known, &plan), SINEW_WRONG_STRUCT_SIZE);
 }
 

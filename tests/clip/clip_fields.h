@@ -60,7 +60,8 @@ struct ClipFields {
     // How many floats a number is from what is expected, 0 1 2 3 4 for 0 -1 1 -2 2, in groups of seven bits.
     const auto add_near = [&](float number, float expected) {
       std::int32_t bits = 0, expected_bits = 0;
-      std::memcpy(&bits, &number, 4), std::memcpy(&expected_bits, &expected, 4);
+      std::memcpy(&bits, &number, 4);
+      std::memcpy(&expected_bits, &expected, 4);
       const auto gap = static_cast<std::int32_t>(static_cast<std::int64_t>(bits) -
                                                  expected_bits);  // of 32 bits, whatever the distance
       std::uint64_t turned = static_cast<std::uint32_t>(gap < 0 ? ~(static_cast<std::int64_t>(gap) * 2)
@@ -77,30 +78,48 @@ struct ClipFields {
       for (const auto& number : numbers) add(number);
     };
     for (const char c : {'S', 'I', 'N', 'E', 'W', 'C', 'L', 'P'}) add(c);
-    add(std::uint32_t{3}), add(std::uint32_t{0}), add(std::uint64_t{0}), add(std::uint64_t{0});
+    add(std::uint32_t{3});
+    add(std::uint32_t{0});
+    add(std::uint64_t{0});
+    add(std::uint64_t{0});
     add(std::uint32_t{1});  // clips
-    add_all(name), add(duration_s), add(joint_count), add(folded), add(certificate);
+    add_all(name);
+    add(duration_s);
+    add(joint_count);
+    add(folded);
+    add(certificate);
     if (certificate != 0) {
       for (const double x : lengths) add(x);
       for (const std::uint32_t x : counts) add(x);
       for (const std::uint64_t x : sizes) add(x);
     }
-    add_all(weights), add_all(properties), add(static_cast<std::uint32_t>(groups.size()));
+    add_all(weights);
+    add_all(properties);
+    add(static_cast<std::uint32_t>(groups.size()));
     for (const Group& group : groups) {
       add(static_cast<std::uint32_t>(group.times_s.size()));
       for (std::size_t k = 0; k < group.times_s.size(); ++k)
         add_near(group.times_s[k], k < 2 ? 0.0f : 2.0f * group.times_s[k - 1] - group.times_s[k - 2]);
       add(static_cast<std::uint32_t>(group.blocks.size()));
       for (const Tracks& t : group.blocks) {
-        add(t.property), add(t.interpolation), add(t.packed), add(t.target_count);
+        add(t.property);
+        add(t.interpolation);
+        add(t.packed);
+        add(t.target_count);
         for (const std::uint8_t gap : t.target_gaps) add(gap);
         if (t.packed == 0)
           add_all(t.rows);
-        else
-          add_all(t.width), add_all(t.derived), add_all(t.ranges), add_all(t.bits);
+        else {
+          add_all(t.width);
+          add_all(t.derived);
+          add_all(t.ranges);
+          add_all(t.bits);
+        }
       }
     }
-    add_rest(translations, {0.0f}), add_rest(rotations, {0.0f, 0.0f, 0.0f, 1.0f}), add_rest(scales, {1.0f});
+    add_rest(translations, {0.0f});
+    add_rest(rotations, {0.0f, 0.0f, 0.0f, 1.0f});
+    add_rest(scales, {1.0f});
     sign(out);
     return out;
   }

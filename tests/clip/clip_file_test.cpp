@@ -45,7 +45,8 @@ TEST(clip_file, G06_numbers_at_rest_keep_every_bit_and_are_short_where_they_are_
   Skeleton skeleton = test::chain_skeleton(40);
   const auto size_of = [](const Clip& clip) { return saved({&clip}).size(); };
   const std::size_t of_identities = size_of(test::clip_of({}, skeleton));
-  skeleton.rest[7].translation.y = -0.0f, skeleton.rest[9].scale.x = std::nextafter(1.0f, 2.0f),
+  skeleton.rest[7].translation.y = -0.0f;
+  skeleton.rest[9].scale.x = std::nextafter(1.0f, 2.0f);
   skeleton.rest[11].scale.z = -1e30f;
   const Clip clip = test::clip_of({}, skeleton);
   EXPECT_LE(size_of(clip), of_identities + 2 * 3 * 40 + 8) << "a byte each, but for two numbers";

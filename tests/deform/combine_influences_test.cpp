@@ -28,9 +28,12 @@ VertexInfluences repeated_pairs(std::uint32_t distinct, std::uint32_t copies) {
 
 RandomSceneOptions repeating(std::uint64_t seed) {
   RandomSceneOptions options;
-  options.combinations = 2, options.triangles = 300, options.most_influences = 3 + static_cast<std::uint32_t>(seed % 3),
+  options.combinations = 2;
+  options.triangles = 300;
+  options.most_influences = 3 + static_cast<std::uint32_t>(seed % 3);
   options.instances = 6;
-  options.mirrored_joints = seed % 2 == 1, options.targets = seed % 3 == 0 ? 2 : 0;
+  options.mirrored_joints = seed % 2 == 1;
+  options.targets = seed % 3 == 0 ? 2 : 0;
   return options;
 }
 
@@ -81,7 +84,9 @@ TEST(combine_influences, C06_wins_only_where_many_vertices_share_a_combination) 
   EXPECT_TRUE(combine_influences(repeated_pairs(10, 6), 8182).used());
   EXPECT_FALSE(combine_influences(repeated_pairs(10, 6), 8183).used()) << "more matrices than a cache holds";
   VertexInfluences rigid;
-  rigid.groups = {{0, 100, 1, 0}}, rigid.joints.assign(100, 3), rigid.weights.assign(100, 1.0f);
+  rigid.groups = {{0, 100, 1, 0}};
+  rigid.joints.assign(100, 3);
+  rigid.weights.assign(100, 1.0f);
   EXPECT_FALSE(combine_influences(rigid, 11).used());
   EXPECT_FALSE(combine_influences({}, 11).used());
 }
@@ -183,7 +188,10 @@ TEST(combinations_in_frames, P19_follow_the_palette_through_buffers_that_take_tu
     FrameBuffer &now = buffers[turn % 2], &before = buffers[(turn + 1) % 2];
     const ClipLayer layer{0, time_s, 1.0f};
     const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
-    if (turn > 0) now.count_from(before.result().frame), now.follow(before);
+    if (turn > 0) {
+      now.count_from(before.result().frame);
+      now.follow(before);
+    }
     const AllocationCounter counter;
     ASSERT_EQ(run_plan(plan, input, now), ErrorCode::ok);
     EXPECT_EQ(counter.count(), 0u);

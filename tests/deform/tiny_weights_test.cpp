@@ -33,7 +33,10 @@ struct Case {
 
   void skin(Way way, bool directions) {
     VertexInput in = s.in();
-    if (!directions) in.normals = {}, in.tangents = {};
+    if (!directions) {
+      in.normals = {};
+      in.tangents = {};
+    }
     if (way == Way::dual_quaternion)
       run(SkinDualQuaternionJob{&s.influences, split, any_stretch, in, s.out()});
     else

@@ -219,8 +219,9 @@ std::string occlusion_answer() {
                       {"error", error},
                       {"milliseconds", {ms, 1.01 * ms, 0.99 * ms}}});
   };
-  add("4 samples", 4, false, true, 0.08, 1.0), add("14 samples", 14, false, true, 0.05, 2.0),
-      add("64 samples", 64, false, true, 0.049, 6.0);
+  add("4 samples", 4, false, true, 0.08, 1.0);
+  add("14 samples", 14, false, true, 0.05, 2.0);
+  add("64 samples", 64, false, true, 0.049, 6.0);
   add("14 full size", 14, true, true, 0.048, 8.0);
   add("14 no blur", 14, false, false, 0.07, 1.2);
   return Json{{"device", "a device"}, {"width", 100},         {"height", 50},    {"pixels", 3000},
@@ -272,7 +273,10 @@ cost::Report small_report() {
   report.machine = {{"processor", "one"}};
   report.command = "sinew cost";
   cost::Group group;
-  group.name = "rotation", group.title = "Rotation", group.question = "Which?", group.error_unit = "mm",
+  group.name = "rotation";
+  group.title = "Rotation";
+  group.question = "Which?";
+  group.error_unit = "mm";
   group.item = "joint";
   cost::Point point;
   point.name = "slow, but \"exact\"";

@@ -65,7 +65,11 @@ Scene rich_scene() {
   Primitive& floor = scene.meshes[0].primitives[0];
   floor.texcoords.emplace_back(floor.vertex_count(), glm::vec2(0.5f, 0.25f));
   Camera camera;
-  camera.name = "eye", camera.joint = 0, camera.fov_y_rad = 0.5f, camera.aspect = 1.5f, camera.near_m = 0.25f,
+  camera.name = "eye";
+  camera.joint = 0;
+  camera.fov_y_rad = 0.5f;
+  camera.aspect = 1.5f;
+  camera.near_m = 0.25f;
   camera.far_m = 64.0f;
   scene.cameras.push_back(camera);
   Light light;
@@ -154,9 +158,10 @@ TEST(export_corpus, every_model_comes_back_bit_equal) {
     auto before = import_gltf(path, as_converted());
     if (!before) continue;  // import_corpus says which may be refused
     for (Image& image : before->scene.images)
-      if (image.rgba.empty())
-        image.width = image.height = 1,
-        image.rgba = {255, 0, 255, 255};  // what stands for a missing image is written as such
+      if (image.rgba.empty()) {
+        image.width = image.height = 1;
+        image.rgba = {255, 0, 255, 255};
+      }  // what stands for a missing image is written as such
     const ImportedFile after = round_trip(before->scene);
     test::expect_equal(before->scene, after.scene);
     expect_same_vertex_numbers(before->scene, after.scene);

@@ -20,7 +20,8 @@ namespace {
 
 RandomSceneOptions without_morphs() {
   RandomSceneOptions options;
-  options.targets = 0, options.joints = 24;
+  options.targets = 0;
+  options.joints = 24;
   return options;
 }
 
@@ -145,7 +146,8 @@ TEST(compile_skeleton_lod, N17_the_pose_held_is_the_mean_of_what_clips_do_whiche
 
 TEST(compile_skeleton_lod, joints_that_carry_nothing_go_and_those_of_cameras_lights_and_correctives_stay) {
   Scene scene = random_scene(1, without_morphs());
-  scene.instances.clear(), scene.clips.clear();
+  scene.instances.clear();
+  scene.clips.clear();
   scene.instances.push_back({.joint = 0, .mesh = 0, .skin = kNone, .rest_weights = {}});
   finish_scene(scene);
   EXPECT_EQ(compile_skeleton_lod(scene, 0.0).left_out, scene.skeleton.joint_count() - 1);
@@ -167,7 +169,9 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
   std::size_t left_out = 0;
   for (const std::uint32_t seed : {4u, 5u}) {
     RandomSceneOptions options = without_morphs();
-    options.centers = true, options.mirrored_joints = seed == 5, options.triangles = 12;
+    options.centers = true;
+    options.mirrored_joints = seed == 5;
+    options.triangles = 12;
     const Scene scene = random_scene(seed, options);
     const CompiledSkeletonLod linear = compile_skeleton_lod(scene, 8.0);
     for (const Skinning skinning : {Skinning::dual_quaternion, Skinning::center_of_rotation}) {
@@ -186,7 +190,8 @@ TEST(compile_skeleton_lod, other_kinds_of_skinning_are_within_the_tolerance_too)
 
 TEST(compile_skeleton_lod, a_skeleton_without_meshes_is_measured_at_its_shell) {
   Scene scene = clenched_scene({quat_identity<float>(), normalised(quat_xyzw(0.0f, 0.0f, 0.1f, 1.0f))});
-  scene.instances.clear(), scene.clips.clear();
+  scene.instances.clear();
+  scene.clips.clear();
   finish_scene(scene);
   EXPECT_TRUE(compile_skeleton_lod(scene, 1e-4).detail.kept.empty());
   EXPECT_FALSE(compile_skeleton_lod(scene, 0.02).detail.kept[2]);

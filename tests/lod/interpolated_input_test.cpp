@@ -34,7 +34,8 @@ struct Player {
   const FrameResult& play(std::uint64_t number, UpdateLevel level, std::uint32_t turn = 0, bool asleep = false) {
     const ClipLayer layer = layer_at(number), ahead = layer_at(number + frames_to_update(level, number, turn));
     FrameInput now;
-    now.layers = {&layer, 1}, now.asleep = asleep;
+    now.layers = {&layer, 1};
+    now.asleep = asleep;
     EXPECT_EQ(run_plan(plan, input.next(now, {&ahead, 1}, level, number, turn), buffer), ErrorCode::ok);
     return buffer.result();
   }
@@ -201,7 +202,8 @@ TEST(interpolated_input, after_a_cut_or_a_sleep_nothing_of_before_shows) {
   player.play(9, UpdateLevel::every_fourth);
   EXPECT_TRUE(player.play(10, UpdateLevel::every_fourth, 0, true).model.empty());
   expect_exact(11);
-  player.play(12, UpdateLevel::every_fourth), player.play(13, UpdateLevel::every_fourth);
+  player.play(12, UpdateLevel::every_fourth);
+  player.play(13, UpdateLevel::every_fourth);
   expect_exact(30);  // frames were left out
 }
 
@@ -209,7 +211,8 @@ TEST(interpolated_input, levels_change_where_an_interval_ends) {
   const Scene scene = random_scene(7);
   const Plan plan = plan_between(scene);
   Player player(plan, 1.0 / 60.0), exact(plan, 1.0 / 60.0);
-  player.play(0, UpdateLevel::every_fourth), player.play(1, UpdateLevel::every);
+  player.play(0, UpdateLevel::every_fourth);
+  player.play(1, UpdateLevel::every);
   for (std::uint64_t number = 0; number < 20; ++number) {
     const UpdateLevel level = number < 2    ? UpdateLevel::every_fourth
                               : number < 10 ? UpdateLevel::every

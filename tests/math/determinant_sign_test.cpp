@@ -122,7 +122,10 @@ TEST(determinant_sign, is_exact_for_denormal_and_huge_entries_and_all_between) {
       Mat3<float> m;
       for (int e = 0; e < 9; ++e) m[e / 3][e % 3] = any_finite(random, range.least_exponent, range.exponents);
       if (i % 3 == 1) m[2] = m[1];
-      if (i % 3 == 2) m[2] = m[0], m[2][i % 2] = std::nextafter(m[2][i % 2], 0.0f);
+      if (i % 3 == 2) {
+        m[2] = m[0];
+        m[2][i % 2] = std::nextafter(m[2][i % 2], 0.0f);
+      }
       EXPECT_EQ(determinant_sign(m), exact_sign(m)) << range.least_exponent << ' ' << i;
     }
   const float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();

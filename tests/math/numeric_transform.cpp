@@ -71,7 +71,10 @@ Outcome decompose_by_newton(const Json& in) {
   }
   M r;
   V scale;
-  for (int c = 0; c < 3; ++c) scale[c] = glm::length(linear[c]), r[c] = linear[c] / scale[c];
+  for (int c = 0; c < 3; ++c) {
+    scale[c] = glm::length(linear[c]);
+    r[c] = linear[c] / scale[c];
+  }
   return {{"t", numbers(translation_of(m))}, {"q", numbers(quat_from_matrix(r))}, {"s", numbers(scale)}};
 }
 

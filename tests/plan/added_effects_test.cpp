@@ -32,7 +32,8 @@ void add_static_nodes(Scene& scene, std::uint32_t parent, std::uint32_t count) {
     skeleton.rest.push_back({{0.5f, static_cast<float>(i), 0.25f}, glm::quat(1, 0, 0, 0), glm::vec3(1)});
     skeleton.fixed_matrix_of.push_back(kNone);
     skeleton.names.emplace_back("static");
-    skeleton.node_of_joint.push_back(joint), skeleton.joint_of_node.push_back(joint);
+    skeleton.node_of_joint.push_back(joint);
+    skeleton.joint_of_node.push_back(joint);
   }
   skeleton.level_begin.back() += count;
   scene.clips.clear();
@@ -66,7 +67,8 @@ void add_targets(Scene& scene, std::uint32_t count) {
 /// A face whose weights keep their rest values; one of them is not zero.
 Scene resting_face() {
   Scene scene = face_scene();
-  scene.animations.clear(), scene.clips.clear();
+  scene.animations.clear();
+  scene.clips.clear();
   finish_scene(scene);
   return scene;
 }
@@ -137,8 +139,10 @@ TEST(added_effects, take_no_memory_of_frames_while_nothing_calls_for_them) {
   for (int i = 0; i < 100; ++i) {
     more.animations.push_back(scene.animations[0]);
     more.meshes.push_back(face.meshes[0]);
-    more.materials.emplace_back(), more.lights.emplace_back(), more.cameras.emplace_back(),
-        more.variants.emplace_back("variant");
+    more.materials.emplace_back();
+    more.lights.emplace_back();
+    more.cameras.emplace_back();
+    more.variants.emplace_back("variant");
   }
   more.clips.clear();
   finish_scene(more);

@@ -69,7 +69,9 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
 TEST(compile_plan, a_face_is_morphed_and_bounded) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.joints = false, needs.bounds = true, needs.max_layers = 2;
+  needs.joints = false;
+  needs.bounds = true;
+  needs.max_layers = 2;
   EXPECT_EQ(
       dump(compile_plan(scene, needs)),
       "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
@@ -182,7 +184,8 @@ TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
 TEST(compile_plan, P06_one_layer_takes_no_memory_for_more) {
   const Scene scene = random_scene(4);
   Needs one, four;
-  one.max_layers = 1, four.max_layers = 4;
+  one.max_layers = 1;
+  four.max_layers = 4;
   const std::size_t layer_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
   const Plan small = compile_plan(scene, one), large = compile_plan(scene, four);
   EXPECT_GE(large.frame_bytes(), small.frame_bytes() + 3 * layer_bytes);
@@ -250,11 +253,14 @@ TEST(compile_plan, nothing_asked_for_leaves_only_morph_weights) {
 TEST(compile_plan, every_stage_says_why) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = seed % 2,
+    options.skins = seed % 3;
+    options.targets = seed % 2 * 2;
+    options.clips = seed % 2;
     options.flat_normals = seed % 5 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs;
-    needs.bounds = seed % 2 == 0, needs.normals = seed % 4 != 0;
+    needs.bounds = seed % 2 == 0;
+    needs.normals = seed % 4 != 0;
     const Plan plan = compile_plan(scene, needs);
     const std::vector<PlanStage> stages = plan.stages();
     ASSERT_EQ(stages.size(), kStageCount);
@@ -280,10 +286,15 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
     if (bytes > 0) places.emplace_back(at, at + bytes);
   };
   const std::size_t pose_bytes = sizeof(float) * PoseSpan::floats_for(scene.skeleton.joint_count());
-  take(layout.rest_pose_at, pose_bytes), take(layout.pose_at, pose_bytes), take(layout.layer_poses_at, 3 * pose_bytes);
-  take(layout.weights_at, 4 * scene.weight_count()), take(layout.layer_weights_at, 3 * 4 * scene.weight_count());
-  take(layout.added_pose_at, pose_bytes), take(layout.reference_pose_at, pose_bytes);
-  take(layout.added_weights_at, 4 * scene.weight_count()), take(layout.reference_weights_at, 4 * scene.weight_count());
+  take(layout.rest_pose_at, pose_bytes);
+  take(layout.pose_at, pose_bytes);
+  take(layout.layer_poses_at, 3 * pose_bytes);
+  take(layout.weights_at, 4 * scene.weight_count());
+  take(layout.layer_weights_at, 3 * 4 * scene.weight_count());
+  take(layout.added_pose_at, pose_bytes);
+  take(layout.reference_pose_at, pose_bytes);
+  take(layout.added_weights_at, 4 * scene.weight_count());
+  take(layout.reference_weights_at, 4 * scene.weight_count());
   take(layout.model_at, sizeof(Affine) * scene.skeleton.joint_count());
   for (std::size_t s = 0; s < scene.skins.size(); ++s)
     if (compiled.palette[s]) take(layout.palette_at[s], sizeof(JointMatrix) * scene.skins[s].joints.size());

@@ -39,18 +39,26 @@ std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
 
 Needs needs_by_bits(std::uint32_t bits) {
   Needs needs;
-  needs.joints = bits & 1, needs.positions = bits & 2, needs.normals = bits & 4, needs.tangents = bits & 8;
-  needs.bounds = bits & 16, needs.max_layers = bits & 32 ? 1 : 3;
+  needs.joints = bits & 1;
+  needs.positions = bits & 2;
+  needs.normals = bits & 4;
+  needs.tangents = bits & 8;
+  needs.bounds = bits & 16;
+  needs.max_layers = bits & 32 ? 1 : 3;
   needs.skinning = bits & 64 ? Skinning::dual_quaternion : Skinning::linear;
-  needs.weights = (bits & 1) == 0, needs.additive = bits & 8;
+  needs.weights = (bits & 1) == 0;
+  needs.additive = bits & 8;
   return needs;
 }
 
 TEST(frame_cost, a_stage_left_out_does_exactly_nothing_and_one_that_runs_does_what_the_plan_says) {
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed & 1 ? 2 : 0, options.targets = seed & 2 ? 2 : 0, options.clips = seed & 4 ? 2 : 0;
-    options.flat_normals = seed & 8, options.correctives = options.targets > 0 ? seed % 3 : 0;
+    options.skins = seed & 1 ? 2 : 0;
+    options.targets = seed & 2 ? 2 : 0;
+    options.clips = seed & 4 ? 2 : 0;
+    options.flat_normals = seed & 8;
+    options.correctives = options.targets > 0 ? seed % 3 : 0;
     const Scene scene = random_scene(seed, options);
     for (std::uint32_t bits = 0; bits < 128; ++bits) {
       const Plan plan = compile_plan(scene, needs_by_bits(bits));
@@ -125,7 +133,8 @@ TEST(frame_cost, static_nodes_and_targets_of_weight_zero_do_not_change_the_work_
 TEST(frame_cost, a_frame_allocates_nothing) {
   for (std::uint32_t bits = 0; bits < 128; bits += 3) {
     RandomSceneOptions options;
-    options.flat_normals = bits % 2, options.correctives = bits % 3;
+    options.flat_normals = bits % 2;
+    options.correctives = bits % 3;
     const Scene scene = random_scene(bits, options);
     const Plan plan = compile_plan(scene, needs_by_bits(bits));
     FrameBuffer frame(plan);
@@ -189,10 +198,13 @@ std::vector<bool> worked(const WorkCounters& w) {
 TEST(frame_cost, stages_have_times_when_asked_for_and_only_those_that_worked) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed & 1 ? 2 : 0, options.targets = seed & 2 ? 2 : 0, options.flat_normals = seed & 4;
+    options.skins = seed & 1 ? 2 : 0;
+    options.targets = seed & 2 ? 2 : 0;
+    options.flat_normals = seed & 4;
     const Scene scene = random_scene(seed, options);
     Needs needs = needs_by_bits(127);
-    needs.max_layers = 2, needs.stage_times = true;
+    needs.max_layers = 2;
+    needs.stage_times = true;
     const Plan plan = compile_plan(scene, needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.4, 1.0f}, {1, 0.9, 0.5f}, {1, 0.7, 0.5f, kNone, LayerKind::add_to_start}};

@@ -38,7 +38,9 @@ void add_joints(Scene& scene, std::uint32_t count) {
     skeleton.parents.push_back(first - 1);
     skeleton.rest.emplace_back();
     skeleton.fixed_matrix_of.push_back(kNone);
-    skeleton.names.emplace_back("finger"), skeleton.node_of_joint.push_back(j), skeleton.joint_of_node.push_back(j);
+    skeleton.names.emplace_back("finger");
+    skeleton.node_of_joint.push_back(j);
+    skeleton.joint_of_node.push_back(j);
     BoneAnimation bone = scene.animations[0].bones[0];
     bone.joint = j;
     scene.animations[0].bones.push_back(std::move(bone));
@@ -54,7 +56,9 @@ void add_static_nodes(Scene& scene, std::uint32_t count) {
     skeleton.parents.push_back(0);
     skeleton.rest.push_back({{0.5f, static_cast<float>(j), 0.25f}, glm::quat(1, 0, 0, 0), glm::vec3(1)});
     skeleton.fixed_matrix_of.push_back(kNone);
-    skeleton.names.emplace_back("static"), skeleton.node_of_joint.push_back(j), skeleton.joint_of_node.push_back(j);
+    skeleton.names.emplace_back("static");
+    skeleton.node_of_joint.push_back(j);
+    skeleton.joint_of_node.push_back(j);
   }
   skeleton.level_begin.back() += count;
 }

@@ -18,13 +18,16 @@ namespace {
 
 Needs between() {
   Needs needs;
-  needs.between_updates = true, needs.additive = true;
+  needs.between_updates = true;
+  needs.additive = true;
   return needs;
 }
 
 FrameInput from_to(std::span<const ClipLayer> layers, std::span<const ClipLayer> ahead, float interpolation_factor) {
   FrameInput input;
-  input.layers = layers, input.next_layers = ahead, input.interpolation_factor = interpolation_factor;
+  input.layers = layers;
+  input.next_layers = ahead;
+  input.interpolation_factor = interpolation_factor;
   return input;
 }
 
@@ -106,7 +109,8 @@ TEST(interpolate_poses, P19_each_end_is_sampled_once_however_many_frames_lie_bet
   for (int n = 0; n < 40; ++n) {  // ten intervals of four frames
     const ClipLayer start{0, 0.04 * (n / 4)}, end{0, 0.04 * (n / 4 + 1)};
     const FrameResult& result = run(plan, from_to({&start, 1}, {&end, 1}, 0.25f * static_cast<float>(n % 4)), frame);
-    sampled += result.work.tracks_sampled, interpolated += result.work.poses_interpolated;
+    sampled += result.work.tracks_sampled;
+    interpolated += result.work.poses_interpolated;
   }
   EXPECT_EQ(sampled, 11 * tracks) << "one more than intervals: the last one's end";
   EXPECT_EQ(interpolated, 30u);
@@ -125,7 +129,8 @@ TEST(interpolate_poses, P19_buffers_that_take_turns_share_the_ends) {
     frame.count_from(n);
     if (n > 0) frame.follow(buffers[(n - 1) % 3]);
     expect_same(run(plan, input, frame), run(plan, input, alone));
-    sampled += frame.result().work.tracks_sampled, sampled_alone += alone.result().work.tracks_sampled;
+    sampled += frame.result().work.tracks_sampled;
+    sampled_alone += alone.result().work.tracks_sampled;
   }
   EXPECT_EQ(sampled, sampled_alone);
 }

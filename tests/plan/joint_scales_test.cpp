@@ -74,7 +74,8 @@ TEST(joint_scales, P09_signs_may_change_where_keys_have_several_or_tracks_may_le
                         {glm::vec3(0), glm::vec3(1), glm::vec3(-9), glm::vec3(9), glm::vec3(1), glm::vec3(0)}};
   expect_scale(scale_of(arm_scaled_by(0, cubic), 2), ScaleKind::uneven, 1, true);
   Scene mirrored = arm_scene();
-  mirrored.skeleton.rest[0].scale = glm::vec3(1, 1, -1), mirrored.skeleton.rest[2].scale = glm::vec3(-1);
+  mirrored.skeleton.rest[0].scale = glm::vec3(1, 1, -1);
+  mirrored.skeleton.rest[2].scale = glm::vec3(-1);
   finish_scene(mirrored);
   expect_scale(scale_of(mirrored, 0), ScaleKind::uneven, -1, false);
   expect_scale(scale_of(mirrored, 2), ScaleKind::uneven, 1, false);
@@ -116,7 +117,8 @@ std::size_t expect_windings_of_determinants(const Scene& scene, const Needs& nee
       EXPECT_EQ(run_plan(tested, input, other), ErrorCode::ok);
       for (std::size_t i = 0; i < scales.size(); ++i) {
         EXPECT_EQ(frame.result().instances[i].mirrored, other.result().instances[i].mirrored) << i << " at " << time_s;
-        mirrored += frame.result().instances[i].mirrored, known += !scales[i].may_change;
+        mirrored += frame.result().instances[i].mirrored;
+        known += !scales[i].may_change;
       }
       EXPECT_EQ(hash_vertices(frame.result()), hash_vertices(other.result()));
       EXPECT_EQ(frame.result().work.windings_tested, stage(plan, "winding").count);
@@ -129,7 +131,9 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
   std::size_t mirrored = 0, known = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.mirrored_joints = true, options.flat_normals = seed % 2 == 0, options.instances = 6;
+    options.mirrored_joints = true;
+    options.flat_normals = seed % 2 == 0;
+    options.instances = 6;
     Scene scene = random_scene(seed, options);
     if (seed % 3 != 0)  // else whatever tracks there are
       for (Animation& animation : scene.animations)

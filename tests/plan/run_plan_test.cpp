@@ -296,7 +296,8 @@ TEST(run_plan, a_plan_without_blending_rejects_partial_weights) {
 TEST(run_plan, layers_that_add_leave_the_rest_pose_and_the_blended_layers_in_their_memory) {
   const Scene scene = face_scene();
   Needs needs;
-  needs.additive = true, needs.max_layers = 1;
+  needs.additive = true;
+  needs.max_layers = 1;
   Frame frame(scene, needs, {});
   const Affine rest = frame.result().model[0];
   const ClipLayer added[] = {{0, 1.0, 1.0f, kNone, LayerKind::add_to_rest}};

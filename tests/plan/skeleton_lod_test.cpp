@@ -60,7 +60,9 @@ double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3>
 
 Needs rich_needs(const Scene& scene, std::uint64_t seed) {
   Needs needs;
-  needs.max_layers = 3, needs.additive = true, needs.bounds = true;
+  needs.max_layers = 3;
+  needs.additive = true;
+  needs.bounds = true;
   needs.masks = {some_mask(scene, seed)};
   return needs;
 }
@@ -73,7 +75,8 @@ const std::vector<ClipLayer> kPlayed[] = {{{0, 0.7}},
 TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
     RandomSceneOptions options;
-    options.joints = 12 + 5 * seed, options.correctives = seed % 3;
+    options.joints = 12 + 5 * seed;
+    options.correctives = seed % 3;
     const Scene scene = random_scene(seed, options);
     Needs needs = rich_needs(scene, seed);
     const Plan full = compile_plan(scene, needs);
@@ -100,11 +103,13 @@ TEST(skeleton_lod, N27_joints_that_are_kept_have_the_bits_of_the_full_plan) {
 TEST(skeleton_lod, joints_left_out_and_their_vertices_stand_as_if_nothing_ever_moved_them) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.centers = true, options.mirrored_joints = seed % 2;
+    options.centers = true;
+    options.mirrored_joints = seed % 2;
     const Scene scene = random_scene(seed, options);
     for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation}) {
       Needs needs;
-      needs.skinning = skinning, needs.bounds = true;
+      needs.skinning = skinning;
+      needs.bounds = true;
       needs.skeleton_lod = some_detail(scene, seed);
       const Plan lean = compile_plan(scene, needs);
       const Scene held = held_scene(random_scene(seed, options), lean.compiled()->assets, needs.skeleton_lod);
@@ -141,7 +146,9 @@ void add_moved_joints(Scene& scene, std::uint32_t parent, std::uint32_t count) {
     s.parents.push_back(i % 2 == 0 ? parent : first + i - 1);
     s.rest.push_back({glm::vec3(0.01f * static_cast<float>(i)), quat_identity<float>(), glm::vec3(1)});
     s.fixed_matrix_of.push_back(kNone);
-    s.names.push_back("more"), s.node_of_joint.push_back(first + i), s.joint_of_node.push_back(first + i);
+    s.names.push_back("more");
+    s.node_of_joint.push_back(first + i);
+    s.joint_of_node.push_back(first + i);
     BoneAnimation bone;
     bone.joint = first + i;
     bone.translation = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(0), glm::vec3(1)}};
@@ -260,7 +267,8 @@ TEST(skeleton_lod, on_a_job_thread_levels_are_characters_of_which_one_is_awake) 
     const std::uint32_t awake = number / 3 % 2;
     const ClipLayer layer{0, 0.05 * number};
     FrameInput inputs[2];
-    inputs[awake].layers = {&layer, 1}, inputs[1 - awake].asleep = true;
+    inputs[awake].layers = {&layer, 1};
+    inputs[1 - awake].asleep = true;
     jobs.wait(*jobs.submit(inputs));
     FrameBuffer alone(*levels[awake]);
     ASSERT_EQ(run_plan(*levels[awake], inputs[awake], alone), ErrorCode::ok);

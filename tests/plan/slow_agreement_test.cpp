@@ -67,11 +67,13 @@ TEST_P(SlowAgreement, run_plan_shows_what_plain_double_loops_give) {
   const Case& c = GetParam();
   for (std::uint64_t seed = 100; seed < 112; ++seed) {
     RandomSceneOptions options;
-    options.flat_normals = c.flat, options.mirrored_joints = c.mirrored;
+    options.flat_normals = c.flat;
+    options.mirrored_joints = c.mirrored;
     options.centers = c.skinning == Skinning::center_of_rotation;
     const Scene scene = random_scene(seed, options);
     Needs needs;
-    needs.skinning = c.skinning, needs.normal_rule = c.rule;
+    needs.skinning = c.skinning;
+    needs.normal_rule = c.rule;
     const Plan plan = compile_plan(scene, needs);
     FrameBuffer frame(plan);
     const ClipLayer layers[] = {{0, 0.31, 0.6f}, {1, 1.63, 0.3f}, {0, 5.0, 0.4f}};
@@ -111,7 +113,9 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
     const Scene scene = random_scene(seed);
     FixedRandom random(seed);
     Needs needs;
-    needs.additive = true, needs.max_layers = 2, needs.masks.resize(2);
+    needs.additive = true;
+    needs.max_layers = 2;
+    needs.masks.resize(2);
     for (auto& mask : needs.masks)
       for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j)
         mask.push_back(random.below(4) == 0 ? 0.0f : static_cast<float>(random.unit()));

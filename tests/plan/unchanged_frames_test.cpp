@@ -43,7 +43,10 @@ void expect_same(const FrameResult& a, const FrameResult& b) {
 
 Needs needs_by_bits(std::uint32_t bits) {
   Needs needs;
-  needs.positions = !(bits & 1), needs.normals = !(bits & 2), needs.bounds = bits & 4, needs.additive = bits & 8;
+  needs.positions = !(bits & 1);
+  needs.normals = !(bits & 2);
+  needs.bounds = bits & 4;
+  needs.additive = bits & 8;
   needs.skinning = bits & 16 ? Skinning::dual_quaternion : Skinning::linear;
   return needs;
 }
@@ -54,7 +57,8 @@ class FewInputs {
   FewInputs(const Scene& scene, std::uint32_t seed) : scene_(scene), random_(seed) {}
 
   FrameInput next() {
-    layers_.clear(), weights_.clear();
+    layers_.clear();
+    weights_.clear();
     if (!scene_.clips.empty() && choose(4) > 0)
       layers_.push_back({choose(static_cast<std::uint32_t>(scene_.clips.size())), 0.5 * choose(3)});
     if (!scene_.clips.empty() && choose(4) == 0) layers_.push_back({0, 100.0 + choose(3)});
@@ -97,9 +101,12 @@ void move_few_joints(Scene& scene) {
 
 Scene scene_by_seed(std::uint32_t seed) {
   RandomSceneOptions options;
-  options.skins = seed % 3, options.targets = seed % 2 * 2, options.clips = 2;
+  options.skins = seed % 3;
+  options.targets = seed % 2 * 2;
+  options.clips = 2;
   if (seed % 7 == 6) return face_scene();  // no clip of it moves a joint
-  options.flat_normals = seed % 2 == 0, options.correctives = options.targets > 0 ? seed % 3 : 0;
+  options.flat_normals = seed % 2 == 0;
+  options.correctives = options.targets > 0 ? seed % 3 : 0;
   Scene scene = random_scene(seed, options);
   if (seed % 3 == 0) move_few_joints(scene);
   return scene;
@@ -175,7 +182,10 @@ TEST(unchanged_frames, P01_joints_that_no_clip_moves_stand_while_layers_blend_an
     const ClipLayer now[] = {{0, 0.1 * number, 0.7f}, {0, 0.9, 0.4f}},
                     ahead[] = {{0, 0.1 * number + 0.1, 0.5f}, {0, 0.3, 0.3f}};
     FrameInput input{.layers = now, .weights = {}, .root = {}};
-    if (number > 4) input.next_layers = ahead, input.interpolation_factor = 0.3f;
+    if (number > 4) {
+      input.next_layers = ahead;
+      input.interpolation_factor = 0.3f;
+    }
     FrameBuffer fresh(plan);
     for (FrameBuffer* buffer : {&frame, &fresh}) ASSERT_EQ(run_plan(plan, input, *buffer), ErrorCode::ok);
     expect_same(frame.result(), fresh.result());
@@ -222,7 +232,9 @@ TEST(unchanged_frames, a_scene_without_clips_does_nothing_from_its_second_frame_
   RandomSceneOptions options;
   options.clips = 0;
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
-    options.skins = seed % 2 * 2, options.targets = seed / 2 % 2 * 3, options.flat_normals = seed > 3;
+    options.skins = seed % 2 * 2;
+    options.targets = seed / 2 % 2 * 3;
+    options.flat_normals = seed > 3;
     const Scene scene = random_scene(seed, options);
     const Plan plan = compile_plan(scene, needs_by_bits(4));
     FrameBuffer frame(plan);

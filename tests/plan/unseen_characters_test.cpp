@@ -44,7 +44,8 @@ Needs all_needs() {
 TEST(unseen_characters, P11_meshes_out_of_view_are_neither_morphed_nor_skinned_nor_bounded) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.flat_normals = seed % 2, options.mirrored_joints = seed % 3 == 0;
+    options.flat_normals = seed % 2;
+    options.mirrored_joints = seed % 3 == 0;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();
     needs.hidden_meshes = seed % 4 == 0;  // says nothing of views
@@ -102,7 +103,9 @@ TEST(unseen_characters, a_mesh_out_of_view_changes_no_bit_of_the_others) {
 TEST(unseen_characters, one_that_sleeps_does_exactly_nothing_and_gives_nothing) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     RandomSceneOptions options;
-    options.skins = seed % 3, options.targets = seed % 2 * 3, options.flat_normals = seed % 2,
+    options.skins = seed % 3;
+    options.targets = seed % 2 * 3;
+    options.flat_normals = seed % 2;
     options.correctives = seed % 2;
     const Scene scene = random_scene(seed, options);
     Needs needs = all_needs();

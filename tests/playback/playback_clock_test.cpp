@@ -206,7 +206,10 @@ TEST(playback_clock, N24_plain_double_sums_do_drift) {
   const std::int64_t frames = 24LL * 3600 * 60;
   for (std::int64_t f = 0; f < frames; ++f) {
     phase_s += kFrame;
-    if (phase_s >= duration_s) phase_s -= duration_s, ++rounds;
+    if (phase_s >= duration_s) {
+      phase_s -= duration_s;
+      ++rounds;
+    }
   }
   const long double played_s =
       static_cast<long double>(rounds) * static_cast<long double>(duration_s) + static_cast<long double>(phase_s);

@@ -94,7 +94,7 @@ TEST(job_thread, P16_the_executor_is_handed_small_characters_together_and_large_
   Crowd crowd(kCharacters);
   std::size_t largest = 0, smallest = ~std::size_t{0};
   for (std::size_t c = 0; c < 3; ++c) {
-    largest = std::max(largest, crowd.plan_of(c).frame_bytes()),
+    largest = std::max(largest, crowd.plan_of(c).frame_bytes());
     smallest = std::min(smallest, crowd.plan_of(c).frame_bytes());
   }
   const auto parts_of = [&](std::size_t part_bytes) {
@@ -186,8 +186,10 @@ TEST(job_thread, P19_a_paused_crowd_is_not_run_again) {
   jobs.wait(*jobs.submit(inputs));
   std::vector<const FrameResult*> first;
   std::vector<std::uint64_t> first_hash;
-  for (std::uint32_t c = 0; c < inputs.size(); ++c)
-    first.push_back(jobs.latest(c)), first_hash.push_back(hash_of(*first[c]));
+  for (std::uint32_t c = 0; c < inputs.size(); ++c) {
+    first.push_back(jobs.latest(c));
+    first_hash.push_back(hash_of(*first[c]));
+  }
   for (Ticket expected = 2; expected <= 8; ++expected) {
     jobs.wait(*jobs.submit(inputs));
     for (std::uint32_t c = 0; c < inputs.size(); ++c) {
@@ -206,7 +208,10 @@ TEST(job_thread, P19_of_a_crowd_that_is_held_only_those_whose_turn_it_is_are_run
   const Plan plan = compile_plan(scene, {});
   JobThread jobs(spread());
   std::vector<HeldInput> held;
-  for (std::uint32_t c = 0; c < kCount; ++c) jobs.add_character(plan), held.emplace_back(plan);
+  for (std::uint32_t c = 0; c < kCount; ++c) {
+    jobs.add_character(plan);
+    held.emplace_back(plan);
+  }
   for (std::uint64_t number = 0; number < 24; ++number) {
     const ClipLayer layer{0, 0.01 * static_cast<double>(number)};
     FrameInput now;
@@ -239,7 +244,8 @@ TEST(job_thread, an_error_is_told_and_the_character_keeps_its_last_good_frame) {
 
   std::vector<FrameInput> bad(crowd.inputs(1).begin(), crowd.inputs(1).end());
   const ClipLayer no_clip{99, 0.0, 1.0f}, no_time{0, std::numeric_limits<double>::infinity(), 1.0f};
-  bad[1].layers = {&no_clip, 1}, bad[2].layers = {&no_time, 1};
+  bad[1].layers = {&no_clip, 1};
+  bad[2].layers = {&no_time, 1};
   jobs.wait(*jobs.submit(bad));
   EXPECT_EQ(jobs.last_error(), ErrorCode::index_out_of_range);  // of the first character that failed
   EXPECT_EQ(jobs.latest(0)->frame, 2u);

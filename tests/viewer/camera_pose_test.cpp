@@ -52,7 +52,9 @@ TEST(camera_pose, has_the_angle_that_the_clip_gives_it) {
   Scene scene = test::arm_scene();
   scene.cameras.push_back({.name = "zooms", .joint = 1});
   WeightTrack zoom;
-  zoom.interpolation = Interpolation::linear, zoom.target_count = 1, zoom.times_s = {0.0f, 1.0f},
+  zoom.interpolation = Interpolation::linear;
+  zoom.target_count = 1;
+  zoom.times_s = {0.0f, 1.0f};
   zoom.values = {0.5f, 1.0f};
   scene.animations[0].properties.push_back({{PropertyKind::camera_fov_y, 0}, zoom});
   scene.clips.clear();

@@ -143,7 +143,8 @@ TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
   const std::uint32_t wall = built.add_material(unlit({0.5f, 0.5f, 0.5f, 1}));  // occlusion does not show on it
   built.add(facing_square(0.8f), wall);
   Affine floor;  // a square perpendicular to the wall, towards the viewer
-  floor.row[1] = {0, 0, 1, -0.1f}, floor.row[2] = {0, -1, 0, 0.4f};
+  floor.row[1] = {0, 0, 1, -0.1f};
+  floor.row[2] = {0, -1, 0, 0.4f};
   built.add(facing_square(0.4f), wall, floor);
   Material glass = matte({0.7f, 0.7f, 0.7f});
   glass.base_color.a = 0.5f;

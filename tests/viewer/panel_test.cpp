@@ -135,7 +135,9 @@ TEST_F(PanelTest, every_section_opens_without_a_device) {
   Playback playback(scene_);
   facts_.note = "a note";
   facts_.device = "none";
-  const int before = (frame(playback), frame(playback), ImGui::GetDrawData()->TotalVtxCount);
+  frame(playback);
+  frame(playback);
+  const int before = ImGui::GetDrawData()->TotalVtxCount;
   click("keys", playback);
   frame(playback);
   frame(playback);

@@ -37,7 +37,7 @@ HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys
   for (std::size_t c = 0; c < kComponents; ++c) {
     const std::uint32_t width = block.packed.width[c * block.lane_count + lane];
     const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-    out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask)),
+    out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask));
     out.end[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(e & mask));
     b >>= width;
     e >>= width;
@@ -93,7 +93,8 @@ HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys
         whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.width.data() + c * block.lane_count + lane));
     const Whole mask = hn::Sub(hn::Shl(one, width), one);
     const WordPairs shifts = widened(shift);
-    out.begin[c] = numbers_at(begin, shifts, mask), out.end[c] = numbers_at(end, shifts, mask);
+    out.begin[c] = numbers_at(begin, shifts, mask);
+    out.end[c] = numbers_at(end, shifts, mask);
     shift = hn::Add(shift, width);
   }
   return out;
