@@ -30,8 +30,7 @@ bool is_mirrored(const CompiledPlan& plan, std::size_t instance, std::span<const
   if (!scale.may_change) return scale.sign * root.sign < 0;
   work.windings_tested += 1;
   const MeshInstance& mesh = plan.scene->instances[instance];
-  if (!plan.instance_skinned[instance])
-    return determinant_sign(world_of(plan.assets, model, mesh.joint)) < 0;
+  if (!plan.instance_skinned[instance]) return determinant_sign(world_of(plan.assets, model, mesh.joint)) < 0;
   const Skin& skin = *plan.assets.skins[mesh.skin];
   return determinant_sign(model[skin.joints[0]]) * determinant_sign(skin.inverse_bind[0]) < 0;
 }
