@@ -20,7 +20,7 @@ namespace {
 
 std::string joint_text(std::uint32_t joint, std::span<const std::string> names) {
   if (joint == kNone) return "";
-  if (joint < names.size() && !names[joint].empty()) return quoted(names[joint]);
+  if (joint < names.size() && !names[joint].empty()) return in_quotes(names[joint]);
   return fmt::format("joint {}", joint);
 }
 
@@ -57,7 +57,7 @@ std::string certificate_table(std::span<const Clip> clips, std::span<const std::
     if (!clips[i].certificate()) continue;
     const ClipCertificate& c = *clips[i].certificate();
     table.add(
-        {std::to_string(i), clips[i].name().empty() ? "" : quoted(clips[i].name()), length_text(c.asked_m),
+        {std::to_string(i), clips[i].name().empty() ? "" : in_quotes(clips[i].name()), length_text(c.asked_m),
          length_text(c.measured_m), c.is_met() ? "yes" : "NO", joint_text(c.worst_joint, joint_names),
          fmt::format("{:.4g} s", c.worst_time_s), std::to_string(c.kept_keys), std::to_string(c.source_keys),
          std::to_string(c.bytes), std::to_string(c.source_bytes),

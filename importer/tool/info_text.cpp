@@ -31,7 +31,7 @@ std::string pairs(const Json& object, const char* separator) {
 /// The names of an array in quotes: "a", "b".
 std::string names(const Json& list) {
   std::string out;
-  for (const Json& name : list) out += (out.empty() ? "" : ", ") + quoted(text_of(name));
+  for (const Json& name : list) out += (out.empty() ? "" : ", ") + in_quotes(text_of(name));
   return out;
 }
 
@@ -104,7 +104,7 @@ class InfoText {
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::string name = text_of(list[i]["name"]);
       std::vector<std::string> row = cells(list[i]);
-      row.insert(row.begin(), {std::to_string(i), name.empty() ? "" : quoted(name)});
+      row.insert(row.begin(), {std::to_string(i), name.empty() ? "" : in_quotes(name)});
       table.add(std::move(row));
     }
     text_ += table.text();

@@ -29,7 +29,7 @@ ExitCode fail_with(ExitCode code, std::string_view file, const ImportIssue& issu
   return code;
 }
 
-std::string quoted(std::string_view name) {
+std::string in_quotes(std::string_view name) {
   return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

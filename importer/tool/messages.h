@@ -26,7 +26,7 @@ ExitCode fail_with(ExitCode code, std::string_view text);
 ExitCode fail_with(ExitCode code, std::string_view file, const ImportIssue& issue);
 
 /// A name from a file in quotes, with quotes and control characters escaped: terminals obey what they are shown.
-std::string quoted(std::string_view name);
+std::string in_quotes(std::string_view name);
 
 /// A result as indented JSON. Bytes of a file that are not UTF-8 are replaced.
 std::string json_text(const nlohmann::ordered_json& result);

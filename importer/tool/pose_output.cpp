@@ -45,7 +45,7 @@ PoseOutput::~PoseOutput() {
 }
 
 void PoseOutput::begin(std::string_view model, double extent) {
-  put(text_, "{{\"model\": {},\n \"extent\": {:.9g},\n \"clips\": [", quoted(model), extent);
+  put(text_, "{{\"model\": {},\n \"extent\": {:.9g},\n \"clips\": [", in_quotes(model), extent);
 }
 
 void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
@@ -53,7 +53,7 @@ void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
   if (clip == kNone)
     put(text_, "  {{\"clip\": null, \"index\": null, \"name\": null, \"samples\": [");
   else
-    put(text_, "  {{\"clip\": {0}, \"index\": {0}, \"name\": {1}, \"samples\": [", clip, quoted(name));
+    put(text_, "  {{\"clip\": {0}, \"index\": {0}, \"name\": {1}, \"samples\": [", clip, in_quotes(name));
   first_clip_ = false;
   first_sample_ = true;
 }
