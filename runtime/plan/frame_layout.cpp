@@ -54,6 +54,11 @@ void lay_out_primitives(CompiledPlan& plan, BlockLayout& block) {
 void lay_out_tables(CompiledPlan& plan, BlockLayout& block) {
   const Scene& scene = *plan.scene;
   TableLayout& tables = plan.layout.tables;
+  tables.instance_count = scene.instances.size();
+  tables.primitive_count = plan.primitives.size();
+  tables.skin_count = scene.skins.size();
+  tables.weight_count = scene.weight_count();
+  tables.blend_layer_count = plan.needs.max_layers;
   tables.instances_at = block.take_array<InstanceResult>(scene.instances.size());
   tables.primitives_at = block.take_array<DeformedPrimitive>(plan.primitives.size());
   tables.blend_layers_at = block.take_array<BlendLayer>(plan.needs.max_layers);

@@ -19,6 +19,7 @@ struct PoseLayout {
 
 /// Where a frame buffer keeps results and what they came from (frame_tables.h).
 struct TableLayout {
+  std::size_t instance_count = 0, primitive_count = 0, skin_count = 0, weight_count = 0, blend_layer_count = 0;
   std::size_t instances_at = 0, primitives_at = 0, blend_layers_at = 0;
   std::size_t palettes_at = 0, weights_since_at = 0, winding_since_at = 0;
   std::size_t last_weights_at = 0, input_weights_at = 0, input_out_of_view_at = 0;

@@ -40,16 +40,16 @@ struct FrameTables {
 
  private:
   FrameTables(const CompiledPlan& plan, const TableLayout& at, FrameMemory memory) noexcept
-      : instances(memory.array<InstanceResult>(at.instances_at, plan.instance_scales.size())),
-        primitives(memory.array<DeformedPrimitive>(at.primitives_at, plan.primitives.size())),
-        blend_layers(memory.array<BlendLayer>(at.blend_layers_at, plan.needs.max_layers)),
-        palettes(memory.array<SkinPalette>(at.palettes_at, plan.palette.size())),
-        weights_since(memory.array<std::uint64_t>(at.weights_since_at, plan.instance_scales.size())),
-        winding_since(memory.array<std::uint64_t>(at.winding_since_at, plan.instance_scales.size())),
-        last_weights(memory.array<float>(at.last_weights_at, plan.rest_weights.size())),
+      : instances(memory.array<InstanceResult>(at.instances_at, at.instance_count)),
+        primitives(memory.array<DeformedPrimitive>(at.primitives_at, at.primitive_count)),
+        blend_layers(memory.array<BlendLayer>(at.blend_layers_at, at.blend_layer_count)),
+        palettes(memory.array<SkinPalette>(at.palettes_at, at.skin_count)),
+        weights_since(memory.array<std::uint64_t>(at.weights_since_at, at.instance_count)),
+        winding_since(memory.array<std::uint64_t>(at.winding_since_at, at.instance_count)),
+        last_weights(memory.array<float>(at.last_weights_at, at.weight_count)),
         input_layers(memory.array<ClipLayer>(at.input_layers_at, at.input_layer_count)),
-        input_weights(memory.array<float>(at.input_weights_at, plan.rest_weights.size())),
-        input_out_of_view(memory.array<std::uint8_t>(at.input_out_of_view_at, plan.instance_scales.size())),
+        input_weights(memory.array<float>(at.input_weights_at, at.weight_count)),
+        input_out_of_view(memory.array<std::uint8_t>(at.input_out_of_view_at, at.instance_count)),
         input_next_layers(
             memory.array<ClipLayer>(at.input_next_layers_at, plan.interpolate ? at.input_layer_count : 0)),
         updates(memory.array<KeptUpdate>(at.updates_at, plan.interpolate ? 2 : 0)),

@@ -19,6 +19,12 @@
 namespace sinew {
 namespace {
 
+/// Without a branch per number: zero times an infinity or NaN is NaN, and stays so in sums.
+bool is_finite(const Affine& m) noexcept {
+  const glm::vec4 zero = 0.0f * m.row[0] + 0.0f * m.row[1] + 0.0f * m.row[2];
+  return zero.x + zero.y + zero.z + zero.w == 0.0f;
+}
+
 ErrorCode check(const CompiledPlan& plan, std::span<const ClipLayer> layers) noexcept {
   std::size_t active = 0;
   double total_weight = 0.0;
@@ -46,7 +52,7 @@ ErrorCode check(const CompiledPlan& plan, const FrameInput& input) noexcept {
   if (!input.weights.empty() && input.weights.size() != plan.rest_weights.size()) return ErrorCode::size_mismatch;
   if (!input.out_of_view.empty() && input.out_of_view.size() != plan.scene->instances.size())
     return ErrorCode::size_mismatch;
-  if (!all_finite(input.weights) || !all_finite(std::span(&input.root, 1))) return ErrorCode::not_finite;
+  if (!all_finite(input.weights) || !is_finite(input.root)) return ErrorCode::not_finite;
   return ErrorCode::ok;
 }
 
@@ -163,7 +169,9 @@ void run_stages(const CompiledPlan& plan, const FrameInput& input, const FrameSt
   const std::span<const float> properties =
       memory.array<const float>(plan.layout.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
   const Visibility visibility{hide(plan, properties, memory, work), input.out_of_view};
-  make_palettes(plan, model, wanted_palettes(plan, visibility, memory), step, work);
+  const bool all_wanted = !plan.hide_per_frame && input.out_of_view.empty();
+  make_palettes(plan, model, all_wanted ? std::span<const bool>{} : wanted_palettes(plan, visibility, memory), step,
+                work);
   show_instances(plan, {model, weights, input.root, visibility}, step, work);
   result.model = plan.needs.joints ? model : std::span<const Affine>{};
   result.weights = weights;

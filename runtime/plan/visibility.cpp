@@ -19,7 +19,6 @@ void find_hidden(const Scene& scene, std::span<const float> properties, std::spa
 
 std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
                                       FrameMemory memory) noexcept {
-  if (!plan.hide_per_frame && visibility.out_of_view.empty()) return {};
   const std::span<bool> wanted = memory.array<bool>(plan.layout.palette_wanted_at, plan.palette.size());
   std::fill(wanted.begin(), wanted.end(), false);
   for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)

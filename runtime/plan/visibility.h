@@ -31,7 +31,7 @@ struct Visibility {
 };
 
 /// Skins that some instance of this frame needs.
-/// out  [skins] in the frame's memory; empty = as the plan says
+/// out  [skins] in the frame's memory
 std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
                                       FrameMemory memory) noexcept;
 
