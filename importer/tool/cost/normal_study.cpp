@@ -41,10 +41,12 @@ std::vector<std::string> findings(const Group& group) {
                                fmt::format("The cofactor matrix is right under any scale, within {}, and {}.",
                                            cost::error_of(group, cofactor), time_beside(group, cofactor, plain))};
   constexpr double kNoticeable = 1.0;
-  out.push_back(mean_deg < kNoticeable
-                    ? "For this file the matrix itself will do: an average below a degree is not seen in shading."
-                    : "An average above a degree is seen in shading: for this file the exact rule (Needs::normal_rule "
-                      "= cofactor) is worth its time.");
+  const char* const verdict =
+      mean_deg < kNoticeable
+          ? "For this file the matrix itself will do: an average below a degree is not seen in shading."
+          : "An average above a degree is seen in shading: for this file the exact rule (Needs::normal_rule "
+            "= cofactor) is worth its time.";
+  out.emplace_back(verdict);
   return out;
 }
 
