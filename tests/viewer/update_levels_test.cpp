@@ -119,7 +119,7 @@ TEST(update_levels, say_what_they_are_and_why) {
 
 TEST(update_levels, the_plan_knows_frames_between_updates_only_where_they_are_interpolated) {
   for (const Updates updates : {Updates::every, Updates::interpolated, Updates::held})
-    EXPECT_EQ(plan_for(test::arm_scene(), updates).interpolate, updates == Updates::interpolated);
+    EXPECT_EQ(plan_for(test::arm_scene(), updates).runs(Stage::interpolate), updates == Updates::interpolated);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/model/mesh_copies.h"
 #include "viewer/passes/frame_renderer.h"
 
@@ -63,7 +64,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
       const Affined view_from_mesh = view.view_from_world * affine_cast<double>(placed.world_from_mesh);
       const bool copied = !scene.instances[i].copies.empty();
       for_each_copy(scene.instances[i], view_from_mesh, [&](const Affined& view_from_copy) {
-        const bool mirrored = copied ? determinant(view_from_copy) < 0.0 : placed.mirrored;  // views do not mirror
+        const bool mirrored = copied ? determinant_sign(view_from_copy) < 0 : placed.mirrored;  // views do not mirror
         add(frame, drawn, i, view_from_copy, mirrored);
       });
     }

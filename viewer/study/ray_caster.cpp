@@ -16,6 +16,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "runtime/math/determinant_sign.h"
 #include "runtime/math/normal_transform.h"
 #include "runtime/model/mesh_copies.h"
 
@@ -61,7 +62,7 @@ std::vector<Triangle> triangles_of(const Scene& scene, const FrameResult& frame)
     if (!placed.visible) continue;
     const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
     for_each_copy(scene.instances[i], affine_cast<double>(placed.world_from_mesh), [&](const Affined& world_from_copy) {
-      const bool mirrored = scene.instances[i].copies.empty() ? placed.mirrored : determinant(world_from_copy) < 0.0;
+      const bool mirrored = scene.instances[i].copies.empty() ? placed.mirrored : determinant_sign(world_from_copy) < 0;
       for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
         const Primitive& primitive = mesh.primitives[p];
         const Material* material = primitive.material == kNone ? nullptr : &scene.materials[primitive.material];
