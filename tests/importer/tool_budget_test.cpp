@@ -91,7 +91,7 @@ TEST(compile_command, writes_clips_that_info_tells_about_and_that_keep_their_bud
     EXPECT_THAT(compiled.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   ASSERT_EQ(info.status, 0) << info.err;
-  for (const char* text : {"compiled clips, version 2: 2", "0.2 mm", "bend"}) EXPECT_THAT(info.out, HasSubstr(text));
+  for (const char* text : {"compiled clips, version 3: 2", "0.2 mm", "bend"}) EXPECT_THAT(info.out, HasSubstr(text));
   const auto json = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
   ASSERT_EQ(json.at("compiled_clips").size(), 2u);
   EXPECT_LE(json["compiled_clips"][0]["certificate"]["measured_m"].get<double>(), 2e-4);
