@@ -8,7 +8,6 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/blend_poses.cpp"
 #include <hwy/foreach_target.h>
 
-#include "runtime/pose/simd/dispatch.h"
 #include "runtime/pose/simd/pose_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -55,97 +54,25 @@ HWY_INLINE TransformLanes mean(const TransformLanes& sum, Lanes total) {
   return m;
 }
 
-HWY_INLINE Lanes dot(const TransformLanes& a, const Quat<float>& b) {
-  const Floats d;
-  TransformLanes spread = a;
-  spread.rx = hn::Set(d, b.x);
-  spread.ry = hn::Set(d, b.y);
-  spread.rz = hn::Set(d, b.z);
-  spread.rw = hn::Set(d, b.w);
-  return dot4(a, spread);
-}
-
-/// The pivot among layers of equal weight, in lanes where several share the largest. The order of layers must not
-/// choose it, so rotations do: the one nearest to rest, then the one nearest to a rotation that nothing is symmetric
-/// to.
-HWY_INLINE TransformLanes tied_pivot(const BlendPosesJob& job, std::size_t j, Lanes largest,
-                                     const TransformLanes& rest) {
-  const Floats d;
-  const Quat<float> fixed = quat_xyzw(0.1825742f, 0.3651484f, 0.5477226f, 0.7302967f);
-  Lanes nearest = hn::Set(d, -1.0f), second = nearest;
-  TransformLanes pivot = rest;
-  for (const BlendLayer& layer : job.layers) {
-    const TransformLanes t = load(layer.pose, j);
-    const Lanes to_rest = hn::Abs(dot4(t, rest)), to_fixed = hn::Abs(dot(t, fixed));
-    const auto nearer = hn::Or(hn::Gt(to_rest, nearest), hn::And(hn::Eq(to_rest, nearest), hn::Gt(to_fixed, second)));
-    const auto chosen = hn::And(hn::Eq(weight_of(layer, j), largest), nearer);
-    nearest = hn::IfThenElse(chosen, to_rest, nearest);
-    second = hn::IfThenElse(chosen, to_fixed, second);
-    pivot = choose(chosen, t, pivot);
-  }
-  return pivot;
-}
-
-/// Negates the rotations of a sum in lanes where they are on the other side of `first`. Not by their sign bits: sums
-/// are never -0, and stay so.
-HWY_INLINE void align_sum(TransformLanes& sum, const TransformLanes& pivot, const TransformLanes& first) {
-  const Floats d;
-  const Lanes zero = hn::Zero(d);
-  const auto opposite = hn::Lt(dot4(pivot, first), zero);
-  sum.rx = hn::IfThenElse(opposite, hn::Sub(zero, sum.rx), sum.rx);
-  sum.ry = hn::IfThenElse(opposite, hn::Sub(zero, sum.ry), sum.ry);
-  sum.rz = hn::IfThenElse(opposite, hn::Sub(zero, sum.rz), sum.rz);
-  sum.rw = hn::IfThenElse(opposite, hn::Sub(zero, sum.rw), sum.rw);
-}
-
-/// eq   sum(w t) over layers and rest, rotations on the side of the pivot
-HWY_INLINE TransformLanes weighted_sum(const BlendPosesJob& job, std::size_t j, const TransformLanes& rest,
-                                       Lanes rest_weight, const TransformLanes& pivot) {
-  const Lanes zero = hn::Zero(Floats());
-  TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (const BlendLayer& layer : job.layers) add(sum, load(layer.pose, j), weight_of(layer, j), pivot);
-  add(sum, rest, rest_weight, pivot);
-  return sum;
-}
-
-/// The same in lanes where several layers share the largest weight: `first` is the first of them. Not inlined, so that
-/// blends without ties take no registers for it.
-template <class Mask>
-HWY_NOINLINE TransformLanes tied_sum(const BlendPosesJob& job, std::size_t j, Lanes rest_weight, Lanes largest,
-                                     const TransformLanes& first, Mask tied) {
-  const TransformLanes rest = load(job.rest, j);
-  const TransformLanes pivot = choose(tied, tied_pivot(job, j, largest, rest), first);
-  TransformLanes sum = weighted_sum(job, j, rest, rest_weight, pivot);
-  align_sum(sum, pivot, first);
-  return sum;
-}
-
 /// Blends one vector of joints from `j` on.
 HWY_INLINE void blend_lanes(const BlendPosesJob& job, std::size_t j) {
   const Floats d;
   const Lanes zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const TransformLanes rest = load(job.rest, j);
   Lanes weight_sum = zero, largest = zero, contributors = zero;
-  auto tied = hn::Lt(zero, zero);
   TransformLanes heaviest = rest;
   for (const BlendLayer& layer : job.layers) {
     const Lanes w = weight_of(layer, j);
-    const auto heavier = hn::Gt(w, largest);
-    tied = hn::Or(hn::AndNot(heavier, tied), hn::Eq(w, largest));
-    heaviest = choose(heavier, load(layer.pose, j), heaviest);
+    heaviest = choose(hn::Gt(w, largest), load(layer.pose, j), heaviest);
     largest = hn::Max(largest, w);
     weight_sum = hn::Add(weight_sum, w);
     contributors = hn::Add(contributors, hn::IfThenElseZero(hn::Gt(w, zero), one));
   }
   const Lanes rest_weight = hn::Max(hn::Sub(one, weight_sum), zero);
-  const auto rest_leads = hn::Gt(rest_weight, largest);
-  const TransformLanes first = choose(rest_leads, rest, heaviest);
-  tied = hn::AndNot(rest_leads, hn::And(tied, hn::Gt(largest, zero)));
-  TransformLanes sum;
-  if (HWY_UNLIKELY(!hn::AllFalse(d, tied)))
-    sum = tied_sum(job, j, rest_weight, largest, first, tied);
-  else
-    sum = weighted_sum(job, j, rest, rest_weight, first);
+  const TransformLanes pivot = choose(hn::Gt(rest_weight, largest), rest, heaviest);
+  TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+  for (const BlendLayer& layer : job.layers) add(sum, load(layer.pose, j), weight_of(layer, j), pivot);
+  add(sum, rest, rest_weight, pivot);
   const TransformLanes blended = mean(sum, hn::Add(weight_sum, rest_weight));
   // Where nothing is to be blended, the one transform that counts comes out bit for bit; without any layer that is
   // rest.
@@ -157,19 +84,17 @@ HWY_INLINE void blend_lanes(const BlendPosesJob& job, std::size_t j) {
 /// What the lanes of blend_lanes work out joint by joint, for layers without masks: the same for all joints.
 struct SameForAllJoints {
   const BlendLayer* heaviest = nullptr;  ///< nullptr = rest
-  float total = 0.0f, rest_weight = 1.0f, largest = 0.0f;
-  std::size_t contributors = 0, sharing = 0;  ///< sharing: layers of the largest weight
+  float total = 0.0f, rest_weight = 1.0f;
+  std::size_t contributors = 0;
 
   explicit SameForAllJoints(std::span<const BlendLayer> layers) {
-    float sum = 0.0f;
+    float largest = 0.0f, sum = 0.0f;
     for (const BlendLayer& layer : layers) {
       if (layer.weight < kNegligible) continue;
       if (layer.weight > largest) {
         largest = layer.weight;
         heaviest = &layer;
-        sharing = 0;
       }
-      if (layer.weight == largest) ++sharing;
       sum += layer.weight;
       ++contributors;
     }
@@ -177,10 +102,6 @@ struct SameForAllJoints {
     total = sum + rest_weight;
     if (rest_weight > largest) heaviest = nullptr;
     if (contributors == 1 && rest_weight < kNegligible) contributors = 0;
-  }
-  /// The choice among layers of the largest weight matters: of two rotations, either as the pivot gives the same mean.
-  bool tied() const {
-    return heaviest != nullptr && sharing > 1 && contributors + static_cast<std::size_t>(rest_weight > 0.0f) > 2;
   }
   /// Nothing is to be blended: the heaviest transform comes out bit for bit.
   bool alone() const { return contributors == 0; }
@@ -193,20 +114,15 @@ void blend_without_masks(const BlendPosesJob& job) {
   const PoseSpan& pivot_pose = same.heaviest == nullptr ? job.rest : same.heaviest->pose;
   const Lanes total = hn::Set(d, same.total), zero = hn::Zero(d);
   for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(d)) {
-    const TransformLanes first = load(pivot_pose, j);
+    const TransformLanes pivot = load(pivot_pose, j);
     if (same.alone()) {
-      store(first, job.pose, j);
-      continue;
-    }
-    if (same.tied()) {
-      const Lanes rest_weight = hn::Set(d, same.rest_weight), largest = hn::Set(d, same.largest);
-      store(mean(tied_sum(job, j, rest_weight, largest, first, hn::Eq(zero, zero)), total), job.pose, j);
+      store(pivot, job.pose, j);
       continue;
     }
     TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
     for (const BlendLayer& layer : job.layers)
-      if (layer.weight >= kNegligible) add(sum, load(layer.pose, j), hn::Set(d, layer.weight), first);
-    if (same.rest_weight > 0.0f) add(sum, load(job.rest, j), hn::Set(d, same.rest_weight), first);
+      if (layer.weight >= kNegligible) add(sum, load(layer.pose, j), hn::Set(d, layer.weight), pivot);
+    if (same.rest_weight > 0.0f) add(sum, load(job.rest, j), hn::Set(d, same.rest_weight), pivot);
     store(mean(sum, total), job.pose, j);
   }
 }
@@ -225,6 +141,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace sinew {
 namespace {
+
+HWY_EXPORT(blend_all);
 
 bool is_weight(float w) noexcept { return std::isfinite(w) && w >= 0.0f; }
 
@@ -245,7 +163,7 @@ ErrorCode check(const BlendPosesJob& job) noexcept {
   return ErrorCode::ok;
 }
 
-SINEW_DISPATCH_RUN(BlendPosesJob, blend_all)
+void run(const BlendPosesJob& job) noexcept { HWY_DYNAMIC_DISPATCH(blend_all)(job); }
 
 }  // namespace sinew
 #endif  // HWY_ONCE

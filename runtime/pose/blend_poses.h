@@ -15,17 +15,14 @@ struct BlendLayer {
 };
 
 /// Weighted mean of poses; where the weights of a joint sum to less than 1 the rest pose fills up.
-/// eq   t = sum(w t) / sum(w), s likewise; q = normalise(sum(w sign(dot(q, q_pivot)) q))   (Kavan et al. 2008, sec.
-///      3) Pivot: the layer with the largest weight, or rest where its share is larger. Of several layers with the
-///      largest weight, the one whose rotation is nearest to rest; of several such, the one nearest to a fixed
-///      rotation.
-/// The order of layers does not matter, except that
-/// - sums are rounded in that order: translations and scales differ by 2e-6 of their size, rotations by 1e-6 rad;
-/// - a rotation may come out as -q instead of q;
-/// - where the share of rest equals the largest weight within rounding, the order decides which of them is the pivot.
-/// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
-/// out  pose       may be one of the inputs
-/// err  size_mismatch, not_finite     cost O(J * L), no allocation
+/// eq   t = sum(w t) / sum(w), s likewise; q = normalise(sum(w sign(dot(q, q_pivot)) q))   (Kavan et al. 2008, sec. 3)
+///      Pivot: the layer with the largest weight, or rest where its share is larger; of several layers with the largest
+///      weight the first.
+/// The order of layers changes no more than rounding and the sign of the quaternion, except where three or more
+/// rotations count, the first two weights are equal, and some rotation is more than 90 degrees from the pivot: then
+/// another order may align hemispheres in another way. Equal weights at 0, 170 and -170 degrees give 0 or +-127
+/// degrees. in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count out  pose may
+/// be one of the inputs err  size_mismatch, not_finite     cost O(J * L), no allocation
 struct BlendPosesJob {
   std::span<const BlendLayer> layers;
   PoseSpan rest;
