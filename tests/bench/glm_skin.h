@@ -95,7 +95,7 @@ inline void skin_center_of_rotation(const VertexInfluences& influences, std::spa
       }
       real = glm::normalize(real);
       out.positions[v] = real * (in.positions[v] - centers[v]) + glm::vec3(m * glm::vec4(centers[v], 1));
-      out.normals[v] = real * in.normals[v];
+      if (!in.normals.empty()) out.normals[v] = real * in.normals[v];
     }
 }
 

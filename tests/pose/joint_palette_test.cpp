@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/math/decompose.h"
+#include "runtime/math/determinant_sign.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 #include "tests/support/simd_targets.h"
@@ -104,6 +107,107 @@ TEST(split_palette, N19_rotation_times_stretch_is_the_matrix) {
   for (std::size_t i = 0; i < palette.size(); ++i) {
     EXPECT_TRUE(test::is_near(rebuilt(split[i]), affine_from(palette[i]), 1e-5)) << i;
     EXPECT_NEAR(safe_length(split[i].rigid.real), 1.0f, 1e-6f) << i;
+  }
+}
+
+/// Matrices of every kind in turn: rigid, mirrored, stretched a little, much and far too much for lanes, flat, nothing,
+/// not finite, and so large that the stretch is infinite in float.
+std::vector<JointMatrix> matrices_of_every_kind(std::size_t count) {
+  constexpr float kNone = 0.0f, kTiny = 1e-5f;
+  const glm::vec3 scales[] = {{1, 1, 1},      {0.9f, 1.2f, 1}, {1, 1, 1}, {-1, 1, 1}, {2, 2, 2}, {1, kNone, 1},
+                              {0.02f, 1, -1}, {kTiny, 1, 1},   {1, 1, 1}, {0, 0, 0},  {1, 1, 1}, {1, -1e-7f, 0.5f}};
+  test::FixedRandom random(77);
+  std::vector<JointMatrix> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t kind = i % std::size(scales);
+    Mat3<float> m = matrix_from_unit_quat(random.rotation<float>());
+    for (int c = 0; c < 3; ++c) m[c] *= scales[kind][c];
+    m = m * matrix_from_unit_quat(random.rotation<float>());
+    if (kind == 8) m[1][2] = std::numeric_limits<float>::quiet_NaN();
+    if (kind == 10) m = Mat3<float>(2, 2, -1, -1, 2, 2, 2, -1, 2) * 1.5e38f;
+    out.push_back(joint_matrix_from(affine_from(m, random.vec3())));
+  }
+  return out;
+}
+
+TEST(split_palette, N27_N28_lanes_and_instruction_sets_give_each_matrix_the_same_bits) {
+  const std::vector<JointMatrix> all = matrices_of_every_kind(36);
+  std::vector<RigidStretch> alone(all.size());
+  {
+    const test::OnlyTarget only(test::simd_targets().back());
+    for (std::size_t i = 0; i < all.size(); ++i) run(SplitPaletteJob{std::span(all).subspan(i, 1), {&alone[i], 1}});
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    for (std::size_t first = 0; first < 12; ++first)
+      for (std::size_t count = 1; count <= 17; ++count) {
+        std::vector<RigidStretch> split(count);
+        run(SplitPaletteJob{std::span(all).subspan(first, count), split});
+        for (std::size_t i = 0; i < count; ++i)
+          EXPECT_TRUE(same_bits(split[i], alone[first + i]))
+              << first << ' ' << i << " of " << count << ' ' << test::simd_name(target);
+      }
+  }
+}
+
+/// Largest difference of the split from the decomposition in double precision: of the components of the quaternion,
+/// and of the stretch relative to its largest entry. 1 is what rounding to float alone may do.
+double roundings_from_double(const RigidStretch& split, const JointMatrix& matrix) {
+  const auto truth = decompose_polar(Mat3<double>(linear_part(affine_from(matrix))));
+  const auto& q = split.rigid.real;
+  const double side = quat_dot(truth.quat, quat_cast<double>(q)) < 0.0 ? -1.0 : 1.0;
+  double worst = 0.0, largest = 0.0;
+  for (int c = 0; c < 4; ++c) worst = std::max(worst, std::abs(static_cast<double>(q[c]) - side * truth.quat[c]));
+  for (const double s : truth.stretch) largest = std::max(largest, std::abs(s));
+  for (int c = 0; c < 6; ++c)
+    worst = std::max(worst, std::abs(static_cast<double>(split.stretch[c]) - truth.stretch[c]) / largest);
+  return worst / test::kEps;
+}
+
+TEST(split_palette, N19_rotations_and_stretches_are_those_of_double_rounded_once) {
+  test::FixedRandom random(21);
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    for (const double least : {1.0, 0.999999, 0.9995, 0.8, 0.3, 0.05, 0.01})
+      for (const double size : {1e-18, 1.0, 1e15}) {
+        std::vector<JointMatrix> palette;
+        for (int i = 0; i < 200; ++i) {
+          Mat3<double> d(0.0);
+          for (int c = 0; c < 3; ++c) d[c][c] = (c == i % 5 ? -1 : 1) * random.in(least, 1.0) * size;
+          palette.push_back(
+              joint_matrix_from(affine_from(Mat3<float>(matrix_from_unit_quat(random.rotation<double>()) * d *
+                                                        matrix_from_unit_quat(random.rotation<double>())),
+                                            random.vec3())));
+        }
+        std::vector<RigidStretch> split(palette.size());
+        run(SplitPaletteJob{palette, split});
+        for (std::size_t i = 0; i < palette.size(); ++i) {
+          EXPECT_LE(roundings_from_double(split[i], palette[i]), 1.001) << least << ' ' << size << ' ' << i;
+          EXPECT_EQ(determinant_sign(matrix_from_stretch(split[i].stretch)), determinant_sign(affine_from(palette[i])));
+        }
+      }
+  }
+}
+
+TEST(split_palette, G48_stretches_have_the_side_of_their_matrix_however_flat_it_is) {
+  test::FixedRandom random(48);
+  std::vector<JointMatrix> palette;
+  for (int i = 0; i < 1000; ++i) {
+    const double least = std::pow(10.0, -i % 10) * (i % 20 < 10 ? 1 : -1);
+    const Mat3<double> d(1.0, 0, 0, 0, random.in(0.1, 1.0), 0, 0, 0, i % 7 == 0 ? 0.0 : least);
+    palette.push_back(joint_matrix_from(affine_from(Mat3<float>(matrix_from_unit_quat(random.rotation<double>()) * d *
+                                                                matrix_from_unit_quat(random.rotation<double>())),
+                                                    random.vec3())));
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    std::vector<RigidStretch> split(palette.size());
+    run(SplitPaletteJob{palette, split});
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+      const int sign = determinant_sign(affine_from(palette[i]));
+      EXPECT_EQ(determinant_sign(matrix_from_stretch(split[i].stretch)) < 0, sign < 0) << i;
+      EXPECT_TRUE(test::is_near(rebuilt(split[i]), affine_from(palette[i]), 1e-6)) << i;
+    }
   }
 }
 
