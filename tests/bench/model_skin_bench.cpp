@@ -2,7 +2,7 @@
 // Every kind of skinning of every skinned model of the corpus. Times of the rigid kinds include the split of the joint
 // matrices, which they need each frame. Linear blending also appears by combination of joints and weights: the cases
 // say how much it saves that vertices share them.
-#include <cmath>
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
