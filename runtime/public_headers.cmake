@@ -62,6 +62,7 @@ set(sinew_public_headers
   runtime/pose/sample_clip.h
   runtime/deform/blend_combinations.h
   runtime/deform/combine_influences.h
+  runtime/deform/flat_faces.h
   runtime/deform/flat_normals.h
   runtime/deform/grow_bounds.h
   runtime/deform/influence_streams.h

@@ -2,10 +2,12 @@
 #pragma once
 #include <bitset>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "runtime/deform/combine_influences.h"
+#include "runtime/deform/flat_faces.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_layout.h"
 #include "runtime/plan/joint_scales.h"
@@ -42,10 +44,11 @@ struct CompiledPlan {
   std::vector<float> rest_weights;          ///< [W]
 
   // Mesh instances and their primitives.
-  std::vector<PrimitivePlan> primitives;              ///< one per primitive of each mesh instance
-  std::vector<PrimitiveSkinning> primitive_skinning;  ///< parallel to `primitives`
-  std::vector<std::uint32_t> first_primitive;         ///< [instances + 1] into `primitives`
-  std::vector<bool> instance_skinned;                 ///< [instances] some primitive follows the instance's skin
+  std::vector<PrimitivePlan> primitives;                     ///< one per primitive of each mesh instance
+  std::vector<PrimitiveSkinning> primitive_skinning;         ///< parallel to `primitives`
+  std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`, of those with flat normals
+  std::vector<std::uint32_t> first_primitive;                ///< [instances + 1] into `primitives`
+  std::vector<bool> instance_skinned;                        ///< [instances] some primitive follows the instance's skin
   std::vector<JointScale> instance_scales;  ///< [instances] of the matrix whose determinant says which way faces
                                             ///< wind, without the root
 

@@ -81,10 +81,14 @@ struct Deformation {
     replace(out);
   }
 
-  void flatten(bool turned) noexcept {
+  void flatten(const FlatFaces& faces, bool turned) noexcept {
     const std::span<glm::vec3> normals = memory.array<glm::vec3>(at.normals_at, primitive.vertex_count());
-    flat_normals(primitive.indices, now.positions, primitive.normals, turned, normals);
-    work.flat_triangles += primitive.indices.size() / 3;
+    run(FlatNormalsJob{.faces = &faces,
+                       .positions = now.positions,
+                       .rest_normals = primitive.normals,
+                       .turned = turned,
+                       .normals = normals});
+    work.flat_triangles += faces.count();
     now.normals = normals;
     work.spent_on(Stage::flat_normals);
   }
@@ -176,7 +180,7 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std:
   work.morph_deltas += active.shape + active.colors;
   if (active.shape > 0) stages.morph(weights);
   if (skins) stages.skin(uneven_root);
-  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(mirrored && skins);
+  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(*plan.flat_faces[p], mirrored && skins);
 
   DeformedPrimitive result{.instance = planned.instance,
                            .primitive = planned.primitive,

@@ -87,6 +87,19 @@ class CombinationsOfPlan {
   std::map<std::pair<const Primitive*, std::uint32_t>, std::uint32_t> known_;
 };
 
+/// Sorts the triangles of primitives with flat normals, once for all instances of a mesh.
+class FlatFacesOfPlan {
+ public:
+  std::shared_ptr<const FlatFaces> of(const Primitive& primitive) {
+    std::shared_ptr<const FlatFaces>& faces = known_[&primitive];
+    if (!faces) faces = std::make_shared<const FlatFaces>(sort_flat_faces(primitive.indices, primitive.vertex_count()));
+    return faces;
+  }
+
+ private:
+  std::map<const Primitive*, std::shared_ptr<const FlatFaces>> known_;
+};
+
 /// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of
 /// joints.
 bool has_uneven_normals(const CompiledPlan& plan, const Primitive& primitive, const Skin& skin) {
@@ -139,6 +152,7 @@ void plan_primitives(CompiledPlan& plan) {
   const NeverShown never_shown(plan);
   const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
   CombinationsOfPlan combinations(plan);
+  FlatFacesOfPlan flat_faces;
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
@@ -152,6 +166,7 @@ void plan_primitives(CompiledPlan& plan) {
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();
       PrimitiveSkinning skinning;
       if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, combinations, planned, skinning);
+      plan.flat_faces.push_back(planned.flat_normals ? flat_faces.of(primitives[p]) : nullptr);
       plan.primitives.push_back(planned);
       plan.primitive_skinning.push_back(std::move(skinning));
     }
