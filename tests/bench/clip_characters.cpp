@@ -40,6 +40,14 @@ void add_clips(const std::string& name, const Scene& scene, std::vector<std::sha
   }
 }
 
+Scene swinging_scene(Skeleton skeleton, std::size_t keys) {
+  Scene scene;
+  scene.animations.push_back(scenes::swinging(skeleton, keys));
+  scene.skeleton = std::move(skeleton);
+  finish_scene(scene);
+  return scene;
+}
+
 Animation joints_of(Animation animation) {
   animation.weights.clear();
   animation.properties.clear();
@@ -82,7 +90,7 @@ const std::vector<std::shared_ptr<const Character>>& characters() {
       Animation animation = scenes::swinging(skeleton, keys);
       found.push_back(std::make_shared<Character>(name, std::move(skeleton), std::move(animation)));
     };
-    add("biped67", scenes::biped(), 300);
+    add_clips("biped67", swinging_scene(scenes::biped(), 300), found);
     add("tree1024", scenes::wide_tree(1024), 120);
     add("chain1024", scenes::long_chain(1024), 120);
     for (const auto& shown : showcase::showcase())

@@ -17,7 +17,7 @@ struct Character {
   Skeleton skeleton;
   Animation animation;
   Clip clip;
-  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; for models only
+  std::optional<Clip> packed;  ///< the same within kPackedBudgetM; for models and the biped only
 
   Character(std::string named, Skeleton s, Animation a);
   std::size_t joint_count() const { return skeleton.joint_count(); }

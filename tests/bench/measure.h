@@ -43,7 +43,8 @@ void register_cases();
 /// 1, 2, 4, ... up to the number of cores of the machine; always at least 1 and 2.
 std::vector<std::size_t> thread_counts();
 
-/// Runs each case of at most 100,000 items once under callgrind, which dumps its instruction count.
+/// Runs our own cases of at most 100,000 items once each, on each target that callgrind knows. It dumps the count of
+/// instructions of each, named `target case item_count`.
 /// err  false: not under valgrind
 bool count_instructions();
 
@@ -56,7 +57,9 @@ void add_local_to_model();
 void add_instances();
 void add_crowd();
 void add_correctives();
+void add_palettes();
 void add_morph();
+void add_flat_normals();
 void add_skin(std::size_t most_vertices);
 void add_model_skin();
 void add_frame(std::size_t most_vertices);

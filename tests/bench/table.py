@@ -2,15 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Prints the results of sinew-bench as a Markdown table: each job and case, ours beside the plain GLM version.
 
-    table.py [--all] BENCH.json [DIR]
-                                   table of a finished run (--benchmark_out of sinew-bench), with the instructions that callgrind
-                                   counted in DIR when there are any; the rows of README.md in this folder, or all of them
-    table.py --run SINEW_BENCH     runs every benchmark once, briefly, and fails when one of ours has no GLM partner
+    table.py [--all] BENCH.json...    table of finished runs (--benchmark_out of sinew-bench), a column for each: its instruction set;
+                                      the other columns are of the first. The rows of README.md in this folder, or all of them
+    table.py --run SINEW_BENCH        runs every benchmark once, briefly, and fails when one of ours has no GLM partner
 """
-import glob
 import json
 import math
-import os
 import re
 import subprocess
 import sys
@@ -42,51 +39,39 @@ def read(report):
     return found
 
 
-def read_instructions(folder):
-    """{run name: instructions per item}, from the dumps of callgrind."""
-    counts = {}
-    for path in glob.glob(os.path.join(folder, "callgrind.*")) if folder else []:
-        label = total = None
-        with open(path, encoding="utf-8", errors="replace") as file:
-            for line in file:
-                if line.startswith("desc: Trigger: Client Request: "):
-                    label = line.split(": ", 3)[3].split()
-                if line.startswith(("summary: ", "totals: ")):
-                    total = int(line.split()[1])
-        if label and total:
-            counts[label[0]] = total / int(label[1])
-    return counts
-
-
 def number(value, form):
     return "" if value is None or (isinstance(value, float) and math.isnan(value)) else form % value
 
 
-def row(job, case, entry, plain, stream, instructions):
-    time = entry["per_item"] * 1e9
-    ratio = time / (plain["per_item"] * 1e9) if plain else None
+def row(job, case, times, entry, plain, stream):
+    """`times`: per item on each target, None where that did not run the case."""
+    ratio = entry["per_item"] / plain["per_item"] if plain else None
     rate = entry.get("bytes_per_second")
     of_stream = f" ({stream['per_item'] / entry['per_item'] * 100:.0f} %)" if stream and rate else ""
     spread = entry.get("spread")
-    cells = [job, case, number(time, "%.2f"), number(spread * 100 if spread is not None else None, "%.0f %%"),
+    cells = [job, case, *(number(time * 1e9 if time is not None else None, "%.2f") for time in times),
+             number(spread * 100 if spread is not None else None, "%.0f %%"),
              number(plain["per_item"] * 1e9 if plain else None, "%.2f"), number(ratio, "%.2f"), number(entry.get("error"), "%.1e"),
-             number(plain.get("error") if plain else None, "%.1e"), number(instructions.get(entry["run_name"]), "%.1f"),
+             number(plain.get("error") if plain else None, "%.1e"),
              "%.0f MB/s" % (rate / 1e6) if rate and job == "import" else number(rate / 1e9 if rate else None, "%.0f") + of_stream]
     print("| " + " | ".join(cells) + " |")
 
 
-def print_table(found, instructions, everything):
-    print("| job | case | ns/item | spread | GLM ns | ratio | error | GLM error | instructions | GB/s (of stream) |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
-    for (job, case), entries in sorted(found.items()):
+def print_table(runs, everything):
+    """in   runs  {target: what read() found}, the one with the plain versions first"""
+    print("| job | case | " + " | ".join(f"{target}, ns" for target in runs) + " | spread | GLM ns | ratio | error | GLM error | GB/s (of stream) |")
+    print("|---|---|" + "---|" * (len(runs) + 6))
+    for (job, case), entries in sorted(next(iter(runs.values())).items()):
         if not everything and not HEADLINES.fullmatch(f"{job}/{case}"):
             continue
         plain, stream = entries.get("glm", entries.get("tinygltf")), entries.get("stream")
-        if "copy" in entries:
-            row(job, "copy " + case, entries["copy"], None, None, {})
         for implementation, entry in entries.items():
-            if implementation in ("sinew", "packed", "unpacked") or (everything and implementation not in BASELINES):
-                row(job, case if implementation == "sinew" else f"{case}, {implementation}", entry, plain, stream, instructions)
+            found = [run.get((job, case), {}).get(implementation) for run in runs.values()]
+            times = [other and other["per_item"] for other in found]
+            if implementation == "copy":
+                row(job, "copy " + case, times, entry, None, None)
+            elif implementation in ("sinew", "packed", "unpacked") or (everything and implementation not in BASELINES):
+                row(job, case if implementation == "sinew" else f"{case}, {implementation}", times, entry, plain, stream)
 
 
 def print_stages(found):
@@ -110,18 +95,20 @@ def main():
         missing = [job for job in (*PAIRS, "import", "memory") if not any(key[0] == job and HEADLINES.fullmatch("/".join(key)) for key in found)]
         if alone or missing:
             sys.exit(f"without a partner: {alone}; missing: {missing}")
-        print_table(found, {}, everything=True)
+        print_table({"best": found}, everything=True)
         print_stages(found)
         return
     paths = [argument for argument in sys.argv[1:] if argument != "--all"]
-    if len(paths) not in (1, 2) or paths[0].startswith("--"):
+    if not paths or any(path.startswith("--") for path in paths):
         sys.exit(__doc__)
-    with open(paths[0], encoding="utf-8") as file:
-        found = read(json.load(file))
-    print_table(found, read_instructions(paths[1] if len(paths) == 2 else None),
-                everything="--all" in sys.argv)
+    runs = {}
+    for path in paths:
+        with open(path, encoding="utf-8") as file:
+            report = json.load(file)
+        runs[report["context"]["target"]] = read(report)
+    print_table(runs, everything="--all" in sys.argv)
     if "--all" in sys.argv:
-        print_stages(found)
+        print_stages(next(iter(runs.values())))
 
 
 if __name__ == "__main__":

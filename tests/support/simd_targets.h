@@ -23,19 +23,20 @@ inline bool fuses_multiply_add(std::int64_t target) {
   return (target & kRoundTwice) == 0;
 }
 
+/// Restricts the jobs to one instruction set, until all are allowed again.
+inline void allow_only(std::int64_t target) {
+  hwy::SetSupportedTargetsForTest(target);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+inline void allow_all_targets() { allow_only(0); }
+
 /// Restricts the jobs to one instruction set during its lifetime.
 class OnlyTarget {
  public:
-  explicit OnlyTarget(std::int64_t target) { choose(target); }
-  ~OnlyTarget() { choose(0); }
+  explicit OnlyTarget(std::int64_t target) { allow_only(target); }
+  ~OnlyTarget() { allow_all_targets(); }
   OnlyTarget(const OnlyTarget&) = delete;
   OnlyTarget& operator=(const OnlyTarget&) = delete;
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
 };
 
 }  // namespace sinew::test
