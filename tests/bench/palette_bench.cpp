@@ -52,9 +52,11 @@ void add_palettes() {
 void add_flat_normals() {
   constexpr std::uint32_t kTriangles = 4'000;
   const auto surface = std::make_shared<const Primitive>(scenes::skinned_surface(scenes::biped(), 3 * kTriangles, 4));
+  const auto faces = std::make_shared<const FlatFaces>(sort_flat_faces(surface->indices, surface->vertex_count()));
   const auto normals = std::make_shared<std::vector<glm::vec3>>(surface->vertex_count());
-  add("flat_normals/sinew/4ktriangles", kTriangles,
-      [surface, normals] { flat_normals(surface->indices, surface->positions, surface->normals, false, *normals); });
+  add("flat_normals/sinew/4ktriangles", kTriangles, [surface, faces, normals] {
+    run(FlatNormalsJob{faces.get(), surface->positions, surface->normals, false, *normals});
+  });
 }
 
 }  // namespace sinew::bench
