@@ -15,10 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-struct Rotations {
-  Lanes x, y, z, w;
-};
-
 /// eq   a * b, in single multiplications and additions (N27)
 HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
   const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
@@ -38,16 +34,11 @@ HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, 
   const Lanes side = hn::IfThenElse(hn::Lt(delta.w, hn::Zero(d)), hn::Neg(weight), weight);
   const Rotations part{hn::Mul(side, delta.x), hn::Mul(side, delta.y), hn::Mul(side, delta.z),
                        hn::Add(hn::Sub(one, weight), hn::Mul(side, delta.w))};
-  const Rotations q = product(part, {pose.rx, pose.ry, pose.rz, pose.rw});
+  const Rotations q = normalised(product(part, {pose.rx, pose.ry, pose.rz, pose.rw}));
   pose.rx = q.x;
   pose.ry = q.y;
   pose.rz = q.z;
   pose.rw = q.w;
-  const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(pose, pose)));
-  pose.rx = hn::Mul(q.x, by_length);
-  pose.ry = hn::Mul(q.y, by_length);
-  pose.rz = hn::Mul(q.z, by_length);
-  pose.rw = hn::Mul(q.w, by_length);
 }
 
 HWY_INLINE Lanes added_scale(Lanes scale, Lanes layer, Lanes reference, Lanes weight) {

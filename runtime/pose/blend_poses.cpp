@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/pose/blend_poses.cpp"
@@ -14,123 +15,252 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Adds a weighted transform, its rotation on the side of the pivot; sign(0) = +1.
-HWY_INLINE void add(TransformLanes& sum, const TransformLanes& t, Lanes weight, const TransformLanes& pivot) {
-  const Floats d;
-  const Lanes turned = hn::IfThenElse(hn::Lt(dot4(pivot, t), hn::Zero(d)), hn::Neg(weight), weight);
-  sum.tx = add_product(sum.tx, t.tx, weight);
-  sum.ty = add_product(sum.ty, t.ty, weight);
-  sum.tz = add_product(sum.tz, t.tz, weight);
-  sum.rx = add_product(sum.rx, t.rx, turned);
-  sum.ry = add_product(sum.ry, t.ry, turned);
-  sum.rz = add_product(sum.rz, t.rz, turned);
-  sum.rw = add_product(sum.rw, t.rw, turned);
-  sum.sx = add_product(sum.sx, t.sx, weight);
-  sum.sy = add_product(sum.sy, t.sy, weight);
-  sum.sz = add_product(sum.sz, t.sz, weight);
+HWY_INLINE void add(Rotations& sum, const Rotations& q) {
+  sum = {hn::Add(sum.x, q.x), hn::Add(sum.y, q.y), hn::Add(sum.z, q.z), hn::Add(sum.w, q.w)};
 }
 
-/// Means from sums: divided by the total weight, the rotation by its length. The aligned sum has at least the pivot's
-/// share of the total as length, so there is always a direction.
-HWY_INLINE TransformLanes mean(const TransformLanes& sum, Lanes total) {
+/// The weight, negated where a rotation is not on the side of the pivot; sign(0) = +1.
+HWY_INLINE Lanes turned(Lanes weight, const Rotations& q, const Rotations& pivot) {
   const Floats d;
-  const Lanes one = hn::Set(d, 1.0f), by_total = hn::Div(one, total);
-  TransformLanes m = sum;
-  m.rx = hn::Mul(m.rx, by_total);
-  m.ry = hn::Mul(m.ry, by_total);
-  m.rz = hn::Mul(m.rz, by_total);
-  m.rw = hn::Mul(m.rw, by_total);
-  const Lanes by_length = hn::Div(one, hn::Sqrt(dot4(m, m)));
-  m.rx = hn::Mul(m.rx, by_length);
-  m.ry = hn::Mul(m.ry, by_length);
-  m.rz = hn::Mul(m.rz, by_length);
-  m.rw = hn::Mul(m.rw, by_length);
-  m.tx = hn::Mul(m.tx, by_total);
-  m.ty = hn::Mul(m.ty, by_total);
-  m.tz = hn::Mul(m.tz, by_total);
-  m.sx = hn::Mul(m.sx, by_total);
-  m.sy = hn::Mul(m.sy, by_total);
-  m.sz = hn::Mul(m.sz, by_total);
-  return m;
+  return hn::Xor(weight, hn::IfThenElseZero(hn::Lt(dot4(pivot, q), hn::Zero(d)), hn::SignBit(d)));
 }
 
-/// Blends one vector of joints from `j` on.
-HWY_INLINE void blend_lanes(const BlendPosesJob& job, std::size_t j) {
+/// The mean of the rotations from joint `j` on: the aligned sum by the total weight and by its length. The sum has at
+/// least the pivot's share of the total as length, so there is always a direction.
+template <class Terms>
+HWY_INLINE Rotations mean_rotation(const Terms& terms, const Rotations& pivot, std::size_t stride, std::size_t j) {
+  const auto weighted = [&](std::size_t i) HWY_ATTR {
+    if (terms.is_pivot(i)) return scaled(pivot, terms.weight(i));
+    const Rotations q = load_rotations(terms.planes(i), stride, j);
+    return scaled(q, turned(terms.weight(i), q, pivot));
+  };
+  Rotations sum = weighted(0);
+  for (std::size_t i = 1; i < terms.count(); ++i) add(sum, weighted(i));
+  return normalised(terms.sums_to_one() ? sum : scaled(sum, terms.by_total()));
+}
+
+/// Translations and scales.
+struct Vectors {
+  Lanes tx, ty, tz, sx, sy, sz;
+};
+
+HWY_INLINE Vectors load_vectors(const float* planes, std::size_t stride, std::size_t j) {
   const Floats d;
-  const Lanes zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const TransformLanes rest = load(job.rest, j);
-  Lanes weight_sum = zero, largest = zero, contributors = zero;
-  TransformLanes heaviest = rest;
+  const float *t = planes + PoseSpan::tx * stride + j, *s = planes + PoseSpan::sx * stride + j;
+  return {hn::LoadU(d, t), hn::LoadU(d, t + stride), hn::LoadU(d, t + 2 * stride),
+          hn::LoadU(d, s), hn::LoadU(d, s + stride), hn::LoadU(d, s + 2 * stride)};
+}
+HWY_INLINE Vectors scaled(const Vectors& v, Lanes by) {
+  return {hn::Mul(v.tx, by), hn::Mul(v.ty, by), hn::Mul(v.tz, by),
+          hn::Mul(v.sx, by), hn::Mul(v.sy, by), hn::Mul(v.sz, by)};
+}
+HWY_INLINE void add(Vectors& sum, const Vectors& v) {
+  sum = {hn::Add(sum.tx, v.tx), hn::Add(sum.ty, v.ty), hn::Add(sum.tz, v.tz),
+         hn::Add(sum.sx, v.sx), hn::Add(sum.sy, v.sy), hn::Add(sum.sz, v.sz)};
+}
+
+/// The mean of the translations and scales from joint `j` on. Apart from the rotations: the sums of whole transforms
+/// would not fit into sixteen registers.
+template <class Terms>
+HWY_INLINE Vectors mean_vectors(const Terms& terms, std::size_t stride, std::size_t j) {
+  const auto weighted = [&](std::size_t i)
+                            HWY_ATTR { return scaled(load_vectors(terms.planes(i), stride, j), terms.weight(i)); };
+  Vectors sum = weighted(0);
+  for (std::size_t i = 1; i < terms.count(); ++i) add(sum, weighted(i));
+  return terms.sums_to_one() ? sum : scaled(sum, terms.by_total());
+}
+
+HWY_INLINE void store(const Vectors& v, float* planes, std::size_t stride, std::size_t j) {
+  const Floats d;
+  float *t = planes + PoseSpan::tx * stride + j, *s = planes + PoseSpan::sx * stride + j;
+  hn::StoreU(v.tx, d, t);
+  hn::StoreU(v.ty, d, t + stride);
+  hn::StoreU(v.tz, d, t + 2 * stride);
+  hn::StoreU(v.sx, d, s);
+  hn::StoreU(v.sy, d, s + stride);
+  hn::StoreU(v.sz, d, s + 2 * stride);
+}
+
+/// Poses and weights of one vector of joints, whose weights differ from joint to joint.
+class LaneTerms {
+ public:
+  HWY_INLINE LaneTerms(const BlendPosesJob& job, std::size_t j)
+      : job_(job),
+        j_(j),
+        pivot_(load_rotations(job.rest.planes, job.rest.stride, j)),
+        largest_(hn::Zero(Floats())),
+        total_(largest_),
+        rest_weight_(largest_) {
+    const Floats d;
+    const Lanes zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const Rotations rest = pivot_;
+    Lanes contributors = zero;
+    for (std::size_t i = 0; i < job.layers.size(); ++i) {
+      const BlendLayer& layer = job.layers[i];
+      const Lanes w = weight_of(layer, j);
+      if (i < kKept) kept_[i] = w;
+      pivot_ = choose(hn::Gt(w, largest_), load_rotations(layer.pose.planes, layer.pose.stride, j), pivot_);
+      largest_ = hn::Max(largest_, w);
+      total_ = hn::Add(total_, w);
+      contributors = hn::Add(contributors, hn::IfThenElseZero(hn::Gt(w, zero), one));
+    }
+    rest_weight_ = hn::Max(hn::Sub(one, total_), zero);
+    total_ = hn::Add(total_, rest_weight_);
+    pivot_ = choose(hn::Gt(rest_weight_, largest_), rest, pivot_);
+    alone_ = hn::Or(hn::Eq(contributors, zero),
+                    hn::And(hn::Eq(contributors, one), hn::Lt(rest_weight_, hn::Set(d, kNegligible))));
+  }
+
+  std::size_t count() const { return job_.layers.size() + 1; }
+  HWY_INLINE const float* planes(std::size_t i) const {
+    return i == job_.layers.size() ? job_.rest.planes : job_.layers[i].pose.planes;
+  }
+  HWY_INLINE Lanes weight(std::size_t i) const {
+    if (i == job_.layers.size()) return rest_weight_;
+    return i < kKept ? kept_[i] : weight_of(job_.layers[i], j_);
+  }
+  bool is_pivot(std::size_t) const { return false; }  // of all lanes
+  bool sums_to_one() const { return false; }
+  HWY_INLINE Lanes by_total() const { return hn::Div(hn::Set(Floats(), 1.0f), total_); }
+  const Rotations& pivot() const { return pivot_; }
+  /// Where nothing is to be blended: one layer counts, or none, and rest takes its place.
+  hn::Mask<Floats> alone() const { return alone_; }
+
+ private:
+  static constexpr std::size_t kKept = 8;  ///< weights that are worked out once
+
+  const BlendPosesJob& job_;
+  std::size_t j_;
+  Rotations pivot_;
+  Lanes largest_, total_, rest_weight_, kept_[kKept];
+  hn::Mask<Floats> alone_;
+};
+
+/// The transform of the layer with the largest weight, of rest where no layer has any.
+HWY_INLINE TransformLanes heaviest(const BlendPosesJob& job, std::size_t j) {
+  TransformLanes found = load(job.rest, j);
+  Lanes largest = hn::Zero(Floats());
   for (const BlendLayer& layer : job.layers) {
     const Lanes w = weight_of(layer, j);
-    heaviest = choose(hn::Gt(w, largest), load(layer.pose, j), heaviest);
+    found = choose(hn::Gt(w, largest), load(layer.pose, j), found);
     largest = hn::Max(largest, w);
-    weight_sum = hn::Add(weight_sum, w);
-    contributors = hn::Add(contributors, hn::IfThenElseZero(hn::Gt(w, zero), one));
   }
-  const Lanes rest_weight = hn::Max(hn::Sub(one, weight_sum), zero);
-  const TransformLanes pivot = choose(hn::Gt(rest_weight, largest), rest, heaviest);
-  TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (const BlendLayer& layer : job.layers) add(sum, load(layer.pose, j), weight_of(layer, j), pivot);
-  add(sum, rest, rest_weight, pivot);
-  const TransformLanes blended = mean(sum, hn::Add(weight_sum, rest_weight));
-  // Where nothing is to be blended, the one transform that counts comes out bit for bit; without any layer that is
-  // rest.
-  const auto alone = hn::Or(hn::Eq(contributors, zero),
-                            hn::And(hn::Eq(contributors, one), hn::Lt(rest_weight, hn::Set(d, kNegligible))));
-  store(choose(alone, heaviest, blended), job.pose, j);
+  return found;
 }
 
-/// What the lanes of blend_lanes work out joint by joint, for layers without masks: the same for all joints.
-struct SameForAllJoints {
-  const BlendLayer* heaviest = nullptr;  ///< nullptr = rest
-  float total = 0.0f, rest_weight = 1.0f;
-  std::size_t contributors = 0;
+/// Blends one vector of joints from `j` on. Where nothing is to be blended, the one transform that counts comes out bit
+/// for bit.
+void blend_lanes(const BlendPosesJob& job, std::size_t j) {
+  const Floats d;
+  const LaneTerms terms(job, j);
+  if (hn::AllTrue(d, terms.alone())) return store(heaviest(job, j), job.pose, j);
+  const std::size_t stride = job.pose.stride;
+  const Rotations q = mean_rotation(terms, terms.pivot(), stride, j);
+  const Vectors v = mean_vectors(terms, stride, j);
+  const TransformLanes blended{v.tx, v.ty, v.tz, q.x, q.y, q.z, q.w, v.sx, v.sy, v.sz};
+  store(hn::AllFalse(d, terms.alone()) ? blended : choose(terms.alone(), heaviest(job, j), blended), job.pose, j);
+}
 
-  explicit SameForAllJoints(std::span<const BlendLayer> layers) {
+/// Poses and weights that are the same for all joints: of layers without masks, at most kMost poses with rest.
+class EqualTerms {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  explicit EqualTerms(const BlendPosesJob& job) {
     float largest = 0.0f, sum = 0.0f;
-    for (const BlendLayer& layer : layers) {
+    for (const BlendLayer& layer : job.layers) {
       if (layer.weight < kNegligible) continue;
       if (layer.weight > largest) {
         largest = layer.weight;
-        heaviest = &layer;
+        pivot_ = count_;
       }
       sum += layer.weight;
-      ++contributors;
+      put(layer.pose.planes, layer.weight);
     }
-    rest_weight = std::max(1.0f - sum, 0.0f);
-    total = sum + rest_weight;
-    if (rest_weight > largest) heaviest = nullptr;
-    if (contributors == 1 && rest_weight < kNegligible) contributors = 0;
+    const float rest_weight = std::max(1.0f - sum, 0.0f);
+    total_ = sum + rest_weight;
+    if (rest_weight > largest) pivot_ = count_;
+    if (rest_weight > 0.0f) put(job.rest.planes, rest_weight);
   }
-  /// Nothing is to be blended: the heaviest transform comes out bit for bit.
-  bool alone() const { return contributors == 0; }
+
+  std::size_t count() const { return count_; }
+  const float* planes(std::size_t i) const { return planes_[i]; }
+  HWY_INLINE Lanes weight(std::size_t i) const { return hn::Set(Floats(), weights_[i]); }
+  bool is_pivot(std::size_t i) const { return i == pivot_; }
+  const float* pivot() const { return planes_[pivot_]; }
+  bool sums_to_one() const { return total_ == 1.0f; }
+  HWY_INLINE Lanes by_total() const { return hn::Div(hn::Set(Floats(), 1.0f), hn::Set(Floats(), total_)); }
+
+ private:
+  void put(const float* planes, float weight) {
+    planes_[count_] = planes;
+    weights_[count_++] = weight;
+  }
+
+  const float* planes_[kMost];
+  float weights_[kMost], total_;
+  std::size_t count_ = 0, pivot_ = 0;
 };
+
+/// The same of a known number of poses: loops over them are unrolled, and what they need stays in registers.
+template <std::size_t kCount>
+class CountedTerms {
+ public:
+  HWY_INLINE explicit CountedTerms(const EqualTerms& terms) : all_(terms) {
+    for (std::size_t i = 0; i < kCount; ++i) {
+      planes_[i] = terms.planes(i);
+      weights_[i] = terms.weight(i);
+    }
+  }
+
+  static constexpr std::size_t count() { return kCount; }
+  const float* planes(std::size_t i) const { return planes_[i]; }
+  HWY_INLINE Lanes weight(std::size_t i) const { return weights_[i]; }
+  bool is_pivot(std::size_t i) const { return all_.is_pivot(i); }
+  const float* pivot() const { return all_.pivot(); }
+  bool sums_to_one() const { return all_.sums_to_one(); }
+  HWY_INLINE Lanes by_total() const { return all_.by_total(); }
+
+ private:
+  const EqualTerms& all_;
+  const float* planes_[kCount];
+  Lanes weights_[kCount];
+};
+
+template <class Terms>
+HWY_INLINE void blend_equally(const BlendPosesJob& job, const Terms& terms) {
+  const std::size_t stride = job.pose.stride, joints = job.pose.joint_count;
+  float* planes = job.pose.planes;
+  const float* pivot = terms.pivot();
+  for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats()))
+    store(mean_rotation(terms, load_rotations(pivot, stride, j), stride, j), planes, stride, j);
+  for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats()))
+    store(mean_vectors(terms, stride, j), planes, stride, j);
+}
+
+template <std::size_t kCount>
+HWY_NOINLINE void blend_counted(const BlendPosesJob& job, const EqualTerms& terms) {
+  blend_equally(job, CountedTerms<kCount>(terms));
+}
 
 /// The same means as blend_lanes, reading each pose once.
 void blend_without_masks(const BlendPosesJob& job) {
-  const Floats d;
-  const SameForAllJoints same(job.layers);
-  const PoseSpan& pivot_pose = same.heaviest == nullptr ? job.rest : same.heaviest->pose;
-  const Lanes total = hn::Set(d, same.total), zero = hn::Zero(d);
-  for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(d)) {
-    const TransformLanes pivot = load(pivot_pose, j);
-    if (same.alone()) {
-      store(pivot, job.pose, j);
-      continue;
-    }
-    TransformLanes sum{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-    for (const BlendLayer& layer : job.layers)
-      if (layer.weight >= kNegligible) add(sum, load(layer.pose, j), hn::Set(d, layer.weight), pivot);
-    if (same.rest_weight > 0.0f) add(sum, load(job.rest, j), hn::Set(d, same.rest_weight), pivot);
-    store(mean(sum, total), job.pose, j);
+  const EqualTerms terms(job);
+  switch (terms.count()) {
+    case 1:
+      std::memmove(job.pose.planes, terms.pivot(), PoseSpan::plane_count * job.pose.stride * sizeof(float));
+      break;
+    case 2: blend_counted<2>(job, terms); break;
+    case 3: blend_counted<3>(job, terms); break;
+    case 4: blend_counted<4>(job, terms); break;
+    default: blend_equally(job, terms); break;
   }
 }
 
 void blend_all(const BlendPosesJob& job) {
-  if (std::none_of(job.layers.begin(), job.layers.end(),
-                   [](const BlendLayer& layer) { return !layer.joint_weights.empty(); }))
-    return blend_without_masks(job);
+  bool masked = job.layers.size() >= EqualTerms::kMost;
+  for (const BlendLayer& layer : job.layers) masked = masked || !layer.joint_weights.empty();
+  if (!masked) return blend_without_masks(job);
   for (std::size_t j = 0; j < job.pose.joint_count; j += hn::Lanes(Floats())) blend_lanes(job, j);
 }
 

@@ -21,6 +21,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using Lanes = hn::Vec<Floats>;
 
+struct Rotations {
+  Lanes x, y, z, w;
+};
+
 struct TransformLanes {
   Lanes tx, ty, tz, rx, ry, rz, rw, sx, sy, sz;
 };
@@ -58,25 +62,54 @@ HWY_INLINE TransformLanes choose(Mask m, const TransformLanes& a, const Transfor
           hn::IfThenElse(m, a.sz, b.sz)};
 }
 
+/// The rotations of a pose from joint `j` on, whose planes have `stride` floats. Jobs pass one stride for all their
+/// poses.
+HWY_INLINE Rotations load_rotations(const float* planes, std::size_t stride, std::size_t j) {
+  const Floats d;
+  const float* x = planes + PoseSpan::rx * stride + j;
+  return {hn::LoadU(d, x), hn::LoadU(d, x + stride), hn::LoadU(d, x + 2 * stride), hn::LoadU(d, x + 3 * stride)};
+}
+HWY_INLINE void store(const Rotations& q, float* planes, std::size_t stride, std::size_t j) {
+  const Floats d;
+  float* x = planes + PoseSpan::rx * stride + j;
+  hn::StoreU(q.x, d, x);
+  hn::StoreU(q.y, d, x + stride);
+  hn::StoreU(q.z, d, x + 2 * stride);
+  hn::StoreU(q.w, d, x + 3 * stride);
+}
+
+template <class Mask>
+HWY_INLINE Rotations choose(Mask m, const Rotations& a, const Rotations& b) {
+  return {hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z),
+          hn::IfThenElse(m, a.w, b.w)};
+}
+
 /// Weight of a layer for the joints from `j` on. Joint weights have no padding, so the last ones are copied.
 HWY_INLINE Lanes weight_of(const BlendLayer& layer, std::size_t j) {
   const Floats d;
   Lanes w = hn::Set(d, layer.weight);
   if (!layer.joint_weights.empty()) {
     const std::size_t left = layer.joint_weights.size() - j;
-    HWY_ALIGN float tail[16] = {};
     const float* mask = layer.joint_weights.data() + j;
-    if (left < hn::Lanes(d)) {
+    if (HWY_LIKELY(left >= hn::Lanes(d))) {
+      w = hn::Mul(w, hn::LoadU(d, mask));
+    } else {
+      HWY_ALIGN float tail[16] = {};
       for (std::size_t i = 0; i < left; ++i) tail[i] = mask[i];
-      mask = tail;
+      w = hn::Mul(w, hn::Load(d, tail));
     }
-    w = hn::Mul(w, hn::LoadU(d, mask));
   }
   return hn::IfThenElseZero(hn::Ge(w, hn::Set(d, kNegligible)), w);
 }
 
-HWY_INLINE Lanes dot4(const TransformLanes& a, const TransformLanes& b) {
-  return hn::Add(hn::Add(hn::Mul(a.rx, b.rx), hn::Mul(a.ry, b.ry)), hn::Add(hn::Mul(a.rz, b.rz), hn::Mul(a.rw, b.rw)));
+HWY_INLINE Lanes dot4(const Rotations& a, const Rotations& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Add(hn::Mul(a.z, b.z), hn::Mul(a.w, b.w)));
+}
+HWY_INLINE Rotations scaled(const Rotations& q, Lanes by) {
+  return {hn::Mul(q.x, by), hn::Mul(q.y, by), hn::Mul(q.z, by), hn::Mul(q.w, by)};
+}
+HWY_INLINE Rotations normalised(const Rotations& q) {
+  return scaled(q, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot4(q, q))));
 }
 
 HWY_INLINE Lanes add_product(Lanes sum, Lanes value, Lanes weight) { return hn::Add(sum, hn::Mul(value, weight)); }
