@@ -49,7 +49,11 @@ HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
   const RowTag d;
   alignas(16) static constexpr float kLastRow[4] = {0, 0, 0, 1};
   const auto last = hn::Load(d, kLastRow);
-  const auto columns = transpose_blocks(d, m.row[0], m.row[1], m.row[2], last);
+#if HWY_MAX_BYTES >= 32
+  const auto columns = transpose_blocks(d, hn::LowerHalf(m.rows01), hn::UpperHalf(d, m.rows01), m.row2, last);
+#else
+  const auto columns = transpose_blocks(d, m.row0, m.row1, m.row2, last);
+#endif
   hn::Store(columns.x, d, &out.column[0].x);
   hn::Store(columns.y, d, &out.column[1].x);
   hn::Store(columns.z, d, &out.column[2].x);

@@ -53,25 +53,24 @@ HWY_INLINE void store_row(Lanes x, Lanes y, Lanes z, Lanes w, float* row) {
 #endif
 }
 
-/// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28)
-HWY_INLINE void store_matrices(const PoseSpan& pose, std::size_t j, float* x_row) {
+/// eq   T * R * S as affine_from_transform, one joint per lane, in single multiplications and additions (N27, N28);
+///      doubled factors give the same bits as doubled products
+HWY_INLINE void store_matrices(const float* translations, std::size_t stride, float* x_row) {
   const Floats d;
+  const auto plane = [&](std::size_t p) HWY_ATTR { return hn::LoadU(d, translations + p * stride); };
   using P = PoseSpan;
-  const Lanes x = hn::LoadU(d, pose.plane(P::rx) + j), y = hn::LoadU(d, pose.plane(P::ry) + j);
-  const Lanes z = hn::LoadU(d, pose.plane(P::rz) + j), w = hn::LoadU(d, pose.plane(P::rw) + j);
-  const Lanes sx = hn::LoadU(d, pose.plane(P::sx) + j), sy = hn::LoadU(d, pose.plane(P::sy) + j);
-  const Lanes sz = hn::LoadU(d, pose.plane(P::sz) + j);
-  const Lanes one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-  const Lanes xx = hn::Mul(x, x), yy = hn::Mul(y, y), zz = hn::Mul(z, z);
-  const Lanes xy = hn::Mul(x, y), xz = hn::Mul(x, z), yz = hn::Mul(y, z);
-  const Lanes wx = hn::Mul(w, x), wy = hn::Mul(w, y), wz = hn::Mul(w, z);
-  store_row(hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(yy, zz))), sx), hn::Mul(hn::Mul(two, hn::Sub(xy, wz)), sy),
-            hn::Mul(hn::Mul(two, hn::Add(xz, wy)), sz), hn::LoadU(d, pose.plane(P::tx) + j), x_row);
-  store_row(hn::Mul(hn::Mul(two, hn::Add(xy, wz)), sx), hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, zz))), sy),
-            hn::Mul(hn::Mul(two, hn::Sub(yz, wx)), sz), hn::LoadU(d, pose.plane(P::ty) + j), x_row + 4 * kChunk);
-  store_row(hn::Mul(hn::Mul(two, hn::Sub(xz, wy)), sx), hn::Mul(hn::Mul(two, hn::Add(yz, wx)), sy),
-            hn::Mul(hn::Sub(one, hn::Mul(two, hn::Add(xx, yy))), sz), hn::LoadU(d, pose.plane(P::tz) + j),
-            x_row + 8 * kChunk);
+  const Lanes x = plane(P::rx), y = plane(P::ry), z = plane(P::rz), w = plane(P::rw);
+  const Lanes x2 = hn::Add(x, x), y2 = hn::Add(y, y), z2 = hn::Add(z, z), one = hn::Set(d, 1.0f);
+  const Lanes xx = hn::Mul(x, x2), yy = hn::Mul(y, y2), zz = hn::Mul(z, z2);
+  const Lanes xy = hn::Mul(x, y2), xz = hn::Mul(x, z2), yz = hn::Mul(y, z2);
+  const Lanes wx = hn::Mul(w, x2), wy = hn::Mul(w, y2), wz = hn::Mul(w, z2);
+  const Lanes sx = plane(P::sx), sy = plane(P::sy), sz = plane(P::sz);
+  store_row(hn::Mul(hn::Sub(one, hn::Add(yy, zz)), sx), hn::Mul(hn::Sub(xy, wz), sy), hn::Mul(hn::Add(xz, wy), sz),
+            plane(P::tx), x_row);
+  store_row(hn::Mul(hn::Add(xy, wz), sx), hn::Mul(hn::Sub(one, hn::Add(xx, zz)), sy), hn::Mul(hn::Sub(yz, wx), sz),
+            plane(P::ty), x_row + 4 * kChunk);
+  store_row(hn::Mul(hn::Sub(xz, wy), sx), hn::Mul(hn::Add(yz, wx), sy), hn::Mul(hn::Sub(one, hn::Add(xx, yy)), sz),
+            plane(P::tz), x_row + 8 * kChunk);
 }
 
 /// Replaces T * R * S by the matrices that the file gives (G50). A row is written with one store, since it is loaded
@@ -90,8 +89,13 @@ HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin
 HWY_NOINLINE void fill(const LocalToModelJob& job, std::size_t begin, Chosen chosen, LocalMatrices& locals) {
   const std::size_t lanes = hn::Lanes(Floats());
   const Chosen of_vector = (Chosen{2} << (lanes - 1)) - 1;
-  for (std::size_t i = 0; i < kChunk && chosen >> i != 0; i += lanes)
-    if (chosen >> i & of_vector) store_matrices(job.local, begin + i, locals.rows[0] + 4 * i);
+  const std::size_t stride = job.local.stride;  // copied: the stores might be to `job` for all that compilers know
+  const float* translations = job.local.planes + begin;
+  float* row = locals.rows[0];
+  for (std::size_t i = 0; i < kChunk && chosen != 0; i += lanes, translations += lanes, row += 4 * lanes) {
+    if (chosen & of_vector) store_matrices(translations, stride, row);
+    chosen = chosen >> (lanes - 1) >> 1;
+  }
   if (!job.skeleton->fixed_matrices.empty()) use_fixed_matrices(*job.skeleton, begin, locals);
 }
 
@@ -106,21 +110,25 @@ class Composer {
 
   HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) const {
     for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4) {
-      HWY_UNROLL(4)
-      for (std::size_t k = 0; k < 4; ++k)
-        if (chosen >> k & 1) compose(locals.at(LocalMatrices::place(i) + LocalMatrices::place(k)), begin + i + k);
+      const RowsAt first = locals.at(LocalMatrices::place(i));
+      if (HWY_LIKELY((chosen & 15) == 15))
+        compose_four<false>(first, begin + i, chosen);
+      else
+        compose_four<true>(first, begin + i, chosen);
     }
   }
 
  private:
-  HWY_INLINE void compose(const RowsAt& local, std::size_t joint) const {
-    const std::uint32_t parent = parents_[joint];
-    const Rows rows = product(parent == kNone ? root_ : model_[parent], local);
-#if HWY_TARGET == HWY_SCALAR
-    model_[joint] = rows;
-#else
-    for (int r = 0; r < 3; ++r) hn::StoreU(rows.row[r], RowTag(), &model_[joint].row[r].x);
-#endif
+  template <bool kTested>
+  HWY_INLINE void compose_four(const RowsAt& local, std::size_t joint, Chosen chosen) const {
+    HWY_UNROLL(4)
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (kTested && (chosen >> k & 1) == 0) continue;
+      const std::size_t place = LocalMatrices::place(k);
+      const std::uint32_t parent = parents_[joint + k];
+      const Affine* left = parent == kNone ? &root_ : model_ + parent;
+      store_rows(product(*left, {local.x + place, local.y + place, local.z + place}), model_[joint + k]);
+    }
   }
 
   const Affine& root_;
@@ -161,7 +169,7 @@ class Composer {
       const bool has_passed = !kSome || (composed >> parent % kChunk & 1) != 0;
       last_[k] = product(has_passed ? rows_before(k, steps, parent) : stored_rows(parent),
                          {x_row, x_row + 4 * kChunk, x_row + 8 * kChunk});
-      hn::BlendedStore(last_[k], within_rows(), Floats(), &model[k].row[0].x);
+      store_rows(last_[k], model[k]);
     }
   }
 

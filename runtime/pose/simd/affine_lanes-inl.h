@@ -34,8 +34,35 @@ HWY_INLINE Rows product(const Affine& a, const RowsAt& b) {
     for (int c = 0; c < 4; ++c) right.row[r][c] = rows[r][c];
   return a * right;
 }
+HWY_INLINE void store_rows(const Rows& m, Affine& to) { to = m; }
 
-#elif HWY_MAX_BYTES >= 64
+#else
+
+/// Component i of every row, in all four places of the row.
+template <int i, class D, class V = hn::Vec<D> >
+HWY_INLINE V spread(D d, V rows) {
+#if HWY_TARGET == HWY_SSE4
+  // The shuffle of integers is one instruction, that of floats overwrites its argument and needs a copy.
+  const hn::RebindToSigned<D> whole;
+  return hn::BitCast(d, hn::Broadcast<i>(hn::BitCast(whole, rows)));
+#else
+  (void)d;
+  return hn::Broadcast<i>(rows);
+#endif
+}
+
+/// Rows of a product from the same rows of the left factor, one row a block.
+template <class D, class V = hn::Vec<D> >
+HWY_INLINE V product_rows(D d, V a, const RowsAt& b) {
+  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const V x = hn::Mul(spread<0>(d, a), hn::LoadDup128(d, b.x));
+  const V y = hn::Mul(spread<1>(d, a), hn::LoadDup128(d, b.y));
+  const V z = hn::Mul(spread<2>(d, a), hn::LoadDup128(d, b.z));
+  const V linear = hn::Add(hn::Add(x, y), z);
+  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, a), linear);
+}
+
+#if HWY_MAX_BYTES >= 64
 
 /// A matrix in one vector: row r is block r; the fourth block is unused.
 using RowsTag = hn::CappedTag<float, 16>;
@@ -49,36 +76,56 @@ HWY_INLINE hn::Mask<RowsTag> within_rows() {
 }
 
 HWY_INLINE Rows load_rows(const Affine& m) { return hn::MaskedLoad(within_rows(), RowsTag(), &m.row[0].x); }
+HWY_INLINE void store_rows(const Rows& m, Affine& to) { hn::BlendedStore(m, within_rows(), RowsTag(), &to.row[0].x); }
+HWY_INLINE Rows product(Rows a, const RowsAt& b) { return product_rows(RowsTag(), a, b); }
 
-HWY_INLINE Rows product(Rows a, const RowsAt& b) {
-  const RowsTag d;
-  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const Rows x = hn::Mul(hn::Broadcast<0>(a), hn::LoadDup128(d, b.x));
-  const Rows y = hn::Mul(hn::Broadcast<1>(a), hn::LoadDup128(d, b.y));
-  const Rows z = hn::Mul(hn::Broadcast<2>(a), hn::LoadDup128(d, b.z));
-  const Rows linear = hn::Add(hn::Add(x, y), z);
-  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, a), linear);
+#elif HWY_MAX_BYTES >= 32
+
+/// A matrix in two vectors: rows 0 and 1, and row 2.
+using RowTag = hn::FixedTag<float, 4>;
+using TwoRowsTag = hn::FixedTag<float, 8>;
+struct Rows {
+  hn::Vec<TwoRowsTag> rows01;
+  hn::Vec<RowTag> row2;
+};
+
+HWY_INLINE Rows load_rows(const Affine& m) {
+  return {hn::LoadU(TwoRowsTag(), &m.row[0].x), hn::LoadU(RowTag(), &m.row[2].x)};
 }
-HWY_INLINE Rows product(const Affine& a, const RowsAt& b) { return product(load_rows(a), b); }
+HWY_INLINE void store_rows(const Rows& m, Affine& to) {
+  hn::StoreU(m.rows01, TwoRowsTag(), &to.row[0].x);
+  hn::StoreU(m.row2, RowTag(), &to.row[2].x);
+}
+HWY_INLINE Rows product(const Rows& a, const RowsAt& b) {
+  return {product_rows(TwoRowsTag(), a.rows01, b), product_rows(RowTag(), a.row2, b)};
+}
 
 #else
 
+/// A matrix in three vectors.
 using RowTag = hn::FixedTag<float, 4>;
 struct Rows {
-  hn::Vec<RowTag> row[3];
+  hn::Vec<RowTag> row0, row1, row2;
 };
 
-HWY_INLINE Rows product(const Affine& a, const RowsAt& b) {
+HWY_INLINE Rows load_rows(const Affine& m) {
   const RowTag d;
-  const auto x = hn::LoadU(d, b.x), y = hn::LoadU(d, b.y), z = hn::LoadU(d, b.z);
-  const auto row = [&](const glm::vec4& of_a) HWY_ATTR {
-    const auto linear = hn::Add(hn::Add(hn::Mul(hn::Set(d, of_a.x), x), hn::Mul(hn::Set(d, of_a.y), y)),
-                                hn::Mul(hn::Set(d, of_a.z), z));
-    const auto moved = hn::Add(linear, hn::Set(d, of_a.w));
-    return hn::ConcatUpperLower(d, hn::OddEven(moved, linear), linear);
-  };
-  return {row(a.row[0]), row(a.row[1]), row(a.row[2])};
+  return {hn::LoadU(d, &m.row[0].x), hn::LoadU(d, &m.row[1].x), hn::LoadU(d, &m.row[2].x)};
 }
+HWY_INLINE void store_rows(const Rows& m, Affine& to) {
+  const RowTag d;
+  hn::StoreU(m.row0, d, &to.row[0].x);
+  hn::StoreU(m.row1, d, &to.row[1].x);
+  hn::StoreU(m.row2, d, &to.row[2].x);
+}
+HWY_INLINE Rows product(const Rows& a, const RowsAt& b) {
+  const RowTag d;
+  return {product_rows(d, a.row0, b), product_rows(d, a.row1, b), product_rows(d, a.row2, b)};
+}
+
+#endif
+
+HWY_INLINE Rows product(const Affine& a, const RowsAt& b) { return product(load_rows(a), b); }
 
 #endif
 
