@@ -91,8 +91,9 @@ FrameChanges find_changes(const CompiledPlan& plan, const FrameInput& input, con
 }
 
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept {
+  last.is_known = last.asleep = input.asleep;
+  if (input.asleep) return;
   const Layers next_layers = next_layers_of(input);
-  last.asleep = input.asleep;
   last.is_known =
       input.layers.size() <= tables.input_layers.size() && next_layers.size() <= tables.input_next_layers.size();
   if (!last.is_known) return;
@@ -105,20 +106,6 @@ void remember(const FrameInput& input, const FrameTables& tables, LastInput& las
   std::copy(next_layers.begin(), next_layers.end(), tables.input_next_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
-}
-
-void carry_numbers(const FrameTables& now, const FrameTables& before, bool same_before, std::uint64_t number) noexcept {
-  const auto take = [&](std::uint64_t& since, std::uint64_t since_before) {
-    if (since != 0) since = same_before ? since_before : number;
-  };
-  for (std::size_t s = 0; s < now.palettes.size(); ++s)
-    take(now.palettes[s].since_frame, before.palettes[s].since_frame);
-  for (std::size_t i = 0; i < now.instances.size(); ++i) {
-    take(now.weights_since[i], before.weights_since[i]);
-    take(now.winding_since[i], before.winding_since[i]);
-  }
-  for (std::size_t p = 0; p < now.primitives.size(); ++p)
-    take(now.primitives[p].since_frame, before.primitives[p].since_frame);
 }
 
 }  // namespace sinew

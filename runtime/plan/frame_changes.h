@@ -52,8 +52,4 @@ FrameChanges find_changes(const CompiledPlan& plan, const FrameInput& input, con
 /// frame is taken for a new one.
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept;
 
-/// Numbers of frames since which results hold, for a frame that changes nothing in its memory.
-/// in   before   tables of the frame before of the character;   number  of this frame
-void carry_numbers(const FrameTables& now, const FrameTables& before, bool same_before, std::uint64_t number) noexcept;
-
 }  // namespace sinew

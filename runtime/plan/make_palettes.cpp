@@ -51,6 +51,17 @@ std::span<const JointMatrix> compute(const CompiledPlan& plan, const Skin& skin,
   return made;
 }
 
+/// The frame since which a palette holds: that of the frame before, where the bits are the same.
+std::uint64_t since_of(const CompiledPlan& plan, std::size_t s, std::span<const JointMatrix> palette,
+                       const FrameStep& step) noexcept {
+  const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
+  if (since_before == 0) return step.number;
+  const bool unchanged = step.changes.nothing_since_before ||
+                         same_bits<JointMatrix>(palette, step.memory_before.array<const JointMatrix>(
+                                                             plan.layout.palette_at[s], palette.size()));
+  return unchanged ? since_before : step.number;
+}
+
 void make_palette(const CompiledPlan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step,
                   FrameWork& work) noexcept {
   const Skin& skin = *plan.assets.skins[s];
@@ -60,12 +71,9 @@ void make_palette(const CompiledPlan& plan, std::size_t s, std::span<const Affin
   const bool is_there = step.changes.current_matrices == CurrentMatrices::all && kept.since_frame != 0;
   const std::span<const JointMatrix> made = is_there ? palette : compute(plan, skin, model, step.memory, work);
 
-  const std::span<const JointMatrix> before =
-      step.memory_before.array<const JointMatrix>(plan.layout.palette_at[s], count);
-  const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
-  const bool unchanged = since_before != 0 && same_bits<JointMatrix>(made, before);
-  const bool is_current = is_there || (unchanged && kept.since_frame == since_before);
-  kept = {palette, unchanged ? since_before : step.number};
+  const std::uint64_t since = since_of(plan, s, made, step);
+  const bool is_current = is_there || since == kept.since_frame;
+  kept = {palette, since};
   if (is_current) return;
   std::copy(made.begin(), made.end(), palette.begin());
   if (plan.split[s]) split(plan, s, palette, step.memory, work);
@@ -82,6 +90,13 @@ void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std:
       make_palette(plan, s, model, step, work);
     else
       step.tables.palettes[s] = {};
+  }
+}
+
+void number_kept_palettes(const CompiledPlan& plan, const FrameStep& step) noexcept {
+  for (std::size_t s = 0; s < plan.palette.size(); ++s) {
+    SkinPalette& kept = step.tables.palettes[s];
+    if (kept.since_frame != 0) kept.since_frame = since_of(plan, s, kept.matrices, step);
   }
 }
 

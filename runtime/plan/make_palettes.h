@@ -12,4 +12,8 @@ namespace sinew {
 void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std::span<const bool> wanted,
                    const FrameStep& step, FrameWork& work) noexcept;
 
+/// Numbers of frames since which palettes hold, for a frame whose palettes are in the memory already.
+/// cost compares palettes with those of the frame before, where that had another input
+void number_kept_palettes(const CompiledPlan& plan, const FrameStep& step) noexcept;
+
 }  // namespace sinew

@@ -151,8 +151,11 @@ void sleep(const CompiledPlan& plan, const FrameTables& tables, FrameResult& res
 }
 
 /// A frame of the same input as the last one in this memory: no stage runs.
-void keep_result(const FrameStep& step, bool before_is_other, FrameResult& result) noexcept {
-  if (before_is_other) carry_numbers(step.tables, step.tables_before, step.changes.nothing_since_before, step.number);
+void keep_result(const CompiledPlan& plan, const FrameStep& step, bool before_is_other, FrameResult& result) noexcept {
+  if (before_is_other) {
+    number_kept_palettes(plan, step);
+    number_kept_instances(plan, step);
+  }
   result.work = FrameWork(step.tables.stage_ns).counters();
 }
 
@@ -203,7 +206,7 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
 
   // 3. Run the stages.
   if (changes.nothing) {
-    keep_result(step, &before != &frame, frame.result_);
+    keep_result(*compiled, step, &before != &frame, frame.result_);
     return ErrorCode::ok;
   }
   if (input.asleep)

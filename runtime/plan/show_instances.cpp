@@ -136,4 +136,16 @@ void show_instances(const CompiledPlan& plan, const EvaluatedPose& pose, const F
   std::copy(pose.weights.begin(), pose.weights.end(), step.tables.last_weights.begin());
 }
 
+void number_kept_instances(const CompiledPlan& plan, const FrameStep& step) noexcept {
+  const FrameTables& tables = step.tables;
+  for (std::size_t i = 0; i < tables.instances.size(); ++i) {
+    const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
+    if (tables.weights_since[i] != 0)  // else the character sleeps
+      number_changes(plan, i, tables.last_weights.subspan(first, end - first), tables.instances[i], step);
+  }
+  for (std::size_t p = 0; p < tables.primitives.size(); ++p)
+    if (tables.primitives[p].since_frame != 0)
+      tables.primitives[p].since_frame = since_of(plan, plan.primitives[p], tables);
+}
+
 }  // namespace sinew

@@ -27,4 +27,8 @@ void show_instances(const CompiledPlan& plan, const EvaluatedPose& pose, const F
 /// Leaves the primitives of an instance undeformed: nobody sees it.
 void deform_nothing(const CompiledPlan& plan, std::size_t instance, std::span<DeformedPrimitive> shapes) noexcept;
 
+/// Numbers of frames since which results of instances hold, for a frame whose results are in the memory already.
+/// in   step   the palettes of its tables have theirs
+void number_kept_instances(const CompiledPlan& plan, const FrameStep& step) noexcept;
+
 }  // namespace sinew

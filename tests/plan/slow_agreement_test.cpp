@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/plan/slow_frame.h"
+#include "tests/scenes/random_inputs.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
@@ -27,7 +28,7 @@ double worst(std::span<const V> fast, const std::vector<Vec3d>& slow) {
 }
 
 struct Errors {
-  double model = 0, weights = 0, positions = 0, normals = 0, tangents = 0, colors = 0;
+  double model = 0, weights = 0, properties = 0, positions = 0, normals = 0, tangents = 0, colors = 0;
 };
 
 Errors compare(const FrameResult& fast, const SlowFrame& slow) {
@@ -37,6 +38,8 @@ Errors compare(const FrameResult& fast, const SlowFrame& slow) {
                                     (1.0 + safe_length(translation_of(slow.model[j]))));
   for (std::size_t w = 0; w < fast.weights.size(); ++w)
     e.weights = std::max(e.weights, std::abs(static_cast<double>(fast.weights[w]) - slow.weights[w]));
+  for (std::size_t i = 0; i < fast.properties.size(); ++i)
+    e.properties = std::max(e.properties, std::abs(static_cast<double>(fast.properties[i]) - slow.properties[i]));
   for (std::size_t p = 0; p < fast.primitives.size(); ++p) {
     const DeformedPrimitive& shape = fast.primitives[p];
     e.positions = std::max(e.positions, worst(shape.positions, slow.primitives[p].positions));
@@ -124,8 +127,9 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
     const ClipLayer layers[] = {{0, 0.31, 0.6f, 0},
                                 {1, 1.63, 0.7f, 1},
                                 {0, 0.9, 0.8f, kNone, LayerKind::add_to_start},
-                                {1, 0.4, 0.5f, 1, LayerKind::add_to_rest}};
-    for (const auto& [first, count] : {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}}) {
+                                {1, 0.4, 0.5f, 1, LayerKind::add_to_rest},
+                                {1, 0.8, 1.0f, 0}};
+    for (const auto& [first, count] : {std::pair{0, 4}, {0, 1}, {1, 2}, {2, 2}, {3, 1}, {4, 1}, {3, 2}}) {
       const FrameInput input{
           .layers = std::span(layers).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
           .weights = {},
@@ -137,6 +141,34 @@ TEST(slow_agreement, masked_and_added_layers_show_what_plain_double_loops_give) 
       EXPECT_LE(e.positions, 6e-6) << "seed " << seed << " layers " << first << ' ' << count;
     }
   }
+}
+
+/// Layers, masks, added layers, updates, given weights and roots in any combination.
+TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
+  std::size_t between = 0, with_properties = 0;
+  for (std::uint64_t seed = 300; seed < 330; ++seed) {
+    const Scene scene = busy_scene(seed);
+    Needs needs = busy_needs(seed, scene);
+    needs.skinning = Skinning::linear;
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    RandomInputs inputs(plan);
+    for (std::uint32_t step = 0; step < 40; ++step) {
+      inputs.step(step + static_cast<std::uint32_t>(seed) * 1000);
+      const FrameInput input = inputs.view();
+      ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      const Errors e = compare(frame.result(), evaluate_slowly(scene, needs, input));
+      EXPECT_LE(e.model, 1e-5) << "seed " << seed << " step " << step;
+      EXPECT_LE(e.weights, scene.correctives.empty() ? 1e-6 : 1e-5) << "seed " << seed << " step " << step;
+      EXPECT_LE(e.properties, 1e-6) << "seed " << seed << " step " << step;
+      EXPECT_LE(e.positions, 1e-5) << "seed " << seed << " step " << step;
+      EXPECT_LE(e.colors, 2e-6) << "seed " << seed << " step " << step;
+      between += input.interpolation_factor != 0.0f && !frame.result().model.empty();
+      with_properties += !frame.result().properties.empty();
+    }
+  }
+  EXPECT_GT(between, 100u);
+  EXPECT_GT(with_properties, 100u);
 }
 
 // The slow path must share no code with plans, clips and jobs, else agreement proves nothing.

@@ -77,6 +77,57 @@ Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput&
   return sum;
 }
 
+FrameInput at_next_update(const FrameInput& input) {
+  FrameInput next = input;
+  next.layers = input.next_layers;
+  return next;
+}
+
+/// eq   (1 - f) a + f b of the numbers of a joint at both updates; rotations on the short side, normalised
+Transformd joint_between(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
+  const Transformd a = posed_joint(scene, needs, input, joint);
+  const double f = static_cast<double>(input.interpolation_factor);
+  if (f == 0.0) return a;
+  const Transformd b = posed_joint(scene, needs, at_next_update(input), joint);
+  return {(1.0 - f) * a.translation + f * b.translation,
+          normalised(a.rotation * (1.0 - f) + aligned_with(a.rotation, b.rotation) * f),
+          (1.0 - f) * a.scale + f * b.scale};
+}
+
+/// `numbers(input)` at both updates, mixed.
+template <class Numbers>
+std::vector<double> numbers_between(const FrameInput& input, const Numbers& numbers) {
+  std::vector<double> sum = numbers(input);
+  const double f = static_cast<double>(input.interpolation_factor);
+  if (f == 0.0) return sum;
+  const std::vector<double> next = numbers(at_next_update(input));
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = (1.0 - f) * sum[i] + f * next[i];
+  return sum;
+}
+
+std::vector<double> properties_at(const Scene& scene, const ClipLayer& layer) {
+  std::vector<double> values(scene.properties.rest.begin(), scene.properties.rest.end());
+  for (const PropertyTrack& track : scene.animations[layer.clip].properties)
+    for (const PropertyTable::Entry& entry : scene.properties.entries)
+      if (entry.target == track.target)
+        sample_track(track.values, layer.time_s, std::span(values).subspan(entry.first, entry.count));
+  return values;
+}
+
+/// The mean over layers that blend, filled up by the rest. Layers that add have no part in it.
+std::vector<double> all_properties(const Scene& scene, const FrameInput& input) {
+  const double total = total_weight(input), fill = std::max(0.0, 1.0 - total);
+  std::vector<double> sum(scene.properties.rest.begin(), scene.properties.rest.end());
+  for (double& value : sum) value *= fill;
+  for (const ClipLayer& layer : input.layers) {
+    if (!blends(layer)) continue;
+    const std::vector<double> values = properties_at(scene, layer);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(layer.weight) * values[i];
+  }
+  for (double& value : sum) value /= total + fill;
+  return sum;
+}
+
 std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const std::vector<double>& rest) {
   std::vector<double> weights = rest;
   for (const WeightAnimation& animated : scene.animations[layer.clip].weights) {
@@ -115,7 +166,7 @@ void correct_weights(const Scene& scene, const Needs& needs, const FrameInput& i
   for (const PoseCorrective& corrective : scene.correctives) {
     reference::Pose pose;
     for (const PoseDriver& driver : corrective.samples.drivers)
-      pose.push_back(reference::rotation_of(posed_joint(scene, needs, input, driver.joint).rotation));
+      pose.push_back(reference::rotation_of(joint_between(scene, needs, input, driver.joint).rotation));
     const reference::Row added = reference::correct_pose(corrective.samples, pose);
     for (std::size_t i = 0; i < added.size(); ++i)
       weights[corrective.samples.weights[i]] += static_cast<double>(added[i]);
@@ -128,7 +179,7 @@ std::vector<Affined> world_matrices(const Scene& scene, const Needs& needs, cons
   for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
     const Affined above = skeleton.parents[j] == kNone ? affine_cast<double>(input.root) : model[skeleton.parents[j]];
     const std::uint32_t fixed = skeleton.fixed_matrix_of[j];
-    model.push_back(above * (fixed == kNone ? affine_from_transform(posed_joint(scene, needs, input, j))
+    model.push_back(above * (fixed == kNone ? affine_from_transform(joint_between(scene, needs, input, j))
                                             : affine_cast<double>(skeleton.fixed_matrices[fixed])));
   }
   return model;
@@ -267,7 +318,8 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
 SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input) {
   SlowFrame frame;
   frame.model = world_matrices(scene, needs, input);
-  frame.weights = all_weights(scene, input);
+  frame.weights = numbers_between(input, [&](const FrameInput& at) { return all_weights(scene, at); });
+  frame.properties = numbers_between(input, [&](const FrameInput& at) { return all_properties(scene, at); });
   correct_weights(scene, needs, input, frame.weights);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];

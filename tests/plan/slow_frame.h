@@ -16,6 +16,7 @@ struct SlowPrimitive {
 struct SlowFrame {
   std::vector<Affined> model;
   std::vector<double> weights;
+  std::vector<double> properties;
   std::vector<SlowPrimitive> primitives;  ///< all instances in order
   std::vector<bool> mirrored;             ///< [instances]
 };

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "runtime/base/same_bits.h"
-#include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
+#include "tests/plan/frame_equality.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/fixed_random.h"
@@ -16,30 +16,7 @@
 namespace sinew::test {
 namespace {
 
-std::uint64_t hash_shape(const DeformedPrimitive& p) {
-  return BitHash().add(p.positions).add(p.normals).add(p.tangents).add(p.colors).value();
-}
-
-void expect_same(const FrameResult& a, const FrameResult& b) {
-  EXPECT_TRUE(same_bits<Affine>(a.model, b.model));
-  EXPECT_TRUE(same_bits<float>(a.weights, b.weights));
-  EXPECT_TRUE(same_bits<float>(a.properties, b.properties));
-  EXPECT_TRUE(same_bits<bool>(a.hidden, b.hidden));
-  for (std::size_t i = 0; i < a.instances.size(); ++i) {
-    EXPECT_TRUE(same_bits(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh));
-    EXPECT_TRUE(same_bits(a.instances[i].bounds, b.instances[i].bounds)) << i;
-    EXPECT_EQ(a.instances[i].mirrored, b.instances[i].mirrored);
-    EXPECT_EQ(a.instances[i].visible, b.instances[i].visible);
-  }
-  for (std::size_t p = 0; p < a.primitives.size(); ++p) {
-    EXPECT_EQ(a.primitives[p].instance, b.primitives[p].instance);
-    EXPECT_EQ(a.primitives[p].primitive, b.primitives[p].primitive);
-    EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].positions, b.primitives[p].positions)) << p;
-    EXPECT_TRUE(same_bits<glm::vec3>(a.primitives[p].normals, b.primitives[p].normals)) << p;
-    EXPECT_TRUE(same_bits<glm::vec4>(a.primitives[p].tangents, b.primitives[p].tangents)) << p;
-    EXPECT_TRUE(same_bits<glm::vec4>(a.primitives[p].colors, b.primitives[p].colors)) << p;
-  }
-}
+void expect_same(const FrameResult& a, const FrameResult& b) { EXPECT_EQ(first_difference(a, b), ""); }
 
 Needs needs_by_bits(std::uint32_t bits) {
   Needs needs;

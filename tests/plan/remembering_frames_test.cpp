@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Frames keep what has not changed since earlier ones. Whatever a character was driven through, each of its frames has
+// the bits of a fresh buffer that saw only the last input, and the frame numbers of results tell what really changed.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "runtime/lod/update_rate.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/plan/frame_equality.h"
+#include "tests/scenes/random_inputs.h"
+
+namespace sinew::test {
+namespace {
+
+/// One seed a frame.
+using Steps = std::vector<std::uint32_t>;
+
+rc::Gen<Steps> some_steps() { return rc::gen::resize(200, rc::gen::arbitrary<Steps>()); }
+
+/// The numbers of frames since which results hold, beside the results of all frames that gave any.
+class StampHistory {
+ public:
+  explicit StampHistory(const Plan& plan) : hash_of_frame_(plan.primitives().size()) {}
+
+  /// in   same_input   the frame before of the character had this input
+  void check(const FrameResult& now, bool same_input) {
+    RC_ASSERT(now.since_frame == (same_input ? last_since_ : now.frame));
+    last_since_ = now.since_frame;
+    for (std::size_t p = 0; p < now.primitives.size(); ++p) check_shape(p, now.primitives[p], now.frame, same_input);
+    for (std::size_t s = 0; s < now.palettes.size(); ++s) check_palette(s, now.palettes[s], now.frame);
+  }
+
+ private:
+  struct Palette {
+    std::vector<JointMatrix> matrices;
+    std::uint64_t since_frame = 0;
+  };
+
+  /// Vertices are those of every frame since the number, and a frame of the same input does not count as a change.
+  void check_shape(std::size_t p, const DeformedPrimitive& shape, std::uint64_t frame, bool same_input) {
+    std::map<std::uint64_t, std::uint64_t>& hashes = hash_of_frame_[p];
+    if (same_input) RC_ASSERT(shape.since_frame == since_of_shape_[p]);
+    since_of_shape_[p] = shape.since_frame;
+    if (shape.since_frame == 0) return;
+    RC_ASSERT(shape.since_frame <= frame);
+    const std::uint64_t hash = hashes[frame] = hash_shape(shape);
+    for (auto seen = hashes.lower_bound(shape.since_frame); seen != hashes.end(); ++seen)
+      RC_ASSERT(seen->second == hash);
+  }
+
+  /// The number of a palette is exactly the first of the unbroken row of frames that gave its bits.
+  void check_palette(std::size_t s, const SkinPalette& palette, std::uint64_t frame) {
+    Palette& last = palettes_[s];
+    const bool unchanged = last.since_frame != 0 && same_bits<JointMatrix>(palette.matrices, last.matrices);
+    const std::uint64_t expected = palette.matrices.empty() ? 0 : unchanged ? last.since_frame : frame;
+    RC_ASSERT(palette.since_frame == expected);
+    last = {{palette.matrices.begin(), palette.matrices.end()}, palette.since_frame};
+  }
+
+  std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame_;  // [primitives]
+  std::map<std::size_t, std::uint64_t> since_of_shape_;
+  std::map<std::size_t, Palette> palettes_;
+  std::uint64_t last_since_ = 0;
+};
+
+/// A character that shows a scene by one of several plans, in blocks of memory that the plans share.
+class Character {
+ public:
+  Character(std::uint64_t seed, std::size_t plan_count, std::size_t buffer_count) : scene_(busy_scene(seed)) {
+    for (std::size_t p = 0; p < plan_count; ++p) plans_.push_back(compile_plan(scene_, needs(seed + p, p)));
+    std::size_t most = 0;
+    for (const Plan& plan : plans_) most = std::max(most, plan.frame_bytes());
+    for (std::size_t b = 0; b < buffer_count; ++b)
+      blocks_.emplace_back((most + FrameBuffer::kAlignment) / sizeof(Line));
+    take_plan(0);
+  }
+
+  void step(std::uint32_t seed) {
+    FixedRandom random(std::uint64_t{seed} + 77);
+    if (plans_.size() > 1 && random.below(8) == 0) take_plan(random.below(static_cast<std::uint32_t>(plans_.size())));
+    inputs_->step(seed);
+    const std::size_t next = random.below(static_cast<std::uint32_t>(buffers_.size()));
+    if (random.below(16) == 0) refuse(next);
+    run(next);
+  }
+
+ private:
+  struct alignas(FrameBuffer::kAlignment) Line {
+    std::byte bytes[FrameBuffer::kAlignment];
+  };
+
+  /// The first plan has all joints, others leave some out.
+  Needs needs(std::uint64_t seed, std::size_t plan) const {
+    Needs needs = busy_needs(seed, scene_);
+    if (plan % 2 == 0) return needs;
+    needs.skeleton_lod.kept.assign(scene_.skeleton.joint_count(), true);
+    for (std::size_t j = scene_.skeleton.joint_count() * 2 / 3; j < scene_.skeleton.joint_count(); ++j)
+      needs.skeleton_lod.kept[j] = false;
+    return needs;
+  }
+
+  /// New buffers, over memory as the last plan left it.
+  void take_plan(std::size_t plan) {
+    plan_ = plans_[plan];
+    buffers_.clear();
+    for (std::vector<Line>& block : blocks_) buffers_.emplace_back(plan_, std::as_writable_bytes(std::span(block)));
+    inputs_.emplace(plan_);
+    last_inputs_.reset();
+    stamps_.emplace(plan_);
+  }
+
+  /// An input that is refused leaves the last good frame as it is.
+  void refuse(std::size_t buffer) {
+    const ClipLayer none{.clip = 1000};
+    FrameInput bad = inputs_->view();
+    bad.layers = {&none, 1};
+    FrameBuffer& frame = buffers_[buffer];
+    const FrameResult& result = frame.result();
+    const std::uint64_t number = result.frame, since = result.since_frame;
+    std::vector<std::uint64_t> before;
+    for (const DeformedPrimitive& shape : result.primitives) before.push_back(hash_shape(shape));
+    RC_ASSERT(run_plan(plan_, bad, frame) == ErrorCode::index_out_of_range);
+    RC_ASSERT(result.frame == number);
+    RC_ASSERT(result.since_frame == since);
+    for (std::size_t p = 0; p < before.size(); ++p) RC_ASSERT(hash_shape(result.primitives[p]) == before[p]);
+  }
+
+  /// Layers beyond those that the plan was asked to make room for are not kept.
+  bool is_remembered(const FrameInput& input) const {
+    const std::size_t room = plan_.needs().layer_room();
+    return input.asleep ||
+           (input.layers.size() <= room && (input.interpolation_factor == 0.0f || input.next_layers.size() <= room));
+  }
+
+  void run(std::size_t next) {
+    FrameBuffer& frame = buffers_[next];
+    frame.count_from(number_++);
+    if (last_inputs_ && next != at_) frame.follow(buffers_[at_]);
+    at_ = next;
+    const FrameInput input = inputs_->view();
+    RC_ASSERT(run_plan(plan_, input, frame) == ErrorCode::ok);
+    FrameBuffer fresh(plan_);
+    RC_ASSERT(run_plan(plan_, input, fresh) == ErrorCode::ok);
+    RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
+    RC_ASSERT(holds_result_of(frame, input) == is_remembered(input));
+    stamps_->check(frame.result(), last_inputs_ && is_remembered(input) && means_the_same(*last_inputs_, *inputs_));
+    last_inputs_ = inputs_;
+  }
+
+  Scene scene_;
+  std::vector<Plan> plans_;
+  std::vector<std::vector<Line>> blocks_;
+  Plan plan_;
+  std::vector<FrameBuffer> buffers_;
+  std::optional<RandomInputs> inputs_, last_inputs_;
+  std::optional<StampHistory> stamps_;
+  std::uint64_t number_ = 0;
+  std::size_t at_ = 0;
+};
+
+RC_GTEST_PROP(remembering_frames, P19_one_buffer_remembers_rightly, (std::uint64_t seed)) {
+  const Steps steps = *some_steps();
+  Character character(seed, 1, 1);
+  for (const std::uint32_t step : steps) character.step(step);
+}
+
+RC_GTEST_PROP(remembering_frames, P19_buffers_that_take_turns_remember_rightly, (std::uint64_t seed)) {
+  const Steps steps = *some_steps();
+  Character character(seed, 1, 3);
+  for (const std::uint32_t step : steps) character.step(step);
+}
+
+RC_GTEST_PROP(remembering_frames, P19_plans_that_take_turns_in_one_memory_remember_rightly, (std::uint64_t seed)) {
+  const Steps steps = *some_steps();
+  Character character(seed, 3, 2);
+  for (const std::uint32_t step : steps) character.step(step);
+}
+
+/// What HeldInput is to hold, as its header says it.
+class HeldByTheBook {
+ public:
+  explicit HeldByTheBook(const RandomInputs& inputs) : held_(inputs) {}
+
+  FrameInput next(const RandomInputs& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase) {
+    const bool is_due = (frame + phase) % (1u << static_cast<unsigned>(level)) == 0;
+    if (is_due || woke_) held_ = now;
+    woke_ = now.view().asleep;
+    FrameInput input = held_.view();
+    input.out_of_view = now.view().out_of_view;
+    input.asleep = now.view().asleep;
+    return input;
+  }
+
+ private:
+  RandomInputs held_;
+  bool woke_ = true;
+};
+
+RC_GTEST_PROP(remembering_frames, held_inputs_show_the_pose_of_the_last_update, (std::uint64_t seed)) {
+  const Steps steps = *some_steps();
+  const Scene scene = busy_scene(seed);
+  const Plan plan = compile_plan(scene, busy_needs(seed, scene));
+  const auto phase = static_cast<std::uint32_t>(seed % 5);
+  RandomInputs inputs(plan);
+  HeldInput held(plan);
+  HeldByTheBook by_the_book(inputs);
+  FrameBuffer frame(plan);
+  UpdateLevel level = UpdateLevel::every;
+  for (std::size_t number = 0; number < steps.size(); ++number) {
+    inputs.step(steps[number]);
+    if (steps[number] % 7 == 0) level = static_cast<UpdateLevel>(steps[number] / 7 % 3);
+    RC_ASSERT(run_plan(plan, held.next(inputs.view(), level, number, phase), frame) == ErrorCode::ok);
+    FrameBuffer fresh(plan);
+    RC_ASSERT(run_plan(plan, by_the_book.next(inputs, level, number, phase), fresh) == ErrorCode::ok);
+    RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

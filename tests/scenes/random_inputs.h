@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "runtime/plan/compile_plan.h"
+#include "runtime/plan/frame_input.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+
+/// The input of a character that an engine drives: each step changes few parts of it, so that frames in a row share
+/// layers, weights, the root or all of it, in every combination. Always valid for its plan.
+class RandomInputs {
+ public:
+  /// in   plan  of a scene with two clips or more
+  explicit RandomInputs(const Plan& plan) : plan_(plan) {}
+
+  /// Changes none to three parts. The same seeds give the same inputs on every machine.
+  void step(std::uint32_t seed);
+
+  /// Views of this object, valid until the next step.
+  FrameInput view() const;
+
+  /// Whether frames cannot tell the inputs apart: numbers by their bits, a character asleep is asleep, layers that
+  /// are not reached do not count, and an empty list of what is out of view says that all is in view.
+  friend bool means_the_same(const RandomInputs& a, const RandomInputs& b);
+
+ private:
+  using Layers = std::vector<ClipLayer>;
+
+  void change_one_part(FixedRandom& random);
+  void change_layers(Layers& layers, FixedRandom& random);
+  void change_layer(ClipLayer& layer, FixedRandom& random);
+  void move_between_updates(FixedRandom& random);
+  void change_weights(FixedRandom& random);
+  void change_root(FixedRandom& random);
+  void change_view(FixedRandom& random);
+  void make_valid(Layers& layers) const;
+  ClipLayer some_layer(FixedRandom& random) const;
+
+  Plan plan_;
+  Layers layers_, next_layers_;
+  std::vector<float> weights_;
+  std::vector<std::uint8_t> out_of_view_;
+  Affine root_;
+  float interpolation_factor_ = 0.0f;
+  bool asleep_ = false;
+};
+
+/// A scene of every kind of data that frames evaluate: joints, some of which no clip moves, morph targets, materials
+/// and visibility that clips animate, correctives, flat normals. What it has of these depends on the seed.
+Scene busy_scene(std::uint64_t seed);
+
+/// What a consumer may ask of a busy scene; depends on the seed.
+Needs busy_needs(std::uint64_t seed, const Scene& scene);
+
+}  // namespace sinew::test
