@@ -47,11 +47,11 @@ template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
                                 const glm::vec3* centers) {
 #if HWY_TARGET == HWY_SCALAR
-  return transform_points(blend_scalar_matrix(palette, joints), load3(centers));
+  return transform_points(blend_scalar_matrix(PaletteBases(palette), joints), load3(centers));
 #else
   Wide quarters[4];
   for_each_quarter([&](auto q) HWY_ATTR {
-    quarters[q] = transform_points(blend_columns(palette, joints, q), load_spread<q>(centers));
+    quarters[q] = transform_points(blend_columns(PaletteBases(palette), joints, q), load_spread<q>(centers));
   });
   const Lanes4 moved = transpose(quarters[0], quarters[1], quarters[2], quarters[3]);
   return {moved.x, moved.y, moved.z};

@@ -18,7 +18,7 @@ namespace {
 /// The normal of vertex `v` of a tile, where squares leave the range of float, the side of the normal is in doubt, or
 /// the normal vanishes. Its matrix is the one that moves the position, to the last bit.
 template <int kCount>
-glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t v,
+glm::vec3 careful_normal(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t v,
                          const glm::vec3& n, bool cofactor) {
   const MatrixVectors parts = blend_matrix_vectors(palette, tile, v);
   JointMatrix blended;
@@ -33,7 +33,7 @@ glm::vec3 careful_normal(const JointMatrix* palette, const TileInfluences<kCount
 template <int kCount, bool kNormals, bool kTangents, bool kCofactor>
 struct SkinRow {
   using Row = TileRow<kCount>;
-  const JointMatrix* palette;
+  PaletteBases palette;
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -161,7 +161,7 @@ void skin_linear(const SkinLinearJob& job) {
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
       for_each_row<count>(job.influences, group, job.vertices, job.out,
-                          SkinRow<count, normals, tangents, cofactor>{job.palette.data()}, streamed);
+                          SkinRow<count, normals, tangents, cofactor>{PaletteBases(job.palette.data())}, streamed);
     });
   };
   with_attributes(wanted, [&](auto normals, auto tangents) {

@@ -40,7 +40,7 @@ HWY_INLINE Columns columns_of(const MatrixVectors (&m)[kBlocks]) {
 
 /// Columns of one quarter tile. The loop is unrolled, or compilers would keep the matrices in memory.
 template <int kCount>
-HWY_INLINE Columns blend_columns(const JointMatrix* palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
+HWY_INLINE Columns blend_columns(const PaletteBases& palette, const TileInfluences<kCount>& tile, std::size_t quarter) {
   MatrixVectors matrices[kBlocks];
 #if HWY_COMPILER_GCC_ACTUAL
 #pragma GCC unroll 4
@@ -73,9 +73,7 @@ HWY_INLINE Columns cofactor(const Columns& m) {
 }
 
 /// x + y + z of every block, in all lanes of the block.
-HWY_INLINE Wide component_sums(Wide v) {
-  return hn::Add(hn::Add(hn::Broadcast<0>(v), hn::Broadcast<1>(v)), hn::Broadcast<2>(v));
-}
+HWY_INLINE Wide component_sums(Wide v) { return hn::Add(hn::Add(broadcast<0>(v), broadcast<1>(v)), broadcast<2>(v)); }
 
 /// Normals, not yet unit; zero where the scalar path has to find their side (OutwardSide).
 /// eq   M n, or sign(det M) cof(M) n

@@ -19,6 +19,22 @@ struct MatrixVectors {
   Wide part[kCount];
 };
 
+/// Where the palette lies. Halves of a matrix have a base each, so that every load of one is a single instruction: from
+/// one base compilers add the offset of the joint first. Functions that loop over vertices get it as an argument and
+/// are not inlined, or compilers would see the one base.
+struct PaletteBases {
+  const JointMatrix* palette;
+  const float* upper;
+
+  explicit PaletteBases(const JointMatrix* all) : palette(all), upper(&all->column[2].x) {}
+  HWY_INLINE Wide load(std::size_t offset, std::size_t part) const {
+    const bool is_upper = MatrixVectors::kCount == 2 && part == 1;
+    const void* base = is_upper ? static_cast<const void*>(upper) : palette;
+    const std::size_t within = is_upper ? 0 : part * sizeof(Wide);
+    return hn::Load(TileTag(), reinterpret_cast<const float*>(static_cast<const char*>(base) + offset + within));
+  }
+};
+
 /// Weight `i` of vertex `k`, in all lanes. Loads four weights at once, because blending spends its time on loads.
 template <int kCount>
 HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std::size_t i) {
@@ -28,10 +44,10 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
     const std::size_t at = k * kCount + i;
     const Wide four = hn::LoadDup128(d, tile.first.weights + at / 4 * 4);
     switch (at % 4) {
-      case 0: return hn::Broadcast<0>(four);
-      case 1: return hn::Broadcast<1>(four);
-      case 2: return hn::Broadcast<2>(four);
-      default: return hn::Broadcast<3>(four);
+      case 0: return broadcast<0>(four);
+      case 1: return broadcast<1>(four);
+      case 2: return broadcast<2>(four);
+      default: return broadcast<3>(four);
     }
   }
 #endif
@@ -42,20 +58,19 @@ HWY_INLINE Wide weight_of(const TileInfluences<kCount>& tile, std::size_t k, std
 /// matrix as it is.
 /// eq   M = sum(w_i * palette[joint_i])
 template <int kCount>
-HWY_INLINE MatrixVectors blend_matrix_vectors(const JointMatrix* palette, const TileInfluences<kCount>& tile,
+HWY_INLINE MatrixVectors blend_matrix_vectors(const PaletteBases& palette, const TileInfluences<kCount>& tile,
                                               std::size_t k) {
-  const TileTag d;
   MatrixVectors sum;
-  const float* joint = &tile.entry(palette, k, 0)->column[0].x;
-  for (std::size_t p = 0; p < MatrixVectors::kCount; ++p) sum.part[p] = hn::Load(d, joint + p * kTileSize);
+  std::size_t joint = tile.template offset<sizeof(JointMatrix)>(k, 0);
+  for (std::size_t p = 0; p < MatrixVectors::kCount; ++p) sum.part[p] = palette.load(joint, p);
   if constexpr (kCount == 1) return sum;
   const Wide first = weight_of(tile, k, 0);
   for (Wide& part : sum.part) part = hn::Mul(part, first);
   for (std::size_t i = 1; i < tile.first.count(); ++i) {
-    joint = &tile.entry(palette, k, i)->column[0].x;
+    joint = tile.template offset<sizeof(JointMatrix)>(k, i);
     const Wide weight = weight_of(tile, k, i);
     for (std::size_t p = 0; p < MatrixVectors::kCount; ++p)
-      sum.part[p] = hn::MulAdd(hn::Load(d, joint + p * kTileSize), weight, sum.part[p]);
+      sum.part[p] = hn::MulAdd(palette.load(joint, p), weight, sum.part[p]);
   }
   return sum;
 }

@@ -42,7 +42,7 @@ struct LaneTable {
 };
 
 HWY_INLINE Spread3 spread(Wide quarter) {
-  return {hn::Broadcast<0>(quarter), hn::Broadcast<1>(quarter), hn::Broadcast<2>(quarter)};
+  return {broadcast<0>(quarter), broadcast<1>(quarter), broadcast<2>(quarter)};
 }
 
 /// Loads one quarter of a tile of packed vec3; the last quarter is read up to the end of the tile.
@@ -60,7 +60,7 @@ HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   if constexpr (kTileSize > 4) return spread(load_quarter<kQuarter>(tile));
   constexpr std::size_t kBefore = kQuarter == 3 ? 1 : 0;
   const Wide packed = hn::LoadU(TileTag(), &tile->x + kQuarter * 3 - kBefore);
-  return {hn::Broadcast<kBefore>(packed), hn::Broadcast<kBefore + 1>(packed), hn::Broadcast<kBefore + 2>(packed)};
+  return {broadcast<kBefore>(packed), broadcast<kBefore + 1>(packed), broadcast<kBefore + 2>(packed)};
 }
 
 /// Lanes `kOutput * N` and following of the packed tile, as far as they come from one quarter.
@@ -105,10 +105,10 @@ HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const FourVectors<Wide> v = transpose_blocks(d, quarter[0], quarter[1], quarter[2], quarter[3]);
   const Wide squared = hn::MulAdd(v.z, v.z, hn::MulAdd(v.y, v.y, hn::Mul(v.x, v.x)));
   const Wide scale = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared));
-  quarter[0] = hn::Mul(quarter[0], hn::Broadcast<0>(scale));
-  quarter[1] = hn::Mul(quarter[1], hn::Broadcast<1>(scale));
-  quarter[2] = hn::Mul(quarter[2], hn::Broadcast<2>(scale));
-  quarter[3] = hn::Mul(quarter[3], hn::Broadcast<3>(scale));
+  quarter[0] = hn::Mul(quarter[0], broadcast<0>(scale));
+  quarter[1] = hn::Mul(quarter[1], broadcast<1>(scale));
+  quarter[2] = hn::Mul(quarter[2], broadcast<2>(scale));
+  quarter[3] = hn::Mul(quarter[3], broadcast<3>(scale));
   return keeps_digits(squared);
 }
 

@@ -20,7 +20,7 @@ struct ScalarMatrix {
 };
 
 template <int kCount>
-HWY_INLINE ScalarMatrix blend_scalar_matrix(const JointMatrix* palette, const TileInfluences<kCount>& tile) {
+HWY_INLINE ScalarMatrix blend_scalar_matrix(const PaletteBases& palette, const TileInfluences<kCount>& tile) {
   const MatrixVectors m = blend_matrix_vectors(palette, tile, 0);
   const auto column = [&](std::size_t c) { return Lanes3{m.part[4 * c], m.part[4 * c + 1], m.part[4 * c + 2]}; };
   return {column(0), column(1), column(2), column(3)};

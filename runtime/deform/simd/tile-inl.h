@@ -24,6 +24,21 @@ using TileTag = hn::CappedTag<float, 16>;
 using Wide = hn::Vec<TileTag>;
 constexpr std::size_t kTileSize = hn::MaxLanes(TileTag());
 
+#if HWY_TARGET != HWY_SCALAR
+
+/// Lane `kLane` of each block in all lanes of the block. Of integers on SSE4: there only that needs no copy first.
+template <int kLane>
+HWY_INLINE Wide broadcast(Wide v) {
+#if HWY_TARGET == HWY_SSE4
+  const hn::RebindToSigned<TileTag> d;
+  return hn::BitCast(TileTag(), hn::Broadcast<kLane>(hn::BitCast(d, v)));
+#else
+  return hn::Broadcast<kLane>(v);
+#endif
+}
+
+#endif  // HWY_TARGET
+
 /// Lanes in which dividing by the length loses no digits, by the squared length.
 HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
   const TileTag d;

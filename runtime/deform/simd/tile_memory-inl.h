@@ -29,22 +29,27 @@ struct TileInfluences {
     return {first.joints + skip, first.weights + skip, first.runtime_count};
   }
 
-  /// Palette entry of joint `i` of vertex `k`. Reads four indices at once, since blending spends its time on loads
-  /// and instructions, and rotates them into byte offsets: shifting would need a copy of all four each time.
-  template <class Entry>
-  HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
-    if constexpr (!kFourAtOnce) return palette + at(k).joints[i];
-    static_assert(std::has_single_bit(sizeof(Entry)));
+  /// Byte offset of joint `i` of vertex `k` in a palette. Wide tiles read four indices at once, since blending spends
+  /// its time on loads and instructions, and rotate them into byte offsets: shifting would need a copy of all four each
+  /// time, as rotating does on machines of narrow tiles.
+  template <std::size_t kEntrySize>
+  HWY_INLINE std::size_t offset(std::size_t k, std::size_t i) const {
+    if constexpr (!kFourAtOnce) return at(k).joints[i] * kEntrySize;
+    static_assert(std::has_single_bit(kEntrySize));
     const std::size_t number = k * kCount + i, number_of_four = kCount % 4 == 0 ? i % 4 : number % 4;
     std::uint64_t four;
     hwy::CopyBytes<sizeof(four)>(first.joints + (number - number_of_four), &four);
-    const std::uint64_t offset =
-        std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(sizeof(Entry)));
-    return reinterpret_cast<const Entry*>(reinterpret_cast<const char*>(palette) + (offset & (0xffff * sizeof(Entry))));
+    return std::rotr(four, static_cast<int>(16 * number_of_four) - std::countr_zero(kEntrySize)) &
+           (0xffff * kEntrySize);
+  }
+  /// Palette entry of joint `i` of vertex `k`.
+  template <class Entry>
+  HWY_INLINE const Entry* entry(const Entry* palette, std::size_t k, std::size_t i) const {
+    return reinterpret_cast<const Entry*>(reinterpret_cast<const char*>(palette) + offset<sizeof(Entry)>(k, i));
   }
 
  private:
-  static constexpr bool kFourAtOnce = kCount > 0 && kTileSize % 4 == 0 && std::endian::native == std::endian::little;
+  static constexpr bool kFourAtOnce = kCount > 0 && kTileSize > 4 && std::endian::native == std::endian::little;
 };
 
 /// Attributes from the first vertex of a tile on; nullptr in the output = not wanted.
