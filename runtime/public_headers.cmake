@@ -93,6 +93,8 @@ set(sinew_public_headers
   runtime/lod/compile_skeleton_lod.h
   runtime/lod/interpolated_input.h
   runtime/lod/update_rate.h
+  runtime/geometry_cache/geometry_cache.h
+  runtime/geometry_cache/geometry_decoder.h
   runtime/c/clips.h
   runtime/c/messages.h
   runtime/c/root_motion.h
@@ -107,6 +109,8 @@ set(sinew_public_headers
 if(SINEW_IMPORTER)
   list(APPEND sinew_public_headers
     importer/add_centers_of_rotation.h
+    importer/geometry_cache/encode_geometry_cache.h
+    importer/geometry_cache/geometry_take.h
     importer/import_error.h
     importer/import_gltf.h
     importer/c/sinew_import.h

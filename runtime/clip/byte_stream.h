@@ -63,6 +63,7 @@ class ByteReader {
     at_ += values.size() * sizeof(T);
     return values;
   }
+  void skip(std::size_t size) noexcept { at_ += has(size) ? size : 0; }
   bool ended() const noexcept { return ended_; }
   std::size_t offset() const noexcept { return at_; }
   std::size_t left() const noexcept { return bytes_.size() - at_; }

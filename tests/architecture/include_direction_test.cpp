@@ -41,8 +41,8 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
-  for (const char* part : {"importer/tool", "importer/c", "viewer/app", "viewer/study", "importer", "viewer", "samples",
-                           "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "viewer/app", "viewer/study",
+                           "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -54,6 +54,8 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "tests" || from == "samples" || from == "importer/tool" || from == "viewer/app" || from == "viewer/study")
     return true;
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
+  if (from == "importer/geometry_cache")
+    return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer") return to == "importer" || kAssets.contains(to);
   if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
   if (from == "runtime") return to == "runtime/c";  // sinew.h
@@ -73,7 +75,10 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"imgui", {"viewer/app", "tests"}},
     {"CLI/", {"importer/tool", "viewer/app", "viewer/study", "tests"}},
     {"nlohmann/", {"importer", "importer/tool", "viewer/study", "tests"}},
-    {"hwy/", {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "importer/tool", "tests"}},
+    {"hwy/",
+     {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/geometry_cache", "importer/tool",
+      "tests"}},
+    {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "tests"}},
     {"tbb/", {"runtime/threads", "importer", "tests"}},
     {"oneapi/", {"runtime/threads", "importer", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},
@@ -123,7 +128,8 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("runtime/clip/x.h", "\"runtime/math/affine.h\""), 0u);
   EXPECT_EQ(count("runtime/clip/x.h", "\"runtime/model/scene.h\""), 1u);
   EXPECT_EQ(count("runtime/playback/x.h", "\"runtime/plan/compile_plan.h\""), 1u);
-  for (const char* offline : {"\"runtime/compress/clip_error.h\"", "\"runtime/lod/clip_bounds.h\""})
+  for (const char* offline : {"\"runtime/compress/clip_error.h\"", "\"runtime/lod/clip_bounds.h\"",
+                              "\"runtime/geometry_cache/geometry_cache.h\""})
     for (const char* frame :
          {"runtime/pose/x.cpp", "runtime/deform/simd/x-inl.h", "runtime/plan/x.cpp", "runtime/threads/x.cpp"})
       EXPECT_EQ(count(frame, offline), 1u) << frame << offline;

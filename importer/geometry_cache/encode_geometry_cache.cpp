@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "importer/geometry_cache/encode_geometry_cache.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "importer/geometry_cache/encode_stream.h"
+#include "runtime/base/checksum.h"
+#include "runtime/base/contract.h"
+#include "runtime/clip/byte_stream.h"
+#include "runtime/geometry_cache/geometry_decoder.h"
+#include "runtime/geometry_cache/geometry_format.h"
+#include "runtime/geometry_cache/stored_bytes.h"
+
+namespace sinew {
+namespace {
+
+tl::unexpected<ImportError> refuse(const char* rule, std::string detail) {
+  return tl::unexpected(ImportError{"", {Severity::error, rule, "", std::move(detail)}, {}, {}});
+}
+
+std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_count) {
+  const std::string where = "mesh \"" + mesh.name + "\"";
+  CONTRACT(!mesh.streams.empty() && mesh.streams[0].kind == GeometryKind::positions);
+  for (const TakeStream& stream : mesh.streams) {
+    if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMostPoints)
+      return refuse("cache-frames", where + " has " + std::to_string(stream.frames.size()) + " frames of " +
+                                        std::to_string(frame_count) + ", or too many vertices")
+          .value();
+    for (std::size_t f = 0; f < stream.frames.size(); ++f) {
+      if (stream.frames[f].size() != mesh.vertex_count)
+        return refuse("cache-frames", where + " has " + std::to_string(stream.frames[f].size()) +
+                                          " vertices in frame " + std::to_string(f) + ", not " +
+                                          std::to_string(mesh.vertex_count))
+            .value();
+      for (std::size_t v = 0; v < stream.frames[f].size(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+          if (!std::isfinite(stream.frames[f][v][axis]))
+            return refuse("cache-values",
+                          where + ": vertex " + std::to_string(v) + " is not finite in frame " + std::to_string(f))
+                .value();
+    }
+  }
+  return std::nullopt;
+}
+
+/// The grid of a stream.
+struct Grid {
+  float step = 0.0f;
+  double reach = 0.0;  // in steps
+};
+
+/// The widest grid whose cells lie within the budget of their points: half the diagonal of a cube is the budget, less
+/// what float rounds off.
+ImportResult<Grid> grid_of(const TakeStream& stream) {
+  double largest = 0.0;
+  for (const auto& frame : stream.frames)
+    for (const glm::vec3& p : frame)
+      for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(static_cast<double>(p[axis])));
+  const double rounding = 2.0 * 0x1p-23 * largest, within = stream.budget - rounding;
+  if (!(within >= 0.5 * stream.budget) || !(within > 0x1p-100))
+    return refuse("cache-budget", "a budget of " + std::to_string(stream.budget) +
+                                      " is below what float holds of numbers up to " + std::to_string(largest));
+  const auto step = static_cast<float>(2.0 * within / std::sqrt(3.0));
+  return Grid{step, within / static_cast<double>(step) * (1.0 + 1e-7)};
+}
+
+void write_table(std::span<const std::uint8_t> bytes, ByteWriter& out) {
+  std::vector<std::byte> stored;
+  out.add(store_bytes(bytes, stored));
+  out.bytes().insert(out.bytes().end(), stored.begin(), stored.end());
+}
+
+std::span<const std::uint8_t> bytes_of(const auto& numbers) {
+  return {reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size() * sizeof(numbers[0])};
+}
+
+void write_mesh(const GeometryMesh& mesh, ByteWriter& out) {
+  out.add(std::span<const char>(mesh.name));
+  out.add(mesh.vertex_count);
+  out.add(static_cast<std::uint32_t>(mesh.triangles.size()));
+  write_table(planes_of_numbers(mesh.triangles), out);
+  for (const double x : {mesh.certificate.asked_m, mesh.certificate.measured_m, mesh.certificate.between_m}) out.add(x);
+  for (const glm::vec3& corner : {mesh.bounds.lower, mesh.bounds.upper})
+    for (int axis = 0; axis < 3; ++axis) out.add(corner[axis]);
+  out.add(static_cast<std::uint8_t>(mesh.streams.size()));
+  for (const GeometryStream& stream : mesh.streams) {
+    out.add(static_cast<std::uint8_t>(stream.kind));
+    out.add(stream.step);
+    out.add(stream.point_count);
+    out.add(stream.most_payload);
+    write_table(planes_of_numbers(stream.point_of_vertex), out);
+    write_table(stream.corners, out);
+  }
+}
+
+/// Makes the file from what was encoded.
+class FileWriter {
+ public:
+  FileWriter(const GeometryTake& take, const EncodeGeometryOptions& options) : take_(take), options_(options) {}
+
+  std::vector<GeometryMesh> meshes;
+  std::vector<std::vector<std::byte>> frames;  // of all streams together
+
+  void add(const TakeMesh& mesh, std::vector<EncodedStream> streams) {
+    GeometryMesh& out = meshes.emplace_back();
+    out.name = mesh.name;
+    out.vertex_count = mesh.vertex_count;
+    if (options_.keep_triangles) out.triangles = mesh.triangles;
+    frames.resize(mesh.streams[0].frames.size());
+    for (EncodedStream& stream : streams) {
+      for (std::size_t f = 0; f < frames.size(); ++f)
+        frames[f].insert(frames[f].end(), stream.frames[f].begin(), stream.frames[f].end());
+      out.streams.push_back(std::move(stream.info));
+    }
+  }
+
+  std::vector<std::byte> file() const {
+    ByteWriter directory;
+    directory.add(take_.start_s);
+    directory.add(take_.frame_s);
+    directory.add(static_cast<std::uint32_t>(frames.size()));
+    directory.add(options_.segment_frames);
+    directory.add(static_cast<std::uint32_t>(meshes.size()));
+    for (const GeometryMesh& mesh : meshes) write_mesh(mesh, directory);
+    std::vector<std::uint32_t> sizes;
+    std::vector<std::uint64_t> sums;
+    std::uint64_t bytes = 0;
+    for (const auto& frame : frames) {
+      sizes.push_back(static_cast<std::uint32_t>(frame.size()));
+      sums.push_back(checksum(frame));
+      bytes += frame.size();
+    }
+    write_table(planes_of_numbers(sizes), directory);
+    write_table(bytes_of(sums), directory);
+    write_table(bytes_of(boxes()), directory);
+    ByteWriter out;
+    for (const char c : kGeometryMagic) out.add(c);
+    out.add(kGeometryFileVersion);
+    out.add(std::uint32_t{0});
+    const std::uint64_t head = kGeometryFileHead + directory.bytes().size();
+    out.add(head);
+    out.add(head + bytes);
+    out.add(checksum(directory.bytes()));
+    std::vector<std::byte> file = std::move(out.bytes());
+    file.insert(file.end(), directory.bytes().begin(), directory.bytes().end());
+    for (const auto& frame : frames) file.insert(file.end(), frame.begin(), frame.end());
+    return file;
+  }
+
+  /// Boxes of the decoded vertices of each frame, and of all frames. Known after the frames were measured.
+  std::vector<std::vector<Aabb>> boxes_of_mesh;
+
+ private:
+  /// Parts of a mesh's box in which the box of a frame begins and ends, rounded outwards with a step to spare for
+  /// float.
+  std::vector<std::uint16_t> boxes() const {
+    std::vector<std::uint16_t> out;
+    for (std::size_t f = 0; f < frames.size(); ++f)
+      for (std::size_t m = 0; m < meshes.size(); ++m) {
+        if (boxes_of_mesh.empty()) {
+          out.insert(out.end(), 6, 0);
+          continue;
+        }
+        const Aabb &all = meshes[m].bounds, &box = boxes_of_mesh[m][f];
+        const auto part = [&](double from, double to, int axis) {
+          const double size = double{all.upper[axis]} - all.lower[axis];
+          const double parts = size > 0.0 ? std::floor((to - from) / size * 65535.0) - 1.0 : 0.0;
+          return static_cast<std::uint16_t>(std::clamp(parts, 0.0, 65535.0));
+        };
+        for (int axis = 0; axis < 3; ++axis) out.push_back(part(all.lower[axis], box.lower[axis], axis));
+        for (int axis = 0; axis < 3; ++axis) out.push_back(part(box.upper[axis], all.upper[axis], axis));
+      }
+    return out;
+  }
+
+  const GeometryTake& take_;
+  const EncodeGeometryOptions& options_;
+};
+
+double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
+  double most = 0.0;
+  for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, glm::distance(glm::dvec3(a[v]), glm::dvec3(b[v])));
+  return most;
+}
+
+/// Decodes every frame as a program that plays it does, and writes into the meshes what was measured.
+void measure(const GeometryTake& take, FileWriter& writer) {
+  const std::vector<std::byte> file = writer.file();
+  const auto cache = GeometryCache::open(file);
+  CONTRACT(cache.has_value());
+  GeometryDecoder decoder(*cache);
+  MappedFrames source{*cache, file};
+  writer.boxes_of_mesh.assign(take.meshes.size(), {});
+  std::size_t stream = 0;
+  for (std::size_t m = 0; m < take.meshes.size(); ++m, stream += take.meshes[m - 1].streams.size()) {
+    const TakeMesh& mesh = take.meshes[m];
+    GeometryMesh& out = writer.meshes[m];
+    out.certificate.asked_m = mesh.streams[0].budget;
+    std::vector<glm::vec3> decoded(mesh.vertex_count);
+    for (std::uint32_t f = 0; f < cache->frame_count(); ++f) {
+      if (f > 0 && !mesh.between.empty()) {
+        CONTRACT(decoder.decode_time(take.start_s + (f - 0.5) * take.frame_s, source) == GeometryStatus::ok);
+        CONTRACT(decoder.write_vertices(stream, decoded) == GeometryStatus::ok);
+        out.certificate.between_m = std::max(out.certificate.between_m, largest_distance(decoded, mesh.between[f - 1]));
+      }
+      CONTRACT(decoder.decode(f, source) == GeometryStatus::ok);
+      CONTRACT(decoder.write_vertices(stream, decoded) == GeometryStatus::ok);
+      out.certificate.measured_m =
+          std::max(out.certificate.measured_m, largest_distance(decoded, mesh.streams[0].frames[f]));
+      Aabb box;
+      for (const glm::vec3& p : decoded) box.add(p);
+      if (decoded.empty()) box = {glm::vec3(0.0f), glm::vec3(0.0f)};
+      writer.boxes_of_mesh[m].push_back(box);
+      if (f == 0) out.bounds = box;
+      out.bounds.add(box.lower);
+      out.bounds.add(box.upper);
+    }
+  }
+}
+
+}  // namespace
+
+ImportResult<std::vector<std::byte>> encode_geometry_cache(const GeometryTake& take,
+                                                           const EncodeGeometryOptions& options) {
+  CONTRACT(options.segment_frames > 0);
+  if (take.meshes.empty()) return refuse("cache-frames", "there is no mesh");
+  const std::size_t frame_count = take.meshes[0].streams.empty() ? 0 : take.meshes[0].streams[0].frames.size();
+  FileWriter writer(take, options);
+  for (const TakeMesh& mesh : take.meshes) {
+    if (auto error = check_mesh(mesh, frame_count)) return tl::unexpected(std::move(*error));
+    std::vector<EncodedStream> streams;
+    for (const TakeStream& stream : mesh.streams) {
+      const auto grid = grid_of(stream);
+      if (!grid) return tl::unexpected(grid.error());
+      streams.push_back(encode_stream(stream, mesh.triangles, grid->step, grid->reach, options.segment_frames));
+    }
+    writer.add(mesh, std::move(streams));
+  }
+  measure(take, writer);
+  return writer.file();
+}
+
+}  // namespace sinew

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "importer/geometry_cache/fit_block.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sinew {
+namespace {
+
+using Vec3i = std::array<std::int32_t, 3>;
+/// Three columns of the matrix and the offset, for each axis.
+using Affine4 = std::array<std::array<double, 3>, 4>;
+
+std::int32_t wrapped(std::uint32_t number) { return static_cast<std::int32_t>(number); }
+std::uint32_t bits(std::int32_t number) { return static_cast<std::uint32_t>(number); }
+
+/// About the bits that a residual takes after packing and compression.
+double residual_bits(std::int32_t residual) {
+  static const std::vector<double> table = [] {
+    std::vector<double> t{0.8};
+    for (int i = 1; i < 1024; ++i) t.push_back(1.5 + 1.6 * std::log2(i + 1.0));
+    return t;
+  }();
+  const std::uint32_t size = residual < 0 ? 0u - bits(residual) : bits(residual);
+  return size < table.size() ? table[size] : 1.5 + 1.6 * std::log2(size + 1.0);
+}
+
+/// About the bits that a number of a block's head takes.
+double head_bits(std::int32_t number) {
+  return 0.6 * (1.0 + 2.0 * std::log2(1.0 + std::abs(static_cast<double>(number))));
+}
+
+/// The grid point within reach of the value that takes the fewest bits beside the prediction. A point in reach of the
+/// budget is as good as the nearest one: the budget is a ball, and cells of the grid fill it badly.
+Vec3i choose_near(const std::array<double, 3>& value, const Vec3i& predicted, double reach) {
+  Vec3i low, best{};
+  for (std::size_t a = 0; a < 3; ++a) low[a] = static_cast<std::int32_t>(std::floor(value[a]));
+  double fewest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    double distance = 0.0, cost = 0.0;
+    Vec3i at;
+    bool nearest = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      at[a] = low[a] + static_cast<std::int32_t>(corner >> a & 1u);
+      const double off = at[a] - value[a];
+      distance += off * off;
+      nearest = nearest && std::abs(off) <= 0.5;
+      cost += residual_bits(wrapped(bits(at[a]) - bits(predicted[a])));
+    }
+    if (distance > reach * reach && !nearest) continue;
+    cost += distance;  // of two that take the same bits, the nearer one
+    if (cost < fewest) {
+      fewest = cost;
+      best = at;
+    }
+  }
+  return best;
+}
+
+void set_widths(FittedBlock& block) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::uint32_t all = 0;
+    for (std::size_t i = 0; i < kBlockPoints; ++i) all |= zigzag(block.residuals[axis * kBlockPoints + i]);
+    block.motion.width[axis] = static_cast<std::uint8_t>(std::bit_width(all));
+  }
+}
+
+std::array<double, 3> point_of(const BlockValues& values, std::size_t i) {
+  return {values[i], values[kBlockPoints + i], values[2 * kBlockPoints + i]};
+}
+Vec3i point_of(const BlockState& state, std::size_t i) {
+  return {state[i], state[kBlockPoints + i], state[2 * kBlockPoints + i]};
+}
+
+/// Places one point at a grid point near its value.
+void settle(const BlockValues& values, std::size_t i, const Vec3i& predicted, double reach, FittedBlock& out) {
+  const Vec3i chosen = choose_near(point_of(values, i), predicted, reach);
+  for (std::size_t a = 0; a < 3; ++a) {
+    out.state[a * kBlockPoints + i] = chosen[a];
+    out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
+  }
+}
+
+/// What a motion predicts before residuals are added: the equation of BlockMotion, one point at a time.
+Vec3i predict(const BlockMotion& motion, const BlockState& x1, const BlockState& x2, std::size_t i) {
+  const Vec3i last = point_of(x1, i), earlier = point_of(x2, i), first = point_of(x1, 0);
+  Vec3i out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::uint32_t sum = bits(last[a]) + bits(motion.offset[a]);
+    const std::int32_t moved = wrapped(bits(last[a]) - bits(earlier[a]));
+    if (motion.base == BlockBase::linear) sum += bits(moved);
+    if (motion.base == BlockBase::slower) sum += bits(moved >> 1);
+    if (motion.turns) {
+      std::uint32_t turned = motion.shift > 0 ? 1u << (motion.shift - 1) : 0u;
+      for (std::size_t k = 0; k < 3; ++k) turned += bits(motion.matrix[3 * k + a]) * (bits(last[k]) - bits(first[k]));
+      sum += bits(wrapped(turned) >> motion.shift);
+    }
+    out[a] = wrapped(sum);
+  }
+  return out;
+}
+
+/// Solves the normal equations of four unknowns for three right-hand sides (Cholesky).
+/// in   n  symmetric, positive definite;   out  in place of `sides`
+void solve(std::array<std::array<double, 4>, 4> n, Affine4& sides) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t k = 0; k < j; ++k) n[j][j] -= n[j][k] * n[j][k];
+    n[j][j] = std::sqrt(std::max(n[j][j], 1e-9));
+    for (std::size_t i = j + 1; i < 4; ++i) {
+      for (std::size_t k = 0; k < j; ++k) n[i][j] -= n[i][k] * n[j][k];
+      n[i][j] /= n[j][j];
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t k = 0; k < i; ++k) sides[i][a] -= n[i][k] * sides[k][a];
+      sides[i][a] /= n[i][i];
+    }
+    for (std::size_t i = 4; i-- > 0;) {
+      for (std::size_t k = i + 1; k < 4; ++k) sides[i][a] -= n[k][i] * sides[k][a];
+      sides[i][a] /= n[i][i];
+    }
+  }
+}
+
+/// Finds the motion of one block.
+class MotionSearch {
+ public:
+  MotionSearch(const BlockValues& values, std::size_t count, const BlockState& x1, const BlockState& x2)
+      : values_(values), count_(count), x1_(x1), x2_(x2) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::array<double, 4> p = local(i);
+      for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t c = 0; c < 4; ++c) normal_[r][c] += p[r] * p[c];
+      for (std::size_t a = 0; a < 3; ++a) extent_ = std::max(extent_, std::abs(p[a]));
+    }
+    for (std::size_t a = 0; a < 3; ++a) normal_[a][a] += 1.0;  // flat blocks determine no more
+  }
+
+  void try_base(BlockBase base) {
+    const BlockMotion still{.base = base};
+    std::vector<std::array<double, 3>> rest(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vec3i predicted = predict(still, x1_, x2_, i);
+      for (std::size_t a = 0; a < 3; ++a) rest[i][a] = values_[a * kBlockPoints + i] - predicted[a];
+    }
+    try_motion(still);
+    try_motion(moved(still, rest));
+    Affine4 fit{};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::array<double, 4> p = local(i);
+      for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t a = 0; a < 3; ++a) fit[r][a] += p[r] * rest[i][a];
+    }
+    solve(normal_, fit);
+    const int fine = std::clamp(static_cast<int>(std::ceil(std::log2(extent_))), 1, 30);
+    for (const int shift : {fine, fine - 1}) try_motion(turned(still, fit, shift));
+  }
+
+  const BlockMotion& best() const { return best_; }
+
+ private:
+  std::array<double, 4> local(std::size_t i) const {
+    std::array<double, 4> p{0.0, 0.0, 0.0, 1.0};
+    for (std::size_t a = 0; a < 3; ++a) p[a] = static_cast<double>(x1_[a * kBlockPoints + i]) - x1_[a * kBlockPoints];
+    return p;
+  }
+
+  /// A motion vector: the median of what is left along each axis.
+  BlockMotion moved(BlockMotion motion, const std::vector<std::array<double, 3>>& rest) const {
+    std::vector<double> along(count_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t i = 0; i < count_; ++i) along[i] = rest[i][a];
+      const auto middle = along.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
+      std::nth_element(along.begin(), middle, along.end());
+      motion.offset[a] = static_cast<std::int32_t>(std::lround(*middle));
+    }
+    return motion;
+  }
+
+  static BlockMotion turned(BlockMotion motion, const Affine4& fit, int shift) {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const double x : fit[k]) largest = std::max(largest, std::abs(x));
+    while (shift > 0 && std::ldexp(largest, shift) > 32767.0) --shift;
+    motion.turns = true;
+    motion.shift = static_cast<std::uint8_t>(std::max(shift, 0));
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t a = 0; a < 3; ++a)
+        motion.matrix[3 * k + a] = static_cast<std::int16_t>(
+            std::clamp(std::nearbyint(std::ldexp(fit[k][a], motion.shift)), -32767.0, 32767.0));
+    for (std::size_t a = 0; a < 3; ++a)
+      motion.offset[a] = static_cast<std::int32_t>(std::clamp(std::nearbyint(fit[3][a]), -1e9, 1e9));
+    return motion;
+  }
+
+  void try_motion(const BlockMotion& motion) {
+    double cost = 0.0;
+    for (const std::int32_t x : motion.offset) cost += head_bits(x);
+    if (motion.turns)
+      for (const std::int16_t x : motion.matrix) cost += head_bits(x);
+    for (std::size_t i = 0; i < count_ && cost < fewest_; ++i) {
+      const Vec3i predicted = predict(motion, x1_, x2_, i);
+      for (std::size_t a = 0; a < 3; ++a)
+        cost += residual_bits(
+            wrapped(bits(static_cast<std::int32_t>(std::lround(values_[a * kBlockPoints + i]))) - bits(predicted[a])));
+    }
+    if (cost >= fewest_) return;
+    fewest_ = cost;
+    best_ = motion;
+  }
+
+  const BlockValues& values_;
+  std::size_t count_;
+  const BlockState& x1_;
+  const BlockState& x2_;
+  std::array<std::array<double, 4>, 4> normal_{};
+  double extent_ = 1.0, fewest_ = std::numeric_limits<double>::infinity();
+  BlockMotion best_;
+};
+
+}  // namespace
+
+FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
+                         double reach) {
+  FittedBlock out;
+  out.motion.base = BlockBase::space;
+  for (std::size_t a = 0; a < 3; ++a)
+    out.motion.offset[a] = static_cast<std::int32_t>(std::lround(values[a * kBlockPoints]));
+  for (std::size_t i = 0; i < kBlockPoints; ++i) {
+    Vec3i predicted = out.motion.offset;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint8_t corner = corners[3 * i + k];
+      if (corner == kNoCorner) continue;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const std::uint32_t from_offset = bits(out.state[a * kBlockPoints + corner]) - bits(out.motion.offset[a]);
+        predicted[a] = wrapped(bits(predicted[a]) + (k < 2 ? from_offset : 0u - from_offset));
+      }
+    }
+    if (i < count)
+      settle(values, i, predicted, reach, out);
+    else
+      for (std::size_t a = 0; a < 3; ++a) out.state[a * kBlockPoints + i] = predicted[a];
+  }
+  set_widths(out);
+  return out;
+}
+
+FittedBlock fit_in_time(const BlockValues& values, std::size_t count, const BlockState& x1, const BlockState& x2,
+                        bool steady, double reach) {
+  MotionSearch search(values, count, x1, x2);
+  search.try_base(BlockBase::last);
+  if (steady) {
+    search.try_base(BlockBase::linear);
+    search.try_base(BlockBase::slower);
+  }
+  FittedBlock out;
+  out.motion = search.best();
+  for (std::size_t i = 0; i < kBlockPoints; ++i) {
+    const Vec3i predicted = predict(out.motion, x1, x2, i);
+    if (i < count)
+      settle(values, i, predicted, reach, out);
+    else
+      for (std::size_t a = 0; a < 3; ++a) out.state[a * kBlockPoints + i] = predicted[a];
+  }
+  set_widths(out);
+  return out;
+}
+
+}  // namespace sinew

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/geometry_cache/block_motion.h"
+
+namespace sinew {
+
+/// The motions of all blocks of a frame as bytes, in planes that a general compressor takes well (geometry_format.h).
+struct BlockHeaderBytes {
+  std::vector<std::uint8_t> coarse, fine;
+};
+BlockHeaderBytes write_block_headers(std::span<const BlockMotion> blocks);
+
+enum class FramePlace : std::uint8_t { key, second, later };
+
+/// Reads them again. Any bytes may be passed.
+/// in   place   of the frame in its segment: blocks of the first one follow from space, those of others from time, of
+///              the second one from one frame before only
+/// out  blocks  [blocks]
+/// err  false: sizes that do not fit, kinds, shifts or widths that do not exist
+bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const std::uint8_t> fine, FramePlace place,
+                        std::span<BlockMotion> blocks) noexcept;
+
+/// The most bytes that blocks take in either section.
+std::size_t most_coarse_bytes(std::size_t blocks) noexcept;
+std::size_t most_fine_bytes(std::size_t blocks) noexcept;
+
+}  // namespace sinew

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Layout of .sgeo files, shared by the encoder (importer/geometry_cache) and the decoder. Little-endian.
+//
+//   head       kGeometryFileHead bytes: magic, version, 0, bytes of head and directory together, bytes of the file,
+//              checksum of the directory
+//   directory  meshes, streams, tables of frames (geometry_cache.cpp reads it in its order)
+//   frames     one after another, each the frames of all streams one after another
+//
+// A frame of a stream is three sections, each stored as it is or by zstd, whichever is smaller:
+//   coarse     kinds, widths, shifts, upper bytes of offsets and matrices: planes of small numbers
+//   fine       lowest bytes of offsets and matrices: close to random
+//   payload    packed residuals
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/geometry_cache/block_motion.h"
+
+namespace sinew {
+
+inline constexpr char kGeometryMagic[8] = {'S', 'I', 'N', 'E', 'W', 'G', 'E', 'O'};
+
+/// First byte of a section's size: how it is stored.
+inline constexpr std::uint32_t kStoredByZstd = 0x80000000u;
+inline constexpr std::size_t kSections = 3;
+inline constexpr std::size_t kSectionHeads = kSections * sizeof(std::uint32_t);
+
+/// Kind of a block in one byte: its base, and a bit for the matrix.
+inline constexpr std::uint8_t kTurnsBit = 4;
+
+/// Planes of bytes of the offsets above the lowest one; their number is the first byte of the coarse section.
+inline constexpr unsigned kMostOffsetPlanes = 3;
+inline constexpr std::uint8_t kMostShift = 30;
+
+/// Limits of one cache, so that sizes stay below what their types hold.
+inline constexpr std::uint32_t kMostPoints = 1u << 26;
+
+/// Bytes of the packed residuals of these blocks.
+inline std::size_t payload_bytes(std::span<const BlockMotion> blocks) noexcept {
+  std::size_t bytes = 0;
+  for (const BlockMotion& block : blocks)
+    for (const std::uint8_t width : block.width) bytes += std::size_t{8} * width;
+  return bytes;
+}
+
+}  // namespace sinew

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+struct ZSTD_DCtx_s;
+
+namespace sinew {
+
+/// Undoes zstd with memory that is taken once.
+class Unpacker {
+ public:
+  Unpacker();
+
+  /// in   stored  bytes as they are in the file, by zstd or plain
+  /// out  the first bytes of `out`, overwritten: exactly `out` or fewer
+  /// err  SIZE_MAX: the bytes are no zstd frame, or give more than `out` holds
+  /// cost O(out), no allocation
+  std::size_t unpack(std::span<const std::byte> stored, bool by_zstd, std::span<std::uint8_t> out) noexcept;
+
+ private:
+  struct Free {
+    void operator()(ZSTD_DCtx_s* context) const noexcept;
+  };
+  std::unique_ptr<ZSTD_DCtx_s, Free> context_;
+};
+
+/// Numbers as four planes of bytes of their zigzag differences: what write_numbers of the encoder wrote.
+/// in   planes  [4 * numbers]
+std::vector<std::uint32_t> numbers_of_planes(std::span<const std::uint8_t> planes);
+std::vector<std::uint8_t> planes_of_numbers(std::span<const std::uint32_t> numbers);
+
+}  // namespace sinew

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/geometry_cache/block_headers.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "runtime/geometry_cache/geometry_format.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsigned offset_bits) {
+  std::vector<BlockMotion> out(1 + random.below(20));
+  for (BlockMotion& motion : out) {
+    motion.base = place == FramePlace::key      ? BlockBase::space
+                  : place == FramePlace::second ? BlockBase::last
+                                                : static_cast<BlockBase>(1 + random.below(3));
+    motion.turns = place != FramePlace::key && random.below(2) == 0;
+    for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(33));
+    for (auto& x : motion.offset)
+      x = static_cast<std::int32_t>(static_cast<std::int64_t>(random.bits()) >> (64 - offset_bits));
+    if (!motion.turns) continue;
+    motion.shift = static_cast<std::uint8_t>(random.below(31));
+    for (auto& x : motion.matrix) x = static_cast<std::int16_t>(random.bits());
+  }
+  return out;
+}
+
+bool is_same(const BlockMotion& a, const BlockMotion& b) {
+  return a.base == b.base && a.turns == b.turns && a.width == b.width && a.offset == b.offset &&
+         (!a.turns || (a.shift == b.shift && a.matrix == b.matrix));
+}
+
+TEST(block_headers, what_was_written_is_read_again) {
+  FixedRandom random(7);
+  for (const FramePlace place : {FramePlace::key, FramePlace::second, FramePlace::later})
+    for (const unsigned bits : {1u, 7u, 8u, 15u, 16u, 23u, 24u, 32u})
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        const std::vector<BlockMotion> written = any_motions(random, place, bits);
+        const BlockHeaderBytes bytes = write_block_headers(written);
+        EXPECT_LE(bytes.coarse.size(), most_coarse_bytes(written.size()));
+        EXPECT_LE(bytes.fine.size(), most_fine_bytes(written.size()));
+        std::vector<BlockMotion> read(written.size(), BlockMotion{.shift = 9, .matrix = {1}, .offset = {1, 2, 3}});
+        ASSERT_TRUE(read_block_headers(bytes.coarse, bytes.fine, place, read));
+        for (std::size_t b = 0; b < read.size(); ++b) ASSERT_TRUE(is_same(read[b], written[b])) << "block " << b;
+      }
+}
+
+TEST(block_headers, sections_of_another_size_are_refused) {
+  FixedRandom random(8);
+  const std::vector<BlockMotion> motions = any_motions(random, FramePlace::later, 12);
+  const BlockHeaderBytes bytes = write_block_headers(motions);
+  std::vector<BlockMotion> read(motions.size());
+  for (std::size_t size = 0; size < bytes.coarse.size(); ++size)
+    EXPECT_FALSE(read_block_headers(std::span(bytes.coarse).first(size), bytes.fine, FramePlace::later, read)) << size;
+  for (std::size_t size = 0; size < bytes.fine.size(); ++size)
+    EXPECT_FALSE(read_block_headers(bytes.coarse, std::span(bytes.fine).first(size), FramePlace::later, read)) << size;
+  read.resize(motions.size() + 1);
+  EXPECT_FALSE(read_block_headers(bytes.coarse, bytes.fine, FramePlace::later, read));
+}
+
+TEST(block_headers, kinds_that_a_frame_cannot_have_are_refused) {
+  const auto reads = [](BlockMotion motion, FramePlace place) {
+    const BlockHeaderBytes bytes = write_block_headers(std::span(&motion, 1));
+    return read_block_headers(bytes.coarse, bytes.fine, place, std::span(&motion, 1));
+  };
+  EXPECT_TRUE(reads({.base = BlockBase::space}, FramePlace::key));
+  EXPECT_FALSE(reads({.base = BlockBase::space}, FramePlace::second));
+  EXPECT_FALSE(reads({.base = BlockBase::space}, FramePlace::later));
+  EXPECT_FALSE(reads({.base = BlockBase::space, .turns = true}, FramePlace::key));
+  EXPECT_FALSE(reads({.base = BlockBase::last}, FramePlace::key));
+  EXPECT_TRUE(reads({.base = BlockBase::last, .turns = true}, FramePlace::second));
+  for (const BlockBase base : {BlockBase::linear, BlockBase::slower}) {
+    EXPECT_FALSE(reads({.base = base}, FramePlace::second)) << "it would follow from a frame of another segment";
+    EXPECT_TRUE(reads({.base = base}, FramePlace::later));
+  }
+  EXPECT_FALSE(reads({.width = {0, 33, 0}}, FramePlace::later));
+  EXPECT_FALSE(reads({.turns = true, .shift = 31}, FramePlace::later));
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/geometry_cache/geometry_cache.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "runtime/base/checksum.h"
+#include "runtime/geometry_cache/geometry_decoder.h"
+#include "tests/geometry_cache/takes.h"
+
+namespace sinew::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes small_file() {
+  GeometryTake take = noise_take(70, 6, 1e-2);
+  take.meshes[0].triangles = {0, 1, 2, 2, 1, 3};
+  return *encode_geometry_cache(take, {.segment_frames = 3});
+}
+
+/// Decodes all frames there are; true when all could be.
+bool decode_all(const GeometryCache& cache, std::span<const std::byte> file) {
+  GeometryDecoder decoder(cache);
+  MappedFrames source{cache, file};
+  bool all = true;
+  for (std::uint32_t f = 0; f < cache.frame_count(); ++f) all = decoder.decode(f, source) == GeometryStatus::ok && all;
+  return all;
+}
+
+/// Corrects the checksum of the directory after a change.
+void sign(Bytes& file) {
+  const std::uint64_t head = GeometryCache::head_bytes(file);
+  if (head < kGeometryFileHead || head > file.size()) return;
+  const std::uint64_t sum = checksum(std::span(file).subspan(kGeometryFileHead, head - kGeometryFileHead));
+  std::memcpy(file.data() + 32, &sum, sizeof(sum));
+}
+
+TEST(geometry_cache, says_what_is_in_the_file) {
+  GeometryTake take = flag_take(9);
+  take.start_s = 2.0;
+  take.frame_s = 0.04;
+  const Bytes file = *encode_geometry_cache(take, {.segment_frames = 4});
+  const auto cache = GeometryCache::open(file);
+  ASSERT_TRUE(cache.has_value());
+  EXPECT_EQ(cache->frame_count(), 9u);
+  EXPECT_EQ(cache->segment_frames(), 4u);
+  EXPECT_EQ(cache->key_frame_of(7), 4u);
+  EXPECT_EQ(cache->start_s(), 2.0);
+  EXPECT_DOUBLE_EQ(cache->duration_s(), 0.32);
+  EXPECT_EQ(cache->file_bytes(), file.size());
+  ASSERT_EQ(cache->meshes().size(), 1u);
+  EXPECT_EQ(cache->meshes()[0].name, "mesh");
+  EXPECT_EQ(cache->meshes()[0].triangles, take.meshes[0].triangles);
+  const Bytes without = *encode_geometry_cache(take, {.keep_triangles = false});
+  EXPECT_TRUE(GeometryCache::open(without)->meshes()[0].triangles.empty());
+}
+
+TEST(geometry_cache, the_head_alone_is_enough_to_open_it) {
+  const Bytes file = small_file();
+  const std::uint64_t head = GeometryCache::head_bytes(std::span(file).first(kGeometryFileHead));
+  ASSERT_LT(head, file.size());
+  EXPECT_TRUE(GeometryCache::open(std::span(file).first(head), file.size()).has_value());
+  EXPECT_FALSE(GeometryCache::open(std::span(file).first(head - 1), file.size()).has_value());
+  EXPECT_FALSE(GeometryCache::open(std::span(file).first(head), file.size() + 1).has_value());
+  EXPECT_EQ(GeometryCache::head_bytes(std::span(file).first(kGeometryFileHead - 1)), 0u);
+}
+
+TEST(geometry_cache, every_truncated_file_is_refused) {
+  const Bytes file = small_file();
+  for (std::size_t size = 0; size < file.size(); ++size) {
+    const auto cache = GeometryCache::open(std::span(file).first(size));
+    ASSERT_FALSE(cache.has_value()) << size;
+    EXPECT_THAT(cache.error().rule, testing::AnyOf("cache-magic", "cache-size", "cache-checksum")) << size;
+  }
+}
+
+TEST(geometry_cache, every_flipped_bit_is_seen) {
+  Bytes file = small_file();
+  for (std::size_t at = 0; at < file.size(); ++at)
+    for (const unsigned bit : {0u, 3u, 7u}) {
+      file[at] ^= std::byte(1u << bit);
+      const auto cache = GeometryCache::open(file);
+      EXPECT_FALSE(cache.has_value() && decode_all(*cache, file)) << "byte " << at << " bit " << bit;
+      file[at] ^= std::byte(1u << bit);
+    }
+}
+
+TEST(geometry_cache, flipped_bits_with_a_right_checksum_never_lead_outside_of_buffers) {
+  Bytes file = small_file();
+  const std::uint64_t head = GeometryCache::head_bytes(file);
+  for (std::size_t at = 0; at < head; ++at)
+    for (unsigned bit = 0; bit < 8; ++bit) {
+      file[at] ^= std::byte(1u << bit);
+      Bytes changed = file;
+      sign(changed);
+      if (const auto cache = GeometryCache::open(changed)) decode_all(*cache, changed);
+      file[at] ^= std::byte(1u << bit);
+    }
+}
+
+TEST(geometry_cache, a_damaged_frame_is_refused_and_the_next_segment_plays) {
+  Bytes file = small_file();
+  const auto cache = GeometryCache::open(file);
+  ASSERT_TRUE(cache.has_value());
+  file[cache->frames()[1].offset + 20] ^= std::byte(4);
+  GeometryDecoder decoder(*cache);
+  MappedFrames source{*cache, file};
+  EXPECT_EQ(decoder.decode(0, source), GeometryStatus::ok);
+  EXPECT_EQ(decoder.decode(1, source), GeometryStatus::damaged);
+  EXPECT_EQ(decoder.frame(), kNone);
+  EXPECT_EQ(decoder.decode(2, source), GeometryStatus::damaged) << "it follows from the damaged one";
+  EXPECT_EQ(decoder.decode(4, source), GeometryStatus::ok);
+}
+
+TEST(geometry_cache, each_rule_has_its_name) {
+  const Bytes good = small_file();
+  const auto rule_of = [](const Bytes& file) {
+    const auto cache = GeometryCache::open(file);
+    return cache ? std::string() : cache.error().rule;
+  };
+  EXPECT_EQ(rule_of(good), "");
+  Bytes file = good;
+  file[0] = std::byte('X');
+  EXPECT_EQ(rule_of(file), "cache-magic");
+  file = good;
+  file[8] = std::byte(9);
+  EXPECT_EQ(rule_of(file), "cache-version");
+  file = good;
+  file[12] = std::byte(1);
+  EXPECT_EQ(rule_of(file), "cache-value");
+  file = good;
+  file[50] ^= std::byte(1);
+  EXPECT_EQ(rule_of(file), "cache-checksum");
+  file = good;
+  file.resize(file.size() + 1);
+  EXPECT_EQ(rule_of(file), "cache-size");
+  file = good;
+  file[kGeometryFileHead + 15] = std::byte(0xff);  // the sign of the time between frames
+  sign(file);
+  EXPECT_EQ(rule_of(file), "cache-value");
+}
+
+}  // namespace
+}  // namespace sinew::test
