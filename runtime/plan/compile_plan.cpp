@@ -11,6 +11,7 @@
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/plan_primitives.h"
 #include "runtime/pose/hemisphere_pairs.h"
+#include "runtime/pose/simd/choose_instruction_set.h"
 
 namespace sinew {
 namespace {
@@ -122,6 +123,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
   CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
+  choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;
   plan.scene = &scene;

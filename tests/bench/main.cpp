@@ -73,6 +73,7 @@ void add_all(bool for_counting) {
   if (!for_counting) {
     add_memory();
     add_import();
+    add_setup();
     add_job_thread();
   }
   add_sample();

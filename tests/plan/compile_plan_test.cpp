@@ -2,6 +2,7 @@
 #include "runtime/plan/compile_plan.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +19,12 @@
 
 namespace sinew::test {
 namespace {
+
+TEST(compile_plan, no_frame_waits_for_the_choice_of_an_instruction_set) {
+  hwy::GetChosenTarget().DeInit();
+  compile_plan(prop_scene(), {});
+  EXPECT_TRUE(hwy::GetChosenTarget().IsInitialized());
+}
 
 TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
   const Scene scene = prop_scene();
