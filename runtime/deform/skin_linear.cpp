@@ -87,24 +87,23 @@ struct SkinRow {
       kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
 
   HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
-    const TileInput in = row.in(t);
     const TileInfluences<kCount> joints = row.joints(t);
     Wide positions[4];
     for_each_quarter([&](auto q) HWY_ATTR {
       const Columns m = blend_columns(palette, joints, q);
-      positions[q] = transform_points(m, load_spread<q>(in.positions));
-      if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(in.normals), kCofactor));
+      positions[q] = transform_points(m, load_spread<q>(row.all_in.positions + t * kTileSize));
+      if constexpr (kNormals) normals.keep(q, moved_normals(m, load_spread<q>(row.normals_in(t)), kCofactor));
       if constexpr (kTangents)
-        tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &in.tangents[q * kBlocks].x))));
+        tangents.keep(q, transform_vectors(m, spread(hn::LoadU(TileTag(), &row.tangents_in(t)[q * kBlocks].x))));
     });
-    store_packed(positions, row.out(t).positions, row.past_caches);
+    store_packed(positions, row.all_out.positions + t * kTileSize, row.past_caches);
   }
 
   HWY_INLINE hn::Mask<TileTag> write_normals(const KeptQuarters& kept, const Row& row, std::size_t t) const {
     Wide normals[4];
     kept.load(normals);
     const auto sound = normalise(normals);
-    store_packed(normals, row.out(t).normals, row.past_caches);
+    store_packed(normals, row.normals_out(t), row.past_caches);
     return sound;
   }
 
@@ -116,9 +115,9 @@ struct SkinRow {
     kept.load(tangents);
     const auto sound = normalise(tangents);
     for_each_quarter([&](auto q) HWY_ATTR {
-      const Wide source = hn::LoadU(d, &row.in(t).tangents[q * kBlocks].x);
+      const Wide source = hn::LoadU(d, &row.tangents_in(t)[q * kBlocks].x);
       const Wide tangent = hn::IfThenElse(handedness, source, tangents[q]);
-      float* to = &row.out(t).tangents[q * kBlocks].x;
+      float* to = &row.tangents_out(t)[q * kBlocks].x;
       if (row.past_caches)
         hn::Stream(tangent, d, to);
       else

@@ -63,34 +63,49 @@ HWY_INLINE Spread3 load_spread(const glm::vec3* tile) {
   return {broadcast<kBefore>(packed), broadcast<kBefore + 1>(packed), broadcast<kBefore + 2>(packed)};
 }
 
-/// Lanes `kOutput * N` and following of the packed tile, as far as they come from one quarter.
-template <std::size_t kOutput, std::size_t kQuarter>
-HWY_INLINE Wide packed_from(Wide quarter) {
+/// Brings the lanes of a quarter to their places in one third of the packed tile. Lanes of other quarters come out as
+/// some of this one: the places repeat from quarter to quarter, so that both quarters of a third take one table.
+template <std::size_t kThird>
+HWY_INLINE Wide packed_third(Wide quarter) {
   static constexpr LaneTable kTable([](std::size_t i) {
-    const std::size_t of_tile = kOutput * kTileSize + i, first = kQuarter * 3 * kBlocks;
-    const std::size_t at = of_tile < first || of_tile >= first + 3 * kBlocks ? 0 : of_tile - first;
-    return at / 3 * 4 + at % 3;
+    const std::size_t of_quarter = (kThird * kTileSize + i) % (3 * kBlocks);
+    return of_quarter / 3 * 4 + of_quarter % 3;
   });
   return hn::TableLookupLanes(quarter, hn::SetTableIndices(TileTag(), kTable.lanes));
+}
+
+struct PackedTile {
+  Wide thirds[3];
+};
+
+HWY_INLINE PackedTile packed(const Wide (&quarter)[4]) {
+  const TileTag d;
+#if HWY_MAX_BYTES >= 32
+  return {hn::IfThenElse(hn::FirstN(d, 3 * kBlocks), packed_third<0>(quarter[0]), packed_third<0>(quarter[1])),
+          hn::ConcatUpperLower(d, packed_third<1>(quarter[2]), packed_third<1>(quarter[1])),
+          hn::IfThenElse(hn::FirstN(d, kBlocks), packed_third<2>(quarter[2]), packed_third<2>(quarter[3]))};
+#else
+  // (x y z -) to (- x y z), which the next vertex follows: fewer steps than tables and masks of four lanes.
+  const Wide first = hn::Shuffle2103(quarter[0]), second = hn::Shuffle2103(quarter[1]);
+  const Wide third = hn::Shuffle2103(quarter[2]);
+  return {hn::CombineShiftRightLanes<1>(d, quarter[1], first), hn::CombineShiftRightLanes<2>(d, quarter[2], second),
+          hn::CombineShiftRightLanes<3>(d, quarter[3], third)};
+#endif
 }
 
 /// Stores a tile of packed vec3; with non-temporal stores only where `out` is aligned to vectors.
 HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past_caches = false) {
   const TileTag d;
   float* to = &out->x;
-  const auto join = [&](std::size_t from_first, Wide first, Wide second)
-                        HWY_ATTR { return hn::IfThenElse(hn::FirstN(d, from_first), first, second); };
-  const Wide packed[3] = {join(3 * kBlocks, packed_from<0, 0>(quarter[0]), packed_from<0, 1>(quarter[1])),
-                          join(2 * kBlocks, packed_from<1, 1>(quarter[1]), packed_from<1, 2>(quarter[2])),
-                          join(kBlocks, packed_from<2, 2>(quarter[2]), packed_from<2, 3>(quarter[3]))};
+  const PackedTile tile = packed(quarter);
   if (past_caches) {
-    hn::Stream(packed[0], d, to);
-    hn::Stream(packed[1], d, to + kTileSize);
-    hn::Stream(packed[2], d, to + 2 * kTileSize);
+    hn::Stream(tile.thirds[0], d, to);
+    hn::Stream(tile.thirds[1], d, to + kTileSize);
+    hn::Stream(tile.thirds[2], d, to + 2 * kTileSize);
   } else {
-    hn::StoreU(packed[0], d, to);
-    hn::StoreU(packed[1], d, to + kTileSize);
-    hn::StoreU(packed[2], d, to + 2 * kTileSize);
+    hn::StoreU(tile.thirds[0], d, to);
+    hn::StoreU(tile.thirds[1], d, to + kTileSize);
+    hn::StoreU(tile.thirds[2], d, to + 2 * kTileSize);
   }
 }
 

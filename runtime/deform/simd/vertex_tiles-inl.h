@@ -38,6 +38,12 @@ struct TileRow {
   }
   HWY_INLINE TileInput in(std::size_t tile) const { return all_in.from(tile * kTileSize); }
   HWY_INLINE TileOutput out(std::size_t tile) const { return all_out.from(tile * kTileSize); }
+
+  // The same of one attribute that is known to be there.
+  HWY_INLINE const glm::vec3* normals_in(std::size_t tile) const { return all_in.normals + tile * kTileSize; }
+  HWY_INLINE const glm::vec4* tangents_in(std::size_t tile) const { return all_in.tangents + tile * kTileSize; }
+  HWY_INLINE glm::vec3* normals_out(std::size_t tile) const { return all_out.normals + tile * kTileSize; }
+  HWY_INLINE glm::vec4* tangents_out(std::size_t tile) const { return all_out.tangents + tile * kTileSize; }
 };
 
 /// Calls `skin(TileRow)` for all vertices of a group. The vertices after the last whole tile are done as a tile that
