@@ -26,6 +26,7 @@ constexpr const char* kAbout =
     "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
     "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with as few keys as keep every vertex within 0.1 mm\n"
     "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playback, rounded within the same budget\n"
+    "  sinew bake fox.glb --clip Walk -o walk.sgeo       every vertex of every frame, for what no skeleton can move\n"
     "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
 constexpr const char* kEnding =
     "Results go to stdout, messages to stderr.\n"
@@ -76,6 +77,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_plan(program, outcome);
   add_convert(program, outcome);
   add_compile(program, outcome);
+  add_bake(program, outcome);
 #ifdef SINEW_WITH_COST
   add_cost(program, outcome);
 #endif

@@ -13,6 +13,7 @@ void add_verify(CLI::App& program, ExitCode& outcome);
 void add_check(CLI::App& program, ExitCode& outcome);
 void add_plan(CLI::App& program, ExitCode& outcome);
 void add_compile(CLI::App& program, ExitCode& outcome);
+void add_bake(CLI::App& program, ExitCode& outcome);
 void add_convert(CLI::App& program, ExitCode& outcome);
 void add_cost(CLI::App& program, ExitCode& outcome);  ///< in builds with Google Benchmark
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -14,11 +16,13 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/certificate_table.h"
+#include "importer/tool/geometry_table.h"
 #include "importer/tool/info_json.h"
 #include "importer/tool/info_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/geometry_cache/geometry_cache.h"
 
 namespace sinew::tool {
 namespace {
@@ -80,6 +84,32 @@ std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
   return ExitCode::done;
 }
 
+/// Prints what a geometry cache holds; nothing when the file is none. Reads its head only.
+std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const auto size = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;
+  std::vector<char> bytes(std::min<std::uint64_t>(size, kGeometryFileHead));
+  const auto in_bytes = [&] { return std::as_bytes(std::span(bytes)); };
+  const auto read = [&] {
+    stream.seekg(0);
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  };
+  read();
+  const std::uint64_t head = GeometryCache::head_bytes(in_bytes());
+  if (head == 0) return std::nullopt;
+  bytes.resize(std::min(size, head));
+  read();
+  const auto cache = GeometryCache::open(in_bytes(), size);
+  if (!cache)
+    return fail_with(ExitCode::input_at_fault, fmt::format("{}: byte {}: {}: {}", file, cache.error().offset,
+                                                           cache.error().rule, cache.error().detail));
+  if (json)
+    fmt::print("{}\n", json_text({{"file", file}, {"geometry_cache", geometry_json(*cache)}}));
+  else
+    fmt::print("{}\ngeometry cache, version {}\n{}", file, kGeometryFileVersion, geometry_table(*cache));
+  return ExitCode::done;
+}
+
 struct InfoOptions {
   std::string file;
   bool json = false;
@@ -87,6 +117,7 @@ struct InfoOptions {
 
 ExitCode tell_about(const InfoOptions& options) {
   if (const auto outcome = tell_about_clips(options.file, options.json)) return *outcome;
+  if (const auto outcome = tell_about_geometry(options.file, options.json)) return *outcome;
   ImportOptions import;
   import.decode_images = false;
   import.probe_images = true;
@@ -107,7 +138,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "info",
       "Show what a file holds: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file, or compiled clips")->required();
+  command->add_option("FILE", options->file, "A .gltf or .glb file, compiled clips, or a geometry cache")->required();
   command->add_flag("--json", options->json, "Print the same as JSON");
   command->callback([options, &outcome] { outcome = tell_about(*options); });
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "importer/geometry_cache/geometry_take.h"
+#include "importer/geometry_cache/point_cache.h"
+#include "importer/import_error.h"
+#include "runtime/model/scene.h"
+
+namespace sinew::tool {
+
+/// Meshes that point caches or numbered files move, and what was found out about them, a sentence.
+struct BakedPoints {
+  GeometryTake take;
+  std::string found;
+};
+
+struct PointsOptions {
+  std::string file;          ///< .mdd or .pc2
+  std::optional<UpAxis> up;  ///< nothing: found out by comparing the first frame with the mesh at rest
+  double fps = 30.0, budget_m = 1e-4;
+};
+
+/// The mesh of an OBJ file, moved by a point cache in the order of its lines `v`.
+ImportResult<BakedPoints> bake_points(const std::filesystem::path& obj, const PointsOptions& options);
+
+/// The one mesh of a scene, moved by a point cache in the order of the file's vertices.
+/// err  points-mesh  more than one mesh, primitive or instance, or none
+ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& options);
+
+/// OBJ files whose names end in numbers that count up, one frame each: cloth_0001.obj, cloth_0002.obj, ...
+/// err  obj-topology  a file has other faces or another number of vertices than the first
+ImportResult<BakedPoints> bake_numbered_obj(const std::filesystem::path& first, double fps, double budget_m);
+
+}  // namespace sinew::tool

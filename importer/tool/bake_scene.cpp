@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/bake_scene.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "importer/tool/messages.h"
+#include "importer/tool/progress_line.h"
+#include "runtime/math/affine.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::tool {
+namespace {
+
+constexpr double kMostFrames = 1e6;  // so that a typing error in --fps does not fill the memory
+
+/// One mesh of the take: a primitive of a mesh instance.
+struct Source {
+  std::uint32_t instance = 0, primitive = 0;
+};
+
+class SceneBaker {
+ public:
+  SceneBaker(const Scene& scene, std::uint32_t clip)
+      : scene_(scene), clip_(clip), plan_(compile_plan(scene, needs())), frame_(plan_) {}
+
+  void add_meshes(double budget_m, BakedScene& out) {
+    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
+      const Mesh& mesh = scene_.meshes[scene_.instances[i].mesh];
+      if (!scene_.instances[i].copies.empty())
+        out.left_out.push_back(fmt::format("copies of mesh {}: only the mesh itself is baked", in_quotes(mesh.name)));
+      for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
+        const Primitive& primitive = mesh.primitives[p];
+        if (primitive.topology != Topology::triangles) {
+          out.left_out.push_back(fmt::format("points or lines of mesh {}", in_quotes(mesh.name)));
+          continue;
+        }
+        sources_.push_back({i, p});
+        TakeMesh& taken = out.take.meshes.emplace_back();
+        taken.name = mesh.primitives.size() == 1 ? mesh.name : fmt::format("{} {}", mesh.name, p);
+        taken.vertex_count = static_cast<std::uint32_t>(primitive.vertex_count());
+        taken.triangles = primitive.indices;
+        taken.streams.push_back({GeometryKind::positions, {}, budget_m});
+      }
+    }
+  }
+
+  ErrorCode run(double time_s) {
+    const ClipLayer layers[] = {{.clip = clip_, .time_s = time_s}};
+    FrameInput input;
+    if (clip_ != kNone) input.layers = layers;
+    return run_plan(plan_, input, frame_);
+  }
+
+  std::vector<glm::vec3> positions(std::size_t source) const {
+    const auto [i, p] = sources_[source];
+    const InstanceResult& instance = frame_.result().instances[i];
+    const DeformedPrimitive& deformed = frame_.result().primitives[instance.first_primitive + p];
+    const std::vector<glm::vec3>& rest = scene_.meshes[scene_.instances[i].mesh].primitives[p].positions;
+    const std::span<const glm::vec3> from = deformed.positions.empty() ? std::span(rest) : deformed.positions;
+    std::vector<glm::vec3> out;
+    for (const glm::vec3& x : from) out.push_back(transform_point(instance.world_from_mesh, x));
+    return out;
+  }
+
+ private:
+  static Needs needs() {
+    Needs needs;
+    needs.joints = needs.normals = needs.tangents = needs.properties = needs.weights = false;
+    needs.hidden_meshes = true;
+    needs.max_layers = 1;
+    return needs;
+  }
+
+  const Scene& scene_;
+  std::uint32_t clip_;
+  Plan plan_;
+  FrameBuffer frame_;
+  std::vector<Source> sources_;
+};
+
+}  // namespace
+
+tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps, double budget_m) {
+  const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
+  if (duration_s * fps > kMostFrames)
+    return tl::unexpected(fmt::format("--fps {}: more than {} frames", fps, kMostFrames));
+  const auto frames = static_cast<std::size_t>(std::floor(duration_s * fps + 1e-6)) + 1;
+  BakedScene out;
+  out.take.frame_s = 1.0 / fps;
+  SceneBaker baker(scene, clip);
+  baker.add_meshes(budget_m, out);
+  ProgressLine progress;
+  for (std::size_t half = 0; half < 2 * frames - 1; ++half) {  // frames, and the times half way between them
+    progress.show("sampling", static_cast<double>(half) / static_cast<double>(2 * frames));
+    if (const ErrorCode code = baker.run(static_cast<double>(half) / (2.0 * fps)); code != ErrorCode::ok)
+      return tl::unexpected(std::string(describe(code)));
+    for (std::size_t m = 0; m < out.take.meshes.size(); ++m) {
+      TakeMesh& mesh = out.take.meshes[m];
+      (half % 2 == 0 ? mesh.streams[0].frames : mesh.between).push_back(baker.positions(m));
+    }
+  }
+  return out;
+}
+
+}  // namespace sinew::tool

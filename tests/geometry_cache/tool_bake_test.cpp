@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// `sinew bake` and what `sinew info` says of its files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "importer/geometry_cache/point_cache.h"
+#include "importer/import_gltf.h"
+#include "runtime/geometry_cache/geometry_decoder.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/geometry_cache/point_cache_files.h"
+#include "tests/importer/tool_model.h"
+#include "tests/support/corpus.h"
+
+namespace sinew::test {
+namespace {
+using testing::HasSubstr;
+
+std::vector<std::byte> read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
+  const auto view = std::as_bytes(std::span(bytes));
+  return {view.begin(), view.end()};
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+void write_file(const std::string& path, const std::string& text) { write_file(path, std::as_bytes(std::span(text))); }
+
+/// Positions of all vertices of one mesh in one frame of a cache.
+std::vector<glm::vec3> positions(const std::string& file, std::uint32_t frame, std::size_t mesh = 0) {
+  const std::vector<std::byte> bytes = read_file(file);
+  const auto cache = GeometryCache::open(bytes);
+  EXPECT_TRUE(cache.has_value());
+  GeometryDecoder decoder(*cache);
+  MappedFrames source{*cache, bytes};
+  std::vector<glm::vec3> out(cache->meshes()[mesh].vertex_count);
+  EXPECT_EQ(decoder.decode(frame, source), GeometryStatus::ok);
+  EXPECT_EQ(decoder.write_vertices(mesh, out), GeometryStatus::ok);
+  return out;
+}
+
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nf 1 2 3\nf 3 2 4\n";
+const std::vector<glm::vec3> kRest = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5f}};
+
+TEST(bake_command, bakes_a_clip_within_the_budget_and_info_tells_about_it) {
+  const ToolModelFile model;
+  const std::string out = model.beside("out.sgeo");
+  const CommandOutcome baked =
+      run_tool({"bake", model.path(), "--clip", "0", "--fps", "20", "--budget", "0.3mm", "-o", out});
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  for (const char* text : {"asked", "measured", "between frames", "0.3 mm", "yes", "20 a second"})
+    EXPECT_THAT(baked.out, HasSubstr(text));
+  const CommandOutcome info = run_tool({"info", out});
+  EXPECT_EQ(info.status, 0);
+  EXPECT_THAT(info.out, HasSubstr("geometry cache, version 1"));
+  const auto json = nlohmann::json::parse(run_tool({"info", "--json", out}).out);
+  EXPECT_LE(json["geometry_cache"]["meshes"][0]["measured_m"].get<double>(), 3e-4);
+
+  const auto file = import_gltf(model.path());
+  ASSERT_TRUE(file.has_value());
+  const Plan plan = compile_plan(file->scene, Needs{});
+  FrameBuffer frame(plan);
+  const ClipLayer layers[] = {{.clip = 0, .time_s = 3 / 20.0}};
+  FrameInput input;
+  input.layers = layers;
+  ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+  std::size_t mesh = 0;
+  for (const DeformedPrimitive& primitive : frame.result().primitives) {
+    const MeshInstance& instance = file->scene.instances[primitive.instance];
+    const Primitive& rest = file->scene.meshes[instance.mesh].primitives[primitive.primitive];
+    if (rest.topology != Topology::triangles) continue;
+    const auto shown = positions(out, 3, mesh++);
+    const auto from = primitive.positions.empty() ? std::span(rest.positions) : primitive.positions;
+    for (std::size_t v = 0; v < shown.size(); ++v)
+      ASSERT_LE(glm::distance(shown[v],
+                              transform_point(frame.result().instances[primitive.instance].world_from_mesh, from[v])),
+                3.01e-4f);
+  }
+  EXPECT_GT(mesh, 0u);
+}
+
+TEST(bake_command, moves_a_mesh_by_a_point_cache_whose_axes_it_finds_and_tells) {
+  const ToolModelFile model;
+  const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");
+  write_file(obj, kObj);
+  std::vector<std::vector<glm::vec3>> frames(3);
+  for (int f = 0; f < 3; ++f)  // z up
+    for (const glm::vec3& p : kRest) frames[f].emplace_back(p.x, -p.z, p.y + static_cast<float>(f));
+  write_file(points, mdd_file(frames, {0.0f, 0.1f, 0.2f}));
+  const CommandOutcome baked = run_tool({"bake", obj, "--points", points, "-o", out});
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  EXPECT_THAT(baked.out, HasSubstr("z is up"));
+  const auto last = positions(out, 2);
+  for (std::size_t v = 0; v < kRest.size(); ++v)
+    EXPECT_LE(glm::distance(last[v], kRest[v] + glm::vec3(0, 2, 0)), 1e-4f);
+
+  ASSERT_EQ(run_tool({"bake", obj, "--points", points, "--up", "y", "-o", out}).status, 0) << "who says it is obeyed";
+  EXPECT_LE(glm::distance(positions(out, 2)[3], frames[2][3]), 1e-4f);
+  write_file(points, pc2_file(frames, 0.0f, 1.0f));
+  EXPECT_EQ(run_tool({"bake", obj, "--points", points, "-o", out}).status, 0);
+  frames[0][1].x += 1.0f;
+  write_file(points, mdd_file(frames, {0.0f, 0.1f, 0.2f}));
+  const CommandOutcome unclear = run_tool({"bake", obj, "--points", points, "-o", out});
+  EXPECT_EQ(unclear.status, 1);
+  EXPECT_THAT(unclear.err, HasSubstr("points-axes"));
+  EXPECT_THAT(unclear.err, HasSubstr("--up"));
+}
+
+TEST(bake_command, takes_numbered_files_as_long_as_they_follow) {
+  const ToolModelFile model;
+  for (const char* number : {"08", "09", "10", "12"})
+    write_file(model.beside(std::string("cloth_") + number + ".obj"), kObj);
+  const std::string first = model.beside("cloth_08.obj"), out = model.beside("out.sgeo");
+  const CommandOutcome baked = run_tool({"bake", first, "-o", out});
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  EXPECT_THAT(baked.out, HasSubstr("cloth_10.obj: 3 frames"));
+  write_file(model.beside("cloth_09.obj"), kObj + "v 0 0 0\n");
+  const CommandOutcome other = run_tool({"bake", first, "-o", out});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("obj-topology"));
+}
+
+TEST(bake_command, says_what_is_wrong_and_writes_nothing) {
+  const ToolModelFile model;
+  const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");
+  write_file(obj, kObj);
+  write_file(points, mdd_file({{{0, 0, 0}}}, {0.0f}));
+  const auto fails = [&](std::vector<std::string> arguments, int status, const char* text) {
+    arguments.insert(arguments.begin(), "bake");
+    const CommandOutcome outcome = run_tool(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+    EXPECT_FALSE(std::filesystem::exists(out));
+  };
+  fails({obj, "--points", points, "-o", out}, 1, "points-count");
+  fails({obj, "-o", out}, 1, "obj-frames");
+  fails({obj, "--points", model.beside("none.mdd"), "-o", out}, 1, "file-unreadable");
+  fails({model.path(), "--clip", "nobody", "-o", out}, 2, "clip");
+  fails({model.path(), "--clip", "0", "--budget", "a bit", "-o", out}, 2, "--budget");
+  fails({model.path(), "--clip", "0", "--budget", "0", "-o", out}, 1, "cache-budget");
+  fails({model.path(), "-o", out}, 2, "--clip");
+  fails({model.path(), "--up", "y", "-o", out}, 2, "--points");
+  fails({model.path(), "--clip", "0", "-o", model.path()}, 2, "OUT");
+}
+
+TEST(bake_command, info_refuses_a_damaged_cache) {
+  const ToolModelFile model;
+  const std::string out = model.beside("out.sgeo");
+  ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "0", "-o", out}).status, 0);
+  std::vector<std::byte> bytes = read_file(out);
+  bytes[60] ^= std::byte(1);
+  write_file(out, bytes);
+  const CommandOutcome info = run_tool({"info", out});
+  EXPECT_EQ(info.status, 1);
+  EXPECT_THAT(info.err, HasSubstr("cache-checksum"));
+}
+
+TEST(bake_command_corpus, point_caches_beside_their_meshes_are_baked_within_the_budget) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  const ToolModelFile model;
+  for (const auto& points : corpus_files("cache", {".mdd", ".pc2"})) {
+    std::filesystem::path obj = points;
+    obj.replace_extension(".obj");
+    const std::string out = model.beside("out.sgeo");
+    CommandOutcome baked = run_tool({"bake", obj.string(), "--points", points.string(), "-o", out});
+    const bool told = baked.status == 0;
+    if (!told) {
+      EXPECT_THAT(baked.err, HasSubstr("points-axes"));
+      baked = run_tool({"bake", obj.string(), "--points", points.string(), "--up", "z", "-o", out});
+    }
+    ASSERT_EQ(baked.status, 0) << points << baked.err;
+    EXPECT_THAT(baked.out, HasSubstr("yes"));
+    const auto bytes = read_file(points);
+    auto truth = read_point_cache(bytes, points.string(), 30.0);
+    ASSERT_TRUE(truth.has_value());
+    if (!told || baked.out.find("z is up") != std::string::npos) turn_to_y_up(*truth);
+    const std::uint32_t last = static_cast<std::uint32_t>(truth->frames.size()) - 1;
+    const auto shown = positions(out, last);
+    for (std::size_t v = 0; v < shown.size(); ++v)
+      ASSERT_LE(glm::distance(shown[v], truth->frames[last][v]), 1.001e-4f) << points << " vertex " << v;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
