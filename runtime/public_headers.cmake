@@ -93,6 +93,7 @@ set(sinew_public_headers
   runtime/lod/compile_skeleton_lod.h
   runtime/lod/interpolated_input.h
   runtime/lod/update_rate.h
+  runtime/geometry_cache/frame_window.h
   runtime/geometry_cache/geometry_cache.h
   runtime/geometry_cache/geometry_decoder.h
   runtime/c/clips.h

@@ -145,14 +145,18 @@ GeometryStatus GeometryDecoder::advance(std::uint32_t frame, FrameSource source)
   return GeometryStatus::ok;
 }
 
+std::uint32_t GeometryDecoder::next_for(std::uint32_t frame) const noexcept {
+  const std::uint32_t key = cache_.key_frame_of(frame);
+  return frame_ != kNone && frame_ < frame && frame_ + 1 >= key ? frame_ + 1 : key;
+}
+
 GeometryStatus GeometryDecoder::decode(std::uint32_t frame, FrameSource source) noexcept {
   if (frame >= cache_.frame_count()) return GeometryStatus::out_of_range;
   part_ = 1.0f;
   if (frame_ == frame) return GeometryStatus::ok;
-  const std::uint32_t key = cache_.key_frame_of(frame);
   const bool is_ahead = frame_ != kNone && frame_ < frame;
-  if (!is_ahead || frame_ + 1 < key) {
-    const GeometryStatus status = advance(key, source);
+  if (const std::uint32_t next = next_for(frame); !is_ahead || next != frame_ + 1) {
+    const GeometryStatus status = advance(next, source);
     const bool frames_before_may_help = status == GeometryStatus::not_there && is_ahead;
     if (status != GeometryStatus::ok && !frames_before_may_help) return status;
   }

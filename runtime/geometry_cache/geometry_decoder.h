@@ -56,6 +56,9 @@ class GeometryDecoder {
   /// clamped to its ends), for write_points with `part()`.
   GeometryStatus decode_time(double time_s, FrameSource source) noexcept;
 
+  /// The frame whose bytes are needed first to get to `frame`: for FrameWindow::prefetch.
+  std::uint32_t next_for(std::uint32_t frame) const noexcept;
+
   /// The frame that is held; kNone = none.
   std::uint32_t frame() const noexcept { return frame_; }
   /// The place of `time_s` between the frame before the held one (0) and the held one (1); 1 after `decode`.

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/geometry_cache/frame_window.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "runtime/base/same_bits.h"
+#include "tests/geometry_cache/takes.h"
+#include "tests/support/allocation_counter.h"
+
+namespace sinew::test {
+namespace {
+
+/// An engine's reader of some files in memory: at once, or when `deliver` is called.
+struct Disk {
+  struct Waiting {
+    std::uint64_t offset;
+    std::span<std::byte> into;
+    FrameRead* read;
+  };
+  std::vector<std::byte> file;
+  bool at_once = true;
+  int failures = 0;  // of the next reads
+  std::vector<Waiting> waiting = {};
+  std::size_t reads = 0;
+
+  FrameReader reader() {
+    return {[](void* disk, std::uint64_t offset, std::span<std::byte> into, FrameRead& read) noexcept {
+              return static_cast<Disk*>(disk)->start({offset, into, &read});
+            },
+            this};
+  }
+  ReadOutcome start(const Waiting& read) {
+    ++reads;
+    if (failures > 0) {
+      --failures;
+      return ReadOutcome::failed;
+    }
+    if (at_once) {
+      copy(read);
+      return ReadOutcome::done;
+    }
+    waiting.push_back(read);
+    return ReadOutcome::pending;
+  }
+  void copy(const Waiting& read) const { std::memcpy(read.into.data(), file.data() + read.offset, read.into.size()); }
+  void deliver(std::size_t count) {
+    for (std::size_t k = 0; k < count && !waiting.empty(); ++k) {
+      copy(waiting.front());
+      waiting.front().read->finish(true);
+      waiting.erase(waiting.begin());
+    }
+  }
+};
+
+class frame_window : public testing::Test {
+ protected:
+  frame_window() : disk_{*encode_geometry_cache(flag_take(20), {.segment_frames = 8})} {
+    disk_.waiting.reserve(64);
+    MappedFrames mapped{cache_, disk_.file};
+    GeometryDecoder decoder(cache_);
+    for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {
+      EXPECT_EQ(decoder.decode(f, mapped), GeometryStatus::ok);
+      truth_.push_back(points(decoder));
+    }
+  }
+  std::vector<glm::vec3> points(const GeometryDecoder& decoder) const {
+    std::vector<glm::vec3> out(cache_.meshes()[0].streams[0].point_count);
+    EXPECT_EQ(decoder.write_points(0, out), GeometryStatus::ok);
+    return out;
+  }
+  void expect_shown(const GeometryDecoder& decoder, std::uint32_t frame) const {
+    ASSERT_EQ(decoder.frame(), frame);
+    ASSERT_TRUE(same_bits<glm::vec3>(points(decoder), truth_[frame])) << "frame " << frame;
+  }
+
+  Disk disk_;
+  GeometryCache cache_ = *GeometryCache::open(disk_.file);
+  std::vector<std::vector<glm::vec3>> truth_;
+};
+
+TEST_F(frame_window, plays_and_loops_with_the_bits_of_the_mapped_file_and_reads_each_frame_once) {
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 4);
+  for (std::uint32_t shown = 0; shown < 60; ++shown) {
+    const std::uint32_t frame = shown % 20;
+    window.prefetch(decoder.next_for(frame));
+    ASSERT_EQ(decoder.decode(frame, window), GeometryStatus::ok);
+    expect_shown(decoder, frame);
+  }
+  EXPECT_EQ(disk_.reads, 60u + 3u) << "each frame, and three that were ahead at the end";
+}
+
+TEST_F(frame_window, seeks_read_what_they_need_at_once) {
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 3);
+  FixedRandom random(4);
+  for (int k = 0; k < 100; ++k) {
+    const std::uint32_t frame = random.below(20);
+    window.prefetch(decoder.next_for(frame));
+    ASSERT_EQ(decoder.decode(frame, window), GeometryStatus::ok);
+    expect_shown(decoder, frame);
+  }
+}
+
+TEST_F(frame_window, a_late_reader_shows_the_newest_frame_and_catches_up) {
+  disk_.at_once = false;
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 6);
+  const auto show = [&](std::uint32_t frame) {
+    window.prefetch(decoder.next_for(frame));
+    return decoder.decode(frame, window);
+  };
+  EXPECT_EQ(show(0), GeometryStatus::not_there);
+  EXPECT_EQ(decoder.frame(), kNone);
+  EXPECT_EQ(window.pending_reads(), 6u);
+  disk_.deliver(3);
+  EXPECT_EQ(show(0), GeometryStatus::ok);
+  EXPECT_EQ(show(5), GeometryStatus::not_there);
+  expect_shown(decoder, 2);
+  disk_.deliver(100);
+  EXPECT_EQ(show(5), GeometryStatus::ok);
+  expect_shown(decoder, 5);
+  disk_.deliver(100);
+  EXPECT_EQ(window.pending_reads(), 0u);
+}
+
+TEST_F(frame_window, a_loop_does_not_wait_at_its_seam) {
+  disk_.at_once = false;
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 4);
+  window.prefetch(0);
+  disk_.deliver(100);
+  for (std::uint32_t shown = 0; shown < 50; ++shown) {  // a read takes two frames
+    const std::uint32_t frame = shown % 20;
+    window.prefetch(decoder.next_for(frame));
+    ASSERT_EQ(decoder.decode(frame, window), GeometryStatus::ok) << "frame " << shown;
+    if (shown % 2 == 1) disk_.deliver(100);
+  }
+  disk_.deliver(100);
+}
+
+TEST_F(frame_window, a_failed_read_is_asked_for_again) {
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 2);
+  disk_.failures = 5;
+  GeometryStatus status = GeometryStatus::not_there;
+  for (int k = 0; k < 4 && status != GeometryStatus::ok; ++k) {
+    window.prefetch(decoder.next_for(0));
+    status = decoder.decode(0, window);
+  }
+  EXPECT_EQ(status, GeometryStatus::ok);
+  expect_shown(decoder, 0);
+}
+
+TEST_F(frame_window, two_caches_share_one_reader) {
+  disk_.at_once = false;
+  GeometryDecoder one(cache_), other(cache_);
+  FrameWindow first(cache_, disk_.reader(), 4), second(cache_, disk_.reader(), 4);
+  for (std::uint32_t shown = 0; shown < 40; ++shown) {
+    const std::uint32_t a = shown % 20, b = (shown + 7) % 20;
+    first.prefetch(one.next_for(a));
+    second.prefetch(other.next_for(b));
+    disk_.deliver(100);
+    ASSERT_EQ(one.decode(a, first), GeometryStatus::ok);
+    while (other.decode(b, second) == GeometryStatus::not_there) {
+      second.prefetch(other.next_for(b));
+      disk_.deliver(100);
+    }
+    expect_shown(one, a);
+    expect_shown(other, b);
+  }
+  disk_.deliver(100);
+}
+
+TEST_F(frame_window, reads_may_finish_on_another_thread) {
+  disk_.at_once = false;
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 4);
+  for (std::uint32_t frame = 0; frame < 20; ++frame) {
+    window.prefetch(decoder.next_for(frame));
+    std::thread io([&] { disk_.deliver(100); });
+    while (decoder.decode(frame, window) == GeometryStatus::not_there) std::this_thread::yield();
+    io.join();
+    expect_shown(decoder, frame);
+  }
+  disk_.deliver(100);
+}
+
+TEST_F(frame_window, playing_allocates_nothing) {
+  GeometryDecoder decoder(cache_);
+  FrameWindow window(cache_, disk_.reader(), 4);
+  const AllocationCounter counter;
+  for (std::uint32_t frame = 0; frame < 20; ++frame) {
+    window.prefetch(decoder.next_for(frame));
+    decoder.decode(frame, window);
+  }
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+TEST(frame_window_length, ten_minutes_take_the_memory_of_ten_seconds) {
+  const auto memory_of = [](std::uint32_t frames) {
+    GeometryTake take = noise_take(100, 1);
+    auto& all = take.meshes[0].streams[0].frames;
+    all.assign(frames, all[0]);
+    FixedRandom random(1);
+    for (std::uint32_t f = 1; f < frames; ++f)
+      for (std::size_t v = 0; v < 100; ++v) all[f][v] = all[f - 1][v] + 1e-3f * random.vec3();
+    const auto file = encode_geometry_cache(take);
+    const auto cache = GeometryCache::open(*file);
+    Disk disk{*file};
+    GeometryDecoder decoder(*cache);
+    FrameWindow window(*cache, disk.reader(), 8);
+    for (std::uint32_t f = 0; f < frames; ++f) {
+      window.prefetch(decoder.next_for(f));
+      EXPECT_EQ(decoder.decode(f, window), GeometryStatus::ok);
+    }
+    EXPECT_LE(window.memory_bytes(), 8 * cache->largest_frame());
+    return static_cast<double>(decoder.memory_bytes() + window.memory_bytes());
+  };
+  EXPECT_LT(memory_of(18000), 1.1 * memory_of(300));
+}
+
+}  // namespace
+}  // namespace sinew::test
