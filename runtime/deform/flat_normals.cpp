@@ -193,7 +193,10 @@ class CarefulList {
     const auto lanes = static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
     tiles_[count_] = {first, lanes};
     count_ += lanes != 0;
-    if (HWY_UNLIKELY(count_ == kRoom)) clear();
+  }
+  /// Room for so many tiles; what they wrote before must be complete.
+  HWY_INLINE void make_room(std::size_t tile_count) {
+    if (HWY_UNLIKELY(count_ + tile_count > kRoom)) clear();
   }
   HWY_NOINLINE void clear() {
     for (std::size_t i = 0; i < count_; ++i)
@@ -233,15 +236,31 @@ HWY_INLINE hn::Mask<TileTag> is_sound(const Lanes3& u, const Lanes3& v, Wide squ
   return hn::And(keeps_digits(squared_area), hn::And(has_edges, is_wide));
 }
 
-/// A tile of triangles that share no vertices. Returns the lanes that are left to the careful path.
+/// Normals of a tile, kept in memory for later.
+struct KeptNormals {
+  HWY_ALIGN float x[kTileSize], y[kTileSize], z[kTileSize];
+
+  HWY_INLINE void keep(const Lanes3& n) {
+    const TileTag d;
+    hn::Store(n.x, d, x);
+    hn::Store(n.y, d, y);
+    hn::Store(n.z, d, z);
+  }
+  HWY_INLINE Lanes3 load() const {
+    const TileTag d;
+    return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+  }
+};
+
+/// Normals of a tile of triangles. Returns the lanes that are left to the careful path.
 template <bool kRun>
-HWY_INLINE hn::Mask<TileTag> flatten_tile(const FaceArrays& arrays, Faces<kRun> faces) {
+HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, Faces<kRun> faces, KeptNormals& normals) {
   const TileTag d;
   const Lanes3 a = load_corners(arrays, faces, 0);
   const Lanes3 u = minus(load_corners(arrays, faces, 1), a), v = minus(load_corners(arrays, faces, 2), a);
   const Lanes3 n = cross(u, v);
   const Wide squared = dot(n, n);
-  store_normals(times(n, hn::Div(hn::Set(d, arrays.sign), hn::Sqrt(squared))), arrays, faces);
+  normals.keep(times(n, hn::Div(hn::Set(d, arrays.sign), hn::Sqrt(squared))));
   return hn::Not(is_sound(u, v, squared));
 }
 
@@ -255,21 +274,35 @@ hn::Mask<TileTag> flatten_last(const FaceArrays& arrays, Faces<kRun> faces, std:
     for (std::size_t c = 0; c < 3; ++c)
       positions[3 * t + c] = arrays.positions[faces.corner(std::min(t, count - 1), c)];
   }
-  const auto unsound = flatten_tile(FaceArrays{positions, nullptr, normals, arrays.sign}, Faces<true>{own});
+  const FaceArrays copies{positions, nullptr, normals, arrays.sign};
+  KeptNormals kept;
+  const auto unsound = find_normals(copies, Faces<true>{own}, kept);
+  store_normals(kept.load(), copies, Faces<true>{own});
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t c = 0; c < 3; ++c) arrays.normals[faces.corner(t, c)] = normals[3 * t + c];
   return unsound;
 }
 
+/// All triangles of a list. Normals are stored some tiles after they were found: processors do not look far enough
+/// ahead to overlap a square root and a division with the next tile.
 template <bool kRun>
 void flatten(const FaceArrays& arrays, std::span<const std::uint32_t> indices) {
-  constexpr std::size_t kStride = kRun ? 1 : 3;
+  constexpr std::size_t kKept = 4;
   const Faces<kRun> faces{indices.data()};
-  const std::size_t count = indices.size() / kStride;
+  const std::size_t count = indices.size() / (kRun ? 1 : 3);
+  if (count == 0) return;
   CarefulList<kRun> careful(arrays, faces, count);
-  std::size_t t = 0;
-  for (; t + kTileSize < count; t += kTileSize) careful.add(t, flatten_tile(arrays, faces.from(t)));
-  if (t < count) careful.add(t, flatten_last(arrays, faces.from(t), count - t));
+  KeptNormals kept[kKept];
+  const std::size_t last = (count - 1) / kTileSize;
+  for (std::size_t first = 0; first < last; first += kKept) {
+    const std::size_t end = std::min(last, first + kKept);
+    careful.make_room(kKept);
+    for (std::size_t t = first; t < end; ++t)
+      careful.add(t * kTileSize, find_normals(arrays, faces.from(t * kTileSize), kept[t - first]));
+    for (std::size_t t = first; t < end; ++t) store_normals(kept[t - first].load(), arrays, faces.from(t * kTileSize));
+  }
+  careful.make_room(1);
+  careful.add(last * kTileSize, flatten_last(arrays, faces.from(last * kTileSize), count - last * kTileSize));
   careful.clear();
 }
 
