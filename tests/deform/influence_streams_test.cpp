@@ -57,7 +57,7 @@ class SkinningInputs : public testing::TestWithParam<Way> {};
 TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_numbers_that_they_stand_for) {
   test::FixedRandom random(81);
   const std::uint32_t counts[] = {1, 2, 3, 4, 5, 8, 12, InfluenceStreams::kMostWidened};
-  for (const std::uint32_t group_size : {1u, 7u, 17u, 40u}) {
+  for (const std::uint32_t group_size : {1u, 7u, 17u, 40u, 300u}) {
     auto s = test::random_skinned_vertices(random, counts, group_size, 64, true);
     const std::vector<std::uint8_t> joints8(s.influences.joints.begin(), s.influences.joints.end()),
         weights8 = normalised_weights<std::uint8_t>(s);
@@ -78,6 +78,41 @@ TEST_P(SkinningInputs, small_joints_and_normalised_weights_have_the_bits_of_the_
       expect({groups, joints16, std::span(weights8)}, from8);
       expect({groups, joints16, std::span(weights16)}, from16);
     }
+  }
+}
+
+/// Vertices at (1, 0, 0) of a joint that rests, and of one that takes them to the origin: x is the first weight.
+template <class Number>
+void expect_quotients() {
+  constexpr std::uint32_t kSteps = std::uint32_t{1} << std::numeric_limits<Number>::digits;
+  const InfluenceGroup groups[] = {{0, kSteps, 2, 0}};
+  std::vector<std::uint16_t> joints;
+  std::vector<Number> weights;
+  for (std::uint32_t c = 0; c < kSteps; ++c) {
+    joints.insert(joints.end(), {0, 1});
+    weights.insert(weights.end(), {static_cast<Number>(c), Number{0}});
+  }
+  const std::vector<JointMatrix> palette{JointMatrix{},
+                                         joint_matrix_from(affine_from(Mat3<float>(0.0f), glm::vec3(0)))};
+  const std::vector<glm::vec3> positions(kSteps, {1, 0, 0});
+  std::vector<glm::vec3> out(kSteps);
+  run(SkinLinearJob{{groups, std::span<const std::uint16_t>(joints), std::span<const Number>(weights)},
+                    palette,
+                    {positions, {}, {}},
+                    {out, {}, {}},
+                    NormalRule::linear});
+  std::uint32_t wrong = 0;
+  for (std::uint32_t c = 0; c < kSteps; ++c)
+    wrong += out[c].x != static_cast<float>(c) / static_cast<float>(kSteps - 1);
+  EXPECT_EQ(wrong, 0u) << kSteps;
+}
+
+TEST(influence_streams, every_small_weight_is_its_quotient_rounded_once) {
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    SCOPED_TRACE(test::simd_name(target));
+    expect_quotients<std::uint8_t>();
+    expect_quotients<std::uint16_t>();
   }
 }
 

@@ -104,9 +104,9 @@ Study study_influences(const Subject& subject) {
   add_variant(study, *part, "all influences", all, all.weights, "float weights");
   group.points.back().is_default = true;
   add_variant(study, *part, "16-bit weights", all, whole_weights<std::uint16_t>(all),
-              "all influences; widened to float vertex by vertex");
+              "all influences; widened to float as they are read");
   add_variant(study, *part, "8-bit weights", all, whole_weights<std::uint8_t>(all),
-              "all influences; widened to float vertex by vertex");
+              "all influences; widened to float as they are read");
   study.findings = [limit = subject.hardly_seen_mm()](const Group& g) { return findings(g, limit); };
   return study;
 }

@@ -9,10 +9,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "runtime/deform/influence_dispatch.h"
-#include "runtime/deform/influence_streams.h"
 #include "runtime/deform/simd/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -103,35 +101,6 @@ struct TileCopies {
   template <class V, std::size_t kRoom>
   static void fill(const V* from, std::size_t count, V (&to)[kRoom]) {
     for (std::size_t k = 0; k < kRoom; ++k) to[k] = from[std::min(k, count - 1)];
-  }
-};
-
-/// Joint indices and weights of a tile, converted to the types of the kernels.
-template <int kCount>
-struct WidenedTile {
-  static constexpr std::size_t kRoom =
-      kTileSize * (kCount > 0 ? static_cast<std::size_t>(kCount) : InfluenceStreams::kMostWidened);
-  std::uint16_t joints[kRoom];
-  float weights[kRoom];
-
-  /// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2)
-  VertexJoints<kCount> widen(const InfluenceStreams& from, std::size_t first, std::size_t vertex_count,
-                             std::size_t influence_count) {
-    const std::size_t count = vertex_count * influence_count;
-    std::visit([&](auto all) { std::copy_n(all.data() + first, count, joints); }, from.joints);
-    std::visit(
-        [&](auto all) {
-          using Number = typename decltype(all)::value_type;
-          for (std::size_t i = 0; i < count; ++i) {
-            const auto number = static_cast<float>(all[first + i]);
-            if constexpr (std::is_integral_v<Number>)
-              weights[i] = number / static_cast<float>(std::numeric_limits<Number>::max());
-            else
-              weights[i] = number;
-          }
-        },
-        from.weights);
-    return {joints, weights, influence_count};
   }
 };
 

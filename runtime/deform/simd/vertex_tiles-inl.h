@@ -11,6 +11,7 @@
 
 #include "runtime/deform/simd/non_temporal_stores-inl.h"
 #include "runtime/deform/simd/tile_memory-inl.h"
+#include "runtime/deform/simd/widened_influences-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/deform/vertex_streams.h"
 
@@ -53,34 +54,29 @@ template <int kCount, class Row>
 HWY_NOINLINE void for_each_row(const InfluenceStreams& influences, const InfluenceGroup& group, const VertexInput& in,
                                const VertexOutput& out, Row skin, const NonTemporalStores& streamed = {}) {
   const AttributesPresent wanted = present(in, out);
-  const auto* wide_joints = std::get_if<std::span<const std::uint16_t>>(&influences.joints);
-  const auto* wide_weights = std::get_if<std::span<const float>>(&influences.weights);
-  const bool is_wide = wide_joints && wide_weights;
+  const bool is_wide = influences.is_wide();
   const std::size_t stride = group.influence_count;
   const TileInput all_in{in.positions.data(), wanted.normals ? in.normals.data() : nullptr,
                          wanted.tangents ? in.tangents.data() : nullptr};
   const TileOutput all_out{out.positions.data(), wanted.normals ? out.normals.data() : nullptr,
                            wanted.tangents ? out.tangents.data() : nullptr};
-  WidenedTile<kCount> widened;
+  WidenedInfluences<kCount> widened;
   TileCopies<kCount> copies;
   std::size_t done = 0;
   for (std::size_t v = 0; v < group.vertex_count; v += done) {
     const bool whole = group.vertex_count >= kTileSize;
     if (whole) v = std::min(v, group.vertex_count - kTileSize);
     const std::size_t at = group.first_vertex + v, left = group.vertex_count - v;
-    std::size_t tiles = whole && is_wide ? left / kTileSize : 1;
+    std::size_t tiles = whole ? left / kTileSize : 1;
+    if (whole && !is_wide) tiles = std::clamp<std::size_t>(tiles, 1, WidenedInfluences<kCount>::kTiles);
     done = whole ? tiles * kTileSize : kCount > 0 ? std::min(left, kTileSize) : 1;
     if (tiles > 1 && streamed.until(at) > 0) {
       tiles = 1;
       done = streamed.until(at);
     }
-    const bool past_caches = whole && is_wide && streamed.begins_at(at);
-    const std::size_t first = group.first_influence + v * stride;
-    TileInfluences<kCount> joints{{}, stride};
-    if (is_wide)
-      joints.first = {&(*wide_joints)[first], &(*wide_weights)[first], stride};
-    else
-      joints.first = widened.widen(influences, first, done, stride);
+    const bool past_caches = whole && streamed.begins_at(at);
+    const std::size_t first = group.first_influence + v * stride, widen = whole ? tiles * kTileSize : done;
+    TileInfluences<kCount> joints{widened.of(influences, first, widen, stride), stride};
     TileInput from = all_in.from(at);
     const TileOutput to = all_out.from(at);
     if (!whole) {

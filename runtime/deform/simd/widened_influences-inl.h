@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Joint indices and weights of a row of tiles, converted from small integers to the types of the kernels.
+#if defined(SINEW_WIDENED_INFLUENCES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_WIDENED_INFLUENCES_INL_H_
+#undef SINEW_WIDENED_INFLUENCES_INL_H_
+#else
+#define SINEW_WIDENED_INFLUENCES_INL_H_
+#endif
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+#include "runtime/deform/influence_streams.h"
+#include "runtime/deform/simd/tile_memory-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// How many bits of a weight are behind the point in steps of 1 / 2^bits, and what is left of 1 / (2^bits - 1).
+template <class Number>
+struct WeightStep {
+  static constexpr double kMost = std::numeric_limits<Number>::max();
+  static constexpr float kHigh = static_cast<float>(1.0 / (kMost + 1.0));
+  static constexpr float kRest = static_cast<float>(1.0 / kMost - 1.0 / (kMost + 1.0));
+};
+
+/// eq   w = c / (2^bits - 1)   (glTF 2.0, 3.6.2.2) as c 2^-bits + c r. The first product is exact, so that for every
+///      8-bit and 16-bit c the sum has the bits of the quotient; division would take longer than blending
+template <class Number>
+HWY_INLINE void widen_weights(const Number* from, std::size_t count, float* to) {
+  using Step = WeightStep<Number>;
+  const TileTag d;
+  const hn::Rebind<Number, TileTag> narrow;
+  const hn::RebindToSigned<TileTag> whole;
+  std::size_t i = 0;
+  for (; i + kTileSize <= count; i += kTileSize) {
+    const Wide c = hn::ConvertTo(d, hn::PromoteTo(whole, hn::LoadU(narrow, from + i)));
+    hn::StoreU(hn::Add(hn::Mul(c, hn::Set(d, Step::kHigh)), hn::Mul(c, hn::Set(d, Step::kRest))), d, to + i);
+  }
+  for (; i < count; ++i) {
+    const auto c = static_cast<float>(from[i]);
+    to[i] = c * Step::kHigh + c * Step::kRest;
+  }
+}
+
+/// Influences of consecutive vertices, converted where they are small integers and in place where they are not.
+template <int kCount>
+class WidenedInfluences {
+ public:
+  /// How many tiles are converted at once: as many as kernels work on before they go on. One where the number of
+  /// influences is known at run time alone, and room is made for the most.
+  static constexpr std::size_t kTiles = kCount > 0 ? 8 : 1;
+
+  VertexJoints<kCount> of(const InfluenceStreams& all, std::size_t first, std::size_t vertex_count,
+                          std::size_t influence_count) {
+    const std::size_t count = vertex_count * influence_count;
+    VertexJoints<kCount> out{joints_, weights_, influence_count};
+    if (const auto* wide = std::get_if<std::span<const std::uint16_t>>(&all.joints))
+      out.joints = wide->data() + first;
+    else
+      std::copy_n(std::get<std::span<const std::uint8_t>>(all.joints).data() + first, count, joints_);
+    std::visit(
+        [&](auto weights) {
+          using Number = std::remove_const_t<typename decltype(weights)::element_type>;
+          if constexpr (std::is_integral_v<Number>)
+            widen_weights(weights.data() + first, count, weights_);
+          else
+            out.weights = weights.data() + first;
+        },
+        all.weights);
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t kRoom =
+      kTileSize * (kCount > 0 ? kTiles * kCount : std::size_t{InfluenceStreams::kMostWidened});
+  HWY_ALIGN std::uint16_t joints_[kRoom];
+  HWY_ALIGN float weights_[kRoom];
+};
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
