@@ -5,12 +5,14 @@
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_center_of_rotation.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
+#include "runtime/deform/simd/kept_splits-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"
 #include "runtime/deform/simd/scalar_matrix-inl.h"
+#include "runtime/deform/skin_single_influences.h"
 #include "runtime/deform/vertex_checks.h"
-#include "runtime/pose/simd/dispatch.h"
 
 #ifndef SINEW_SKIN_CENTER_OF_ROTATION_ONCE
 #define SINEW_SKIN_CENTER_OF_ROTATION_ONCE
@@ -68,36 +70,61 @@ struct CenterCopies {
   }
 };
 
-/// Skins tiles. Vertices whose blend cancels or is tiny, or whose directions are in doubt, are redone by the scalar
-/// path.
 template <int kCount, bool kStretch>
-struct SkinTile {
+struct SkinRow {
+  using Row = TileRow<kCount>;
   const SkinCenterOfRotationJob& job;
   CenterCopies& copies;
+  bool one_side;
 
-  HWY_INLINE void operator()(const TilePlace& place, const TileInfluences<kCount>& joints, const TileInput& in,
-                             const TileOutput& out) const {
-    const glm::vec3* centers = job.centers.data() + place.first_vertex;
-    if (HWY_UNLIKELY(!place.whole)) centers = copies.load(centers, place.count);
-    const DualQuatLanes motion = blend_dual_quaternions(job.split.data(), joints, false);
-    const Lanes3 moved = moved_centers(job.palette.data(), joints, centers);
+  HWY_INLINE void operator()(const Row& row) const {
+    const glm::vec3* centers = job.centers.data() + row.place.first_vertex;
+    if (HWY_UNLIKELY(!row.place.whole)) centers = copies.load(centers, row.place.count);
+    KeptSplits<kStretch> kept[kTilesAhead];
+    for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
+      const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      auto sound = hn::FirstN(TileTag(), kTileSize);
+      for (std::size_t t = first; t < end; ++t)
+        sound = hn::And(sound, skin_tile(kept[t - first], row, t, centers + t * kTileSize));
+      if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
+        for (std::size_t t = first; t < end; ++t)
+          SkinRow(*this).skin_careful(kept[t - first], Row(row), t, centers + t * kTileSize);
+    }
+  }
+
+ private:
+  /// Returns the vertices that are done.
+  HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
+                                         const glm::vec3* centers) const {
+    const Lanes3 moved = moved_centers(job.palette.data(), row.joints(t), centers);
+    const DualQuatLanes motion = kept.template motion<kCount>();
     StretchLanes stretch{};
-    if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
-    const auto sound = rotate_directions<kStretch>(motion, stretch, in, out);
-    Lanes3 arm = minus(load3(in.positions), load3(centers));
+    if constexpr (kStretch) stretch = kept.stretch();
+    Lanes3 arm = minus(load3(row.in(t).positions), load3(centers));
     if constexpr (kStretch) arm = apply(stretch, arm);
-    store3(plus(rotate(motion, arm), moved), out.positions);
-    for_each_lane_not_in(sound, [&](std::size_t lane) {
+    store3(plus(rotate(motion, arm), moved), row.out(t).positions);
+    return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
+  }
+
+  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
+  /// path.
+  HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
+                                 const glm::vec3* centers) const {
+    for_each_lane_not_in(skin_tile(kept, row, t, centers), [&](std::size_t lane) {
       const std::size_t v = vertex_of_lane(lane);
-      skin_vertex<kCount, kStretch>(job, joints.at(v), centers[v], in, out, v);
+      skin_vertex<kCount, kStretch>(job, row.joints(t).at(v), centers[v], row.in(t), row.out(t), v);
     });
   }
 };
 
 void skin_center_of_rotation(const SkinCenterOfRotationJob& job) {
   CenterCopies copies;
+  const bool one_side = are_on_one_side(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
-    for_each_tile<count>(job.influences, group, job.vertices, job.out, SkinTile<count, stretched>{job, copies});
+    if constexpr (count != 1)
+      for_each_row<count>(job.influences, group, job.vertices, job.out,
+                          SkinRow<count, stretched>{job, copies, one_side});
   });
 }
 
@@ -107,13 +134,21 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+namespace {
+HWY_EXPORT(skin_center_of_rotation);
+}
+
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept {
   const std::size_t count = job.vertices.positions.size();
   if (job.centers.size() != count || job.palette.size() != job.split.size()) return ErrorCode::size_mismatch;
+  if (!are_inside(job.pairs, job.split.size())) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, job.palette.size());
 }
 
-SINEW_DISPATCH_RUN(SkinCenterOfRotationJob, skin_center_of_rotation)
+void run(const SkinCenterOfRotationJob& job) noexcept {
+  skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
+  HWY_DYNAMIC_DISPATCH(skin_center_of_rotation)(job);
+}
 
 }  // namespace sinew
 #endif

@@ -17,8 +17,8 @@ namespace sinew {
 ///      (Le and Hodgins 2016, algorithm 1; S extends it to scaled joints as in two-phase dual-quaternion skinning)
 /// in   palette[N], split[N]  the same joints, from JointPaletteJob and SplitPaletteJob;   any_stretch  false: S = 1
 ///      centers[V]  rest-space centers (importer/topology/centers_of_rotation.h). A center equal to the vertex makes
-///      the vertex linear-blend skinned; vertices with one influence have such centers.
-///      influences  as SkinDualQuaternionJob
+///      the vertex linear-blend skinned. Vertices with one influence are too, whatever their center
+///      influences, pairs[any]  as SkinDualQuaternionJob
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
 /// cost O(V * influences), no allocation
@@ -30,6 +30,7 @@ struct SkinCenterOfRotationJob {
   std::span<const glm::vec3> centers;
   VertexInput vertices;
   VertexOutput out;
+  std::span<const JointPair> pairs;
 };
 
 ErrorCode check(const SkinCenterOfRotationJob& job) noexcept;

@@ -7,12 +7,12 @@
 #define HWY_TARGET_INCLUDE "runtime/deform/skin_dual_quaternion.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/deform/joint_pairs.h"
 #include "runtime/deform/scalar_blend.h"
-#include "runtime/deform/simd/blend_dual_quaternions-inl.h"
-#include "runtime/deform/simd/blend_stretch_lanes-inl.h"
+#include "runtime/deform/simd/kept_splits-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"
+#include "runtime/deform/skin_single_influences.h"
 #include "runtime/deform/vertex_checks.h"
-#include "runtime/pose/simd/dispatch.h"
 
 #ifndef SINEW_SKIN_DUAL_QUATERNION_ONCE
 #define SINEW_SKIN_DUAL_QUATERNION_ONCE
@@ -35,15 +35,6 @@ void skin_vertex(std::span<const RigidStretch> split, const VertexJoints<kCount>
   out.positions[v] = transform_point(motion, p);
 }
 
-/// Far enough from zero that the sign of the dot product does not depend on the order of its sum.
-constexpr float kOneSide = 1e-5f;
-
-bool are_on_one_side(const SkinDualQuaternionJob& job) noexcept {
-  return !job.pairs.empty() && std::all_of(job.pairs.begin(), job.pairs.end(), [&](const JointPair& pair) {
-    return quat_dot(job.split[pair.first].rigid.real, job.split[pair.second].rigid.real) > kOneSide;
-  });
-}
-
 }  // namespace
 }  // namespace sinew
 #endif
@@ -52,8 +43,6 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// Skins rows of tiles. Dual quaternions are blended some tiles ahead: blends wait for memory, the rest for arithmetic,
-/// and processors do not look far enough ahead to overlap the two.
 template <int kCount, bool kStretch>
 struct SkinRow {
   using Row = TileRow<kCount>;
@@ -61,44 +50,43 @@ struct SkinRow {
   bool one_side;
 
   HWY_INLINE void operator()(const Row& row) const {
-    const RigidStretch* split = job.split.data();
-    if constexpr (kCount == 1) {  // nothing to blend
-      for (std::size_t t = 0; t < row.tile_count; ++t)
-        skin_tile(blend_dual_quaternions(split, row.joints(t), one_side), row, t);
-      return;
-    }
-    KeptDualQuats motions[kAhead];
-    for (std::size_t first = 0; first < row.tile_count; first += kAhead) {
-      const std::size_t end = std::min(row.tile_count, first + kAhead);
-      for (std::size_t t = first; t < end; ++t) motions[t - first].keep(split, row.joints(t), one_side);
-      for (std::size_t t = first; t < end; ++t) skin_tile(motions[t - first].template lanes<kCount>(), row, t);
+    KeptSplits<kStretch> kept[kTilesAhead];
+    for (std::size_t first = 0; first < row.tile_count; first += kTilesAhead) {
+      const std::size_t end = std::min(row.tile_count, first + kTilesAhead);
+      for (std::size_t t = first; t < end; ++t) kept[t - first].keep(job.split.data(), row.joints(t), one_side);
+      auto sound = hn::FirstN(TileTag(), kTileSize);
+      for (std::size_t t = first; t < end; ++t) sound = hn::And(sound, skin_tile(kept[t - first], row, t));
+      if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
+        for (std::size_t t = first; t < end; ++t) SkinRow(*this).skin_careful(kept[t - first], Row(row), t);
     }
   }
 
  private:
-  static constexpr std::size_t kAhead = 8;  ///< tiles
-
-  /// Vertices whose blend cancels or is tiny, or whose directions are in doubt, are redone by the scalar path.
-  HWY_INLINE void skin_tile(const DualQuatLanes& motion, const Row& row, std::size_t t) const {
-    const TileInfluences<kCount> joints = row.joints(t);
-    const TileInput in = row.in(t);
-    const TileOutput out = row.out(t);
+  /// Returns the vertices that are done.
+  HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
+    const DualQuatLanes motion = kept.template motion<kCount>();
     StretchLanes stretch{};
-    if constexpr (kStretch) stretch = blend_stretches(job.split.data(), joints);
-    const auto sound = rotate_directions<kStretch>(motion, stretch, in, out);
-    Lanes3 p = load3(in.positions);
+    if constexpr (kStretch) stretch = kept.stretch();
+    Lanes3 p = load3(row.in(t).positions);
     if constexpr (kStretch) p = apply(stretch, p);
-    store3(plus(rotate(motion, p), translation(motion)), out.positions);
-    for_each_lane_not_in(sound, [&](std::size_t lane) {
+    store3(move_points(motion, p), row.out(t).positions);
+    return rotate_directions<kStretch>(motion, stretch, row.in(t), row.out(t));
+  }
+
+  /// Redoes the vertices of a tile whose blend cancels or is tiny, or whose directions are in doubt, by the scalar
+  /// path.
+  HWY_NOINLINE void skin_careful(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t) const {
+    for_each_lane_not_in(skin_tile(kept, row, t), [&](std::size_t lane) {
       const std::size_t v = vertex_of_lane(lane);
-      skin_vertex<kCount, kStretch>(job.split, joints.at(v), in, out, v);
+      skin_vertex<kCount, kStretch>(job.split, row.joints(t).at(v), row.in(t), row.out(t), v);
     });
   }
 };
 
 void skin_dual_quaternion(const SkinDualQuaternionJob& job) {
-  const bool one_side = are_on_one_side(job);
+  const bool one_side = are_on_one_side(job.pairs, job.split);
   for_each_group(job.influences, job.any_stretch, [&](const InfluenceGroup& group, auto count, auto stretched) {
+    if (count == 1 && !job.palette.empty()) return;
     for_each_row<count>(job.influences, group, job.vertices, job.out, SkinRow<count, stretched>{job, one_side});
   });
 }
@@ -109,14 +97,21 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace sinew {
+namespace {
+HWY_EXPORT(skin_dual_quaternion);
+}
+
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept {
   const std::size_t count = job.split.size();
-  const auto outside = [count](const JointPair& pair) { return pair.first >= count || pair.second >= count; };
-  if (std::any_of(job.pairs.begin(), job.pairs.end(), outside)) return ErrorCode::index_out_of_range;
+  if (!job.palette.empty() && job.palette.size() < count) return ErrorCode::size_mismatch;
+  if (!are_inside(job.pairs, count)) return ErrorCode::index_out_of_range;
   return check_skinning(job.influences, job.vertices, job.out, count);
 }
 
-SINEW_DISPATCH_RUN(SkinDualQuaternionJob, skin_dual_quaternion)
+void run(const SkinDualQuaternionJob& job) noexcept {
+  if (!job.palette.empty()) skin_single_influences(job.influences, job.palette, job.any_stretch, job.vertices, job.out);
+  HWY_DYNAMIC_DISPATCH(skin_dual_quaternion)(job);
+}
 
 }  // namespace sinew
 #endif

@@ -20,6 +20,8 @@ namespace sinew {
 ///      split[N]     from SplitPaletteJob;   any_stretch  false skips the first phase (P12)
 ///      pairs[any]   all distinct (heaviest joint, other joint) of the vertices. Where all are on one hemisphere,
 ///      signs are not compared vertex by vertex; the bits are the same. Empty: not known
+///      palette[N or none]  the matrices that were split. Vertices with one influence are then moved by their joint's
+///      matrix, as linear blending does, for half the time
 /// out  as SkinLinearJob
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
 ///      A blend whose real part cancels (norm^2 < 1e-12) follows the pivot alone.
@@ -31,6 +33,7 @@ struct SkinDualQuaternionJob {
   VertexInput vertices;
   VertexOutput out;
   std::span<const JointPair> pairs;
+  std::span<const JointMatrix> palette;
 };
 
 ErrorCode check(const SkinDualQuaternionJob& job) noexcept;

@@ -132,7 +132,8 @@ struct Deformation {
                                     .any_stretch = any_stretch(),
                                     .vertices = now,
                                     .out = out,
-                                    .pairs = skinning.pairs};
+                                    .pairs = skinning.pairs,
+                                    .palette = palette()};
     run_checked(job, work.vertices_skinned_dual_quaternion, Stage::skin_dual_quaternion);
   }
 
@@ -143,7 +144,8 @@ struct Deformation {
                                       .any_stretch = any_stretch(),
                                       .centers = primitive.centers_of_rotation,
                                       .vertices = now,
-                                      .out = out};
+                                      .out = out,
+                                      .pairs = skinning.pairs};
     run_checked(job, work.vertices_skinned_center_of_rotation, Stage::skin_center_of_rotation);
   }
 

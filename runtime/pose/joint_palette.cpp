@@ -24,8 +24,8 @@ namespace {
 /// Splits a matrix that may have any degenerate case. Returns whether it stretches.
 bool split_any_matrix(const JointMatrix& matrix, RigidStretch& out) noexcept;
 
-/// A stretch this close to the identity is rounding, not scale: the split of a rigid float matrix leaves about 1e-7.
-constexpr double kStretchTolerance = 1e-6;
+/// A stretch this close to the identity is rounding, not scale.
+constexpr double kStretchTolerance = 1e-5;
 
 }  // namespace
 }  // namespace sinew

@@ -41,8 +41,10 @@ struct JointPair {
 /// Splits every palette matrix, one a lane, in double precision. A matrix gives the same bits whatever is beside it.
 /// in   follow[any]  pairs in order: the quaternion of `second` takes the sign that is on the hemisphere of `first`;
 ///      empty = signs as the decomposition gives them
-/// out  split[N];   any_stretch  whether a stretch differs from the identity by more than 1e-6, so that skinning
-///      needs its first phase (P12). A smaller stretch is stored as well: it is what rounding left of a rigid matrix
+/// out  split[N];   any_stretch  whether a stretch differs from the identity by more than 1e-5, so that skinning
+///      needs its first phase (P12). Less is what rounding left of a rigid matrix: inverse bind matrices of files, made
+///      in float down a chain of joints, are off by up to 5e-6. It is stored all the same; without the first phase a
+///      vertex is off by that part of its distance from the origin of bind space, at most
 /// err  size_mismatch, index_out_of_range. A singular matrix gives some rotation with R * S = J.
 /// cost O(N), no allocation. Lanes of rigid matrices take least, stretched ones about three times as much. Nearly
 ///      singular matrices are split one by one, which takes fifty times as much (decompose.h)

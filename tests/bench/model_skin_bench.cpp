@@ -116,7 +116,8 @@ struct PosedModel {
     for (PosedSkin& skin : skins) skin.split_palette();
     for (Skinned& s : parts) {
       const PosedSkin& skin = skins[s.skin];
-      run(SkinDualQuaternionJob{&s.primitive->influences, skin.split, skin.any_stretch, in(s), out(s), s.pairs});
+      run(SkinDualQuaternionJob{&s.primitive->influences, skin.split, skin.any_stretch, in(s), out(s), s.pairs,
+                                skin.palette});
     }
   }
   void skin_center_of_rotation() {
@@ -124,7 +125,7 @@ struct PosedModel {
     for (Skinned& s : parts) {
       const PosedSkin& skin = skins[s.skin];
       run(SkinCenterOfRotationJob{&s.primitive->influences, skin.palette, skin.split, skin.any_stretch, s.centers,
-                                  in(s), out(s)});
+                                  in(s), out(s), s.pairs});
     }
   }
   void skin_glm_linear() {

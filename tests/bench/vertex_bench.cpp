@@ -152,8 +152,8 @@ void add_skin_case(const std::shared_ptr<Surface>& s, const Kind& kind, const st
     glm_skin::skin_linear(s->primitive.influences, s->glm_palette, s->in(wanted), s->output(), wanted);
   });
   add_with_error("skin_dual_quaternion/sinew/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
-    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(),
-                              s->pairs});
+    run(SkinDualQuaternionJob{&s->primitive.influences, s->split, s->any_stretch, s->in(wanted), s->output(), s->pairs,
+                              s->palette});
   });
   add_with_error("skin_dual_quaternion/glm/" + tail, s, wanted, Skinning::dual_quaternion, [s, wanted] {
     glm_skin::skin_dual_quaternion(s->primitive.influences, s->glm_rigid, s->in(wanted), s->output(), wanted);
@@ -182,7 +182,7 @@ void add_center_of_rotation_case(const std::shared_ptr<Surface>& s, const std::s
   add_with_error("skin_center_of_rotation/sinew/" + tail, s, wanted, Skinning::center_of_rotation,
                  [s, centers, wanted] {
                    run(SkinCenterOfRotationJob{&s->primitive.influences, s->palette, s->split, s->any_stretch, *centers,
-                                               s->in(wanted), s->output()});
+                                               s->in(wanted), s->output(), s->pairs});
                  });
   add_with_error("skin_center_of_rotation/glm/" + tail, s, wanted, Skinning::center_of_rotation, [s, centers, wanted] {
     glm_skin::skin_center_of_rotation(s->primitive.influences, s->glm_palette, s->glm_rigid, *centers, s->in(wanted),

@@ -9,6 +9,7 @@
 #include "runtime/deform/skin_linear.h"
 #include "tests/reference/skinning.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/skinned_vertices.h"
 
 namespace sinew {
@@ -46,10 +47,48 @@ TEST(skin_center_of_rotation, rejects_wrong_sizes_and_joints_out_of_range) {
   job.centers = job.centers.first(1);
   EXPECT_EQ(check(job), ErrorCode::size_mismatch);
   job = s.job();
+  const JointPair outside[] = {{0, 16}};
+  job.pairs = outside;
+  EXPECT_EQ(check(job), ErrorCode::index_out_of_range);
+  job = s.job();
   job.split = job.split.first(2);
   EXPECT_EQ(check(job), ErrorCode::size_mismatch);
   job.palette = job.palette.first(2);
   EXPECT_EQ(check(job), ErrorCode::index_out_of_range);
+}
+
+TEST(skin_center_of_rotation, N17_known_pairs_change_no_bit) {
+  test::FixedRandom random(46);
+  for (const bool stretched : {false, true}) {
+    Turned s(test::random_skinned_vertices(random, kCounts, 40, 24, stretched));
+    test::pose_on_one_side(random, s.vertices.palette, stretched);
+    run(SplitPaletteJob{s.vertices.palette, s.split, &s.any_stretch});
+    for (auto& c : s.centers) c += random.vec3();
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::OnlyTarget only(target);
+      run(s.job());
+      const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
+      auto job = s.job();
+      const std::vector<JointPair> pairs = test::all_pairs(24);
+      job.pairs = pairs;
+      run(job);
+      EXPECT_TRUE(s.vertices.out_positions == positions) << test::simd_name(target);
+      EXPECT_TRUE(s.vertices.out_normals == normals) << test::simd_name(target);
+    }
+  }
+}
+
+TEST(skin_center_of_rotation, N21_a_single_influence_is_the_joint_itself_about_any_center) {
+  test::FixedRandom random(47);
+  const std::uint32_t one[] = {1};
+  Turned s(test::random_skinned_vertices(random, one, 50, 8, true));
+  for (auto& c : s.centers) c += random.vec3();
+  run(s.job());
+  const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
+  run(SkinLinearJob{&s.vertices.influences, s.vertices.palette, s.vertices.in(), s.vertices.out(),
+                    NormalRule::cofactor});
+  EXPECT_TRUE(s.vertices.out_positions == positions);
+  EXPECT_TRUE(s.vertices.out_normals == normals);
 }
 
 TEST(skin_center_of_rotation, N21_random_rigid_palettes_agree_with_double) {

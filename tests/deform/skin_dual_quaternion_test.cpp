@@ -6,9 +6,11 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "runtime/deform/skin_linear.h"
 #include "runtime/math/decompose.h"
 #include "tests/reference/skinning.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/skinned_vertices.h"
 
 namespace sinew {
@@ -73,6 +75,11 @@ TEST(skin_dual_quaternion, rejects_wrong_sizes_and_joints_out_of_range) {
   job = s.job();
   job.split = job.split.first(2);
   EXPECT_EQ(check(job), ErrorCode::index_out_of_range);
+  job = s.job();
+  job.palette = s.vertices.palette;
+  EXPECT_EQ(check(job), ErrorCode::ok);
+  job.palette = job.palette.first(job.split.size() - 1);
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
   job = s.job();
   job.out.normals = job.out.normals.first(1);
   EXPECT_EQ(check(job), ErrorCode::size_mismatch);
@@ -139,6 +146,27 @@ TEST(skin_dual_quaternion, N17_known_pairs_change_no_bit_on_one_side_or_not) {
   }
 }
 
+TEST(skin_dual_quaternion, N19_known_pairs_change_no_bit_of_stretched_joints_either) {
+  test::FixedRandom random(45);
+  for (const std::uint32_t group_size : {3u, 40u}) {
+    Split s(test::random_skinned_vertices(random, kCounts, group_size, 24, true));
+    test::pose_on_one_side(random, s.vertices.palette, true);
+    s.refresh();
+    ASSERT_TRUE(s.any_stretch);
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::OnlyTarget only(target);
+      run(s.job());
+      const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
+      auto job = s.job();
+      const std::vector<JointPair> pairs = test::all_pairs(24);
+      job.pairs = pairs;
+      run(job);
+      EXPECT_TRUE(s.vertices.out_positions == positions) << group_size << ' ' << test::simd_name(target);
+      EXPECT_TRUE(s.vertices.out_normals == normals) << group_size << ' ' << test::simd_name(target);
+    }
+  }
+}
+
 TEST(skin_dual_quaternion, N20_half_and_half_twist_keeps_the_radius) {
   test::SkinnedVertices v;
   v.positions = {{0, 0, 1}};
@@ -186,6 +214,26 @@ TEST(skin_dual_quaternion, a_single_influence_is_the_joint_itself) {
     EXPECT_TRUE(test::is_near(
         s.vertices.out_positions[v],
         transform_point(affine_from(s.vertices.palette[s.vertices.joints_of(v)[0]]), s.vertices.positions[v]), 2e-6));
+}
+
+TEST(skin_dual_quaternion, a_single_influence_has_the_bits_of_linear_blending_where_the_palette_is_known) {
+  test::FixedRandom random(61);
+  for (const bool stretched : {false, true}) {
+    Split s(test::random_skinned_vertices(random, kCounts, 20, 24, stretched));
+    run(s.job());
+    const auto without = s.vertices.out_positions;
+    auto job = s.job();
+    job.palette = s.vertices.palette;
+    run(job);
+    const auto positions = s.vertices.out_positions, normals = s.vertices.out_normals;
+    run(SkinLinearJob{&s.vertices.influences, s.vertices.palette, s.vertices.in(), s.vertices.out(),
+                      stretched ? NormalRule::cofactor : NormalRule::linear});
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      const bool single = s.vertices.joints_of(v).size() == 1;
+      EXPECT_EQ(positions[v], single ? s.vertices.out_positions[v] : without[v]) << v;
+      EXPECT_TRUE(!single || normals[v] == s.vertices.out_normals[v]) << v;
+    }
+  }
 }
 
 TEST(skin_dual_quaternion, rigid_motion_commutes_with_skinning) {

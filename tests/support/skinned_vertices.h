@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "runtime/deform/vertex_streams.h"
-#include "runtime/math/joint_matrix.h"
 #include "runtime/math/transform.h"
 #include "runtime/model/skin.h"
+#include "runtime/pose/joint_palette.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {
@@ -72,6 +72,23 @@ inline SkinnedVertices random_skinned_vertices(FixedRandom& random, std::span<co
   out.out_normals.resize(out.positions.size());
   out.out_tangents.resize(out.positions.size());
   return out;
+}
+
+/// Replaces a palette by joints that are turned by half a radian each: their rotations are on one hemisphere.
+inline void pose_on_one_side(FixedRandom& random, std::span<JointMatrix> palette, bool with_scale) {
+  for (JointMatrix& m : palette) {
+    Transform t = random.transform();
+    t.rotation = random.rotation_by(0.5);
+    if (!with_scale) t.scale = glm::vec3(1);
+    m = joint_matrix_from(affine_from_transform(t));
+  }
+}
+
+inline std::vector<JointPair> all_pairs(std::uint16_t joint_count) {
+  std::vector<JointPair> pairs;
+  for (std::uint16_t j = 0; j < joint_count; ++j)
+    for (std::uint16_t k = 0; k < joint_count; ++k) pairs.push_back({j, k});
+  return pairs;
 }
 
 }  // namespace sinew::test

@@ -38,11 +38,12 @@ class Skinner {
         sinew::run(SkinLinearJob{influences, pose.palette, part_.in(), out_.out(), NormalRule::linear});
         break;
       case Skinning::dual_quaternion:
-        sinew::run(SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_});
+        sinew::run(
+            SkinDualQuaternionJob{influences, split_, any_stretch_, part_.in(), out_.out(), pairs_, pose.palette});
         break;
       case Skinning::center_of_rotation:
-        sinew::run(
-            SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(), out_.out()});
+        sinew::run(SkinCenterOfRotationJob{influences, pose.palette, split_, any_stretch_, centers_, part_.in(),
+                                           out_.out(), pairs_});
         break;
     }
   }

@@ -87,33 +87,6 @@ HWY_INLINE DualQuatLanes dual_quat_lanes(const Float8 (&sums)[kTileSize]) {
   return out;
 }
 
-template <int kCount>
-HWY_INLINE DualQuatLanes blend_dual_quaternions(const RigidStretch* split, const TileInfluences<kCount>& tile,
-                                                bool one_side) {
-  Float8 sums[kTileSize];
-  for_each_dual_quaternion(split, tile, one_side, [&](std::size_t k, const Float8& sum) HWY_ATTR { sums[k] = sum; });
-  return dual_quat_lanes<kCount>(sums);
-}
-
-/// Blended dual quaternions of a tile, kept in memory for later.
-class KeptDualQuats {
- public:
-  template <int kCount>
-  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
-    for_each_dual_quaternion(split, tile, one_side,
-                             [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, sums_[k]); });
-  }
-  template <int kCount>
-  HWY_INLINE DualQuatLanes lanes() const {
-    Float8 sums[kTileSize];
-    for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_float8(sums_[k]);
-    return dual_quat_lanes<kCount>(sums);
-  }
-
- private:
-  HWY_ALIGN float sums_[kTileSize][8];
-};
-
 /// Rotates vectors.
 /// eq   v' = v + w u + r x u, u = 2 / |q|^2 (r x v)   for q = (r, w)
 HWY_INLINE Lanes3 rotate(const DualQuatLanes& m, const Lanes3& v) {
@@ -123,14 +96,19 @@ HWY_INLINE Lanes3 rotate(const DualQuatLanes& m, const Lanes3& v) {
       cross(r, twice));
 }
 
-/// Translations.
-/// eq   t = 2 / |r|^2 (r.w d.v - d.w r.v + r.v x d.v)
-HWY_INLINE Lanes3 translation(const DualQuatLanes& m) {
-  const Lanes3 r{m.real.x, m.real.y, m.real.z}, e{m.dual.x, m.dual.y, m.dual.z}, c = cross(r, e);
-  const auto part = [&](Wide rv, Wide dv, Wide cross_part) HWY_ATTR {
-    return hn::Mul(hn::Add(hn::NegMulAdd(m.dual.w, rv, hn::Mul(m.real.w, dv)), cross_part), m.twice_over_square);
-  };
-  return {part(r.x, e.x, c.x), part(r.y, e.y, c.y), part(r.z, e.z, c.z)};
+/// Rotates points, then translates them.
+/// eq   p' = p + 2 / |r|^2 (w a + r x a - d.w r), a = r x p + d.v: rotation and translation in one, since both turn
+///      a vector by r
+HWY_INLINE Lanes3 move_points(const DualQuatLanes& m, const Lanes3& p) {
+  const Wide x = m.real.x, y = m.real.y, z = m.real.z, w = m.real.w;
+  const auto cross_plus = [](Wide a, Wide b, Wide c, Wide e, Wide sum)
+                              HWY_ATTR { return hn::MulAdd(a, b, hn::NegMulAdd(c, e, sum)); };  // sum + a b - c e
+  const Lanes3 a{cross_plus(y, p.z, z, p.y, m.dual.x), cross_plus(z, p.x, x, p.z, m.dual.y),
+                 cross_plus(x, p.y, y, p.x, m.dual.z)};
+  const auto part = [&](Wide axis, Wide of_a) HWY_ATTR { return hn::NegMulAdd(m.dual.w, axis, hn::Mul(w, of_a)); };
+  return {hn::MulAdd(cross_plus(y, a.z, z, a.y, part(x, a.x)), m.twice_over_square, p.x),
+          hn::MulAdd(cross_plus(z, a.x, x, a.z, part(y, a.y)), m.twice_over_square, p.y),
+          hn::MulAdd(cross_plus(x, a.y, y, a.x, part(z, a.z)), m.twice_over_square, p.z)};
 }
 
 }  // namespace sinew::HWY_NAMESPACE

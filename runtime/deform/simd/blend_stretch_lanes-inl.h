@@ -20,20 +20,22 @@ struct StretchLanes {
   Wide xx, yy, zz, xy, xz, yz;
 };
 
-/// eq   S = sum(w S_i); a vertex with one influence takes the joint's stretch as it is
+/// Blended stretch of one vertex; one with a single influence takes the joint's stretch as it is.
+/// eq   S = sum(w S_i)
 template <int kCount>
-HWY_INLINE StretchLanes blend_stretches(const RigidStretch* split, const TileInfluences<kCount>& tile) {
+HWY_INLINE Float8 blend_stretch_float8(const RigidStretch* split, const TileInfluences<kCount>& tile, std::size_t k) {
   const Float8Tag d;
-  Float8 sums[kTileSize];
-  for_each_of_tile([&](std::size_t k) HWY_ATTR {
-    const VertexJoints<kCount> vertex = tile.at(k);
-    sums[k] = load_float8(tile.entry(split, k, 0)->stretch);
-    if (vertex.count() == 1) return;
-    sums[k] = times(sums[k], hn::Set(d, vertex.weights[0]));
-    for (std::size_t i = 1; i < vertex.count(); ++i)
-      sums[k] = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sums[k]);
-  });
-  const Lanes8 s = lanes_of(sums);
+  const VertexJoints<kCount> vertex = tile.at(k);
+  Float8 sum = load_float8(tile.entry(split, k, 0)->stretch);
+  if (vertex.count() == 1) return sum;
+  sum = times(sum, hn::Set(d, vertex.weights[0]));
+  for (std::size_t i = 1; i < vertex.count(); ++i)
+    sum = times_plus(tile.entry(split, k, i)->stretch, hn::Set(d, vertex.weights[i]), sum);
+  return sum;
+}
+
+HWY_INLINE StretchLanes stretch_lanes(const Float8 (&stretches)[kTileSize]) {
+  const Lanes8 s = lanes_of(stretches);
   return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};
 }
 
@@ -49,17 +51,18 @@ HWY_INLINE StretchLanes cofactor(const StretchLanes& s) {
           minor(s.yz, s.xz, s.xy, s.zz), minor(s.xy, s.yz, s.yy, s.xz), minor(s.xy, s.xz, s.xx, s.yz)};
 }
 
-/// Normals, not yet unit; zero where the scalar path has to find their side (OutwardSide).
+/// Normals, not yet unit. Clears the lanes of `sound` whose side is in doubt (OutwardSide).
 /// eq   n' = sign(det S) cof(S) n   (conventions.h)
-HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n) {
+HWY_INLINE Lanes3 apply_to_normal(const StretchLanes& s, const Lanes3& n, hn::Mask<TileTag>& sound) {
   const StretchLanes cof = cofactor(s);
   const Wide determinant = dot(Lanes3{s.xx, s.xy, s.xz}, Lanes3{cof.xx, cof.xy, cof.xz});
   const Wide off_diagonal = dot(Lanes3{s.xy, s.xz, s.yz}, Lanes3{s.xy, s.xz, s.yz});
   const Wide squares =
       hn::Add(dot(Lanes3{s.xx, s.yy, s.zz}, Lanes3{s.xx, s.yy, s.zz}), hn::Add(off_diagonal, off_diagonal));
   const OutwardSide outward(determinant, squares);
+  sound = hn::And(sound, outward.certain());
   const Lanes3 moved = apply(cof, n);
-  return {outward.turn(moved.x), outward.turn(moved.y), outward.turn(moved.z)};
+  return {outward.turned(moved.x), outward.turned(moved.y), outward.turned(moved.z)};
 }
 
 }  // namespace sinew::HWY_NAMESPACE

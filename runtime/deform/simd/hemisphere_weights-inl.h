@@ -7,9 +7,12 @@
 #define SINEW_HEMISPHERE_WEIGHTS_INL_H_
 #endif
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "runtime/deform/simd/float8_lanes-inl.h"
+#include "runtime/pose/joint_palette.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -43,6 +46,30 @@ class Pivot {
   hn::Vec<Float8Tag> real_;
 #endif
 };
+
+/// Whether the rotations of all pairs are on one hemisphere, far enough from its border that the sign of the dot
+/// product does not depend on the order of its sum. Then signs need not be compared vertex by vertex. False for no
+/// pairs: they are not known.
+HWY_INLINE bool are_on_one_side(std::span<const JointPair> pairs, std::span<const RigidStretch> split) {
+  constexpr float kClearlyPositive = 1e-5f;
+#if HWY_TARGET == HWY_SCALAR
+  const auto is_positive = [&](const JointPair& pair) {
+    return quat_dot(split[pair.first].rigid.real, split[pair.second].rigid.real) > kClearlyPositive;
+  };
+  return !pairs.empty() && std::all_of(pairs.begin(), pairs.end(), is_positive);
+#else
+  const hn::FixedTag<float, 4> d;
+  auto positive = hn::FirstN(d, 4);
+  for (const JointPair& pair : pairs) {
+    const auto products =
+        hn::Mul(hn::Load(d, &split[pair.first].rigid.real.x), hn::Load(d, &split[pair.second].rigid.real.x));
+    const auto halves = hn::Add(products, hn::Shuffle2301(products));
+    const auto dot = hn::Add(halves, hn::Shuffle1032(halves));
+    positive = hn::And(positive, hn::Gt(dot, hn::Set(d, kClearlyPositive)));
+  }
+  return !pairs.empty() && hn::AllTrue(d, positive);
+#endif
+}
 
 /// Weights of one vertex, each in all lanes. Four are loaded at once.
 template <int kCount>

@@ -23,7 +23,7 @@ HWY_INLINE hn::Mask<TileTag> rotate_directions(const DualQuatLanes& motion, cons
   auto sound = motion.sound;
   if (out.normals) {
     Lanes3 n = load3(in.normals);
-    if constexpr (kStretch) n = apply_to_normal(stretch, n);
+    if constexpr (kStretch) n = apply_to_normal(stretch, n, sound);
     sound = hn::And(sound, normalise(n));
     store3(rotate(motion, n), out.normals);
   }

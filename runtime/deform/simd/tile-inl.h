@@ -51,8 +51,8 @@ HWY_INLINE hn::Mask<TileTag> keeps_digits(Wide squared) {
 ///      permanent of |M|, which is at most 0.223 F^3. It changes the normal by at most 3.1 u F^2, and the normal is
 ///      at least 8 u F^2 long, since F is not less than the largest singular value. The constant covers products that
 ///      underflow.
-/// Where it does not hold the lanes become zero. keeps_digits refuses those, so that the scalar path does them with
-/// the exact sign (determinant_sign.h).
+/// Where it does not hold, the scalar path does the lane with the exact sign (determinant_sign.h). Callers keep the
+/// mask, or make the lane zero, which keeps_digits refuses.
 class OutwardSide {
  public:
   HWY_INLINE OutwardSide(Wide determinant, Wide squared_norm) {
@@ -61,7 +61,10 @@ class OutwardSide {
     certain_ = hn::Gt(hn::Abs(determinant), hn::MulAdd(cube, hn::Set(d, 0x8p-24f), hn::Set(d, 1e-36f)));
     sign_ = hn::And(determinant, hn::SignBit(d));
   }
-  HWY_INLINE Wide turn(Wide normal) const { return hn::IfThenElseZero(certain_, hn::Xor(normal, sign_)); }
+  HWY_INLINE hn::Mask<TileTag> certain() const { return certain_; }
+  HWY_INLINE Wide turned(Wide normal) const { return hn::Xor(normal, sign_); }
+  /// Zero where the side is in doubt.
+  HWY_INLINE Wide turn(Wide normal) const { return hn::IfThenElseZero(certain_, turned(normal)); }
 
  private:
   hn::Mask<TileTag> certain_;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "runtime/pose/joint_palette.h"
+
+namespace sinew {
+
+/// Whether all indices of pairs are below `count`.
+inline bool are_inside(std::span<const JointPair> pairs, std::size_t count) noexcept {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [count](const JointPair& pair) { return pair.first < count && pair.second < count; });
+}
+
+}  // namespace sinew

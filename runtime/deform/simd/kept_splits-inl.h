@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Blended splits of the vertices of a tile, kept in memory: blends wait for loads, the rest for arithmetic, and
+// processors do not look far enough ahead to overlap the two. So the blends of some tiles come first.
+#if defined(SINEW_KEPT_SPLITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_KEPT_SPLITS_INL_H_
+#undef SINEW_KEPT_SPLITS_INL_H_
+#else
+#define SINEW_KEPT_SPLITS_INL_H_
+#endif
+
+#include "runtime/deform/simd/blend_dual_quaternions-inl.h"
+#include "runtime/deform/simd/blend_stretch_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// Blends of one tile: dual quaternions, and stretches where joints stretch.
+template <bool kStretch>
+class KeptSplits {
+ public:
+  /// in   one_side  all signs are known to be +: dual quaternion and stretch are then blended as one
+  template <int kCount>
+  HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+    if constexpr (kStretch) {
+      if (kCount != 1 && one_side) return keep_whole(split, tile);
+      for_each_of_tile([&](std::size_t k)
+                           HWY_ATTR { store_float8(blend_stretch_float8(split, tile, k), floats_[k] + 8); });
+    }
+    for_each_dual_quaternion(split, tile, one_side,
+                             [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
+  }
+
+  template <int kCount>
+  HWY_INLINE DualQuatLanes motion() const {
+    Float8 sums[kTileSize];
+    load(sums, 0);
+    return dual_quat_lanes<kCount>(sums);
+  }
+  HWY_INLINE StretchLanes stretch() const {
+    static_assert(kStretch);
+    Float8 sums[kTileSize];
+    load(sums, 8);
+    return stretch_lanes(sums);
+  }
+
+ private:
+  static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
+  HWY_ALIGN float floats_[kTileSize][kFloats];
+
+  /// Both halves of an entry at once: one address and one weight for both.
+  template <int kCount>
+  HWY_INLINE void keep_whole(const RigidStretch* split, const TileInfluences<kCount>& tile) {
+    const TileTag d;
+    for_each_of_tile([&](std::size_t k) HWY_ATTR {
+      const VertexJoints<kCount> vertex = tile.at(k);
+      const auto entry = [&](std::size_t i) HWY_ATTR { return &tile.entry(split, k, i)->rigid.real.x; };
+      Wide sum[kParts];
+      const float* first = entry(0);
+      const Wide weight = hn::Set(d, vertex.weights[0]);
+      for (std::size_t p = 0; p < kParts; ++p) sum[p] = hn::Mul(hn::Load(d, first + p * kTileSize), weight);
+      for (std::size_t i = 1; i < vertex.count(); ++i) {
+        const float* next = entry(i);
+        const Wide w = hn::Set(d, vertex.weights[i]);
+        for (std::size_t p = 0; p < kParts; ++p) sum[p] = hn::MulAdd(hn::Load(d, next + p * kTileSize), w, sum[p]);
+      }
+      for (std::size_t p = 0; p < kParts; ++p) hn::Store(sum[p], d, floats_[k] + p * kTileSize);
+    });
+  }
+  HWY_INLINE void load(Float8 (&sums)[kTileSize], std::size_t first) const {
+    for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_float8(floats_[k] + first);
+  }
+};
+
+/// How many tiles are blended before the rest of their work.
+constexpr std::size_t kTilesAhead = 8;
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
