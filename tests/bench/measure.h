@@ -64,6 +64,7 @@ void add_flat_normals();
 void add_skin(std::size_t most_vertices);
 void add_model_skin();
 void add_frame(std::size_t most_vertices);
+void add_geometry_cache();
 void add_job_thread();
 
 }  // namespace sinew::bench

@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-TARGETS = ["glb", "json", "accessors", "compressed", "images", "clips", "poses"]
+TARGETS = ["glb", "json", "accessors", "compressed", "images", "clips", "geometry", "poses"]
 LIMITS = ["-rss_limit_mb=2560", "-malloc_limit_mb=1024", "-timeout=30", "-max_len=32768", "-print_final_stats=1", "-verbosity=1"]
 HERE = pathlib.Path(__file__).resolve().parent
 

@@ -10,7 +10,7 @@ std::span<const Target> targets() noexcept {
   static constexpr std::array kTargets{Target{"glb", import_glb},           Target{"json", import_json},
                                        Target{"accessors", read_accessors}, Target{"compressed", decode_compressed},
                                        Target{"images", decode_images},     Target{"clips", load_compiled_clips},
-                                       Target{"poses", read_poses}};
+                                       Target{"geometry", play_geometry},   Target{"poses", read_poses}};
   return kTargets;
 }
 

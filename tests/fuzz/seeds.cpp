@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/seeds.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -12,12 +13,14 @@
 #include "importer/file/data_uri.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/meshopt_extension.h"
+#include "importer/geometry_cache/encode_geometry_cache.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/compress/compile_clip_within.h"
 #include "samples/showcase/showcase.h"
 #include "tests/importer/encoded_images.h"
 #include "tests/importer/glb_seeds.h"
 #include "tests/importer/tiny_gltf.h"
+#include "tests/support/fixed_random.h"
 
 namespace sinew::fuzz {
 namespace {
@@ -185,6 +188,30 @@ void add_clips(const Scene& scene, std::vector<Seed>& out) {
     }
 }
 
+/// A small geometry cache as a file, and its frames as geometry_target.cpp takes them.
+void add_geometry(std::vector<Seed>& out) {
+  test::FixedRandom random(3);
+  GeometryTake take;
+  TakeMesh& mesh = take.meshes.emplace_back();
+  mesh.vertex_count = 70;
+  mesh.triangles = {0, 1, 2, 2, 1, 3};
+  mesh.streams.emplace_back().budget = 0.1;
+  for (int f = 0; f < 4; ++f)
+    for (auto& frame = mesh.streams[0].frames.emplace_back(); frame.size() < mesh.vertex_count;)
+      frame.push_back(random.vec3(-1.0, 1.0));
+  const Blob file = *encode_geometry_cache(take, {.segment_frames = 3});
+  out.push_back({"geometry", file});
+  const auto cache = GeometryCache::open(file);
+  const std::size_t first = cache->frames()[0].offset, sizes = 3 * 2;
+  Blob frames(sizes + file.size() - first);
+  for (std::uint32_t f = 0; f < 3; ++f) {
+    frames[2 * f] = std::byte(cache->frames()[f].size & 0xff);
+    frames[2 * f + 1] = std::byte(cache->frames()[f].size >> 8);
+  }
+  std::copy(file.begin() + static_cast<std::ptrdiff_t>(first), file.end(), frames.begin() + sizes);
+  out.push_back({"geometry", frames});
+}
+
 }  // namespace
 
 std::vector<Seed> own_seeds() {
@@ -195,6 +222,7 @@ std::vector<Seed> own_seeds() {
       add_document(*glb, {}, out);
       add_clips(scene.scene, out);
     }
+  add_geometry(out);
   out.push_back({"accessors", accessor_seed()});
   const std::vector<std::uint8_t> pixels(4 * 5 * 4, 90);
   out.push_back({"images", test::encode_png(5, 4, 4, pixels)});
