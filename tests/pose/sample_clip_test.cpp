@@ -13,6 +13,7 @@
 #include "tests/reference/sampling.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
 #include "tests/support/tiny_assets.h"
 
 namespace sinew {
@@ -174,6 +175,31 @@ TEST(sample_clip, G03_G05_G07_G10_G13_every_joint_agrees_with_its_bone_animation
                                : bone.rotation.interpolation == Interpolation::step ? 0
                                                                                     : 3e-5;
       EXPECT_LE(test::angle_between(found.rotation, truth.rotation), tolerance) << bone.joint << " at " << t;
+    }
+  }
+}
+
+TEST(sample_clip, G22_joints_without_tracks_among_animated_ones_keep_their_rest_pose) {
+  constexpr std::uint32_t kJoints = 40;
+  test::FixedRandom random(7);
+  for (std::uint32_t round = 0; round < 100; ++round) {
+    std::vector<BoneAnimation> bones;
+    std::vector<float> x(kJoints, 0.0f);
+    for (std::uint32_t j = 0; j < kJoints; ++j) {
+      const bool rests = round < kJoints ? j == round : random.below(1 + round % 12) != 0;  // one joint, some, most
+      if (rests) continue;
+      x[j] = static_cast<float>(1 + j);
+      BoneAnimation bone;
+      bone.joint = j;
+      bone.translation = test::track_of<glm::vec3>(Interpolation::linear, {0, 2}, {{0, 0, 0}, {2 * x[j], 0, 0}});
+      bones.push_back(bone);
+    }
+    Player player(std::move(bones), kJoints);
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::OnlyTarget only(target);
+      run(player.job(1.0));
+      for (std::uint32_t j = 0; j < kJoints; ++j)
+        ASSERT_EQ(player.pose.span().get(j).translation.x, x[j]) << "joint " << j << ", " << test::simd_name(target);
     }
   }
 }

@@ -97,7 +97,7 @@ HWY_INLINE Lanes sine_ratio(Lanes squared) {
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const Floats d;
   const Lanes s = hn::Set(d, keys.s), r = hn::Set(d, keys.r), one = hn::Set(d, 1.0f);
-  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const auto& place) HWY_ATTR {
     const auto numbers = unpack<4>(block, keys, place.lane());
     const QuatLanes q0 = rotation(block, numbers.begin, place.lane()), q1 = rotation(block, numbers.end, place.lane());
     const Lanes dot =

@@ -90,7 +90,7 @@ HWY_NOINLINE void slerp_block(const TrackBlock& block, const BetweenKeys& at, co
   const Floats d;
   const Lanes s = hn::Set(d, at.s), r = hn::Set(d, at.r), one = hn::Set(d, 1.0f);
   const KeyRow begin(block, at.key), end(block, at.key + 1);
-  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
     // Zero past the last track, where arbitrary bits could make denormal products (N26).
     const Lanes arc = place.tracks(begin.load(4, lane));
@@ -114,7 +114,7 @@ HWY_NOINLINE void hermite_rotation_block(const TrackBlock& block, const BetweenK
   const Floats d;
   const HermiteRows rows(block, at);
   const KeyRow nearer(block, at.s < 0.5f ? at.key : at.key + 1);
-  for_each_joint_place(block, out, [&](const JointPlace& place) HWY_ATTR {
+  for_each_joint_place(block, out, [&](const auto& place) HWY_ATTR {
     const std::size_t lane = place.lane();
     Lanes x = rows.component(0, lane), y = rows.component(1, lane), z = rows.component(2, lane),
           w = rows.component(3, lane);

@@ -56,7 +56,27 @@ class NumberPlace {
   std::size_t lane_, count_;
 };
 
-/// A vector of tracks from `lane` on, and their joints: the vector from `joint` on, permuted by `lane_of`.
+/// A vector of tracks from `lane` on, one for each joint from `joint` on.
+class FullPlace {
+ public:
+  static constexpr std::size_t kComponents = 3;  // of translations and scales
+
+  HWY_INLINE FullPlace(const TrackOutput& out, std::size_t lane, std::size_t joint)
+      : to_(out.first_plane + joint), plane_stride_(out.plane_stride), lane_(lane) {}
+
+  HWY_INLINE std::size_t lane() const { return lane_; }
+  HWY_INLINE Lanes tracks(Lanes v) const { return v; }
+  HWY_INLINE void store(std::size_t component, Lanes values) const {
+    hn::StoreU(values, Floats(), to_ + component * plane_stride_);
+  }
+
+ private:
+  float* to_;
+  std::size_t plane_stride_, lane_;
+};
+
+/// A vector of tracks from `lane` on, and their joints: the vector from `joint` on, permuted by `lane_of`. Some of the
+/// joints have no track.
 class JointPlace {
  public:
   static constexpr std::size_t kComponents = 3;  // of translations and scales
@@ -92,19 +112,22 @@ class JointPlace {
 /// Calls `body(place)` for every vector of joints that a block has tracks of.
 template <class Body>
 HWY_INLINE void for_each_joint_place(const TrackBlock& block, const TrackOutput& out, const Body& body) {
-  const std::size_t lanes = hn::Lanes(Floats()), count = block.lane_count;
-  const std::size_t first_joint = block.places.first_joint, joints = block.places.lane_of.size();
+  constexpr std::size_t kLanes = hn::MaxLanes(Floats()), kPart = JointPlaces::kPart;
+  [[maybe_unused]] const std::size_t count = block.lane_count;
+  const std::size_t first_joint = block.places.first_joint;
+  const std::size_t joints = block.places.lane_of.size();
   const std::int32_t* lane_of = block.places.lane_of.data();
-  const std::uint32_t* lanes_before = block.places.lanes_before.data();
-  for (std::size_t joint = 0; joint < joints; joint += lanes) {
-    std::size_t lane = lanes_before[joint / JointPlaces::kPart];
-    if (lanes < JointPlaces::kPart) {
-      if (lane_of[joint] < 0) continue;
-      lane = static_cast<std::size_t>(lane_of[joint]);
-    } else if (lane == lanes_before[(joint + lanes) / JointPlaces::kPart]) {
-      continue;
+  [[maybe_unused]] const std::uint32_t* lanes_before = block.places.lanes_before.data();
+  for (std::size_t joint = 0; joint < joints; joint += kLanes) {
+    if constexpr (kLanes < kPart) {
+      if (lane_of[joint] >= 0) body(FullPlace(out, static_cast<std::size_t>(lane_of[joint]), first_joint + joint));
+    } else {
+      const std::size_t lane = lanes_before[joint / kPart], tracks = lanes_before[(joint + kLanes) / kPart] - lane;
+      if (tracks == kLanes)
+        body(FullPlace(out, lane, first_joint + joint));
+      else if (tracks > 0)
+        body(JointPlace(out, lane, count, first_joint + joint, lane_of + joint));
     }
-    body(JointPlace(out, lane, count, first_joint + joint, lane_of + joint));
   }
 }
 
