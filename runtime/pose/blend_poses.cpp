@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "runtime/pose/blend_poses.cpp"
@@ -181,6 +182,10 @@ class EqualTerms {
     total_ = sum + rest_weight;
     if (rest_weight > largest) pivot_ = count_;
     if (rest_weight > 0.0f) put(job.rest.planes, rest_weight);
+    if (count_ != 2 || pivot_ == 0) return;
+    std::swap(planes_[0], planes_[1]);  // sums of two are the same either way
+    std::swap(weights_[0], weights_[1]);
+    pivot_ = 0;
   }
 
   std::size_t count() const { return count_; }
@@ -216,8 +221,8 @@ class CountedTerms {
   static constexpr std::size_t count() { return kCount; }
   const float* planes(std::size_t i) const { return planes_[i]; }
   HWY_INLINE Lanes weight(std::size_t i) const { return weights_[i]; }
-  bool is_pivot(std::size_t i) const { return all_.is_pivot(i); }
-  const float* pivot() const { return all_.pivot(); }
+  bool is_pivot(std::size_t i) const { return kCount == 2 ? i == 0 : all_.is_pivot(i); }
+  const float* pivot() const { return kCount == 2 ? planes_[0] : all_.pivot(); }
   bool sums_to_one() const { return all_.sums_to_one(); }
   HWY_INLINE Lanes by_total() const { return all_.by_total(); }
 

@@ -76,12 +76,17 @@ HWY_INLINE void store_matrices(const float* translations, std::size_t stride, fl
 /// Replaces T * R * S by the matrices that the file gives (G50). A row is written with one store, since it is loaded
 /// back at once.
 HWY_NOINLINE void use_fixed_matrices(const Skeleton& skeleton, std::size_t begin, LocalMatrices& locals) {
+  const hn::RebindToUnsigned<Floats> whole;
   const std::uint32_t* fixed = skeleton.fixed_matrix_of.data() + begin;
-  for (std::size_t i = 0, count = HWY_MIN(kChunk, skeleton.joint_count() - begin); i < count; ++i) {
-    if (HWY_LIKELY(fixed[i] == kNone)) continue;
-    for (int r = 0; r < 3; ++r)
-      std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r],
-                  sizeof(glm::vec4));
+  const std::size_t count = HWY_MIN(kChunk, skeleton.joint_count() - begin), lanes = hn::Lanes(whole);
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const std::size_t end = HWY_MIN(first + lanes, count);
+    if (end == first + lanes && hn::AllTrue(whole, hn::Eq(hn::LoadU(whole, fixed + first), hn::Set(whole, kNone))))
+      continue;
+    for (std::size_t i = first; i < end; ++i)
+      for (int r = 0; r < 3 && fixed[i] != kNone; ++r)
+        std::memcpy(locals.rows[r] + LocalMatrices::place(i), &skeleton.fixed_matrices[fixed[i]].row[r],
+                    sizeof(glm::vec4));
   }
 }
 
@@ -109,25 +114,29 @@ class Composer {
       : root_(job.root), model_(job.model.data()), parents_(job.skeleton->parents.data()) {}
 
   HWY_INLINE void compose(const LocalMatrices& locals, std::size_t begin, Chosen chosen) const {
-    for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4) {
-      const RowsAt first = locals.at(LocalMatrices::place(i));
-      if (HWY_LIKELY((chosen & 15) == 15))
-        compose_four<false>(first, begin + i, chosen);
-      else
-        compose_four<true>(first, begin + i, chosen);
-    }
+    constexpr std::size_t kStep = HWY_MAX(4, hn::MaxLanes(Floats()));
+    constexpr Chosen kAll = (Chosen{1} << kStep) - 1;
+    const float* x_row = locals.rows[0];
+    std::size_t joint = begin;
+    for (; (chosen & kAll) == kAll; chosen >>= kStep, joint += kStep, x_row += 4 * kStep)
+      compose_step<kStep, false>(x_row, joint, chosen);
+    for (std::size_t i = 0; chosen != 0; i += 4, chosen >>= 4)
+      compose_step<4, true>(x_row + LocalMatrices::place(i), joint + i, chosen);
   }
 
  private:
-  template <bool kTested>
-  HWY_INLINE void compose_four(const RowsAt& local, std::size_t joint, Chosen chosen) const {
-    HWY_UNROLL(4)
-    for (std::size_t k = 0; k < 4; ++k) {
+  template <std::size_t kStep, bool kTested>
+  HWY_INLINE void compose_step(const float* x_row, std::size_t joint, Chosen chosen) const {
+    HWY_UNROLL(8)
+    for (std::size_t k = 0; k < kStep; ++k) {
       if (kTested && (chosen >> k & 1) == 0) continue;
-      const std::size_t place = LocalMatrices::place(k);
+      const float* x = x_row + LocalMatrices::place(k);
+      const RowsAt local{x, x + 4 * kChunk, x + 8 * kChunk};
       const std::uint32_t parent = parents_[joint + k];
-      const Affine* left = parent == kNone ? &root_ : model_ + parent;
-      store_rows(product(*left, {local.x + place, local.y + place, local.z + place}), model_[joint + k]);
+      if (HWY_UNLIKELY(parent == kNone))
+        store_rows(product(root_, local), model_[joint + k]);
+      else
+        store_rows(product(model_[parent], local), model_[joint + k]);
     }
   }
 
