@@ -24,5 +24,6 @@ glm::dvec3 tone_mapped(const glm::dvec3& color);
 
 /// IEC 61966-2-1, per component.
 double srgb_encoded(double linear);
+double srgb_decoded(double encoded);
 
 }  // namespace sinew::reference

@@ -10,7 +10,7 @@
 #include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
 #include "tests/viewer/device_fixture.h"
-#include "viewer/passes/ssao_kernel.h"
+#include "tests/viewer/reference_access.h"
 
 namespace sinew::viewer {
 namespace {
@@ -30,33 +30,6 @@ RenderOptions options_with(float radius) {
 }
 
 View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
-
-reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel,
-                                    const OcclusionShape& shape) {
-  const AmbientOcclusion& ao = options.ao;
-  return {static_cast<double>(ao.radius_m),
-          static_cast<double>(ao.surface_epsilon_m),
-          static_cast<double>(ao.fade_start_m),
-          static_cast<double>(ao.fade_end_m),
-          static_cast<double>(ao.power),
-          kernel.offsets,
-          kernel.noise,
-          static_cast<int>(shape.step),
-          static_cast<int>(shape.blur_reach),
-          shape.keep_edges};
-}
-
-std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
-                                     const OcclusionShape& shape = {}) {
-  const SsaoKernel kernel = make_ssao_kernel(shape.samples);
-  const reference::SsaoSettings settings = settings_of(options, kernel, shape);
-  reference::HalfAccess half = reference::ssao(image, settings);
-  if (options.ao.blur) {
-    half = reference::blurred(image, settings, half, false);
-    half = reference::blurred(image, settings, half, true);
-  }
-  return reference::full_size(image, settings, half);
-}
 
 struct Difference {
   double mean = 0.0, worst = 0.0, spread = 0.0;  ///< spread = of the reference; without it agreement would mean nothing

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "tests/reference/material.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "tests/reference/shade.h"
+#include "tests/reference/texture.h"
+
+namespace sinew::reference {
+namespace {
+
+constexpr double kLeastRoughness = 0.045;  // the viewer keeps the highlight of a mirror visible
+
+/// The texel of a use of a texture at a point; `otherwise` without one.
+glm::dvec4 looked_up(const Scene& scene, const SurfacePoint& point, const TextureUse& use, bool srgb,
+                     const glm::dvec4& otherwise = glm::dvec4(1.0)) {
+  if (!use.used()) return otherwise;
+  return texel(scene, use, transformed(use, point.uv[use.texcoord]), srgb);
+}
+
+glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point) {
+  const Material& material = point.material;
+  if (!material.normal_texture.used()) return seen_normal(point);
+  const glm::dvec3 stored(looked_up(scene, point, material.normal_texture, false));
+  const double scale = static_cast<double>(material.normal_scale);
+  const glm::dvec3 local = (stored * 2.0 - 1.0) * glm::dvec3(scale, scale, 1.0);
+  const glm::dvec3 normal =
+      glm::normalize(point.tangent * local.x + point.bitangent * local.y + point.normal * local.z);
+  return point.front ? normal : -normal;
+}
+
+/// Share of the ambient light that baked occlusion lets through.
+double baked_access(const Scene& scene, const SurfacePoint& point) {
+  const double red = looked_up(scene, point, point.material.occlusion_texture, false).r;
+  return 1.0 + static_cast<double>(point.material.occlusion_strength) * (red - 1.0);
+}
+
+glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
+  const Material& material = point.material;
+  const glm::dvec4 texel = looked_up(scene, point, material.metallic_roughness_texture, false);
+  ShadedPoint shaded;
+  shaded.base_color = glm::dvec3(base_color(scene, point));
+  shaded.metallic = static_cast<double>(material.metallic) * texel.b;
+  shaded.roughness = std::clamp(static_cast<double>(material.roughness) * texel.g, kLeastRoughness, 1.0);
+  shaded.normal = mapped_normal(scene, point);
+  shaded.to_viewer = point.to_viewer;
+  glm::dvec3 sum = ambient(shaded, around.up, around.sky, around.ground) * around.access * baked_access(scene, point);
+  for (const ArrivingLight& light : around.lights) sum += direct(shaded, light.to_light, light.irradiance);
+  return sum;
+}
+
+}  // namespace
+
+glm::dvec4 base_color(const Scene& scene, const SurfacePoint& point) {
+  return glm::dvec4(point.material.base_color) * point.color *
+         looked_up(scene, point, point.material.base_color_texture, true);
+}
+
+glm::dvec3 seen_normal(const SurfacePoint& point) { return point.front ? point.normal : -point.normal; }
+
+glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
+  const Material& material = point.material;
+  const glm::dvec3 base(base_color(scene, point));
+  if (material.unlit) return base;
+  const bool shows_light = point.normal != glm::dvec3(0.0);
+  const glm::dvec3 emitted = glm::dvec3(material.emissive) * static_cast<double>(material.emissive_strength) *
+                             glm::dvec3(looked_up(scene, point, material.emissive_texture, true));
+  return (shows_light ? reflected(scene, point, around) : base) + emitted;
+}
+
+}  // namespace sinew::reference

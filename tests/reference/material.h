@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "tests/reference/light.h"
+#include "tests/reference/surface_point.h"
+
+namespace sinew::reference {
+
+/// Light around a scene.
+struct Surroundings {
+  std::span<const ArrivingLight> lights;  ///< at the point
+  glm::dvec3 up{0.0, 1.0, 0.0}, sky{0.0}, ground{0.0};
+  double access = 1.0;  ///< share of the ambient light that other surfaces let through
+};
+
+/// Base colour and alpha: factor * texture * vertex colour.   (glTF 2.0, 3.9.2)
+glm::dvec4 base_color(const Scene& scene, const SurfacePoint& point);
+
+/// The normal on the seen side: that of the vertices, reversed on back sides.   (glTF 2.0, 3.9.6)
+glm::dvec3 seen_normal(const SurfacePoint& point);
+
+/// Linear light from a surface point to the viewer.
+/// eq   glTF 2.0, 3.9 and appendix B: metallic = factor * blue, roughness = factor * green (at least 0.045);
+///      normal map (2 texel - 1) * (scale, scale, 1), the whole normal reversed on back sides;
+///      ambient light * (1 + strength * (red - 1)); emission = factor * KHR_materials_emissive_strength * texture.
+///      KHR_materials_unlit: the base colour alone. Where there is no normal: base colour + emission.
+glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around);
+
+}  // namespace sinew::reference

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "tests/reference/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "tests/reference/material.h"
+#include "tests/reference/shade.h"
+
+namespace sinew::reference {
+namespace {
+
+using viewer::Lighting;
+using viewer::Show;
+using viewer::View;
+
+glm::dvec3 into_world(const View& view, const glm::dvec3& direction) {
+  return glm::transpose(linear_part(view.view_from_world)) * direction;  // of a rotation, the inverse
+}
+
+SightLine sight_line(const PictureOf& picture, double x, double y) {
+  const View& view = picture.view;
+  const double aspect = static_cast<double>(picture.width) / picture.height;
+  const double right = (2.0 * x / picture.width - 1.0) * aspect, up = 1.0 - 2.0 * y / picture.height;
+  const glm::dvec3 eye = into_world(view, -translation_of(view.view_from_world));
+  if (view.half_height_m > 0.0)
+    return {eye + into_world(view, glm::dvec3(right, up, 0.0) * view.half_height_m),
+            into_world(view, glm::dvec3(0.0, 0.0, -1.0))};
+  const double slope = std::tan(0.5 * view.fov_y_rad);
+  return {eye, into_world(view, glm::dvec3(right * slope, up * slope, -1.0))};
+}
+
+/// The visible layers from near to far, down to the first opaque one.
+std::vector<SurfacePoint> layers(const PictureOf& picture, double x, double y) {
+  std::vector<SurfacePoint> kept;
+  for (const SurfacePoint& point : surfaces_along(picture.scene, picture.frame, sight_line(picture, x, y))) {
+    if (point.distance_m < picture.view.near_m) continue;
+    if (picture.view.far_m > 0.0 && point.distance_m > picture.view.far_m) continue;
+    const bool masked = point.material.alpha_mode == AlphaMode::mask;
+    if (masked && base_color(picture.scene, point).a < static_cast<double>(point.material.alpha_cutoff)) continue;
+    kept.push_back(point);
+    if (point.material.alpha_mode != AlphaMode::blend) break;
+  }
+  return kept;
+}
+
+std::vector<ArrivingLight> lights_at(const PictureOf& picture, const glm::dvec3& point) {
+  constexpr std::size_t most = 16;  // as the viewer
+  const Lighting& lighting = picture.options.lighting;
+  std::vector<ArrivingLight> arrived;
+  if (lighting.scene_lights)
+    for (std::size_t i = 0; i < std::min(most, picture.scene.lights.size()); ++i) {
+      const Light& light = picture.scene.lights[i];
+      arrived.push_back(arriving(light, affine_cast<double>(picture.frame.model[light.joint]), point));
+    }
+  if (!arrived.empty()) return arrived;
+  const glm::dvec3 to_key = glm::normalize(glm::dvec3(lighting.to_key));
+  return {{lighting.key_follows_camera ? into_world(picture.view, to_key) : to_key, glm::dvec3(lighting.key)}};
+}
+
+double access_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
+  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend) return 1.0;
+  return picture
+      .access[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)];
+}
+
+glm::dvec3 radiance_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
+  const Lighting& lighting = picture.options.lighting;
+  const std::vector<ArrivingLight> lights = lights_at(picture, point.position);
+  return radiance(picture.scene, point,
+                  {lights,
+                   {0.0, 1.0, 0.0},
+                   glm::dvec3(lighting.sky),
+                   glm::dvec3(lighting.ground),
+                   access_of(picture, point, x, y)});
+}
+
+template <class Function>
+glm::dvec3 each(const glm::dvec3& v, const Function& f) {
+  return {f(v.x), f(v.y), f(v.z)};
+}
+
+glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
+  const std::vector<SurfacePoint> seen = layers(picture, x, y);
+  glm::dvec3 light(0.0);
+  double coverage = 0.0;
+  for (auto point = seen.rbegin(); point != seen.rend(); ++point) {
+    const bool blended = point->material.alpha_mode == AlphaMode::blend;
+    const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
+    light = radiance_of(picture, *point, x, y) * alpha + light * (1.0 - alpha);
+    coverage = alpha + coverage * (1.0 - alpha);
+  }
+  const double exposure = static_cast<double>(picture.options.lighting.exposure);
+  const glm::dvec3 display = coverage > 0.0 ? tone_mapped(light / coverage * exposure) : glm::dvec3(0.0);
+  if (picture.options.transparent_background) return {each(display, srgb_encoded), coverage};
+  const glm::dvec3 behind = each(glm::dvec3(picture.options.background), srgb_decoded);
+  return {each(display * coverage + behind * (1.0 - coverage), srgb_encoded), 1.0};
+}
+
+glm::dvec3 shown_buffer(const PictureOf& picture, const DepthAndNormal& nearest, double x, double y) {
+  const bool covered = nearest.distance_m > 0.0;
+  switch (picture.options.show) {
+    case Show::normals: return nearest.normal * 0.5 + 0.5;
+    case Show::depth: {
+      const double near_m = static_cast<double>(picture.options.depth_range.nearest_m),
+                   far_m = static_cast<double>(picture.options.depth_range.farthest_m);
+      return glm::dvec3(covered ? 1.0 - std::clamp((nearest.distance_m - near_m) / (far_m - near_m), 0.0, 1.0) : 0.0);
+    }
+    default: return glm::dvec3(covered ? access_of(picture, {}, x, y) : 1.0);
+  }
+}
+
+}  // namespace
+
+DepthAndNormal depth_at(const PictureOf& picture, double x, double y) {
+  for (const SurfacePoint& point : layers(picture, x, y)) {
+    if (point.material.alpha_mode == AlphaMode::blend) continue;
+    return {point.distance_m, transform_vector(picture.view.view_from_world, seen_normal(point))};
+  }
+  return {};
+}
+
+glm::dvec4 color_at(const PictureOf& picture, double x, double y) {
+  if (picture.options.show == Show::color) return lit_color(picture, x, y);
+  const DepthAndNormal nearest = depth_at(picture, x, y);
+  const bool covered = nearest.distance_m > 0.0 || !picture.options.transparent_background;
+  return {shown_buffer(picture, nearest, x, y), covered ? 1.0 : 0.0};
+}
+
+}  // namespace sinew::reference

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "runtime/model/scene.h"
+#include "runtime/plan/frame_result.h"
+#include "viewer/passes/render_options.h"
+#include "viewer/passes/view.h"
+
+namespace sinew::reference {
+
+/// What a picture shows. The structs of the viewer are read as data only: none of its functions is called.
+struct PictureOf {
+  const Scene& scene;
+  const FrameResult& frame;
+  viewer::View view;
+  viewer::RenderOptions options;
+  int width = 0, height = 0;
+  std::span<const double> access = {};  ///< [width * height] ambient access of opaque surfaces; empty = 1
+};
+
+/// The picture at a point, in pixels from the upper left corner; (x + 0.5, y + 0.5) is the middle of a pixel. sRGB as
+/// displayed, straight alpha.
+/// eq   layers over each other from far to near, light * alpha + below * (1 - alpha), in linear light;
+///      displayed = sRGB(mix(background, tone curve(exposure * light / coverage), coverage))
+/// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
+glm::dvec4 color_at(const PictureOf& picture, double x, double y);
+
+/// Distance from the eye plane of the nearest opaque surface, metres (0 = none), and its normal in view space.
+struct DepthAndNormal {
+  double distance_m = 0.0;
+  glm::dvec3 normal{0.0};
+};
+DepthAndNormal depth_at(const PictureOf& picture, double x, double y);
+
+}  // namespace sinew::reference

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "tests/reference/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/mat3x3.hpp>
+
+#include "tests/reference/shade.h"
+
+namespace sinew::reference {
+namespace {
+
+/// Index of the texel that shows index i of the endless row.
+long wrapped(Wrap wrap, long i, long size) {
+  const auto modulo = [](long a, long b) { return (a % b + b) % b; };
+  if (wrap == Wrap::clamp_to_edge) return std::clamp(i, 0L, size - 1);
+  if (wrap == Wrap::repeat) return modulo(i, size);
+  const long period = modulo(i, 2 * size);
+  return period < size ? period : 2 * size - 1 - period;
+}
+
+glm::dvec4 stored(const Image& image, const Sampler& sampler, long column, long row, bool srgb) {
+  const long x = wrapped(sampler.wrap_u, column, static_cast<long>(image.width)),
+             y = wrapped(sampler.wrap_v, row, static_cast<long>(image.height));
+  glm::dvec4 value;
+  for (int c = 0; c < 4; ++c) {
+    value[c] = image.rgba[static_cast<std::size_t>(4 * (y * static_cast<long>(image.width) + x) + c)] / 255.0;
+    if (srgb && c < 3) value[c] = srgb_decoded(value[c]);
+  }
+  return value;
+}
+
+}  // namespace
+
+glm::dvec2 transformed(const TextureUse& use, const glm::dvec2& uv) {
+  const double angle = static_cast<double>(use.rotation_rad), c = std::cos(angle), s = std::sin(angle);
+  // Columns. Counter-clockwise in the image: (1, 0) turns to (c, -s), because v points down.
+  const glm::dmat3 scale({use.scale.x, 0.0, 0.0}, {0.0, use.scale.y, 0.0}, {0.0, 0.0, 1.0});
+  const glm::dmat3 rotation({c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0});
+  const glm::dmat3 translation({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {use.offset.x, use.offset.y, 1.0});
+  return glm::dvec2(translation * (rotation * (scale * glm::dvec3(uv, 1.0))));
+}
+
+glm::dvec4 texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, bool srgb) {
+  const Texture& texture = scene.textures[use.texture];
+  const Image& image = scene.images[texture.image];
+  const double x = uv.x * image.width, y = uv.y * image.height;
+  const auto at = [&](double column, double row) {
+    return stored(image, texture.sampler, static_cast<long>(std::floor(column)), static_cast<long>(std::floor(row)),
+                  srgb);
+  };
+  if (texture.sampler.magnify == Filter::nearest) return at(x, y);
+  const double left = x - 0.5, top = y - 0.5, fx = left - std::floor(left), fy = top - std::floor(top);
+  return (at(left, top) * (1.0 - fx) + at(left + 1.0, top) * fx) * (1.0 - fy) +
+         (at(left, top + 1.0) * (1.0 - fx) + at(left + 1.0, top + 1.0) * fx) * fy;
+}
+
+}  // namespace sinew::reference

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Pictures of one term of the light model each, compared with the reference renderer.
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/viewer/reference_picture.h"
+
+namespace sinew::viewer {
+namespace {
+
+class light_picture : public DeviceTest {};
+
+BuiltScene matte_wall() {
+  BuiltScene built;
+  built.add(wall(), built.add_material(matte({0.8f, 0.7f, 0.6f})));
+  return built;
+}
+
+BuiltScene ball(float metallic, float roughness) {
+  BuiltScene built;
+  Material material = matte({0.8f, 0.5f, 0.3f});
+  material.metallic = metallic;
+  material.roughness = roughness;
+  built.add(showcase::sphere({0, 0, 0}, 0.9f, 20, 12), built.add_material(material));
+  return built;
+}
+
+View view_of_ball() { return look_at({0.8, 1.2, 2.2}, {0.0, 0.0, 0.0}, 0.75, 0.05); }
+
+Light lamp(Light::Kind kind, float intensity) {
+  return {.kind = kind, .color = {1.0f, 0.8f, 0.5f}, .intensity = intensity};
+}
+
+TEST_F(light_picture, directional_light_has_a_direction_a_color_and_an_intensity) {
+  for (const glm::vec3 direction : {glm::vec3(-0.4f, -0.7f, -0.6f), glm::vec3(0.8f, 0.2f, -0.3f)}) {
+    BuiltScene built = ball(0.0f, 0.6f);
+    add_light_at(built, lamp(Light::Kind::directional, 2.2f), {5.0f, -3.0f, 0.5f}, direction);
+    expect_reference_picture(built, view_of_ball(), only_scene_lights());
+  }
+}
+
+TEST_F(light_picture, point_light_falls_off_with_the_square_of_the_distance) {
+  for (const float distance : {0.4f, 1.0f, 3.0f}) {
+    BuiltScene built = matte_wall();
+    add_light_at(built, lamp(Light::Kind::point, 1.5f), {0.2f, 0.1f, distance}, {0, 0, -1});
+    expect_reference_picture(built, view_of_wall(), only_scene_lights(), {.sharp = 0.3});
+  }
+}
+
+TEST_F(light_picture, range_ends_light_smoothly) {
+  for (const float range : {0.9f, 1.4f}) {
+    BuiltScene built = matte_wall();
+    Light light = lamp(Light::Kind::point, 2.0f);
+    light.range_m = range;
+    add_light_at(built, light, {0.2f, 0.1f, 0.7f}, {0, 0, -1});
+    expect_reference_picture(built, view_of_wall(), only_scene_lights(), {.sharp = 0.3});
+  }
+}
+
+TEST_F(light_picture, spot_light_fades_between_its_cones_and_is_dark_outside) {
+  for (const float inner : {0.0f, 0.35f, 0.499f}) {
+    BuiltScene built = matte_wall();
+    Light light = lamp(Light::Kind::spot, 4.0f);
+    light.inner_cone_rad = inner;
+    light.outer_cone_rad = 0.5f;
+    add_light_at(built, light, {-0.3f, 0.4f, 1.0f}, {0.35f, -0.4f, -1.0f});
+    expect_reference_picture(built, view_of_wall(), only_scene_lights(), {.sharp = 0.3});
+  }
+}
+
+TEST_F(light_picture, spot_light_has_a_range_too) {
+  BuiltScene built = matte_wall();
+  Light light = lamp(Light::Kind::spot, 4.0f);
+  light.outer_cone_rad = 1.2f;
+  light.range_m = 1.1f;
+  add_light_at(built, light, {0.2f, 0.1f, 0.8f}, {0.1f, 0.0f, -1.0f});
+  expect_reference_picture(built, view_of_wall(), only_scene_lights(), {.sharp = 0.3});
+}
+
+TEST_F(light_picture, scale_of_a_node_changes_no_light) {
+  for (const Light::Kind kind : {Light::Kind::directional, Light::Kind::spot}) {
+    BuiltScene built = matte_wall();
+    Affine scaled = affine_from(glm::mat3(2.5f), {0.1f, 0.2f, 1.0f});
+    scaled.row[1].y = 0.5f;
+    built.add_light(lamp(kind, 2.0f), scaled);
+    expect_reference_picture(built, view_of_wall(), only_scene_lights(), {.sharp = 0.3});
+  }
+}
+
+TEST_F(light_picture, lights_add_up_and_the_seventeenth_is_left_out) {
+  BuiltScene built = matte_wall();
+  for (int i = 0; i < 17; ++i) {
+    Light light = lamp(i % 3 == 0 ? Light::Kind::point : Light::Kind::spot, 0.15f);
+    light.color = {0.3f + 0.04f * static_cast<float>(i), 0.9f - 0.05f * static_cast<float>(i), i == 16 ? 9.0f : 0.4f};
+    const float turn = 0.4f * static_cast<float>(i);
+    add_light_at(built, light, {0.6f * std::cos(turn), 0.5f * std::sin(turn), 0.5f}, {0.1f, 0.0f, -1.0f});
+  }
+  expect_reference_picture(built, view_of_wall(), only_scene_lights());
+}
+
+TEST_F(light_picture, key_light_shines_where_the_scene_has_no_light_or_none_is_wanted) {
+  BuiltScene built = ball(0.0f, 0.5f);
+  RenderOptions options;
+  options.ao.on = false;
+  options.lighting.sky = options.lighting.ground = glm::vec3(0.0f);
+  options.lighting.to_key = {0.9f, 0.9f, -0.3f};
+  for (const bool follows : {false, true}) {
+    options.lighting.key_follows_camera = follows;
+    expect_reference_picture(built, view_of_ball(), options);
+  }
+  add_light_at(built, lamp(Light::Kind::directional, 3.0f), {0, 0, 0}, {1, 0, 0});
+  options.lighting.scene_lights = false;
+  expect_reference_picture(built, view_of_ball(), options);
+}
+
+TEST_F(light_picture, highlights_of_every_roughness_of_metals_and_others) {
+  for (const float metallic : {0.0f, 0.5f, 1.0f})
+    for (const float roughness : {0.25f, 0.5f, 1.0f}) {
+      BuiltScene built = ball(metallic, roughness);
+      add_light_at(built, lamp(Light::Kind::directional, 1.5f), {0, 0, 0}, {-0.9f, -0.3f, -0.2f});
+      expect_reference_picture(built, view_of_ball(), only_scene_lights());
+    }
+}
+
+TEST_F(light_picture, light_that_grazes_a_surface_is_reflected_and_no_longer_scattered) {
+  for (const float roughness : {0.3f, 0.0f}) {
+    BuiltScene built;
+    Material material = matte({0.05f, 0.1f, 0.4f});
+    material.roughness = roughness;
+    built.add(square(3.0f), built.add_material(material));
+    add_light_at(built, lamp(Light::Kind::directional, 0.4f), {0, 0, 0}, {0.1f, -0.12f, 1.0f});
+    const View low = look_at({0.0, 0.15, 1.2}, {0.0, 0.0, 0.0}, 0.4, 0.02);
+    // The highlight of a mirror changes by far within a pixel.
+    expect_reference_picture(built, low, only_scene_lights(), {.sharp = roughness > 0.0f ? 0.5 : 0.0});
+  }
+}
+
+TEST_F(light_picture, ambient_light_comes_from_sky_and_ground) {
+  for (const float metallic : {0.0f, 1.0f})
+    for (const float roughness : {0.1f, 0.9f}) {
+      RenderOptions options = only_ambient_light();
+      options.lighting.sky = {0.2f, 0.5f, 0.9f};
+      options.lighting.ground = {0.7f, 0.2f, 0.05f};
+      expect_reference_picture(ball(metallic, roughness), view_of_ball(), options);
+    }
+}
+
+TEST_F(light_picture, exposure_scales_light_before_the_tone_curve) {
+  for (const float exposure : {0.1f, 0.5f, 3.0f}) {
+    RenderOptions options = only_ambient_light();
+    options.lighting.exposure = exposure;
+    expect_reference_picture(ball(0.0f, 0.8f), view_of_ball(), options);
+  }
+}
+
+/// A wall whose colour goes from one end to the other, as light.
+BuiltScene glowing_wall(const glm::vec3& left, const glm::vec3& right) {
+  BuiltScene built;
+  Primitive p = wall();
+  p.colors = {glm::vec4(left, 1.0f), glm::vec4(left, 1.0f), glm::vec4(right, 1.0f), glm::vec4(right, 1.0f)};
+  Material material;
+  material.unlit = true;
+  built.add(p, built.add_material(material));
+  return built;
+}
+
+TEST_F(light_picture, tone_curve_keeps_colors_and_whitens_highlights) {
+  const std::pair<glm::vec3, glm::vec3> ramps[] = {{{0, 0, 0}, {0.2f, 0.15f, 0.1f}},
+                                                   {{0, 0, 0}, {1, 1, 1}},
+                                                   {{0.5f, 0.2f, 0.0f}, {9.0f, 2.0f, 0.05f}},
+                                                   {{0.1f, 3.0f, 2.0f}, {4.0f, 60.0f, 30.0f}}};
+  for (const auto& [left, right] : ramps)
+    expect_reference_picture(glowing_wall(left, right), view_of_wall(), only_scene_lights());
+}
+
+TEST_F(light_picture, background_is_shown_as_it_is_given_and_behind_what_lets_light_through) {
+  BuiltScene built;
+  Material glass = matte({0.9f, 0.3f, 0.1f});
+  glass.unlit = true;
+  glass.alpha_mode = AlphaMode::blend;
+  glass.base_color.a = 0.35f;
+  built.add(showcase::box({0, 0, 0}, glm::vec3(0.5f)), built.add_material(glass));
+  RenderOptions options = only_scene_lights();
+  options.background = {0.8f, 0.02f, 0.4f};
+  options.lighting.exposure = 1.7f;
+  for (const bool transparent : {false, true}) {
+    options.transparent_background = transparent;
+    expect_reference_picture(built, view_of_ball(), options);
+  }
+}
+
+TEST_F(light_picture, parallel_camera_sees_every_point_from_one_direction) {
+  BuiltScene built = ball(0.6f, 0.35f);
+  built.add(square(2.0f), built.add_material(matte({0.4f, 0.6f, 0.3f})), translation({0.0f, -0.9f, 0.0f}));
+  add_light_at(built, lamp(Light::Kind::point, 6.0f), {1.2f, 1.4f, 0.8f}, {0, -1, 0});
+  View view = view_of_ball();
+  view.half_height_m = 1.1;
+  view.far_m = 6.0;
+  RenderOptions options;
+  options.ao.on = false;
+  expect_reference_picture(built, view, options);
+}
+
+TEST_F(light_picture, near_and_far_plane_cut_the_scene) {
+  BuiltScene built = ball(0.0f, 0.7f);
+  built.scene.materials[0].double_sided = true;
+  View view = view_of_ball();
+  RenderOptions options;
+  options.ao.on = false;
+  view.near_m = 2.0;
+  expect_reference_picture(built, view, options);
+  view.near_m = 0.05;
+  view.far_m = 2.2;
+  expect_reference_picture(built, view, options);
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "tests/viewer/reference_access.h"
+
+#include "viewer/passes/ssao_kernel.h"
+
+namespace sinew::viewer {
+namespace {
+
+reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKernel& kernel,
+                                    const OcclusionShape& shape) {
+  const AmbientOcclusion& ao = options.ao;
+  return {static_cast<double>(ao.radius_m),
+          static_cast<double>(ao.surface_epsilon_m),
+          static_cast<double>(ao.fade_start_m),
+          static_cast<double>(ao.fade_end_m),
+          static_cast<double>(ao.power),
+          kernel.offsets,
+          kernel.noise,
+          static_cast<int>(shape.step),
+          static_cast<int>(shape.blur_reach),
+          shape.keep_edges};
+}
+
+}  // namespace
+
+std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                     const OcclusionShape& shape) {
+  const SsaoKernel kernel = make_ssao_kernel(shape.samples);
+  const reference::SsaoSettings settings = settings_of(options, kernel, shape);
+  reference::HalfAccess half = reference::ssao(image, settings);
+  if (options.ao.blur) {
+    half = reference::blurred(image, settings, half, false);
+    half = reference::blurred(image, settings, half, true);
+  }
+  return reference::full_size(image, settings, half);
+}
+
+}  // namespace sinew::viewer

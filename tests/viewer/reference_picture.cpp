@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "tests/viewer/reference_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "tests/reference/picture.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::viewer {
+namespace {
+
+/// Smallest and greatest of the reference's values around the middle of a pixel.
+struct PixelRange {
+  glm::dvec4 lower{1e9}, upper{-1e9};
+};
+
+PixelRange range_at(const reference::PictureOf& picture, int x, int y) {
+  constexpr double aside = 1.0 / 32.0;
+  PixelRange range;
+  for (const glm::dvec2 offset :
+       {glm::dvec2(0.0), {aside, aside}, {-aside, aside}, {aside, -aside}, {-aside, -aside}}) {
+    const glm::dvec4 color = reference::color_at(picture, x + 0.5 + offset.x, y + 0.5 + offset.y);
+    range.lower = glm::min(range.lower, color);
+    range.upper = glm::max(range.upper, color);
+  }
+  return range;
+}
+
+double greatest(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
+
+}  // namespace
+
+void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
+                              const PictureBounds& bounds, std::span<const double> access) {
+  const FloatPicture drawn = render_float(built, bounds.width, bounds.height, view, options);
+  const FrameResult frame = built.frame();
+  const reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, access};
+  int sharp = 0, wrong = 0;
+  double brightest = 0.0;
+  for (int y = 0; y < bounds.height; ++y)
+    for (int x = 0; x < bounds.width; ++x) {
+      const PixelRange range = range_at(picture, x, y);
+      const glm::dvec4 pixel(drawn.at(x, y));
+      sharp += greatest(range.upper - range.lower) < 5.0 * bounds.bound;
+      brightest = std::max({brightest, range.upper.x, range.upper.y, range.upper.z});
+      const double off = std::max(greatest(range.lower - pixel), greatest(pixel - range.upper));
+      if (off <= bounds.bound) continue;
+      if (++wrong > 3) continue;  // no need to print all
+      ADD_FAILURE() << "pixel " << x << " " << y << " is " << pixel.x << " " << pixel.y << " " << pixel.z << " "
+                    << pixel.w << ", the reference says " << range.lower.x << " " << range.lower.y << " "
+                    << range.lower.z << " " << range.lower.w << " to " << range.upper.x << " " << range.upper.y << " "
+                    << range.upper.z << " " << range.upper.w;
+    }
+  EXPECT_EQ(wrong, 0) << "pixels differ from the reference";
+  EXPECT_GE(sharp, bounds.sharp * bounds.width * bounds.height) << "too few pixels are compared closely";
+  EXPECT_GT(brightest, 0.05) << "the picture shows nothing";
+}
+
+RenderOptions only_scene_lights() {
+  RenderOptions options;
+  options.ao.on = false;
+  options.lighting.key = options.lighting.sky = options.lighting.ground = glm::vec3(0.0f);
+  return options;
+}
+
+RenderOptions only_ambient_light() {
+  RenderOptions options;
+  options.ao.on = false;
+  options.lighting.key = glm::vec3(0.0f);
+  return options;
+}
+
+Primitive wall() {
+  Primitive p = square(1.2f);
+  for (glm::vec3& position : p.positions) position = {position.x, -position.z, 0.0f};
+  p.normals.assign(4, {0.0f, 0.0f, 1.0f});
+  p.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
+  p.texcoords.emplace_back();
+  for (const glm::vec2& uv : p.texcoords[0]) p.texcoords[1].push_back({0.15f + 0.55f * uv.y, 0.9f - 0.7f * uv.x});
+  return p;
+}
+
+View view_of_wall() { return look_at({0.5, 0.3, 1.6}, {0.1, 0.0, 0.0}, 0.8, 0.05); }
+
+std::uint32_t add_noise_texture(BuiltScene& built, const Sampler& sampler) {
+  Image image;
+  image.width = image.height = 8;
+  test::FixedRandom random(7);
+  for (int i = 0; i < 4 * 8 * 8; ++i) image.rgba.push_back(static_cast<std::uint8_t>(random.in(70.0, 256.0)));
+  built.scene.images.push_back(image);
+  built.scene.textures.push_back({static_cast<std::uint32_t>(built.scene.images.size() - 1), sampler});
+  return static_cast<std::uint32_t>(built.scene.textures.size() - 1);
+}
+
+std::uint32_t add_plain_texture(BuiltScene& built, const std::array<std::uint8_t, 4>& rgba) {
+  Image image;
+  image.width = image.height = 1;
+  image.rgba.assign(rgba.begin(), rgba.end());
+  built.scene.images.push_back(image);
+  built.scene.textures.push_back({static_cast<std::uint32_t>(built.scene.images.size() - 1), {}});
+  return static_cast<std::uint32_t>(built.scene.textures.size() - 1);
+}
+
+void add_light_at(BuiltScene& built, const Light& light, const glm::vec3& position, const glm::vec3& direction) {
+  const glm::vec3 back = -glm::normalize(direction);
+  const glm::vec3 aside = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(aside, back));
+  built.add_light(light, affine_from(glm::mat3(right, glm::cross(back, right), back), position));
+}
+
+}  // namespace sinew::viewer

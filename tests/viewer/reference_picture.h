@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <span>
+
+#include "tests/viewer/device_fixture.h"
+
+namespace sinew::viewer {
+
+/// How near the drawn picture must be to the reference renderer's.
+struct PictureBounds {
+  int width = 24, height = 20;
+  double bound =
+      0.001;  ///< per channel, a quarter of a step of 8 bits. Light is stored as half floats between the passes
+  double sharp = 0.7;  ///< least share of pixels whose range is narrower than 5 bounds
+};
+
+/// Draws the scene and compares each pixel with the reference renderer (tests/reference/picture.h). The reference looks
+/// along five rays through each pixel, its middle and 1/32 pixel around it; each channel must lie within their range,
+/// widened by the bound. So a pixel on an edge may be on either side of it.
+/// in   access  [width * height] ambient access for the reference; empty = 1
+void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
+                              const PictureBounds& bounds = {}, std::span<const double> access = {});
+
+/// No ambient light, no occlusion, and no light at all but the scene's.
+RenderOptions only_scene_lights();
+
+/// No light but the ambient light.
+RenderOptions only_ambient_light();
+
+/// A wall in the plane z = 0 that faces +z: 2.4 m wide and high, with tangents and two sets of texture coordinates.
+Primitive wall();
+
+/// In front of the wall, aside: the wall fills the picture.
+View view_of_wall();
+
+/// Bound for pictures of sRGB textures: Mesa's software driver decodes them by a polynomial.
+inline constexpr double kDecodedBound = 0.006;
+
+/// Adds an image of 8 x 8 random colours and alphas, and a texture that shows it without filter. Returns the texture.
+std::uint32_t add_noise_texture(BuiltScene& built,
+                                const Sampler& sampler = {
+                                    .magnify = Filter::nearest, .minify = Filter::nearest, .use_mipmaps = false});
+
+/// A texture of one colour.
+std::uint32_t add_plain_texture(BuiltScene& built, const std::array<std::uint8_t, 4>& rgba);
+
+/// A light of the scene at `position` that shines along `direction`.
+void add_light_at(BuiltScene& built, const Light& light, const glm::vec3& position, const glm::vec3& direction);
+
+}  // namespace sinew::viewer

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Pictures of the buffers between passes (Show::normals, depth, ao), compared with the reference renderer alone.
+#include "samples/showcase/shapes.h"
+#include "tests/reference/picture.h"
+#include "tests/viewer/reference_access.h"
+#include "tests/viewer/reference_picture.h"
+
+namespace sinew::viewer {
+namespace {
+
+class show_picture : public DeviceTest {};
+
+constexpr int kWidth = 36, kHeight = 28;
+
+View the_view() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
+
+/// Shapes of every kind: one-sided, double-sided seen from behind, masked with holes, and glass, which no buffer shows.
+BuiltScene shapes() {
+  BuiltScene built = box_and_sphere_on_floor();
+  Material material = matte({1, 1, 1});
+  material.double_sided = true;
+  material.alpha_mode = AlphaMode::mask;
+  material.base_color_texture.texture = add_noise_texture(built);
+  Affine turned = translation({0.0f, 1.4f, -1.2f});
+  turned.row[0].x = turned.row[2].z = -1.0f;
+  built.add(wall(), built.add_material(material), turned);
+  Material glass = matte({1, 1, 1});
+  glass.alpha_mode = AlphaMode::blend;
+  built.add(showcase::sphere({0.2f, 0.6f, 1.2f}, 0.4f), built.add_material(glass));
+  return built;
+}
+
+TEST_F(show_picture, normals_are_those_of_the_seen_sides_in_view_space) {
+  RenderOptions options;
+  options.show = Show::normals;
+  for (const bool transparent : {false, true}) {
+    options.transparent_background = transparent;
+    expect_reference_picture(shapes(), the_view(), options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
+  }
+}
+
+TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
+  RenderOptions options;
+  options.show = Show::depth;
+  options.depth_range = {3.2f, 6.0f};
+  View parallel = the_view();
+  parallel.half_height_m = 1.8;
+  parallel.far_m = 9.0;
+  View cut = the_view();
+  cut.far_m = 5.0;
+  for (const View& view : {the_view(), parallel, cut})
+    expect_reference_picture(shapes(), view, options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
+}
+
+TEST_F(show_picture, ambient_access_is_that_of_the_reference_from_its_own_depth_and_normals) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  RenderOptions options;
+  options.show = Show::ao;
+  options.ao.radius_m = 0.7f;
+  const FrameResult frame = built.frame();
+  const reference::PictureOf picture{built.scene, frame, the_view(), options, kWidth, kHeight};
+  reference::DepthAndNormals image = empty_image(kWidth, kHeight, the_view());
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const reference::DepthAndNormal at = reference::depth_at(picture, x + 0.5, y + 0.5);
+      image.distance.push_back(at.distance_m);
+      image.normals.push_back(at.normal);
+    }
+  const std::vector<double> access = reference_access(image, options);
+  const FloatPicture drawn = render_float(built, kWidth, kHeight, the_view(), options);
+  double mean = 0.0, occluded = 0.0;
+  for (std::size_t i = 0; i < access.size(); ++i) {
+    mean += std::abs(static_cast<double>(drawn.pixels[i].r) - access[i]) / static_cast<double>(access.size());
+    occluded += (1.0 - access[i]) / static_cast<double>(access.size());
+  }
+  EXPECT_GT(occluded, 0.015) << "nothing is occluded: the comparison is empty";
+  EXPECT_LT(mean, 2e-3);  // a sample may fall to either side of an edge
+}
+
+}  // namespace
+}  // namespace sinew::viewer
