@@ -172,6 +172,16 @@ TEST_F(material_picture, normal_map_without_tangents_follows_the_texture_coordin
   expect_reference_picture(relief_wall(1.0f, p), view_of_wall(), every_light());
 }
 
+TEST_F(material_picture, back_sides_have_the_whole_normal_reversed) {
+  Affine turned;  // about y by 180 degrees
+  turned.row[0].x = turned.row[2].z = -1.0f;
+  Primitive without = wall();
+  without.tangents.clear();
+  for (const Primitive& p : {wall(), without})
+    for (const float scale : {0.0f, 1.0f})
+      expect_reference_picture(relief_wall(scale, p, turned), view_of_wall(), every_light());
+}
+
 TEST_F(material_picture, unlit_shows_the_base_color_alone) {
   BuiltScene built;
   Material material = plain();

@@ -64,6 +64,7 @@ vec3 mapped_normal(vec3 n) {
   if (kTangents) found = stored_frame(n, t, b);
   else found = derived_frame(n, t, b);
   if (!found) return n;
+  if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is reversed already: a bump of the front is a dent of the back
   return normalize(t * relief.x * material.normal_scale + b * relief.y * material.normal_scale + n * relief.z);
 }
 
