@@ -224,6 +224,19 @@ TEST_F(material_picture, alpha_is_ignored_cut_or_blended) {
     expect_reference_picture(wall_of_alpha(mode, 0.5f), view_of_wall(), every_light(), {.bound = kDecodedBound});
 }
 
+TEST_F(material_picture, alpha_equal_to_the_cutoff_is_kept) {
+  for (const float alpha : {0.5f, 0.4999f}) {
+    Material material = plain();
+    material.base_color.a = alpha;
+    material.alpha_mode = AlphaMode::mask;
+    for (const bool prepass : {false, true}) {
+      RenderOptions options = every_light();
+      options.ao.on = prepass;
+      expect_reference_picture(lit_wall({}, material), view_of_wall(), options);
+    }
+  }
+}
+
 TEST_F(material_picture, lit_panes_mix_with_their_light_from_far_to_near) {
   BuiltScene built;
   for (const float alpha : {0.3f, 0.6f}) {

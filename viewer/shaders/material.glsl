@@ -42,3 +42,7 @@ vec4 base_color_at(vec4 texcoords, vec4 vertex_color) {
   if (kBaseColorSet != 0) color *= texture(base_color_texture, transformed_uv(0, kBaseColorSet, texcoords));
   return color;
 }
+
+// The alpha test. An interpolated 1 may be a step of float below 1, so that alpha equal to the cutoff needs a margin; it
+// is far below a step of an 8-bit texture.
+bool is_cut(float alpha) { return alpha < material.alpha_cutoff - 1e-6; }

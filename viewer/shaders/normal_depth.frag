@@ -17,5 +17,5 @@ layout(location = 0) out vec4 normal;
 
 void main() {
   normal = vec4(surface_normal(view_normal, view_position), 1.0);
-  if (kMasked && base_color_at(texcoords, vertex_color).a < material.alpha_cutoff) discard;
+  if (kMasked && is_cut(base_color_at(texcoords, vertex_color).a)) discard;
 }

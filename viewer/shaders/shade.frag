@@ -106,5 +106,5 @@ void main() {
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
   color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
-  if (kMasked && base.a < material.alpha_cutoff) discard;
+  if (kMasked && is_cut(base.a)) discard;
 }
