@@ -152,24 +152,28 @@ HWY_INLINE void store_third(Block xyzx, glm::vec3& to) {
   hn::StoreU(hn::LowerHalf(one, hn::UpperHalf(hn::CappedTag<float, 2>(), xyzx)), one, &to.z);
 }
 
-/// Writes each normal to the three vertices of its triangle, in few stores, which take most of the time.
+/// Writes each normal to the three vertices of its triangle, in few stores, which take most of the time. Where they go
+/// is read first: compilers would read it again after every store.
 template <bool kRun>
 HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, Faces<kRun> faces) {
   const Lanes4 all = transpose(n.x, n.y, n.z, n.x);
   const Wide quarters[4] = {all.x, all.y, all.z, all.w};
+  glm::vec3* const normals = arrays.normals;
   for_each_quarter([&](auto q) HWY_ATTR {
-    const auto normal = [&](std::size_t b, std::size_t c)
-                            HWY_ATTR -> glm::vec3& { return arrays.normals[faces.corner(q * kBlocks + b, c)]; };
     if constexpr (kRun) {
       for_each_block_pair(quarters[q], rotated(quarters[q]), [&](std::size_t b, auto store_pair, Block xyzx) HWY_ATTR {
-        store_pair(&normal(b, 0).x);
-        store_third(xyzx, normal(b, 2));
+        glm::vec3* const to = &normals[faces.corner(q * kBlocks + b, 0)];
+        store_pair(&to->x);
+        store_third(xyzx, to[2]);
       });
     } else {
       for_each_block(quarters[q], [&](std::size_t b, Block xyzx) HWY_ATTR {
-        for (std::size_t c = 0; c < 3; ++c) {
-          hn::StoreU(low_pair(xyzx), hn::CappedTag<float, 2>(), &normal(b, c).x);
-          store_third(xyzx, normal(b, c));
+        const std::size_t t = q * kBlocks + b;
+        glm::vec3* const to[3] = {&normals[faces.corner(t, 0)], &normals[faces.corner(t, 1)],
+                                  &normals[faces.corner(t, 2)]};
+        for (glm::vec3* const corner : to) {
+          hn::StoreU(low_pair(xyzx), hn::CappedTag<float, 2>(), &corner->x);
+          store_third(xyzx, *corner);
         }
       });
     }
