@@ -103,6 +103,16 @@ TEST_F(geometry_decoder, between_frames_lie_on_the_line_between_them) {
   }
 }
 
+TEST_F(geometry_decoder, a_time_before_a_key_frame_that_was_sought_alone_decodes_the_frame_before_it) {
+  const double before_key_s = cache_.start_s() + 7.5 * cache_.frame_s();
+  ASSERT_EQ(decoder_.decode_time(before_key_s, source_), GeometryStatus::ok);
+  const Points expected = points();
+  ASSERT_EQ(decoder_.decode(30, source_), GeometryStatus::ok);
+  ASSERT_EQ(decoder_.decode(8, source_), GeometryStatus::ok);
+  ASSERT_EQ(decoder_.decode_time(before_key_s, source_), GeometryStatus::ok);
+  EXPECT_TRUE(same_bits<glm::vec3>(points(), expected));
+}
+
 TEST_F(geometry_decoder, times_outside_are_clamped_and_whole_frames_are_exact) {
   ASSERT_EQ(decoder_.decode_time(-5.0, source_), GeometryStatus::ok);
   expect_frame(0);
