@@ -50,7 +50,8 @@ void stored_frame(const Triangle& triangle, const glm::dvec3& share, SurfacePoin
   point.bitangent = t.w * glm::cross(point.normal, point.tangent) * (triangle.mirrored ? -1.0 : 1.0);
 }
 
-/// Tangent and bitangent from positions and texture coordinates.
+/// Tangent and bitangent from positions and texture coordinates: as from a stored tangent along dP/du, with the w that
+/// puts the bitangent on the side where v falls.
 /// eq   [edge 1, edge 2] = [dP/du, dP/dv] * [duv 1, duv 2]
 void derived_frame(const Triangle& triangle, SurfacePoint& point) {
   const std::uint32_t set = point.material.normal_texture.texcoord;
@@ -59,8 +60,10 @@ void derived_frame(const Triangle& triangle, SurfacePoint& point) {
   const glm::dvec3 e1 = triangle.corner[1] - triangle.corner[0], e2 = triangle.corner[2] - triangle.corner[0];
   const glm::dvec2 d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
   const double area = d1.x * d2.y - d2.x * d1.y;
-  point.tangent = glm::normalize((e1 * d2.y - e2 * d1.y) / area);
-  point.bitangent = -glm::normalize((e2 * d1.x - e1 * d2.x) / area);
+  const glm::dvec3 along_u = (e1 * d2.y - e2 * d1.y) / area, along_v = (e2 * d1.x - e1 * d2.x) / area;
+  point.tangent = glm::normalize(along_u - point.normal * glm::dot(point.normal, along_u));
+  const glm::dvec3 aside = glm::cross(point.normal, point.tangent);
+  point.bitangent = glm::dot(aside, along_v) < 0.0 ? aside : -aside;
 }
 
 /// Shares of the corners and t where the line meets the plane of the triangle.

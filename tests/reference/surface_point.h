@@ -30,7 +30,7 @@ struct SurfacePoint {
 /// All triangles of the scene that the line meets, the nearest first; back sides of one-sided materials are not drawn.
 /// Every triangle is tried. Copies, points and lines are not known here.
 /// eq   n' = inverse transpose of M * n, t' = M * t, bitangent = w * cross(n', t'), the other way where M mirrors
-///      (runtime/math/conventions.h). Without tangents: the directions in which u rises and v falls.
+///      (runtime/math/conventions.h). Without tangents: along u, and w so that v falls.
 std::vector<SurfacePoint> surfaces_along(const Scene& scene, const FrameResult& frame, const SightLine& line);
 
 }  // namespace sinew::reference

@@ -170,6 +170,11 @@ TEST_F(material_picture, normal_map_without_tangents_follows_the_texture_coordin
   expect_reference_picture(relief_wall(1.0f, p), view_of_wall(), every_light());
   p.texcoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};  // turned
   expect_reference_picture(relief_wall(1.0f, p), view_of_wall(), every_light());
+  p.texcoords[0] = {{0, 0}, {1, 3}, {5, 4}, {4, 1}};  // stretched and sheared: tangents are unit vectors all the same
+  expect_reference_picture(relief_wall(1.0f, p), view_of_wall(), every_light());
+  BuiltScene built = relief_wall(1.0f, p);
+  built.scene.materials[0].normal_texture.texcoord = 1;
+  expect_reference_picture(built, view_of_wall(), every_light());
 }
 
 TEST_F(material_picture, back_sides_have_the_whole_normal_reversed) {

@@ -39,20 +39,19 @@ bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
   return true;
 }
 
-// The same for a mesh without tangents, from the screen-space derivatives of position and texture coordinates; v points
-// down.
-// eq   Schueler, "Followup: Normal Mapping Without Precomputed Tangents" (2013)
+// The same for a mesh without tangents, from screen-space derivatives, as stored tangents would have it: the tangent lies
+// along u, and the bitangent is perpendicular to it on the side where v falls.
+// eq   [dP/dx, dP/dy] = [dP/du, dP/dv] * [duv/dx, duv/dy]
 bool derived_frame(vec3 n, out vec3 t, out vec3 b) {
   vec3 dx = dFdx(view_position), dy = dFdy(view_position);
   vec2 uv = uv_of_set(kNormalSet, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
-  vec3 across_y = cross(dy, n), across_x = cross(n, dx);
-  float side = sign(dot(dx, across_y));
-  t = side * (across_y * uv_x.x + across_x * uv_y.x);
-  b = -side * (across_y * uv_x.y + across_x * uv_y.y);
-  float longest = max(dot(t, t), dot(b, b));
-  if (longest == 0.0) return false;
-  t *= inversesqrt(longest);
-  b *= inversesqrt(longest);
+  float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
+  vec3 along_u = side * (dx * uv_y.y - dy * uv_x.y), along_v = side * (dy * uv_x.x - dx * uv_y.x);
+  t = along_u - n * dot(n, along_u);
+  if (dot(t, t) == 0.0) return false;
+  t = normalize(t);
+  b = cross(n, t);
+  if (dot(b, along_v) > 0.0) b = -b;
   return true;
 }
 
