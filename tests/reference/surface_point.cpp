@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <type_traits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

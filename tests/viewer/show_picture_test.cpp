@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the buffers between passes (Show::normals, depth, ao), compared with the reference renderer alone.
+#include <cmath>
+#include <vector>
+
 #include "samples/showcase/shapes.h"
 #include "tests/reference/picture.h"
 #include "tests/viewer/reference_access.h"
