@@ -62,6 +62,21 @@ TEST(clip, P02_equal_keys_with_a_tangent_between_them_are_not_constant) {
   }
 }
 
+TEST(clip, P02_equal_weights_with_a_tangent_between_them_are_not_constant) {
+  for (const bool at_the_end : {false, true})
+    for (const std::size_t target : {0u, 1u}) {
+      Animation animation{"test", 1.0, {}, {}};
+      std::vector<float> rows = {7, 7, 0.5f, 0.25f, 0, 0, 0, 0, 0.5f, 0.25f, 7, 7};  // the first and last mean nothing
+      rows[(at_the_end ? 6 : 4) + target] = 1.0f;
+      animation.weights = {{0, {Interpolation::cubic_spline, {0, 1}, rows, 2}}};
+      const float rest[] = {0.0f, 0.0f};
+      const std::uint32_t first_weight[] = {0, 2};
+      const Clip clip = compile_clip(animation, test::chain_skeleton(1), rest, first_weight);
+      EXPECT_EQ(clip.counts().folded, 0u);
+      EXPECT_EQ(clip.counts().weights, 2u);
+    }
+}
+
 TEST(clip, G11_duration_is_that_of_the_animation) {
   BoneAnimation bone = bone_of(0, {}, {Interpolation::linear, {3, 7}, {{0, 0, 0}, {1, 0, 0}}});
   const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(2));

@@ -87,6 +87,24 @@ TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
   EXPECT_EQ(p.morphs.targets[0].positions.deltas[1], glm::vec3(0, 0, 7));
 }
 
+TEST(build_meshes, every_attribute_follows_its_vertex_into_the_groups) {
+  TinyGltf file;
+  Json& attributes = file.add_skinned_triangle({0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0},
+                                               {.5f, .5f, 0, 0, 1, 0, 0, 0, .5f, .5f, 0, 0})["attributes"];
+  attributes["NORMAL"] = file.vec3({1, 0, 0, 0, 1, 0, 0, 0, 1});
+  attributes["TANGENT"] = file.vec4({0, 1, 0, 1, 0, 0, 1, -1, 1, 0, 0, 1});
+  attributes["TEXCOORD_0"] = file.add(std::vector<float>{0, 0.5f, 1, 1.5f, 2, 2.5f}, "VEC2", 5126, 2);
+  attributes["COLOR_0"] = file.vec4({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const Primitive& p = only(result);
+  ASSERT_THAT(p.source_vertex, ElementsAre(1, 0, 2)) << "the vertex of one influence comes first";
+  EXPECT_THAT(p.normals, ElementsAre(glm::vec3(0, 1, 0), glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)));
+  EXPECT_THAT(p.tangents, ElementsAre(glm::vec4(0, 0, 1, -1), glm::vec4(0, 1, 0, 1), glm::vec4(1, 0, 0, 1)));
+  EXPECT_THAT(p.texcoords[0], ElementsAre(glm::vec2(1, 1.5f), glm::vec2(0, 0.5f), glm::vec2(2, 2.5f)));
+  EXPECT_THAT(p.colors, ElementsAre(glm::vec4(0, 1, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(0, 0, 1, 1)));
+}
+
 TEST(build_meshes, G38_weights_are_divided_by_their_sum_and_the_deviation_is_named) {
   TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.25f, .5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});

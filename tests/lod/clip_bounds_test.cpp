@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/deform/grow_bounds.h"
 #include "runtime/plan/run_plan.h"
@@ -92,6 +94,25 @@ TEST(clip_bounds, a_jump_takes_no_more_than_both_its_sides) {
   const Aabb reach = clip_bounds(scene, {}, 0)[0];
   EXPECT_NEAR(reach.lower.x, 0.0f, 0.01f);
   EXPECT_NEAR(reach.upper.x, 101.0f, 0.01f);
+}
+
+/// The face with a cubic weight of "lift" that rests in both keys, and leaves or reaches them with a slope.
+Scene lifted_face(float out_slope, float in_slope) {
+  Scene scene = face_scene();
+  scene.instances[0].rest_weights = {0.0f, 0.0f};
+  scene.animations[0].weights[0].weights = {
+      Interpolation::cubic_spline, {0, 1}, {0, 0, 0, 0, out_slope, 0, in_slope, 0, 0, 0, 0, 0}, 2};
+  scene.clips.clear();
+  finish_scene(scene);
+  return scene;
+}
+
+TEST(clip_bounds, G03_cubic_weights_lead_out_of_what_their_keys_reach) {
+  for (const auto& [out_slope, in_slope] : {std::pair{9.0f, 0.0f}, {0.0f, -9.0f}, {-9.0f, 0.0f}, {0.0f, 9.0f}}) {
+    const std::vector<Aabb> reached =
+        expect_holds(lifted_face(out_slope, in_slope), boxes_for(Skinning::linear), 0, 300);
+    EXPECT_GT(std::max(reached[0].upper.z, -reached[0].lower.z), 1.2f) << "9 * 4 / 27 at a third of the way";
+  }
 }
 
 TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {

@@ -160,6 +160,23 @@ std::vector<BadNumber> bad_numbers() {
   return bad;
 }
 
+TEST(plan_contracts, masks_are_one_finite_weight_of_at_least_zero_for_each_joint) {
+  const Scene scene = random_scene(4);
+  const std::vector<float> good(scene.skeleton.joint_count(), 0.5f);
+  Needs needs;
+  needs.masks = {good};
+  EXPECT_TRUE(compile_plan(scene, needs).runs(Stage::blend));
+  std::vector<std::vector<float>> bad(4, good);
+  bad[0].back() = std::numeric_limits<float>::quiet_NaN();
+  bad[1].front() = std::numeric_limits<float>::infinity();
+  bad[2][1] = -0.5f;
+  bad[3].pop_back();
+  for (const std::vector<float>& mask : bad) {
+    needs.masks = {good, mask};
+    EXPECT_DEATH(compile_plan(scene, needs), "contract broken: .*is_mask");
+  }
+}
+
 TEST(plan_contracts, numbers_of_the_input_that_mean_nothing_are_refused_and_the_last_frame_stays) {
   const Scene scene = random_scene(4);
   Needs needs;
