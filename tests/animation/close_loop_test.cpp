@@ -111,11 +111,22 @@ TEST(close_loop, G03_a_cubic_spline_keeps_its_speed_across_the_seam) {
 TEST(close_loop, G03_a_cubic_track_that_ends_early_holds_and_then_leaves_at_rest) {
   Animation open = sine();
   open.duration_s = 3.0;
+  open.bones[0].translation.values[9].x = 2.0f;  // the speed at which the last key is reached
   const Animation closed = close_loop(open, 1.0).value();
   for (double t = 1.5; t <= 3.0; t += 0.125) EXPECT_NEAR(pose_at(closed, t).translation.x, -1.0, 1e-15) << t;
   const double h = 1e-4;
   EXPECT_NEAR((pose_at(closed, 3.0 + h).translation.x + 1.0) / h, 0.0, 1e-2);
   EXPECT_EQ(pose_at(closed, 4.0).translation.x, 0.0);
+}
+
+TEST(close_loop, G03_a_cubic_track_that_begins_late_is_reached_at_rest) {
+  Animation open = sine();
+  for (float& time_s : open.bones[0].translation.times_s) time_s += 0.5f;
+  open.duration_s = 2.0;
+  const Animation closed = close_loop(open, 1.0).value();
+  for (double t = 0.0; t <= 0.5; t += 0.125) EXPECT_NEAR(pose_at(closed, t).translation.x, 0.0, 1e-15) << t;
+  const double h = 1e-4;
+  EXPECT_NEAR(pose_at(closed, 3.0 - h).translation.x / h, 0.0, 1e-2);
 }
 
 TEST(close_loop, G05_cubic_rotations_close_on_the_short_arc) {

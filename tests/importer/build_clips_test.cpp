@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "importer/read/rotations.h"
 #include "tests/importer/tiny_gltf.h"
 
 namespace sinew::test {
@@ -279,6 +281,26 @@ TEST(build_clips, interleaved_samplers_are_read_with_their_stride) {
   const auto result = file.import();
   EXPECT_TRUE(warns(result, "animation-stride", std::string(kSampler) + "input"));
   EXPECT_EQ(result->scene.animations[0].bones[0].translation.values[1], glm::vec3(4, 5, 6));
+}
+
+TEST(rotations, G06_unit_quaternions_keep_their_bits) {
+  const float x = std::nextafter(0.6f, 1.0f), w = std::nextafter(0.8f, 1.0f);
+  const double length = std::hypot(double{x}, double{w});
+  ASSERT_NE(static_cast<float>(w / length), w) << "a division would change it";
+  const UnitRotation unit = unit_rotation(x, 0.0, 0.0, w);
+  EXPECT_EQ(unit.rotation, glm::quat(w, x, 0, 0));
+  EXPECT_EQ(unit_rotation(1.2, 0.0, 0.0, 1.6).rotation, glm::quat(0.8f, 0.6f, 0, 0));
+}
+
+TEST(rotations, G18_lengths_beyond_the_rounding_of_bytes_are_told) {
+  for (const auto& [length, is_told] : {std::pair{1.007, false}, {1.009, true}, {0.993, false}, {0.991, true}}) {
+    IssueLog log;
+    RotationTally tally;
+    tally.add(1.0);
+    tally.add(length);
+    tally.report("/nodes/0/rotation", "the rotation", "rotations", log);
+    EXPECT_EQ(!log.take_warnings().empty(), is_told) << length;
+  }
 }
 
 }  // namespace

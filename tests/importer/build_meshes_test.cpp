@@ -114,6 +114,17 @@ TEST(build_meshes, G38_weights_are_divided_by_their_sum_and_the_deviation_is_nam
   EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, FloatEq(2.0f / 3), FloatEq(1.0f / 3)));
 }
 
+TEST(build_meshes, G38_weights_that_sum_to_1_within_rounding_keep_their_bits) {
+  const float a = 0.70000005f, b = 0.20000003f, c = 0.10000002f;
+  ASSERT_NE(static_cast<float>(a / (double{a} + double{b} + double{c})), a) << "a division would change it";
+  TinyGltf file;
+  file.add_skinned_triangle({0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {a, b, c, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  file.root["skins"][0]["joints"] = {0, 1, 2};
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, a, b, c));
+}
+
 TEST(build_meshes, G39_vertices_without_weight_follow_joint_slot_0) {
   TinyGltf file;
   file.add_skinned_triangle({1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});

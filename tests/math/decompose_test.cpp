@@ -135,6 +135,10 @@ TEST(decompose, trs_reports_shear_and_flat_axes) {
   Affine sheared;
   sheared.row[0].y = 0.5f;
   EXPECT_EQ(decompose_trs(sheared).status, DecomposeStatus::sheared);
+  sheared.row[0].y = 1e-4f;
+  EXPECT_EQ(decompose_trs(sheared).status, DecomposeStatus::sheared) << "however little";
+  sheared.row[0].y = 1e-6f;
+  EXPECT_EQ(decompose_trs(sheared).status, DecomposeStatus::ok) << "which is rounding";
   FixedRandom random(5);
   for (int flat = 0; flat < 8; ++flat) {
     Transform local = random.transform();
