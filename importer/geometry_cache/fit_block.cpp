@@ -75,9 +75,10 @@ Vec3i point_of(const BlockState& state, std::size_t i) {
   return {state[i], state[kBlockPoints + i], state[2 * kBlockPoints + i]};
 }
 
-/// Places one point at a grid point near its value.
-void settle(const BlockValues& values, std::size_t i, const Vec3i& predicted, double reach, FittedBlock& out) {
-  const Vec3i chosen = choose_near(point_of(values, i), predicted, reach);
+/// Places one point at a grid point near its value. Points behind the block's own `count` are where they are predicted.
+void settle(const BlockValues& values, std::size_t i, std::size_t count, const Vec3i& predicted, double reach,
+            FittedBlock& out) {
+  const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach) : predicted;
   for (std::size_t a = 0; a < 3; ++a) {
     out.state[a * kBlockPoints + i] = chosen[a];
     out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
@@ -240,10 +241,7 @@ FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span
         predicted[a] = wrapped(bits(predicted[a]) + (k < 2 ? from_offset : 0u - from_offset));
       }
     }
-    if (i < count)
-      settle(values, i, predicted, reach, out);
-    else
-      for (std::size_t a = 0; a < 3; ++a) out.state[a * kBlockPoints + i] = predicted[a];
+    settle(values, i, count, predicted, reach, out);
   }
   set_widths(out);
   return out;
@@ -261,10 +259,7 @@ FittedBlock fit_in_time(const BlockValues& values, std::size_t count, const Bloc
   out.motion = search.best();
   for (std::size_t i = 0; i < kBlockPoints; ++i) {
     const Vec3i predicted = predict(out.motion, x1, x2, i);
-    if (i < count)
-      settle(values, i, predicted, reach, out);
-    else
-      for (std::size_t a = 0; a < 3; ++a) out.state[a * kBlockPoints + i] = predicted[a];
+    settle(values, i, count, predicted, reach, out);
   }
   set_widths(out);
   return out;

@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/certificate_table.h"
-#include "importer/tool/geometry_table.h"
 #include "importer/tool/info_json.h"
 #include "importer/tool/info_text.h"
 #include "importer/tool/load_file.h"

@@ -61,21 +61,6 @@ class FewInputs {
   Affine root_;
 };
 
-/// Only every third joint has tracks, and some of the others are held elsewhere than at rest by the first clip.
-void move_few_joints(Scene& scene) {
-  for (Animation& animation : scene.animations)
-    std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
-  for (std::uint32_t j = 1; j < scene.skeleton.joint_count(); j += 6) {
-    BoneAnimation held;
-    held.joint = j;
-    held.translation = {
-        .interpolation = Interpolation::linear, .times_s = {0.0f, 1.0f}, .values = {glm::vec3(1), glm::vec3(1)}};
-    scene.animations[0].bones.push_back(held);
-  }
-  scene.clips.clear();
-  finish_scene(scene);
-}
-
 Scene scene_by_seed(std::uint32_t seed) {
   RandomSceneOptions options;
   options.skins = seed % 3;

@@ -42,18 +42,6 @@ void animate_properties(Scene& scene, FixedRandom& random) {
                {{PropertyKind::node_visible, joint}, {Interpolation::step, {0.0f, 0.6f}, {0.0f, 1.0f}, 1}});
 }
 
-/// Leaves tracks on every third joint. The first clip holds some of the others elsewhere than at rest.
-void move_few_joints(Scene& scene) {
-  for (Animation& animation : scene.animations)
-    std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
-  for (std::uint32_t j = 1; j < scene.skeleton.joint_count(); j += 6) {
-    BoneAnimation held;
-    held.joint = j;
-    held.translation = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(1), glm::vec3(1)}};
-    scene.animations[0].bones.push_back(held);
-  }
-}
-
 bool is_out_of_view(const std::vector<std::uint8_t>& flags, std::size_t instance) {
   return !flags.empty() && flags[instance] != 0;
 }

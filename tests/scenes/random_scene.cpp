@@ -241,4 +241,17 @@ class Maker {
 
 Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options) { return Maker(seed, options).make(); }
 
+void move_few_joints(Scene& scene) {
+  for (Animation& animation : scene.animations)
+    std::erase_if(animation.bones, [](const BoneAnimation& bone) { return bone.joint % 3 != 2; });
+  for (std::uint32_t j = 1; j < scene.skeleton.joint_count(); j += 6) {
+    BoneAnimation held;
+    held.joint = j;
+    held.translation = {Interpolation::linear, {0.0f, 1.0f}, {glm::vec3(1), glm::vec3(1)}};
+    scene.animations[0].bones.push_back(held);
+  }
+  scene.clips.clear();
+  finish_scene(scene);
+}
+
 }  // namespace sinew::test

@@ -28,4 +28,7 @@ struct RandomSceneOptions {
 /// Its rotations stay within 60 degrees of the rest pose, so that blends have one meaning.
 Scene random_scene(std::uint64_t seed, const RandomSceneOptions& options = {});
 
+/// Leaves tracks on every third joint. The first clip holds some of the others elsewhere than at rest.
+void move_few_joints(Scene& scene);
+
 }  // namespace sinew::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/bake_scene.h"
+#include "importer/tool/bake/bake_scene.h"
 
 #include <cmath>
 #include <utility>

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
-#include "importer/tool/bake_points.h"
-#include "importer/tool/bake_scene.h"
+#include "importer/tool/bake/bake_points.h"
+#include "importer/tool/bake/bake_scene.h"
+#include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/clip_choice.h"
-#include "importer/tool/geometry_table.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/geometry_table.h"
+#include "importer/tool/bake/geometry_table.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/bake_points.h"
+#include "importer/tool/bake/bake_points.h"
 
 #include <algorithm>
 #include <cctype>
