@@ -17,6 +17,8 @@ std::optional<std::uint32_t> whole_number(const std::string& text) {
   return number;
 }
 
+}  // namespace
+
 std::string list_of_clips(const Scene& scene) {
   if (scene.animations.empty()) return "the file has no clips";
   constexpr std::size_t kShown = 12;
@@ -25,8 +27,6 @@ std::string list_of_clips(const Scene& scene) {
     list += fmt::format("{} {} \"{}\"", i ? "," : "", i, scene.animations[i].name);
   return scene.animations.size() > kShown ? list + ", ..." : list;
 }
-
-}  // namespace
 
 tl::expected<ClipChoice, std::string> choose_clips(const Scene& scene, const std::optional<std::string>& wanted) {
   const auto count = static_cast<std::uint32_t>(scene.animations.size());

@@ -19,4 +19,7 @@ using ClipChoice = std::vector<std::uint32_t>;
 /// err   a sentence that lists the clips of the file
 tl::expected<ClipChoice, std::string> choose_clips(const Scene& scene, const std::optional<std::string>& wanted);
 
+/// The clips with their numbers, for a message; the first few of many.
+std::string list_of_clips(const Scene& scene);
+
 }  // namespace sinew::tool

@@ -50,7 +50,7 @@ TakeOrExit take_of_scene(const Scene& scene, const BakeOptions& options, double 
   const auto clips = choose_clips(scene, options.clip);
   if (!clips) return tl::unexpected(fail_with(ExitCode::wrong_usage, clips.error()));
   if (!options.clip && clips->size() > 2)  // the rest pose and several clips
-    return tl::unexpected(fail_with(ExitCode::wrong_usage, "the file has several clips: choose one with --clip"));
+    return tl::unexpected(fail_with(ExitCode::wrong_usage, list_of_clips(scene) + "; choose one with --clip"));
   auto baked = bake_scene(scene, clips->back(), options.fps, budget_m);
   if (!baked)
     return tl::unexpected(fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.in, baked.error())));
