@@ -165,11 +165,12 @@ ShowcaseScene morphed_face() {
   return out;
 }
 
-std::vector<ShowcaseScene> showcase() {
+std::vector<ShowcaseScene> showcase(std::span<const std::byte> flag_cache) {
   std::vector<ShowcaseScene> all;
   all.push_back(skull_flight());
   all.push_back(twisted_arms());
   all.push_back(morphed_face());
+  if (!flag_cache.empty()) all.push_back(flag_in_wind(flag_cache));
   return all;
 }
 

@@ -14,8 +14,18 @@ std::uint32_t SceneBuilder::add_material(std::string name, const glm::vec3& base
   material.base_color = {base_color, 1.0f};
   material.roughness = roughness;
   material.metallic = metallic;
+  return add_material(std::move(material));
+}
+
+std::uint32_t SceneBuilder::add_material(Material material) {
   scene_.materials.push_back(std::move(material));
   return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+}
+
+std::uint32_t SceneBuilder::add_texture(Image image, const Sampler& sampler) {
+  scene_.images.push_back(std::move(image));
+  scene_.textures.push_back({static_cast<std::uint32_t>(scene_.images.size() - 1), sampler});
+  return static_cast<std::uint32_t>(scene_.textures.size() - 1);
 }
 
 std::uint32_t SceneBuilder::add_joint(std::string name, std::uint32_t parent, const Transform& rest) {

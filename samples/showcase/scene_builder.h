@@ -10,6 +10,8 @@ namespace sinew::showcase {
 class SceneBuilder {
  public:
   std::uint32_t add_material(std::string name, const glm::vec3& base_color, float roughness, float metallic = 0.0f);
+  std::uint32_t add_material(Material material);
+  std::uint32_t add_texture(Image image, const Sampler& sampler);
   std::uint32_t add_joint(std::string name, std::uint32_t parent, const Transform& rest);
   std::uint32_t add_skin(Skin skin);
   std::uint32_t add_mesh(Mesh mesh);

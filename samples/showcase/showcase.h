@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@ struct ShowcaseScene {
   std::string what_to_look_at;  ///< one sentence
   Scene scene;
   Needs needs;
+  std::span<const std::byte> geometry_cache = {};  ///< a file that plays over the scene; empty = none
   glm::vec3 eye{0.0f}, target{0.0f};
   float fov_y_rad = 0.7f;
 };
@@ -35,7 +38,17 @@ ShowcaseScene corrected_arms();
 /// A face of morph targets, with weights below 0 and above 1.
 ShowcaseScene morphed_face();
 
-/// skull_flight, twisted_arms and morphed_face, in this order.
-std::vector<ShowcaseScene> showcase();
+/// A flag on a pole: the scene has it flat, and a geometry cache moves it.
+/// in   cache  flag_cache(), or empty for the scene alone
+ShowcaseScene flag_in_wind(std::span<const std::byte> cache);
+
+inline constexpr char kFlagMesh[] = "flag";
+inline constexpr double kFlagBudget_m = 5e-4;  ///< a tenth of a pixel, where the flag fills a picture of 720 rows
+
+/// The geometry cache (.sgeo) of that flag: flag_flight(), baked within kFlagBudget_m when the library is built.
+std::span<const std::byte> flag_cache();
+
+/// skull_flight, twisted_arms, morphed_face, and flag_in_wind if its cache is given, in this order.
+std::vector<ShowcaseScene> showcase(std::span<const std::byte> flag_cache = {});
 
 }  // namespace sinew::showcase

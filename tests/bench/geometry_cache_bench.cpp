@@ -12,7 +12,7 @@
 #include "importer/geometry_cache/encode_geometry_cache.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 #include "tests/bench/measure.h"
-#include "tests/scenes/flag_cloth.h"
+#include "samples/showcase/flag_cloth.h"
 
 namespace sinew::bench {
 namespace {
@@ -39,7 +39,7 @@ std::vector<std::uint16_t> quantised(const std::vector<glm::vec3>& frame, double
 
 std::shared_ptr<Cloth> make_cloth() {
   auto out = std::make_shared<Cloth>();
-  test::ClothFrames cloth = test::fly_flag({.frame_count = kFrames});
+  showcase::ClothFrames cloth = showcase::fly_flag({.frame_count = kFrames});
   GeometryTake take;
   TakeMesh& mesh = take.meshes.emplace_back();
   mesh.vertex_count = static_cast<std::uint32_t>(cloth.frames[0].size());

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
-#include "tests/scenes/flag_cloth.h"
+#include "samples/showcase/flag_cloth.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {
@@ -25,7 +25,7 @@ inline GeometryTake take_of(std::vector<std::vector<glm::vec3>> frames, std::vec
 
 /// A small flag in the wind: 33 x 25 vertices.
 inline GeometryTake flag_take(std::uint32_t frames = 40, double budget = 1e-4) {
-  ClothFrames cloth = fly_flag({.columns = 9, .rows = 7, .spacing_m = 0.1, .frame_count = frames});
+  showcase::ClothFrames cloth = showcase::fly_flag({.columns = 9, .rows = 7, .spacing_m = 0.1, .frame_count = frames});
   return take_of(std::move(cloth.frames), std::move(cloth.triangles), budget);
 }
 
