@@ -70,6 +70,8 @@ set(sinew_public_headers
   runtime/deform/skin_center_of_rotation.h
   runtime/deform/skin_dual_quaternion.h
   runtime/deform/skin_linear.h
+  runtime/deform/surface_faces.h
+  runtime/deform/surface_normals.h
   runtime/deform/vertex_streams.h
   runtime/plan/compile_plan.h
   runtime/plan/frame_buffer.h
@@ -82,6 +84,7 @@ set(sinew_public_headers
   runtime/plan/run_plan.h
   runtime/plan/plan_assets.h
   runtime/plan/plan_stages.h
+  runtime/plan/vertex_source.h
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
@@ -93,9 +96,12 @@ set(sinew_public_headers
   runtime/lod/compile_skeleton_lod.h
   runtime/lod/interpolated_input.h
   runtime/lod/update_rate.h
+  runtime/geometry_cache/bind_geometry.h
   runtime/geometry_cache/frame_window.h
   runtime/geometry_cache/geometry_cache.h
   runtime/geometry_cache/geometry_decoder.h
+  runtime/geometry_cache/geometry_player.h
+  runtime/geometry_cache/scene_of_cache.h
   runtime/c/clips.h
   runtime/c/messages.h
   runtime/c/root_motion.h

@@ -87,6 +87,10 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
           {"vertices_skinned_linear", work.vertices_skinned_linear},
           {"vertices_skinned_dual_quaternion", work.vertices_skinned_dual_quaternion},
           {"vertices_skinned_center_of_rotation", work.vertices_skinned_center_of_rotation},
+          {"cache_frames_decoded", work.cache_frames_decoded},
+          {"vertices_from_cache", work.vertices_from_cache},
+          {"vertices_blended", work.vertices_blended},
+          {"smooth_triangles", work.smooth_triangles},
           {"flat_triangles", work.flat_triangles},
           {"bounds_vertices", work.bounds_vertices}};
 }

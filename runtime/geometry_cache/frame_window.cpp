@@ -69,7 +69,10 @@ FrameWindow::operator FrameSource() noexcept {
   const auto bytes_of = [](void* window, std::uint32_t frame) noexcept {
     return static_cast<FrameWindow*>(window)->bytes(frame);
   };
-  return {bytes_of, this};
+  const auto prefetch = [](void* window, std::uint32_t next) noexcept {
+    static_cast<FrameWindow*>(window)->prefetch(next);
+  };
+  return {bytes_of, this, prefetch};
 }
 
 std::size_t FrameWindow::pending_reads() const noexcept {

@@ -167,14 +167,25 @@ tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<co
   if (in.number<std::uint64_t>() != file_size)
     return refuse("cache-size", 24, "the file is longer or shorter than it says");
   head = head.first(size);
-  if (in.number<std::uint64_t>() != checksum(head.subspan(kGeometryFileHead)))
+  const std::uint64_t content = checksum(head.subspan(kGeometryFileHead));
+  if (in.number<std::uint64_t>() != content)
     return refuse("cache-checksum", 32, "the directory has changed since it was written");
   GeometryCache cache;
   cache.file_bytes_ = file_size;
+  cache.content_ = content;
   GeometryHeadReader reader(head);
   reader.read(cache);
   if (!reader.ok()) return tl::unexpected(reader.error());
   return cache;
+}
+
+FrameTime GeometryCache::frame_time(double time_s) const noexcept {
+  const double at = (time_s - start_s_) / frame_s_, last = frame_count() - 1.0;
+  const double clamped = at > 0.0 ? std::min(at, last) : 0.0;  // also where it is NaN
+  const double nearest = std::round(clamped);
+  if (std::abs(clamped - nearest) <= 1e-6) return {static_cast<std::uint32_t>(nearest), 0.0f};
+  const auto frame = static_cast<std::uint32_t>(clamped);
+  return {frame, static_cast<float>(clamped - frame)};
 }
 
 Aabb GeometryCache::bounds(std::uint32_t frame, std::size_t mesh) const noexcept {

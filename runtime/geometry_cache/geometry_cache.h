@@ -63,6 +63,12 @@ struct GeometryFrame {
   std::uint64_t checksum = 0;
 };
 
+/// A time as a frame and the part of the way to the next one.
+struct FrameTime {
+  std::uint32_t frame = 0;
+  float part = 0.0f;  ///< [0, 1]; 0 in the last frame
+};
+
 /// The head of a geometry cache: what is in the file and where each frame lies, without the frames themselves. Vertices
 /// of every frame are stored, for simulations and whatever else no skeleton can move. GeometryDecoder decodes it.
 class GeometryCache {
@@ -91,6 +97,14 @@ class GeometryCache {
   std::span<const GeometryFrame> frames() const noexcept { return frames_; }
   std::uint64_t file_bytes() const noexcept { return file_bytes_; }
   std::uint64_t largest_frame() const noexcept { return largest_frame_; }
+  std::uint64_t content() const noexcept {
+    return content_;
+  }  ///< checksum of the directory, which has those of all
+     ///< frames: tells files apart
+
+  /// Where a time lies on the clock of the cache, clamped to its ends. Within a millionth of the time between frames it
+  /// is the frame, so that multiples of frame_s are, however they are rounded.
+  FrameTime frame_time(double time_s) const noexcept;
 
   /// Box that holds all vertices of a mesh in a frame, known before the frame is decoded.
   Aabb bounds(std::uint32_t frame, std::size_t mesh) const noexcept;
@@ -103,7 +117,7 @@ class GeometryCache {
   std::size_t stream_count_ = 0;
   std::uint32_t segment_frames_ = 1;
   double start_s_ = 0.0, frame_s_ = 1.0;
-  std::uint64_t file_bytes_ = 0, largest_frame_ = 0;
+  std::uint64_t file_bytes_ = 0, largest_frame_ = 0, content_ = 0;
 };
 
 inline constexpr std::uint32_t kGeometryFileVersion = 1;

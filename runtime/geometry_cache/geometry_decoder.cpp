@@ -165,12 +165,16 @@ GeometryStatus GeometryDecoder::decode(std::uint32_t frame, FrameSource source) 
   return GeometryStatus::ok;
 }
 
+std::uint32_t GeometryDecoder::next_for_time(double time_s) const noexcept {
+  const FrameTime at = cache_.frame_time(time_s);
+  const std::uint32_t last = at.frame + (at.part > 0.0f);
+  if (frame_ == last && (at.part == 0.0f || has_before_)) return (last + 1) % cache_.frame_count();
+  return frame_ == at.frame ? last : next_for(at.frame);
+}
+
 GeometryStatus GeometryDecoder::decode_time(double time_s, FrameSource source) noexcept {
-  const double at = (time_s - cache_.start_s()) / cache_.frame_s(), last = cache_.frame_count() - 1.0;
-  if (std::isnan(at)) return GeometryStatus::out_of_range;
-  const double clamped = std::clamp(at, 0.0, last);
-  const auto frame = static_cast<std::uint32_t>(clamped);
-  const auto part = static_cast<float>(clamped - frame);
+  if (std::isnan(time_s)) return GeometryStatus::out_of_range;
+  const auto [frame, part] = cache_.frame_time(time_s);
   const bool is_between = part > 0.0f;
   if (is_between && frame_ == frame + 1 && has_before_) {
     part_ = part;

@@ -16,6 +16,8 @@ struct FrameSource {
   /// The bytes of a frame, valid until the next call; empty = not there yet.
   std::span<const std::byte> (*bytes)(void* context, std::uint32_t frame) noexcept = nullptr;
   void* context = nullptr;
+  /// Asks for frames before they are wanted, from `next` on; null = they are all there.
+  void (*prefetch)(void* context, std::uint32_t next) noexcept = nullptr;
 };
 
 /// The whole file in memory, or mapped into it. The cache and the bytes must outlive this.
@@ -58,6 +60,10 @@ class GeometryDecoder {
 
   /// The frame whose bytes are needed first to get to `frame`: for FrameWindow::prefetch.
   std::uint32_t next_for(std::uint32_t frame) const noexcept;
+
+  /// The frame whose bytes are needed next to get to `time_s`, or after it where it is held already. After the last
+  /// frame comes the first one, as in a loop.
+  std::uint32_t next_for_time(double time_s) const noexcept;
 
   /// The frame that is held; kNone = none.
   std::uint32_t frame() const noexcept { return frame_; }

@@ -53,6 +53,13 @@ bool is_mask(const std::vector<float>& mask, std::size_t joint_count) {
          std::all_of(mask.begin(), mask.end(), [](float w) { return std::isfinite(w) && w >= 0.0f; });
 }
 
+/// Rising, so each is named once.
+bool are_instances(std::span<const std::uint32_t> named, std::size_t count) {
+  for (std::size_t i = 0; i < named.size(); ++i)
+    if (named[i] >= count || (i > 0 && named[i] <= named[i - 1])) return false;
+  return true;
+}
+
 /// The weights of the joints that poses have.
 std::vector<float> mask_of_poses(const PlanAssets& assets, const std::vector<float>& mask) {
   std::vector<float> kept;
@@ -111,6 +118,7 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
   runs(Stage::skin_linear, skinned(Skinning::linear));
   runs(Stage::skin_dual_quaternion, skinned(Skinning::dual_quaternion));
   runs(Stage::skin_center_of_rotation, skinned(Skinning::center_of_rotation));
+  runs(Stage::geometry_cache, any(plan.primitives, [](const PrimitivePlan& p) { return p.cached.any(); }));
   runs(Stage::flat_normals, any(plan.primitives, [](const PrimitivePlan& p) { return p.flat_normals; }));
   runs(Stage::bounds, plan.bounds);
   return stages;
@@ -122,6 +130,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   CONTRACT(needs.max_layers > 0);
   CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
+  CONTRACT(are_instances(needs.cached_instances, scene.instances.size()));
   CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();

@@ -22,17 +22,19 @@ struct AttributeSet {
   bool any() const noexcept { return positions || normals || tangents; }
 };
 
-/// What frames do with a primitive of a mesh instance: morph, then skin, then flat normals, each only where called for.
+/// What frames do with a primitive of a mesh instance: morph, then skin, then what a cache gives in place of these,
+/// then flat normals, each only where called for.
 struct PrimitivePlan {
   std::uint32_t instance = 0, primitive = 0;
   AttributeSet morph, skin;
+  AttributeSet cached;  ///< of frames in which the instance plays (FrameInput::geometry)
   bool morph_colors = false;
   bool flat_normals = false;  ///< recomputed from the deformed triangles (G46)
   bool cofactors = false;  ///< normals follow the cofactor matrix: the needs ask for it, and scale or blends are uneven
   bool lacks_centers = false;  ///< `skinning` is linear in place of center_of_rotation
   Skinning skinning = Skinning::linear;
 
-  bool deformed() const noexcept { return morph.any() || skin.any() || morph_colors || flat_normals; }
+  bool deformed() const noexcept { return morph.any() || skin.any() || cached.any() || morph_colors || flat_normals; }
 };
 
 /// Tracks that one sample of a clip evaluates.
@@ -93,7 +95,7 @@ Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t j
 /// in   scene   must have passed check(Scene)
 ///      needs   max_layers >= 1; instance_skinning empty or one per instance; masks of one finite weight >= 0 per
 ///      joint;
-///              skeleton_lod empty or for all joints
+///              skeleton_lod empty or for all joints; cached_instances rising indices of instances
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
 Plan compile_plan(const Scene& scene, const Needs& needs);

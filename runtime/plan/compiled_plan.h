@@ -8,6 +8,7 @@
 
 #include "runtime/deform/combine_influences.h"
 #include "runtime/deform/flat_faces.h"
+#include "runtime/deform/surface_faces.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_layout.h"
 #include "runtime/plan/joint_scales.h"
@@ -47,16 +48,24 @@ struct CompiledPlan {
   std::vector<PrimitivePlan> primitives;                     ///< one per primitive of each mesh instance
   std::vector<PrimitiveSkinning> primitive_skinning;         ///< parallel to `primitives`
   std::vector<std::shared_ptr<const FlatFaces>> flat_faces;  ///< parallel to `primitives`, of those with flat normals
-  std::vector<std::uint32_t> first_primitive;                ///< [instances + 1] into `primitives`
-  std::vector<bool> instance_skinned;                        ///< [instances] some primitive follows the instance's skin
-  std::vector<JointScale> instance_scales;  ///< [instances] of the matrix whose determinant says which way faces
-                                            ///< wind, without the root
+  std::vector<std::shared_ptr<const SurfaceFaces>> surface_faces;  ///< parallel to `primitives`, of those that may play
+  std::vector<std::uint32_t> first_primitive;                      ///< [instances + 1] into `primitives`
+  std::vector<std::uint32_t> geometry_slot;  ///< [instances] index into Needs::cached_instances where a primitive may
+                                             ///< play, else kNone; empty where none may
+  std::vector<bool> instance_skinned;        ///< [instances] some primitive follows the instance's skin
+  std::vector<JointScale> instance_scales;   ///< [instances] of the matrix whose determinant says which way faces
+                                             ///< wind, without the root
 
   // Skins.
   std::vector<bool> palette, split;  ///< [skins] the skin's matrices are made; they are split as well
   std::vector<std::vector<CombinedInfluences>> combined;  ///< [skins] of primitives that are skinned linearly
   std::vector<std::vector<JointPair>> hemisphere_edges;   ///< [skins] of those that are split (hemisphere_pairs.h)
 };
+
+/// Index into what a frame keeps of Needs::cached_instances, or kNone.
+inline std::uint32_t geometry_slot_of(const CompiledPlan& plan, std::size_t instance) noexcept {
+  return plan.geometry_slot.empty() ? kNone : plan.geometry_slot[instance];
+}
 
 inline const Primitive& primitive_of(const CompiledPlan& plan, const PrimitivePlan& planned) noexcept {
   return plan.scene->meshes[plan.scene->instances[planned.instance].mesh].primitives[planned.primitive];

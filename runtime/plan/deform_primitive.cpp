@@ -13,14 +13,6 @@
 namespace sinew {
 namespace {
 
-/// The memory at `at` where the attribute is wanted there, else nothing.
-VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
-                       std::size_t count) noexcept {
-  return {.positions = memory.array<glm::vec3>(at.positions_at, set.positions ? count : 0),
-          .normals = memory.array<glm::vec3>(at.normals_at, set.normals ? count : 0),
-          .tangents = memory.array<glm::vec4>(at.tangents_at, set.tangents ? count : 0)};
-}
-
 /// Displacements that this frame adds.
 struct ActiveDeltas {
   std::uint64_t shape = 0, colors = 0;
@@ -79,18 +71,6 @@ struct Deformation {
       case Skinning::center_of_rotation: skin_center_of_rotation(out); break;
     }
     replace(out);
-  }
-
-  void flatten(const FlatFaces& faces, bool turned) noexcept {
-    const std::span<glm::vec3> normals = memory.array<glm::vec3>(at.normals_at, primitive.vertex_count());
-    run(FlatNormalsJob{.faces = &faces,
-                       .positions = now.positions,
-                       .rest_normals = primitive.normals,
-                       .turned = turned,
-                       .normals = normals});
-    work.flat_triangles += faces.count();
-    now.normals = normals;
-    work.spent_on(Stage::flat_normals);
   }
 
  private:
@@ -158,15 +138,40 @@ struct Deformation {
 
 }  // namespace
 
-DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std::span<const float> weights,
-                                   bool mirrored, bool uneven_root, FrameMemory memory, FrameWork& work) noexcept {
+VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
+                       std::size_t count) noexcept {
+  return {.positions = memory.array<glm::vec3>(at.positions_at, set.positions ? count : 0),
+          .normals = memory.array<glm::vec3>(at.normals_at, set.normals ? count : 0),
+          .tangents = memory.array<glm::vec4>(at.tangents_at, set.tangents ? count : 0)};
+}
+
+std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size_t p,
+                                             std::span<const glm::vec3> positions, bool turned, FrameMemory memory,
+                                             FrameWork& work) noexcept {
+  const Primitive& primitive = primitive_of(plan, plan.primitives[p]);
+  const FlatFaces& faces = *plan.flat_faces[p];
+  const std::span<glm::vec3> normals =
+      memory.array<glm::vec3>(plan.layout.primitives[p].normals_at, primitive.vertex_count());
+  run(FlatNormalsJob{.faces = &faces,
+                     .positions = positions,
+                     .rest_normals = primitive.normals,
+                     .turned = turned,
+                     .normals = normals});
+  work.flat_triangles += faces.count();
+  work.spent_on(Stage::flat_normals);
+  return normals;
+}
+
+DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, const InstancePose& pose, bool flattens,
+                                   FrameMemory memory, FrameWork& work) noexcept {
   const PrimitivePlan& planned = plan.primitives[p];
   const PrimitiveLayout& at = plan.layout.primitives[p];
   const Primitive& primitive = primitive_of(plan, planned);
   const bool skins = planned.skin.any();
-  const AttributeSet deformed = {planned.morph.positions || planned.skin.positions,
-                                 planned.morph.normals || planned.skin.normals || planned.flat_normals,
-                                 planned.morph.tangents || planned.skin.tangents};
+  const AttributeSet deformed = {
+      planned.morph.positions || planned.skin.positions || planned.cached.positions,
+      planned.morph.normals || planned.skin.normals || planned.cached.normals || planned.flat_normals,
+      planned.morph.tangents || planned.skin.tangents || planned.cached.tangents};
   Deformation stages{plan,
                      planned,
                      plan.primitive_skinning[p],
@@ -178,11 +183,12 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std:
   if (deformed.normals) stages.now.normals = primitive.normals;
   if (deformed.tangents) stages.now.tangents = primitive.tangents;
 
-  const ActiveDeltas active = active_deltas(primitive.morphs, weights, planned);
+  const ActiveDeltas active = active_deltas(primitive.morphs, pose.weights, planned);
   work.morph_deltas += active.shape + active.colors;
-  if (active.shape > 0) stages.morph(weights);
-  if (skins) stages.skin(uneven_root);
-  if (planned.flat_normals && (active.shape > 0 || skins)) stages.flatten(*plan.flat_faces[p], mirrored && skins);
+  if (active.shape > 0) stages.morph(pose.weights);
+  if (skins) stages.skin(pose.uneven_root);
+  if (flattens && planned.flat_normals && (active.shape > 0 || skins))
+    stages.now.normals = flatten_primitive(plan, p, stages.now.positions, pose.mirrored && skins, memory, work);
 
   DeformedPrimitive result{.instance = planned.instance,
                            .primitive = planned.primitive,
@@ -196,7 +202,7 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std:
   if (planned.morph_colors && active.colors == 0) result.colors = primitive.colors;
   if (active.colors > 0) {
     const std::span<glm::vec4> colors = memory.array<glm::vec4>(at.colors_at, primitive.colors.size());
-    morph_colors(primitive.morphs, weights, primitive.colors, colors);
+    morph_colors(primitive.morphs, pose.weights, primitive.colors, colors);
     result.colors = colors;
     work.spent_on(Stage::morph);
   }

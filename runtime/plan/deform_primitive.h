@@ -8,13 +8,31 @@
 
 namespace sinew {
 
+/// What the vertices of a mesh instance follow, beside its palette.
+struct InstancePose {
+  std::span<const float> weights;  ///< [T]
+  bool mirrored = false;           ///< as in InstanceResult
+  bool uneven_root = false;        ///< FrameInput::root scales unevenly
+};
+
 /// Stages morph, skin and flat normals for one primitive of one mesh instance.
-/// in   p           index into CompiledPlan::primitives;   weights[T]  of the instance
-///      mirrored    as in InstanceResult;   uneven_root  FrameInput::root scales unevenly
+/// in   p         index into CompiledPlan::primitives
+///      flattens  false: flat normals are left out, since positions go on to change
 /// out  views of the frame's memory, or of the primitive's own arrays where a planned attribute rests in this frame;
 ///      positions are there whenever some stage needs them
 /// cost O(V * influences + active deltas), no allocation. Internal to plan/
-DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, std::span<const float> weights,
-                                   bool mirrored, bool uneven_root, FrameMemory memory, FrameWork& work) noexcept;
+DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, const InstancePose& pose, bool flattens,
+                                   FrameMemory memory, FrameWork& work) noexcept;
+
+/// Stage flat normals of a primitive that has them.
+/// in   turned  faces wind around the inside
+/// out  view of the frame's memory
+std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size_t p,
+                                             std::span<const glm::vec3> positions, bool turned, FrameMemory memory,
+                                             FrameWork& work) noexcept;
+
+/// The memory of a primitive at `at` where the attribute is wanted there, else nothing.
+VertexOutput output_at(FrameMemory memory, const AttributeSet& set, const PrimitiveLayout& at,
+                       std::size_t count) noexcept;
 
 }  // namespace sinew

@@ -28,6 +28,9 @@ void construct_tables(const CompiledPlan& plan, FrameMemory memory) noexcept {
   std::uninitialized_value_construct(tables.palettes.begin(), tables.palettes.end());
   std::uninitialized_value_construct(tables.blend_layers.begin(), tables.blend_layers.end());
   std::uninitialized_value_construct(tables.input_layers.begin(), tables.input_layers.end());
+  std::uninitialized_value_construct(tables.shown.begin(), tables.shown.end());
+  std::uninitialized_value_construct(tables.played.begin(), tables.played.end());
+  std::uninitialized_value_construct(tables.input_geometry.begin(), tables.input_geometry.end());
   if (!plan.interpolate) return;
   std::uninitialized_value_construct(tables.input_next_layers.begin(), tables.input_next_layers.end());
   std::uninitialized_value_construct(tables.updates.begin(), tables.updates.end());

@@ -19,6 +19,7 @@ struct FrameInput;
 struct LastInput {
   bool is_known = false;  ///< the block has the arrays, and the pose that they gave
   bool asleep = false;    ///< the pose in the block is of an earlier run
+  bool is_late = false;   ///< a source had not what was asked for: the same input may show more
   float interpolation_factor = 0.0f;
   std::size_t layer_count = 0, next_layer_count = 0, weight_count = 0;
   Affine root;

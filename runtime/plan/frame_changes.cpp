@@ -55,6 +55,19 @@ CurrentMatrices find_current_matrices(const CompiledPlan& plan, const FrameInput
   return at_rest || plan.moved_joints.empty() ? CurrentMatrices::all : CurrentMatrices::of_unmoved_joints;
 }
 
+/// As FrameTables::input_geometry.
+GeometryInput playing(const FrameTables& tables, const FrameInput& input, std::size_t slot) noexcept {
+  const bool plays =
+      !input.geometry.empty() && input.geometry[slot].plays() && out_of_view(input, tables.cached_instances[slot]) == 0;
+  return plays ? input.geometry[slot] : GeometryInput{};
+}
+
+bool had_same_geometry(const FrameTables& tables, const FrameInput& input) noexcept {
+  for (std::size_t s = 0; s < tables.input_geometry.size(); ++s)
+    if (!same_geometry(playing(tables, input, s), tables.input_geometry[s])) return false;
+  return true;
+}
+
 }  // namespace
 
 bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
@@ -62,6 +75,7 @@ bool had_same_input(const LastFrame& frame, const FrameInput& input) noexcept {
   const FrameTables& tables = frame.tables;
   if (!last.is_known || input.asleep != last.asleep) return false;
   if (input.asleep) return true;  // whatever it would do
+  if (last.is_late || !had_same_geometry(tables, input)) return false;
   if (input.layers.size() != last.layer_count || input.weights.size() != last.weight_count) return false;
   if (!same_bits(input.interpolation_factor, last.interpolation_factor)) return false;
   if (next_layers_of(input).size() != last.next_layer_count) return false;
@@ -92,6 +106,7 @@ FrameChanges find_changes(const CompiledPlan& plan, const FrameInput& input, con
 
 void remember(const FrameInput& input, const FrameTables& tables, LastInput& last) noexcept {
   last.is_known = last.asleep = input.asleep;
+  last.is_late = false;
   if (input.asleep) return;
   const Layers next_layers = next_layers_of(input);
   last.is_known =
@@ -106,6 +121,10 @@ void remember(const FrameInput& input, const FrameTables& tables, LastInput& las
   std::copy(next_layers.begin(), next_layers.end(), tables.input_next_layers.begin());
   std::copy(input.weights.begin(), input.weights.end(), tables.input_weights.begin());
   for (std::size_t i = 0; i < tables.input_out_of_view.size(); ++i) tables.input_out_of_view[i] = out_of_view(input, i);
+  for (std::size_t s = 0; s < tables.input_geometry.size(); ++s) {
+    tables.input_geometry[s] = playing(tables, input, s);
+    last.is_late |= tables.shown[s].is_late;
+  }
 }
 
 }  // namespace sinew

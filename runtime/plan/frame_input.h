@@ -7,6 +7,7 @@
 #include "runtime/animation/skeleton.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/math/affine.h"
+#include "runtime/plan/vertex_source.h"
 
 namespace sinew {
 
@@ -32,6 +33,26 @@ inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer>
   });
 }
 
+/// A mesh instance whose vertices come from a source in place of its pose.
+/// eq   x = (1 - weight) x_pose + weight x_source in world space; normals and tangents likewise, then normalised.
+///      Where the mesh is unskinned and the source is in mesh space, both are blended there.
+///      At weight 1 the mesh is neither morphed nor skinned: InstanceResult::world_from_mesh is FrameInput::root, or
+///      the joint's world matrix for VertexSpace::mesh, and vertices are those of the source, bit for bit.
+struct GeometryInput {
+  VertexSource source;  ///< none = the instance does not play
+  double time_s = 0.0;  ///< on the source's clock; a clock that loops is the caller's (playback_clock.h)
+  float weight = 1.0f;  ///< [0, 1]; at 0 the source is not asked for anything
+
+  bool plays() const noexcept { return source.is_there() && weight > 0.0f; }
+};
+
+/// Whether they show the same, bit for bit, once everything is there.
+inline bool same_geometry(const GeometryInput& a, const GeometryInput& b) noexcept {
+  if (!a.plays() || !b.plays()) return a.plays() == b.plays();
+  return a.source.content == b.source.content && a.source.space == b.source.space && same_bits(a.time_s, b.time_s) &&
+         same_bits(a.weight, b.weight);
+}
+
 /// What to evaluate. All numbers must be finite. No layers = the rest pose (also when the scene has no clips at all).
 /// Layers that blend are averaged by weight; where the weights sum to less than 1 the rest pose fills up, and a layer
 /// of weight 0 is as good as absent. Layers that add follow in their order.
@@ -44,9 +65,11 @@ struct FrameInput {
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
   /// as long as its layers stay the same. Other values than 0 need Needs::between_updates.
   float interpolation_factor = 0.0f;
-  /// [instances] 1 = the mesh instance is neither morphed nor skinned nor bounded, since nobody sees it. Joints and
-  /// weights are evaluated all the same. Empty = all are in view.
+  /// [instances] 1 = the mesh instance is neither morphed nor skinned nor bounded nor decoded, since nobody sees it.
+  /// Joints and weights are evaluated all the same. Empty = all are in view.
   std::span<const std::uint8_t> out_of_view = {};
+  /// [Needs::cached_instances] what plays in each of them; empty = nothing does
+  std::span<const GeometryInput> geometry = {};
   bool asleep = false;  ///< no stage runs and the result is empty. Clocks, events and root motion lie outside of frames
                         ///< and go on
 };

@@ -35,9 +35,11 @@ void lay_out_primitives(CompiledPlan& plan, BlockLayout& block) {
     PrimitiveLayout& at = plan.layout.primitives.emplace_back();
     const std::size_t count = primitive_of(plan, p).vertex_count();
     const auto needed_between = [&](bool morph, bool skin) { return morph && skin ? count : 0; };
-    if (p.morph.positions || p.skin.positions) at.positions_at = block.take_array<glm::vec3>(count);
-    if (p.morph.normals || p.skin.normals || p.flat_normals) at.normals_at = block.take_array<glm::vec3>(count);
-    if (p.morph.tangents || p.skin.tangents) at.tangents_at = block.take_array<glm::vec4>(count);
+    if (p.morph.positions || p.skin.positions || p.cached.positions)
+      at.positions_at = block.take_array<glm::vec3>(count);
+    if (p.morph.normals || p.skin.normals || p.cached.normals || p.flat_normals)
+      at.normals_at = block.take_array<glm::vec3>(count);
+    if (p.morph.tangents || p.skin.tangents || p.cached.tangents) at.tangents_at = block.take_array<glm::vec4>(count);
     if (p.morph_colors) at.colors_at = block.take_array<glm::vec4>(count);
     morphed_positions = std::max(morphed_positions, needed_between(p.morph.positions, p.skin.any()));
     morphed_normals = std::max(morphed_normals, needed_between(p.morph.normals, p.skin.any()));
@@ -49,6 +51,23 @@ void lay_out_primitives(CompiledPlan& plan, BlockLayout& block) {
   plan.layout.morphed.normals_at = block.take_array<glm::vec3>(morphed_normals);
   plan.layout.morphed.tangents_at = block.take_array<glm::vec4>(morphed_tangents);
   plan.layout.scratch_at = block.take_array<glm::vec3>(scratch);
+}
+
+/// Primitives play one after another: what lies before the blend is shared by all of them.
+void lay_out_geometry(CompiledPlan& plan, BlockLayout& block) {
+  std::size_t positions = 0, normals = 0, tangents = 0, points = 0;
+  for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+    const AttributeSet& cached = plan.primitives[p].cached;
+    const std::size_t count = primitive_of(plan, plan.primitives[p]).vertex_count();
+    if (cached.positions) positions = std::max(positions, count);
+    if (cached.normals) normals = std::max(normals, count);
+    if (cached.tangents) tangents = std::max(tangents, count);
+    if (plan.surface_faces[p] != nullptr) points = std::max<std::size_t>(points, plan.surface_faces[p]->point_count);
+  }
+  plan.layout.cached.positions_at = block.take_array<glm::vec3>(positions);
+  plan.layout.cached.normals_at = block.take_array<glm::vec3>(normals);
+  plan.layout.cached.tangents_at = block.take_array<glm::vec4>(tangents);
+  plan.layout.surface_sums_at = block.take_array<Vec3<double>>(points);
 }
 
 void lay_out_tables(CompiledPlan& plan, BlockLayout& block) {
@@ -70,6 +89,11 @@ void lay_out_tables(CompiledPlan& plan, BlockLayout& block) {
   tables.input_out_of_view_at = block.take_array<std::uint8_t>(scene.instances.size());
   tables.input_layer_count = plan.needs.layer_room();
   tables.stage_ns_at = block.take_array<std::uint64_t>(plan.needs.stage_times ? kStageCount : 0);
+  tables.slot_count = plan.geometry_slot.empty() ? 0 : plan.needs.cached_instances.size();
+  tables.shown_at = block.take_array<ShownVertices>(tables.slot_count);
+  tables.played_at = block.take_array<PlayedGeometry>(tables.slot_count);
+  tables.geometry_since_at = block.take_array<std::uint64_t>(tables.slot_count);
+  tables.input_geometry_at = block.take_array<GeometryInput>(tables.slot_count);
   tables.input_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
   if (!plan.interpolate) return;
   tables.input_next_layers_at = block.take_array<ClipLayer>(tables.input_layer_count);
@@ -126,6 +150,7 @@ void lay_out_frame(CompiledPlan& plan) {
       update = {block.take(pose_bytes), block.take_array<float>(scene.weight_count()),
                 block.take_array<float>(numbers)};
   lay_out_primitives(plan, block);
+  lay_out_geometry(plan, block);
   plan.layout.frame_bytes = block.size();
 }
 

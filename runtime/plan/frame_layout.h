@@ -24,6 +24,7 @@ struct TableLayout {
   std::size_t palettes_at = 0, weights_since_at = 0, winding_since_at = 0;
   std::size_t last_weights_at = 0, input_weights_at = 0, input_out_of_view_at = 0;
   std::size_t input_layers_at = 0, input_layer_count = 0, input_next_layers_at = 0;
+  std::size_t slot_count = 0, shown_at = 0, played_at = 0, geometry_since_at = 0, input_geometry_at = 0;
   std::size_t updates_at = 0, update_layers_at[2] = {};
   std::size_t stage_ns_at = 0;
 };
@@ -47,6 +48,8 @@ struct FrameLayout {
   std::vector<PrimitiveLayout> primitives;  ///< as CompiledPlan::primitives
   PrimitiveLayout morphed;                  ///< of the primitive at hand, between morph and skin
   std::size_t scratch_at = 0;               ///< of the morph stage
+  PrimitiveLayout cached;                   ///< of the primitive at hand, before it is blended with its pose
+  std::size_t surface_sums_at = 0;          ///< of the geometry_cache stage
   TableLayout tables;
   std::size_t front_bytes = 0;  ///< from the start of the block on: what frames of one clip touch before vertices
   std::size_t frame_bytes = 0;  ///< size of the block, a multiple of 64

@@ -33,8 +33,13 @@ struct InstanceResult {
                           ///< mesh the determinant of the first joint's skinning matrix (G48)
   bool visible = true;    ///< false: on a hidden joint, or out of view by FrameInput. Then its box is empty and nothing
                           ///< is deformed, except hidden meshes under Needs::hidden_meshes
+  bool from_cache = false;  ///< vertices are those of its source (FrameInput::geometry), in part or in full. In full:
+                            ///< world_from_mesh places the source's space; in part: vertices are in world space, except
+                            ///< of unskinned meshes whose source is in mesh space
+  bool late = false;        ///< the source had not what was asked for: its newest frame is shown, or else the pose
   Aabb bounds;  ///< world space; empty unless Needs::bounds. Deformed meshes: the box of their vertices. Rigid
-                ///< meshes: the box of their moved rest box, which contains the vertices
+                ///< meshes: the box of their moved rest box, which contains the vertices. In full from a source: the
+                ///< moved box that the source knows, likewise
 };
 
 /// Skinning matrices of one skin; empty when no mesh instance of this frame uses it.
@@ -62,6 +67,10 @@ struct WorkCounters {
   std::uint64_t vertices_skinned_dual_quaternion = 0;
   std::uint64_t vertices_skinned_center_of_rotation = 0;
   std::uint64_t windings_tested = 0;  ///< of mesh instances, whose scale may change its sign
+  std::uint64_t cache_frames_decoded = 0;
+  std::uint64_t vertices_from_cache = 0;
+  std::uint64_t vertices_blended = 0;  ///< of those from a cache: with the pose
+  std::uint64_t smooth_triangles = 0;  ///< for normals and tangents that a cache does not have
   std::uint64_t flat_triangles = 0;
   std::uint64_t bounds_vertices = 0;
 

@@ -18,6 +18,19 @@ struct KeptUpdate {
   bool is_there = false;
 };
 
+/// What an instance shows from its source: all that its vertices follow from, beside its pose.
+struct PlayedGeometry {
+  float weight = 0.0f;  ///< 0 = it shows its pose
+  VertexSpace space = VertexSpace::scene;
+  bool turned = false;        ///< triangles wind around the inside in the source's space
+  std::uint64_t content = 0;  ///< VertexSource::content
+  std::uint64_t moment = 0;
+  Affine world_from_source, world_from_pose;  ///< where the two are blended in world space
+
+  bool in_full() const noexcept { return weight == 1.0f; }
+  bool in_part() const noexcept { return weight > 0.0f && weight < 1.0f; }
+};
+
 /// What a frame buffer keeps in its block beside the numbers that stages write: results, the frames since which they
 /// hold, and the last input. "Since" is the first frame of an unbroken row of frames that gave the same bits; 0 = there
 /// is no result. Internal to plan/.
@@ -35,8 +48,13 @@ struct FrameTables {
   std::span<float> input_weights;
   std::span<std::uint8_t> input_out_of_view;  // 0 or 1, all 0 where the input leaves it empty
   std::span<ClipLayer> input_next_layers;
-  std::span<KeptUpdate> updates;      // [2] of FrameLayout::updates
-  std::span<std::uint64_t> stage_ns;  // FrameResult::stage_ns
+  std::span<const std::uint32_t> cached_instances;  // of the needs, where any may play
+  std::span<ShownVertices> shown;           // [cached instances] what their sources answered; for the stages of a frame
+  std::span<PlayedGeometry> played;         // [cached instances]
+  std::span<std::uint64_t> geometry_since;  // [cached instances] of `played`
+  std::span<GeometryInput> input_geometry;  // [cached instances] no source where nothing plays, or nobody sees it
+  std::span<KeptUpdate> updates;            // [2] of FrameLayout::updates
+  std::span<std::uint64_t> stage_ns;        // FrameResult::stage_ns
 
  private:
   FrameTables(const CompiledPlan& plan, const TableLayout& at, FrameMemory memory) noexcept
@@ -52,6 +70,11 @@ struct FrameTables {
         input_out_of_view(memory.array<std::uint8_t>(at.input_out_of_view_at, at.instance_count)),
         input_next_layers(
             memory.array<ClipLayer>(at.input_next_layers_at, plan.interpolate ? at.input_layer_count : 0)),
+        cached_instances(std::span(plan.needs.cached_instances).first(at.slot_count)),
+        shown(memory.array<ShownVertices>(at.shown_at, at.slot_count)),
+        played(memory.array<PlayedGeometry>(at.played_at, at.slot_count)),
+        geometry_since(memory.array<std::uint64_t>(at.geometry_since_at, at.slot_count)),
+        input_geometry(memory.array<GeometryInput>(at.input_geometry_at, at.slot_count)),
         updates(memory.array<KeptUpdate>(at.updates_at, plan.interpolate ? 2 : 0)),
         stage_ns(memory.array<std::uint64_t>(at.stage_ns_at, plan.needs.stage_times ? kStageCount : 0)) {}
 };

@@ -14,17 +14,19 @@ namespace sinew {
 class InputCopy {
  public:
   explicit InputCopy(const Plan& plan, std::pmr::memory_resource& memory = *std::pmr::new_delete_resource())
-      : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory) {
+      : layers_(&memory), next_layers_(&memory), weights_(&memory), out_of_view_(&memory), geometry_(&memory) {
     layers_.reserve(plan.needs().layer_room());
     if (plan.needs().between_updates) next_layers_.reserve(plan.needs().layer_room());
     weights_.reserve(plan.scene().weight_count());
     out_of_view_.reserve(plan.scene().instances.size());
+    geometry_.reserve(plan.needs().cached_instances.size());
   }
 
   /// Assigning the input will allocate nothing.
   bool has_room_for(const FrameInput& input) const noexcept {
     return input.layers.size() <= layers_.capacity() && input.next_layers.size() <= next_layers_.capacity() &&
-           input.weights.size() <= weights_.capacity() && input.out_of_view.size() <= out_of_view_.capacity();
+           input.weights.size() <= weights_.capacity() && input.out_of_view.size() <= out_of_view_.capacity() &&
+           input.geometry.size() <= geometry_.capacity();
   }
 
   void assign(const FrameInput& input) {
@@ -32,6 +34,7 @@ class InputCopy {
     next_layers_.assign(input.next_layers.begin(), input.next_layers.end());
     weights_.assign(input.weights.begin(), input.weights.end());
     out_of_view_.assign(input.out_of_view.begin(), input.out_of_view.end());
+    geometry_.assign(input.geometry.begin(), input.geometry.end());
     numbers_ = input;
   }
 
@@ -42,6 +45,7 @@ class InputCopy {
     input.next_layers = next_layers_;
     input.weights = weights_;
     input.out_of_view = out_of_view_;
+    input.geometry = geometry_;
     return input;
   }
 
@@ -49,6 +53,7 @@ class InputCopy {
   std::pmr::vector<ClipLayer> layers_, next_layers_;
   std::pmr::vector<float> weights_;
   std::pmr::vector<std::uint8_t> out_of_view_;
+  std::pmr::vector<GeometryInput> geometry_;
   FrameInput numbers_;  // its spans are the caller's, and not used
 };
 

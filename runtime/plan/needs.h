@@ -46,6 +46,7 @@ struct Needs {
   bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
   std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
   SkeletonLod skeleton_lod;               ///< joints that poses do without
+  std::vector<std::uint32_t> cached_instances;  ///< rising; mesh instances whose vertices FrameInput::geometry may give
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override
   NormalRule normal_rule = NormalRule::linear;  ///< of linear skinning; the other kinds transform normals exactly

@@ -31,14 +31,15 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
 }
 
 /// Morph and skin touch an attribute only where the primitive has it, the needs ask for it, and something moves it.
-PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning skinning, const Needs& needs) {
+PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, bool may_play, Skinning skinning,
+                             const Needs& needs) {
   PrimitivePlan plan;
   plan.lacks_centers = skinning == Skinning::center_of_rotation && primitive.centers_of_rotation.empty();
   plan.skinning = plan.lacks_centers ? Skinning::linear : skinning;
   const MorphedAttributes moved = morphed_by(primitive.morphs);
   const bool skinned = has_skin && !primitive.influences.empty();
   plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
-                      primitive.topology == Topology::triangles && (skinned || moved.set.positions);
+                      primitive.topology == Topology::triangles && (skinned || moved.set.positions || may_play);
   const AttributeSet wanted = {needs.positions || needs.bounds || plan.flat_normals,
                                needs.normals && !primitive.normals.empty() && !plan.flat_normals,
                                needs.tangents && !primitive.tangents.empty()};
@@ -48,6 +49,8 @@ PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, Skinning
   plan.morph_colors = needs.vertices() && moved.colors && !primitive.colors.empty();
   if (skinned) plan.skin = wanted;
   plan.skin.positions |= plan.skin.any();
+  if (may_play) plan.cached = wanted;
+  plan.cached.positions |= plan.cached.any();
   return plan;
 }
 
@@ -99,6 +102,25 @@ class FlatFacesOfPlan {
  private:
   std::map<const Primitive*, std::shared_ptr<const FlatFaces>> known_;
 };
+
+/// Joins the triangles of primitives that may play, once for all instances of a mesh.
+class SurfacesOfPlan {
+ public:
+  std::shared_ptr<const SurfaceFaces> of(const Primitive& primitive, bool with_tangents) {
+    std::shared_ptr<const SurfaceFaces>& faces = known_[&primitive];
+    if (!faces || (with_tangents && faces->tangents.empty()))
+      faces = std::make_shared<const SurfaceFaces>(join_surface(primitive, with_tangents));
+    return faces;
+  }
+
+ private:
+  std::map<const Primitive*, std::shared_ptr<const SurfaceFaces>> known_;
+};
+
+/// Frames may derive normals or tangents of the primitive from its triangles.
+bool has_surface(const PrimitivePlan& planned, const Primitive& primitive) {
+  return (planned.cached.normals || planned.cached.tangents) && primitive.topology == Topology::triangles;
+}
 
 /// Cofactors turn normals another way than the matrix does only where that is uneven: by scale, or as a blend of
 /// joints.
@@ -153,13 +175,16 @@ void plan_primitives(CompiledPlan& plan) {
   const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
   CombinationsOfPlan combinations(plan);
   FlatFacesOfPlan flat_faces;
+  SurfacesOfPlan surfaces;
   plan.first_primitive.push_back(0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
     const auto& primitives = scene.meshes[instance.mesh].primitives;
-    bool skinned = false;
+    const auto slot = std::lower_bound(plan.needs.cached_instances.begin(), plan.needs.cached_instances.end(), i);
+    const bool may_play = slot != plan.needs.cached_instances.end() && *slot == i;
+    bool skinned = false, plays = false;
     for (std::uint32_t p = 0; p < primitives.size(); ++p) {
-      PrimitivePlan planned = plan_primitive(primitives[p], instance.skin != kNone, plan.needs.skinning_of(i),
+      PrimitivePlan planned = plan_primitive(primitives[p], instance.skin != kNone, may_play, plan.needs.skinning_of(i),
                                              never_shown[instance.joint] ? nothing : plan.needs);
       planned.instance = i;
       planned.primitive = p;
@@ -167,10 +192,15 @@ void plan_primitives(CompiledPlan& plan) {
       PrimitiveSkinning skinning;
       if (planned.skin.any()) plan_skinning(plan, primitives[p], instance.skin, combinations, planned, skinning);
       plan.flat_faces.push_back(planned.flat_normals ? flat_faces.of(primitives[p]) : nullptr);
+      plan.surface_faces.push_back(
+          has_surface(planned, primitives[p]) ? surfaces.of(primitives[p], planned.cached.tangents) : nullptr);
+      plays |= planned.cached.any();
       plan.primitives.push_back(planned);
       plan.primitive_skinning.push_back(std::move(skinning));
     }
     if (skinned && plan.needs.palettes && !never_shown[instance.joint]) plan.palette[instance.skin] = true;
+    if (may_play) plan.geometry_slot.resize(scene.instances.size(), kNone);
+    if (plays) plan.geometry_slot[i] = static_cast<std::uint32_t>(slot - plan.needs.cached_instances.begin());
     plan.instance_skinned.push_back(skinned);
     plan.instance_scales.push_back(scale_of_instance(plan, i));
     plan.first_primitive.push_back(static_cast<std::uint32_t>(plan.primitives.size()));

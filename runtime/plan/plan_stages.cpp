@@ -280,6 +280,29 @@ PlanStage describe_skin(const CompiledPlan& plan, std::string name, Skinning kin
   return stage;
 }
 
+/// Vertices that sources give, and what frames keep beside them.
+PlanStage describe_geometry_cache(const CompiledPlan& plan) {
+  PlanStage stage{"geometry_cache", false, "", 0, 0};
+  std::uint64_t played = 0, with_surface = 0;
+  for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
+    const PrimitivePlan& planned = plan.primitives[p];
+    if (!planned.cached.any()) continue;
+    ++played;
+    with_surface += plan.surface_faces[p] != nullptr;
+    stage.count += primitive_of(plan, planned).vertex_count();
+    stage.bytes += attribute_bytes(planned.cached, primitive_of(plan, planned).vertex_count());
+  }
+  stage.runs = played > 0;
+  if (stage.runs)
+    stage.reason = primitives(played) + " may play from a cache, in place of morph and skin" +
+                   (with_surface > 0 ? "; normals that it lacks follow the triangles" : "");
+  else if (plan.needs.cached_instances.empty())
+    stage.reason = "no mesh instance is asked to play from a cache";
+  else
+    stage.reason = "no attribute that is asked for can play";
+  return stage;
+}
+
 PlanStage describe_flat_normals(const CompiledPlan& plan) {
   PlanStage stage{"flat_normals", false, "", 0, 0};
   std::uint64_t flat = 0;
@@ -302,7 +325,7 @@ PlanStage describe_bounds(const CompiledPlan& plan) {
   if (!plan.bounds) return {"bounds", false, "the scene shows no meshes", 0, 0};
   std::uint64_t vertices = 0;
   for (const PrimitivePlan& p : plan.primitives)
-    if (p.morph.positions || p.skin.positions) vertices += primitive_of(plan, p).vertex_count();
+    if (p.morph.positions || p.skin.positions || p.cached.positions) vertices += primitive_of(plan, p).vertex_count();
   return {"bounds", true, "boxes are asked for; rigid meshes move the box of their rest pose", vertices,
           plan.scene->instances.size() * sizeof(Aabb)};
 }
@@ -328,6 +351,7 @@ std::vector<PlanStage> describe_stages(const CompiledPlan& plan) {
       describe_skin(plan, "skin_linear", Skinning::linear),
       describe_skin(plan, "skin_dual_quaternion", Skinning::dual_quaternion),
       describe_skin(plan, "skin_center_of_rotation", Skinning::center_of_rotation),
+      describe_geometry_cache(plan),
       describe_flat_normals(plan),
       describe_bounds(plan)};
 }

@@ -23,10 +23,11 @@ enum class Stage : std::uint8_t {
   skin_linear,
   skin_dual_quaternion,
   skin_center_of_rotation,
+  geometry_cache,
   flat_normals,
   bounds
 };
-inline constexpr std::size_t kStageCount = 17;
+inline constexpr std::size_t kStageCount = 18;
 
 /// What a plan says of one stage: whether frames run it, and why.
 struct PlanStage {

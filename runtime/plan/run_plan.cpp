@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "runtime/base/all_finite.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/plan/evaluate_pose.h"
 #include "runtime/plan/frame_changes.h"
 #include "runtime/plan/interpolate_poses.h"
 #include "runtime/plan/make_palettes.h"
+#include "runtime/plan/play_geometry.h"
 #include "runtime/plan/show_instances.h"
 #include "runtime/plan/visibility.h"
 #include "runtime/pose/correct_pose.h"
@@ -42,6 +44,32 @@ ErrorCode check(const CompiledPlan& plan, std::span<const ClipLayer> layers) noe
   return plan.sample && !plan.blend && active > 0 && total_weight < 1.0 ? ErrorCode::unsupported : ErrorCode::ok;
 }
 
+/// A source is at one time in a frame: an earlier instance that plays from it has another one.
+bool has_two_times(std::span<const GeometryInput> geometry, std::size_t slot) noexcept {
+  for (std::size_t s = slot; s-- > 0;)
+    if (geometry[s].plays() && geometry[s].source.context == geometry[slot].source.context)
+      return !same_bits(geometry[s].time_s, geometry[slot].time_s);
+  return false;
+}
+
+ErrorCode check_geometry(const CompiledPlan& plan, std::span<const GeometryInput> geometry) noexcept {
+  if (geometry.empty()) return ErrorCode::ok;
+  if (geometry.size() != plan.needs.cached_instances.size()) return ErrorCode::size_mismatch;
+  for (std::size_t slot = 0; slot < geometry.size(); ++slot) {
+    const GeometryInput& input = geometry[slot];
+    if (!input.source.is_there()) continue;
+    if (!std::isfinite(input.time_s) || !std::isfinite(input.weight)) return ErrorCode::not_finite;
+    if (input.weight < 0.0f || input.weight > 1.0f) return ErrorCode::unsupported;
+    if (!input.plays()) continue;
+    const std::uint32_t instance = plan.needs.cached_instances[slot];
+    if (!input.source.has(input.source.context, instance)) return ErrorCode::index_out_of_range;
+    const bool has_copies = !plan.scene->instances[instance].copies.empty();
+    if ((has_copies && input.source.space == VertexSpace::scene) || has_two_times(geometry, slot))
+      return ErrorCode::unsupported;
+  }
+  return ErrorCode::ok;
+}
+
 ErrorCode check(const CompiledPlan& plan, const FrameInput& input) noexcept {
   if (!(input.interpolation_factor >= 0.0f && input.interpolation_factor <= 1.0f) ||
       (input.interpolation_factor != 0.0f && !plan.needs.between_updates))
@@ -53,7 +81,7 @@ ErrorCode check(const CompiledPlan& plan, const FrameInput& input) noexcept {
   if (!input.out_of_view.empty() && input.out_of_view.size() != plan.scene->instances.size())
     return ErrorCode::size_mismatch;
   if (!all_finite(input.weights) || !is_finite(input.root)) return ErrorCode::not_finite;
-  return ErrorCode::ok;
+  return check_geometry(plan, input.geometry);
 }
 
 /// Adds to the frame's morph weights what its local pose calls for.
@@ -140,7 +168,7 @@ void sleep(const CompiledPlan& plan, const FrameTables& tables, FrameResult& res
   for (std::size_t i = 0; i < tables.instances.size(); ++i) {
     tables.instances[i] = {
         .world_from_mesh = {}, .first_primitive = plan.first_primitive[i], .visible = false, .bounds = {}};
-    deform_nothing(plan, i, tables.primitives);
+    deform_nothing(plan, i, tables);
   }
   result.model = {};
   result.weights = {};
@@ -172,10 +200,13 @@ void run_stages(const CompiledPlan& plan, const FrameInput& input, const FrameSt
   const std::span<const float> properties =
       memory.array<const float>(plan.layout.properties_at, plan.properties ? plan.scene->properties.rest.size() : 0);
   const Visibility visibility{hide(plan, properties, memory, work), input.out_of_view};
-  const bool all_wanted = !plan.hide_per_frame && input.out_of_view.empty();
-  make_palettes(plan, model, all_wanted ? std::span<const bool>{} : wanted_palettes(plan, visibility, memory), step,
-                work);
-  show_instances(plan, {model, weights, input.root, visibility}, step, work);
+  show_sources(plan, input.geometry, visibility, step.tables, work);
+  const bool all_wanted = !plan.hide_per_frame && input.out_of_view.empty() && input.geometry.empty();
+  const std::span<const bool> wanted =
+      all_wanted ? std::span<const bool>{}
+                 : wanted_palettes(plan, visibility, input.geometry, step.tables.shown, memory);
+  make_palettes(plan, model, wanted, step, work);
+  show_instances(plan, {model, weights, input.root, visibility, input.geometry}, step, work);
   result.model = plan.needs.joints ? model : std::span<const Affine>{};
   result.weights = weights;
   result.properties = plan.needs.properties ? properties : std::span<const float>{};

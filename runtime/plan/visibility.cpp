@@ -18,12 +18,17 @@ void find_hidden(const Scene& scene, std::span<const float> properties, std::spa
 }
 
 std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
+                                      std::span<const GeometryInput> geometry, std::span<const ShownVertices> shown,
                                       FrameMemory memory) noexcept {
+  const auto plays_in_full = [&](std::size_t i) {
+    const std::uint32_t slot = geometry.empty() || plan.needs.palettes ? kNone : geometry_slot_of(plan, i);
+    return slot != kNone && geometry[slot].weight == 1.0f && shown[slot].is_there;
+  };
   const std::span<bool> wanted = memory.array<bool>(plan.layout.palette_wanted_at, plan.palette.size());
   std::fill(wanted.begin(), wanted.end(), false);
   for (std::size_t i = 0; i < plan.scene->instances.size(); ++i)
     if (const std::uint32_t skin = plan.scene->instances[i].skin; skin != kNone)
-      wanted[skin] = wanted[skin] || visibility.is_deformed(plan, i);
+      wanted[skin] = wanted[skin] || (visibility.is_deformed(plan, i) && !plays_in_full(i));
   return wanted;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/plan/frame_input.h"
 #include "runtime/plan/frame_memory.h"
 
 namespace sinew {
@@ -30,9 +31,11 @@ struct Visibility {
   }
 };
 
-/// Skins that some instance of this frame needs.
-/// out  [skins] in the frame's memory
+/// Skins that some instance of this frame needs. One that shows vertices of a source in full needs none, unless
+/// palettes are asked for. in   geometry  FrameInput::geometry;   shown[cached instances]  by its sources out  [skins]
+/// in the frame's memory
 std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
+                                      std::span<const GeometryInput> geometry, std::span<const ShownVertices> shown,
                                       FrameMemory memory) noexcept;
 
 }  // namespace sinew

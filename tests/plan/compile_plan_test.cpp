@@ -44,6 +44,7 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
             "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
             "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
             "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
+            "- geometry_cache [0, 0 B]: no mesh instance is asked to play from a cache\n"
             "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
             "- bounds [0, 0 B]: boxes are not asked for\n");
 }
@@ -69,6 +70,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
             "+ skin_linear [4, 96 B]: 1 primitive with joints and weights\n"
             "- skin_dual_quaternion [0, 0 B]: all skinned primitives use another kind of skinning\n"
             "- skin_center_of_rotation [0, 0 B]: all skinned primitives use another kind of skinning\n"
+            "- geometry_cache [0, 0 B]: no mesh instance is asked to play from a cache\n"
             "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
             "- bounds [0, 0 B]: boxes are not asked for\n");
 }
@@ -96,6 +98,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
       "- skin_linear [0, 0 B]: no mesh instance is skinned\n"
       "- skin_dual_quaternion [0, 0 B]: no mesh instance is skinned\n"
       "- skin_center_of_rotation [0, 0 B]: no mesh instance is skinned\n"
+      "- geometry_cache [0, 0 B]: no mesh instance is asked to play from a cache\n"
       "- flat_normals [0, 0 B]: no deformed primitive lacks normals in the file\n"
       "+ bounds [4, 24 B]: boxes are asked for; rigid meshes move the box of their rest pose\n");
 }

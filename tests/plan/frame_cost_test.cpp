@@ -33,6 +33,7 @@ std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
           {"morph", w.morph_deltas + w.vertices_morphed},
           {"skin_linear", w.vertices_skinned_linear},
           {"skin_dual_quaternion", w.vertices_skinned_dual_quaternion},
+          {"geometry_cache", w.vertices_from_cache + w.vertices_blended + w.smooth_triangles + w.cache_frames_decoded},
           {"flat_normals", w.flat_triangles},
           {"bounds", w.bounds_vertices}};
 }
@@ -191,6 +192,7 @@ std::vector<bool> worked(const WorkCounters& w) {
           w.vertices_skinned_linear > 0,
           w.vertices_skinned_dual_quaternion > 0,
           w.vertices_skinned_center_of_rotation > 0,
+          w.vertices_from_cache > 0,
           w.flat_triangles > 0,
           w.bounds_vertices > 0};
 }
@@ -237,10 +239,10 @@ TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
   const std::vector<PlanStage> stages = compile_plan(scene, Needs{}).stages();
   ASSERT_EQ(stages.size(), kStageCount);
   const char* names[kStageCount] = {
-      "sample",       "blend",          "add",         "interpolate",          "correctives",
-      "properties",   "local_to_model", "palette",     "split_palette",        "combinations",
-      "winding",      "morph",          "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation",
-      "flat_normals", "bounds"};
+      "sample",         "blend",          "add",         "interpolate",          "correctives",
+      "properties",     "local_to_model", "palette",     "split_palette",        "combinations",
+      "winding",        "morph",          "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation",
+      "geometry_cache", "flat_normals",   "bounds"};
   for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(stages[s].stage, names[s]);
 }
 
