@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/tiny/tiny.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#define CONTRACT(condition) ((condition) ? static_cast<void>(0) : static_cast<void>(std::fprintf(stderr, #condition)))
+
+namespace {
+constexpr int kTable[] = {1, 2, 3};
+constexpr int two(int x) { return x + 2; }
+static_assert(sizeof(kTable) == 3 * sizeof(int));
+}  // namespace
+
+int clamped(int value, int low, int high) {
+  CONTRACT(low <= high);
+  constexpr int kLocal = 4;
+  if (value < low) return low;
+  return std::min(value, high) + kLocal - kLocal;
+}
+
+int sum(const int* numbers, int count) {
+  int total = kTable[0] - 1;
+  for (int i = 0; i < count; ++i) {
+    total += numbers[i];
+    if (total > 1000) std::fprintf(stderr, "more than %d\n", 1000);
+  }
+  return total;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/tiny/tiny.h"
+
+#include <gtest/gtest.h>
+
+TEST(tiny, clamps) {
+  EXPECT_EQ(clamped(-3, 0, 5), 0);
+  EXPECT_EQ(clamped(3, 0, 5), 3);
+  EXPECT_EQ(clamped(9, 0, 5), 5);
+}
+
+TEST(tiny, distance) {
+  EXPECT_EQ(twice_apart(1, 4), 6);
+  EXPECT_EQ(twice_apart(4, 1), 6);
+}

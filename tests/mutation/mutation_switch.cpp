@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "tests/mutation/mutation_switch.h"
+
+#include <gtest/gtest.h>
+
+#include <bitset>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+extern "C" {
+int sinew_mutant = 0;
+}
+
+namespace {
+
+constexpr int kMutantLimit = 1 << 16;
+std::bitset<kMutantLimit> reached;
+
+// Before other static objects are made, which may already run mutated code.
+[[gnu::constructor(101)]] void read_environment() {
+  if (const char* number = std::getenv("SINEW_MUTANT")) sinew_mutant = std::atoi(number);
+}
+
+/// Writes one line a test: its name, its milliseconds, and the numbers of the mutants that it reached.
+class Recorder : public testing::EmptyTestEventListener {
+ public:
+  explicit Recorder(const char* path) : out_(path) {}
+
+  void OnTestStart(const testing::TestInfo&) override { reached.reset(); }
+
+  void OnTestEnd(const testing::TestInfo& test) override {
+    const testing::TestResult& result = *test.result();
+    const char* state = result.Skipped() ? "skipped" : result.Passed() ? "passed" : "failed";
+    out_ << test.test_suite_name() << '.' << test.name() << ' ' << state << ' ' << result.elapsed_time();
+    for (int number = 0; number < kMutantLimit; ++number)
+      if (reached[number]) out_ << ' ' << number;
+    out_ << std::endl;
+  }
+
+ private:
+  std::ofstream out_;
+};
+
+const bool recording = [] {
+  const char* path = std::getenv("SINEW_MUTATION_RECORD");
+  if (path != nullptr) testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
+  return path != nullptr;
+}();
+
+}  // namespace
+
+extern "C" void sinew_mutant_is_reached(int number) noexcept { reached.set(static_cast<std::size_t>(number)); }
+
+/// The SPIR-V of a mutated shader from the folder SINEW_MUTANT_SHADERS; empty when the shader is as it was written.
+std::span<const std::uint32_t> mutated_shader(const char* name) {
+  const char* folder = std::getenv("SINEW_MUTANT_SHADERS");
+  if (folder == nullptr) return {};
+  static std::map<std::string, std::unique_ptr<std::vector<std::uint32_t>>> files;
+  auto& words = files[name];
+  if (!words) {
+    words = std::make_unique<std::vector<std::uint32_t>>();
+    std::ifstream in(std::string(folder) + "/" + name + ".spv", std::ios::binary);
+    for (std::uint32_t word; in.read(reinterpret_cast<char*>(&word), sizeof(word));) words->push_back(word);
+  }
+  return *words;
+}

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Tests of the mutation tester, on a project of one source, one test and one shader."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import clang.cindex
+except ImportError:
+    print('skipped: python3-clang is not installed')
+    sys.exit(77)
+
+import mutant as mutants_of
+import places_cpp
+import places_glsl
+from build_tree import Tree
+from mutated_build import MutatedBuild, compile_shaders
+from test_runs import Programs
+
+EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'example')
+SOURCE, HEADER, SHADER = 'runtime/tiny/tiny.cpp', 'runtime/tiny/tiny.h', 'viewer/shaders/tiny.frag'
+
+
+class MutationTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        build = f'{cls.folder.name}/build'
+        for command in (['cmake', '-G', 'Ninja', '-S', EXAMPLE, '-B', build, '-DCMAKE_BUILD_TYPE=Release'], ['cmake', '--build', build]):
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        cls.tree = Tree(EXAMPLE, build)
+        object_ = cls.tree.product_object(SOURCE)
+        found, errors = places_cpp.places(f'{EXAMPLE}/{SOURCE}', [SOURCE, HEADER], cls.tree.commands[object_], EXAMPLE)
+        assert not errors, errors
+        cls.mutants = found[SOURCE] + found[HEADER]
+        mutants_of.give_keys(cls.mutants)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_only_code_that_runs_is_mutated(self):
+        places = {(m.function, m.kind, m.original, m.shown) for m in self.mutants}
+        self.assertEqual(places, {
+            ('two', 'arithmetic', 'x + 2', 'x - 2'), ('two', 'constant', '2', '3'),
+            ('clamped', 'condition', 'value < low', '!(value < low)'), ('clamped', 'condition', 'value < low', 'false'),
+            ('clamped', 'condition', 'value < low', 'true'), ('clamped', 'comparison', 'value < low', 'value <= low'),
+            ('clamped', 'arithmetic', 'std::min(value, high) + kLocal - kLocal', 'std::min(value, high) + kLocal + kLocal'),
+            ('clamped', 'arithmetic', 'std::min(value, high) + kLocal', 'std::min(value, high) - kLocal'),
+            ('clamped', 'call', 'std::min(value, high)', 'std::max(value, high)'),
+            ('sum', 'arithmetic', 'kTable[0] - 1', 'kTable[0] + 1'), ('sum', 'index', '0', '(0) + 1'), ('sum', 'constant', '0', '1'),
+            ('sum', 'constant', '1', '2'), ('sum', 'comparison', 'i < count', 'i <= count'),
+            ('sum', 'statement', 'total += numbers[i]', '(nothing)'), ('sum', 'arithmetic', 'total += numbers[i]', 'total -= numbers[i]'),
+            ('sum', 'index', 'i', '(i) + 1'), ('sum', 'condition', 'total > 1000', '!(total > 1000)'),
+            ('sum', 'condition', 'total > 1000', 'false'), ('sum', 'condition', 'total > 1000', 'true'),
+            ('sum', 'comparison', 'total > 1000', 'total >= 1000'), ('sum', 'constant', '1000', '1001'),
+            ('twice_apart', 'arithmetic', '2 * (a < b ? b - a : a - b)', '2 / (a < b ? b - a : a - b)'),
+            ('twice_apart', 'constant', '2', '3'), ('twice_apart', 'condition', 'a < b', '!(a < b)'),
+            ('twice_apart', 'comparison', 'a < b', 'a <= b'), ('twice_apart', 'arithmetic', 'b - a', 'b + a'),
+            ('twice_apart', 'arithmetic', 'a - b', 'a + b')})
+
+    def test_verdicts_are_known_and_the_same_with_switches_and_alone(self):
+        switched = MutatedBuild(self.tree, f'{self.folder.name}/switched', dict(enumerate(self.mutants, 1)), 2)
+        programs = Programs(switched, corpus=True)
+        reaches = lambda test, number: number in test[2]
+        together = {m.key: programs.verdict(n, m, {'SINEW_MUTANT': str(n)}, reaches)[0] for n, m in enumerate(self.mutants, 1)}
+        self.assertEqual(switched.stillborn, set())
+        for m in self.mutants:
+            expected = 'unreached' if m.function in ('sum', 'two') else 'survived' if m.kind == 'comparison' else 'killed'
+            self.assertEqual(together[m.key], expected, str(m))
+        alone = {}
+        for m in self.mutants[::4]:
+            build = MutatedBuild(self.tree, f'{self.folder.name}/alone', {1: m}, 2, switched=False)
+            alone[m.key] = Programs(build, corpus=True).verdict_alone(m)[0]
+        self.assertEqual(alone, {key: 'survived' if together[key] == 'unreached' else together[key] for key in alone})
+
+    def test_keys_stay_when_other_functions_change(self):
+        with open(f'{EXAMPLE}/{SOURCE}', encoding='utf-8') as file:
+            text = file.read().replace('int clamped(', 'int other(int x) { return x < 3 ? x + 1 : 0; }\n\nint clamped(')
+        path = f'{self.folder.name}/{SOURCE}'
+        os.makedirs(os.path.dirname(path))
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(text)
+        command = self.tree.commands[self.tree.product_object(SOURCE)]
+        found, _ = places_cpp.places(path, [SOURCE], command, self.folder.name)
+        mutants_of.give_keys(found[SOURCE])
+        before = {m.key for m in self.mutants if m.file == SOURCE}
+        self.assertEqual({m.key for m in found[SOURCE] if m.function != 'other'}, before)
+
+    def test_shaders(self):
+        found = places_glsl.places(f'{EXAMPLE}/{SHADER}', SHADER)
+        shown = {m.shown for m in found}
+        for part in ('!(c.x < 0.0)', '(c.x <= 0.0) return 0.0', '0.1)) + 1.0;', 'vec3( 0.7, 0.2 , 0.1)'):
+            self.assertTrue(any(part in text for text in shown), f'{part} in {shown}')
+        self.assertFalse(any('kGamma' in m.original or 'location' in m.original for m in found))
+        compiled = [m for m in found if compile_shaders(EXAMPLE, f'{self.folder.name}/shader', m)]
+        self.assertGreater(len(compiled), len(found) / 2)
+
+    def test_lists_hold_reasons(self):
+        with open(os.path.join(os.path.dirname(EXAMPLE), 'equivalent.txt'), encoding='utf-8') as file:
+            for line in file:
+                if line.strip() and not line.startswith('#'):
+                    self.assertIn(' # ', line)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Runs the tests that reach a mutant, the quick ones of its own folder first, until one falls."""
+import os
+import resource
+import signal
+import subprocess
+import threading
+
+QUICK_MS = 150
+SLOW_LIMIT_MS = 60_000  # one test that takes longer is for other days
+MEMORY = 12 << 30
+
+
+def limits():
+    os.setsid()
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 30, 1 << 30))
+
+
+class Programs:
+    """The test programs of one mutated build, and which tests reach which mutant."""
+
+    def __init__(self, build, corpus):
+        self.build, self.tree = build, build.tree
+        self.filter = '*' if corpus else '-*corpus*'
+        self.records, self.broken, self.lock = {}, [], threading.Lock()
+
+    def run(self, program, seconds, arguments, environment):
+        """True, False or 'time': whether it passed."""
+        folder = f'{self.build.folder}/run'
+        os.makedirs(folder, exist_ok=True)
+        process = subprocess.Popen([program, *arguments], cwd=folder, env={**os.environ, 'TMPDIR': folder, **environment}, preexec_fn=limits,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            return process.wait(seconds) == 0
+        except subprocess.TimeoutExpired:
+            return 'time'
+        finally:
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            process.wait()
+
+    def record(self, name):
+        """Runs all tests of a program once as they are: [(test, milliseconds, numbers that it reaches)]."""
+        with self.lock:  # the first worker that needs a program builds it, the others wait
+            if name not in self.records:
+                self.records[name] = self.record_now(name)
+            return self.records[name]
+
+    def record_now(self, name):
+        program, found = self.build.program(name), []
+        if program is not None:
+            out = f'{self.build.folder}/{name}.reached'
+            self.run(program, 1800, ['--gtest_filter=' + self.filter], {'SINEW_MUTANT': '-1', 'SINEW_MUTATION_RECORD': out})
+            with open(out, encoding='utf-8') as file:
+                for line in file:
+                    test, state, milliseconds, *numbers = line.split()
+                    if state == 'passed' and int(milliseconds) < SLOW_LIMIT_MS:
+                        found.append((test, int(milliseconds), frozenset(map(int, numbers))))
+                    elif state == 'failed':
+                        self.broken.append(f'{name}: {test}')
+        return found
+
+    def fall(self, name, tests, environment):
+        """The first of the tests that falls, as far as one can tell; None when all pass."""
+        program = self.build.program(name)
+        for first in range(0, len(tests), 400):
+            part = tests[first:first + 400]
+            seconds = 10 + 10 * sum(t[1] for t in part) / 1000
+            filter_ = '--gtest_filter=' + ':'.join(t[0] for t in part)
+            passed = self.run(program, seconds, [filter_, '--gtest_fail_fast'], environment)
+            if passed is not True:
+                return name + (': time' if passed == 'time' else '')
+        return None
+
+    def verdict(self, number, mutant, environment, reaches):
+        """('killed', by) | ('survived', n tests) | ('unreached', '')"""
+        own = self.tree.tests_of_room(mutant.file)
+        others = [name for name in sorted(self.tree.programs) if name not in own]
+        tried = 0
+        for names in (own, others):
+            for quick in (True, False):
+                for name in names:
+                    tests = [t for t in self.record(name) if (t[1] <= QUICK_MS) == quick and reaches(t, number)]
+                    tried += len(tests)
+                    if tests and (by := self.fall(name, tests, environment)):
+                        return 'killed', by
+        return ('survived', f'{tried} tests') if tried else ('unreached', '')
+
+    def verdict_alone(self, mutant):
+        """The same of a program that has the mutant in place: all tests of each program, from the start."""
+        own = self.tree.tests_of_room(mutant.file)
+        for name in own + [name for name in sorted(self.tree.programs) if name not in own]:
+            program = self.build.program(name)
+            if program and self.run(program, 1800, ['--gtest_filter=' + self.filter, '--gtest_fail_fast'], {}) is not True:
+                return 'killed', name
+        return 'survived', 'all tests'
