@@ -38,6 +38,7 @@ def arguments():
     parser.add_argument('--check', action='store_true', help='fail when one survives that survivors.txt does not list')
     parser.add_argument('--table', action='store_true', help='only print the table of what is known')
     parser.add_argument('--list', action='store_true', help='only print the mutants')
+    parser.add_argument('--state', default='build/mutation', help='where mutated builds and verdicts are kept')
     parser.add_argument('--build', default='build/release', help='the finished build')
     return parser.parse_args()
 
@@ -190,7 +191,7 @@ class Session:
 def main():
     options = arguments()
     root = subprocess.run(['git', 'rev-parse', '--show-toplevel'], cwd=HERE, check=True, capture_output=True, text=True).stdout.strip()
-    state = f'{root}/build/mutation'
+    state = f'{root}/{options.state}'
     os.makedirs(state, exist_ok=True)
     tree = Tree(root, f'{root}/{options.build}')
     files = wanted_files(root, tree, options)

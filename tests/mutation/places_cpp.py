@@ -62,7 +62,7 @@ def number_of(text):
 class Finder:
     """Walks the declarations of one file in a translation unit."""
 
-    def __init__(self, unit, path, name):
+    def __init__(self, unit, cursors, path, name):
         self.path, self.name, self.mutants, self.function = path, name, [], ''
         with open(path, encoding='utf-8') as file:
             self.text = file.read().encode()
@@ -70,12 +70,9 @@ class Finder:
         self.tokens = [(t.extent.start.offset, t.extent.end.offset, t.spelling, t.kind) for t in unit.get_tokens(extent=whole)
                        if t.kind != cindex.TokenKind.COMMENT]
         self.starts = [t[0] for t in self.tokens]
-        self.macros = []
-        for cursor in unit.cursor.get_children():
-            if cursor.kind == K.MACRO_INSTANTIATION and self.is_here(cursor):
-                self.macros.append((cursor.extent.start.offset, cursor.extent.end.offset))
-        for cursor in unit.cursor.get_children():
-            if self.is_here(cursor) and cursor.kind != K.MACRO_INSTANTIATION:
+        self.macros = [self.range_of(c) for c in cursors if c.kind == K.MACRO_INSTANTIATION]
+        for cursor in cursors:
+            if cursor.kind != K.MACRO_INSTANTIATION:
                 self.declarations(cursor)
 
     def is_here(self, cursor):
@@ -339,8 +336,10 @@ class Finder:
         text = self.flat(start, end)
         droppable = kind in (K.CALL_EXPR, K.COMPOUND_ASSIGNMENT_OPERATOR, K.BINARY_OPERATOR, K.BREAK_STMT, K.CONTINUE_STMT,
                              K.UNARY_OPERATOR, K.UNEXPOSED_EXPR) or kind == K.RETURN_STMT and text == 'return'
-        if not droppable or 'stderr' in text or child.spelling in SILENT_CALLS:
+        if not droppable or 'stderr' in text or child.spelling in SILENT_CALLS or text.startswith('progress.'):
             return
+        if self.between(start, end)[-1][2].startswith('"') and ' ' in self.between(start, end)[-1][2]:
+            return  # words for people
         if kind == K.RETURN_STMT and parent.kind == K.COMPOUND_STMT:
             return
         self.add(start, end, 'statement', ';', 'if (mutation_is({n})) {{}} else ', '', shown='(nothing)')
@@ -351,7 +350,10 @@ def places(path, names, command, root):
     index = cindex.Index.create()
     unit = index.parse(path, args=clang_arguments(command), options=cindex.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
     fatal = [d for d in unit.diagnostics if d.severity >= cindex.Diagnostic.Error]
-    found = {}
-    for name in names:
-        found[name] = Finder(unit, f'{root}/{name}', name).mutants
+    by_file = {f'{root}/{name}': [] for name in names}
+    for cursor in unit.cursor.get_children():
+        file = cursor.location.file
+        if file is not None and file.name in by_file:
+            by_file[file.name].append(cursor)
+    found = {name: Finder(unit, by_file[f'{root}/{name}'], f'{root}/{name}', name).mutants for name in names}
     return found, [str(d) for d in fatal[:3]]
