@@ -21,7 +21,7 @@ from mutated_build import MutatedBuild, compile_shaders
 from test_runs import Programs
 
 EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'example')
-SOURCE, HEADER, SHADER = 'runtime/tiny/tiny.cpp', 'runtime/tiny/tiny.h', 'viewer/shaders/tiny.frag'
+SOURCE, HEADER, SHADER = 'runtime/tiny/clamp_and_sum.cpp', 'runtime/tiny/tiny.h', 'viewer/shaders/tiny.frag'
 
 
 class MutationTest(unittest.TestCase):
