@@ -145,12 +145,12 @@ class Session:
                 self.alone(m)
                 report.progress(f'{done} of {len(todo)} alone')
             return
-        numbered = dict(enumerate(todo, 1))
+        numbered = dict(enumerate(mutants, 1))  # known ones too, so that a compiler cache finds what it compiled the last time
         build = MutatedBuild(self.tree, f'{self.state}/switched', numbered, self.options.jobs)
         programs = Programs(build, self.options.corpus)
         done = 0
         with concurrent.futures.ThreadPoolExecutor(max(1, self.options.jobs)) as pool:
-            tasks = [pool.submit(self.one, programs, number, m) for number, m in numbered.copy().items()]
+            tasks = [pool.submit(self.one, programs, number, m) for number, m in numbered.items() if m in todo]
             for task in concurrent.futures.as_completed(tasks):
                 number, m, verdict, by, seconds = task.result()
                 done += 1
