@@ -27,6 +27,7 @@ tl::unexpected<ImportError> refuse(const char* rule, std::string detail) {
 std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_count) {
   const std::string where = "mesh \"" + mesh.name + "\"";
   CONTRACT(!mesh.streams.empty() && mesh.streams[0].kind == GeometryKind::positions);
+  for (std::size_t s = 1; s < mesh.streams.size(); ++s) CONTRACT(mesh.streams[s - 1].kind < mesh.streams[s].kind);
   for (const TakeStream& stream : mesh.streams) {
     if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMostPoints)
       return refuse("cache-frames", where + " has " + std::to_string(stream.frames.size()) + " frames of " +
@@ -72,7 +73,7 @@ ImportResult<Grid> grid_of(const TakeStream& stream) {
 
 void write_table(std::span<const std::uint8_t> bytes, ByteWriter& out) {
   std::vector<std::byte> stored;
-  out.add(store_bytes(bytes, stored));
+  out.add(store_bytes(bytes, stored, kDirectoryZstdLevel));
   out.bytes().insert(out.bytes().end(), stored.begin(), stored.end());
 }
 
@@ -85,7 +86,7 @@ void write_mesh(const GeometryMesh& mesh, ByteWriter& out) {
   out.add(mesh.vertex_count);
   out.add(static_cast<std::uint32_t>(mesh.triangles.size()));
   write_table(planes_of_numbers(mesh.triangles), out);
-  for (const double x : {mesh.certificate.asked_m, mesh.certificate.measured_m, mesh.certificate.between_m}) out.add(x);
+  out.add(mesh.certificate.between_m);
   for (const glm::vec3& corner : {mesh.bounds.lower, mesh.bounds.upper})
     for (int axis = 0; axis < 3; ++axis) out.add(corner[axis]);
   out.add(static_cast<std::uint8_t>(mesh.streams.size()));
@@ -94,6 +95,8 @@ void write_mesh(const GeometryMesh& mesh, ByteWriter& out) {
     out.add(stream.step);
     out.add(stream.point_count);
     out.add(stream.most_payload);
+    out.add(stream.asked);
+    out.add(stream.measured);
     write_table(planes_of_numbers(stream.point_of_vertex), out);
     write_table(stream.corners, out);
   }
@@ -189,40 +192,72 @@ double largest_distance(std::span<const glm::vec3> a, std::span<const glm::vec3>
   return most;
 }
 
-/// Decodes every frame as a program that plays it does, and writes into the meshes what was measured.
-void measure(const GeometryTake& take, FileWriter& writer) {
-  const std::vector<std::byte> file = writer.file();
-  const auto cache = GeometryCache::open(file);
-  CONTRACT(cache.has_value());
-  GeometryDecoder decoder(*cache);
-  MappedFrames source{*cache, file};
-  writer.boxes_of_mesh.assign(take.meshes.size(), {});
-  std::size_t stream = 0;
-  for (std::size_t m = 0; m < take.meshes.size(); ++m, stream += take.meshes[m - 1].streams.size()) {
-    const TakeMesh& mesh = take.meshes[m];
-    GeometryMesh& out = writer.meshes[m];
-    out.certificate.asked_m = mesh.streams[0].budget;
-    std::vector<glm::vec3> decoded(mesh.vertex_count);
-    for (std::uint32_t f = 0; f < cache->frame_count(); ++f) {
-      if (f > 0 && !mesh.between.empty()) {
-        CONTRACT(decoder.decode_time(take.start_s + (f - 0.5) * take.frame_s, source) == GeometryStatus::ok);
-        CONTRACT(decoder.write_vertices(stream, decoded) == GeometryStatus::ok);
-        out.certificate.between_m = std::max(out.certificate.between_m, largest_distance(decoded, mesh.between[f - 1]));
-      }
-      CONTRACT(decoder.decode(f, source) == GeometryStatus::ok);
-      CONTRACT(decoder.write_vertices(stream, decoded) == GeometryStatus::ok);
-      out.certificate.measured_m =
-          std::max(out.certificate.measured_m, largest_distance(decoded, mesh.streams[0].frames[f]));
-      Aabb box;
-      for (const glm::vec3& p : decoded) box.add(p);
-      if (decoded.empty()) box = {glm::vec3(0.0f), glm::vec3(0.0f)};
-      writer.boxes_of_mesh[m].push_back(box);
-      if (f == 0) out.bounds = box;
-      out.bounds.add(box.lower);
-      out.bounds.add(box.upper);
+/// Decodes frames as a program that plays them does.
+class Measurement {
+ public:
+  Measurement(const GeometryTake& take, FileWriter& writer)
+      : take_(take), writer_(writer), file_(writer.file()), cache_(opened(file_)), decoder_(cache_) {}
+
+  /// Writes into the meshes what was measured.
+  void run() {
+    writer_.boxes_of_mesh.assign(take_.meshes.size(), {});
+    for (std::uint32_t f = 0; f < cache_.frame_count(); ++f) {
+      if (f > 0) measure_between(f);
+      CONTRACT(decoder_.decode(f, source_) == GeometryStatus::ok);
+      std::size_t stream = 0;
+      for (std::size_t m = 0; m < take_.meshes.size(); ++m)
+        for (std::size_t s = 0; s < take_.meshes[m].streams.size(); ++s) measure_stream(f, m, s, stream++);
     }
   }
-}
+
+ private:
+  static GeometryCache opened(std::span<const std::byte> file) {
+    auto cache = GeometryCache::open(file);
+    CONTRACT(cache.has_value());
+    return std::move(*cache);
+  }
+
+  std::span<const glm::vec3> decoded(std::size_t mesh, std::size_t stream) {
+    vertices_.resize(take_.meshes[mesh].vertex_count);
+    CONTRACT(decoder_.write_vertices(stream, vertices_) == GeometryStatus::ok);
+    return vertices_;
+  }
+
+  void measure_between(std::uint32_t frame) {
+    std::size_t stream = 0;
+    for (std::size_t m = 0; m < take_.meshes.size(); stream += take_.meshes[m++].streams.size()) {
+      if (take_.meshes[m].between.empty()) continue;
+      CONTRACT(decoder_.decode_time(take_.start_s + (frame - 0.5) * take_.frame_s, source_) == GeometryStatus::ok);
+      double& most = writer_.meshes[m].certificate.between_m;
+      most = std::max(most, largest_distance(decoded(m, stream), take_.meshes[m].between[frame - 1]));
+    }
+  }
+
+  void measure_stream(std::uint32_t frame, std::size_t m, std::size_t s, std::size_t stream) {
+    const TakeStream& truth = take_.meshes[m].streams[s];
+    const std::span<const glm::vec3> shown = decoded(m, stream);
+    GeometryStream& out = writer_.meshes[m].streams[s];
+    out.asked = truth.budget;
+    out.measured = std::max(out.measured, largest_distance(shown, truth.frames[frame]));
+    if (s > 0) return;
+    Aabb box;
+    for (const glm::vec3& p : shown) box.add(p);
+    if (shown.empty()) box = {glm::vec3(0.0f), glm::vec3(0.0f)};
+    writer_.boxes_of_mesh[m].push_back(box);
+    Aabb& all = writer_.meshes[m].bounds;
+    if (frame == 0) all = box;
+    all.add(box.lower);
+    all.add(box.upper);
+  }
+
+  const GeometryTake& take_;
+  FileWriter& writer_;
+  std::vector<std::byte> file_;
+  GeometryCache cache_;
+  GeometryDecoder decoder_;
+  MappedFrames source_{cache_, file_};
+  std::vector<glm::vec3> vertices_;
+};
 
 }  // namespace
 
@@ -242,7 +277,7 @@ ImportResult<std::vector<std::byte>> encode_geometry_cache(const GeometryTake& t
     }
     writer.add(mesh, std::move(streams));
   }
-  measure(take, writer);
+  Measurement(take, writer).run();
   return writer.file();
 }
 

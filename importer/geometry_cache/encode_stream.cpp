@@ -18,9 +18,6 @@
 namespace sinew {
 namespace {
 
-/// Level 1 keeps to entropy coding; higher levels find matches that save nothing and cost time to undo.
-constexpr int kZstdLevel = 1;
-
 /// Appends the residuals of a block: of each axis 64 numbers of `width` bits, lowest bits first.
 void pack(const FittedBlock& block, std::vector<std::uint8_t>& out) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -75,7 +72,7 @@ class StreamEncoder {
         values[a * kBlockPoints + i] = frame[vertex_of_point_[first + i]][static_cast<int>(a)] / step_;
     const std::span corners = std::span(out_.info.corners).subspan(3 * first, kBlockNumbers);
     if (from_key == 0) return fit_in_space(values, count, corners, reach_);
-    return fit_in_time(values, count, x1_[b], x2_[b], from_key > 1, reach_);
+    return fit_in_time(values, count, corners, x1_[b], x2_[b], from_key > 1, reach_);
   }
 
   EncodedStream& out_;
@@ -108,11 +105,11 @@ PointOrder order_of(const TakeStream& stream, const UniquePoints& unique, std::s
 
 }  // namespace
 
-std::uint32_t store_bytes(std::span<const std::uint8_t> bytes, std::vector<std::byte>& out) {
+std::uint32_t store_bytes(std::span<const std::uint8_t> bytes, std::vector<std::byte>& out, int zstd_level) {
   const std::size_t before = out.size(), most = ZSTD_compressBound(bytes.size());
   CONTRACT(most < kStoredByZstd);
   out.resize(before + most);
-  const std::size_t size = ZSTD_compress(out.data() + before, most, bytes.data(), bytes.size(), kZstdLevel);
+  const std::size_t size = ZSTD_compress(out.data() + before, most, bytes.data(), bytes.size(), zstd_level);
   const bool smaller = ZSTD_isError(size) == 0u && size < bytes.size() - bytes.size() / 8;
   out.resize(before + (smaller ? size : bytes.size()));
   if (smaller) return static_cast<std::uint32_t>(size) | kStoredByZstd;

@@ -68,6 +68,9 @@ void set_widths(FittedBlock& block) {
   }
 }
 
+/// What a block must save before its residuals spread, since that takes time to decode.
+constexpr double kSpreadBits = 32.0;
+
 std::array<double, 3> point_of(const BlockValues& values, std::size_t i) {
   return {values[i], values[kBlockPoints + i], values[2 * kBlockPoints + i]};
 }
@@ -75,14 +78,42 @@ Vec3i point_of(const BlockState& state, std::size_t i) {
   return {state[i], state[kBlockPoints + i], state[2 * kBlockPoints + i]};
 }
 
-/// Places one point at a grid point near its value. Points behind the block's own `count` are where they are predicted.
-void settle(const BlockValues& values, std::size_t i, std::size_t count, const Vec3i& predicted, double reach,
-            FittedBlock& out) {
-  const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach) : predicted;
-  for (std::size_t a = 0; a < 3; ++a) {
-    out.state[a * kBlockPoints + i] = chosen[a];
-    out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
+/// What spreads to a point from its corners: r[a] + r[b] - r[c].
+Vec3i spread_from(std::span<const std::uint8_t> corners, const BlockState& r, std::size_t i) {
+  Vec3i out{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint8_t corner = corners[3 * i + k];
+    if (corner == kNoCorner) continue;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::uint32_t from = bits(r[a * kBlockPoints + corner]);
+      out[a] = wrapped(bits(out[a]) + (k < 2 ? from : 0u - from));
+    }
   }
+  return out;
+}
+
+/// Places the points of a block one after another at grid points near their values. Points behind the block's own
+/// `count` are where they are predicted.
+template <class Predict>
+void settle(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners, double reach,
+            const Predict& predict, FittedBlock& out) {
+  const bool spreads = out.motion.spreads || out.motion.base == BlockBase::space;
+  BlockState missed{};  // by the motion
+  for (std::size_t i = 0; i < kBlockPoints; ++i) {
+    const Vec3i moved = predict(i);
+    Vec3i predicted = moved;
+    if (spreads) {
+      const Vec3i from = spread_from(corners, missed, i);
+      for (std::size_t a = 0; a < 3; ++a) predicted[a] = wrapped(bits(moved[a]) + bits(from[a]));
+    }
+    const Vec3i chosen = i < count ? choose_near(point_of(values, i), predicted, reach) : predicted;
+    for (std::size_t a = 0; a < 3; ++a) {
+      out.state[a * kBlockPoints + i] = chosen[a];
+      out.residuals[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(predicted[a]));
+      missed[a * kBlockPoints + i] = wrapped(bits(chosen[a]) - bits(moved[a]));
+    }
+  }
+  set_widths(out);
 }
 
 /// What a motion predicts before residuals are added: the equation of BlockMotion, one point at a time.
@@ -130,8 +161,9 @@ void solve(std::array<std::array<double, 4>, 4> n, Affine4& sides) {
 /// Finds the motion of one block.
 class MotionSearch {
  public:
-  MotionSearch(const BlockValues& values, std::size_t count, const BlockState& x1, const BlockState& x2)
-      : values_(values), count_(count), x1_(x1), x2_(x2) {
+  MotionSearch(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
+               const BlockState& x1, const BlockState& x2)
+      : values_(values), count_(count), corners_(corners), x1_(x1), x2_(x2) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::array<double, 4> p = local(i);
       for (std::size_t r = 0; r < 4; ++r)
@@ -198,24 +230,36 @@ class MotionSearch {
     return motion;
   }
 
+  /// Costs of a motion whose residuals stand alone, and of the same where they spread from point 0, which the offset
+  /// then meets.
   void try_motion(const BlockMotion& motion) {
-    double cost = 0.0;
-    for (const std::int32_t x : motion.offset) cost += head_bits(x);
+    double head = 0.0, alone = 0.0, spread = kSpreadBits;
+    for (const std::int32_t x : motion.offset) alone += head_bits(x);
     if (motion.turns)
-      for (const std::int16_t x : motion.matrix) cost += head_bits(x);
-    for (std::size_t i = 0; i < count_ && cost < fewest_; ++i) {
-      const Vec3i predicted = predict(motion, x1_, x2_, i);
-      for (std::size_t a = 0; a < 3; ++a)
-        cost += residual_bits(
-            wrapped(bits(static_cast<std::int32_t>(std::lround(values_[a * kBlockPoints + i]))) - bits(predicted[a])));
+      for (const std::int16_t x : motion.matrix) head += head_bits(x);
+    BlockState missed;
+    for (std::size_t i = 0; i < count_ && head + std::min(alone, spread) < fewest_; ++i) {
+      const Vec3i predicted = predict(motion, x1_, x2_, i), from = spread_from(corners_, missed, i);
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto value = static_cast<std::int32_t>(std::lround(values_[a * kBlockPoints + i]));
+        const std::int32_t residual = wrapped(bits(value) - bits(predicted[a]));
+        missed[a * kBlockPoints + i] = residual;
+        alone += residual_bits(residual);
+        spread += i > 0 ? residual_bits(wrapped(bits(residual) - bits(from[a])))
+                        : head_bits(wrapped(bits(motion.offset[a]) + bits(residual)));
+      }
     }
-    if (cost >= fewest_) return;
-    fewest_ = cost;
+    if (head + std::min(alone, spread) >= fewest_) return;
+    fewest_ = head + std::min(alone, spread);
     best_ = motion;
+    best_.spreads = spread < alone;
+    for (std::size_t a = 0; a < 3 && best_.spreads; ++a)
+      best_.offset[a] = wrapped(bits(motion.offset[a]) + bits(missed[a * kBlockPoints]));
   }
 
   const BlockValues& values_;
   std::size_t count_;
+  std::span<const std::uint8_t> corners_;
   const BlockState& x1_;
   const BlockState& x2_;
   std::array<std::array<double, 4>, 4> normal_{};
@@ -231,25 +275,14 @@ FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span
   out.motion.base = BlockBase::space;
   for (std::size_t a = 0; a < 3; ++a)
     out.motion.offset[a] = static_cast<std::int32_t>(std::lround(values[a * kBlockPoints]));
-  for (std::size_t i = 0; i < kBlockPoints; ++i) {
-    Vec3i predicted = out.motion.offset;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint8_t corner = corners[3 * i + k];
-      if (corner == kNoCorner) continue;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const std::uint32_t from_offset = bits(out.state[a * kBlockPoints + corner]) - bits(out.motion.offset[a]);
-        predicted[a] = wrapped(bits(predicted[a]) + (k < 2 ? from_offset : 0u - from_offset));
-      }
-    }
-    settle(values, i, count, predicted, reach, out);
-  }
-  set_widths(out);
+  settle(
+      values, count, corners, reach, [&](std::size_t) { return out.motion.offset; }, out);
   return out;
 }
 
-FittedBlock fit_in_time(const BlockValues& values, std::size_t count, const BlockState& x1, const BlockState& x2,
-                        bool steady, double reach) {
-  MotionSearch search(values, count, x1, x2);
+FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
+                        const BlockState& x1, const BlockState& x2, bool steady, double reach) {
+  MotionSearch search(values, count, corners, x1, x2);
   search.try_base(BlockBase::last);
   if (steady) {
     search.try_base(BlockBase::linear);
@@ -257,11 +290,8 @@ FittedBlock fit_in_time(const BlockValues& values, std::size_t count, const Bloc
   }
   FittedBlock out;
   out.motion = search.best();
-  for (std::size_t i = 0; i < kBlockPoints; ++i) {
-    const Vec3i predicted = predict(out.motion, x1, x2, i);
-    settle(values, i, count, predicted, reach, out);
-  }
-  set_widths(out);
+  settle(
+      values, count, corners, reach, [&](std::size_t i) { return predict(out.motion, x1, x2, i); }, out);
   return out;
 }
 

@@ -30,7 +30,7 @@ FittedBlock fit_in_space(const BlockValues& values, std::size_t count, std::span
 
 /// A block of another frame: tries what it may follow from, and takes what leaves the fewest bits.
 /// in   x1, x2   states one and two frames before; `steady` false: x2 is of no use
-FittedBlock fit_in_time(const BlockValues& values, std::size_t count, const BlockState& x1, const BlockState& x2,
-                        bool steady, double reach);
+FittedBlock fit_in_time(const BlockValues& values, std::size_t count, std::span<const std::uint8_t> corners,
+                        const BlockState& x1, const BlockState& x2, bool steady, double reach);
 
 }  // namespace sinew

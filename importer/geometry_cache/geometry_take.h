@@ -21,7 +21,7 @@ struct TakeMesh {
   std::string name;
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;         ///< the same in all frames; may be empty
-  std::vector<TakeStream> streams;              ///< positions first
+  std::vector<TakeStream> streams;              ///< positions, then what there is of normals and colours
   std::vector<std::vector<glm::vec3>> between;  ///< [frames - 1][vertices] positions half way between frames, where the
                                                 ///< source knows them: only to measure; empty = not known
 };

@@ -81,7 +81,8 @@ BlockHeaderBytes write_block_headers(std::span<const BlockMotion> blocks) {
   const unsigned offset_planes = all >= 1u << 24 ? 3 : all >= 1u << 16 ? 2 : all >= 1u << 8 ? 1 : 0;
   put(out.coarse, offset_planes);
   for (const BlockMotion& block : blocks)
-    put(out.coarse, static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u));
+    put(out.coarse,
+        static_cast<std::uint32_t>(block.base) | (block.turns ? kTurnsBit : 0u) | (block.spreads ? kSpreadsBit : 0u));
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const BlockMotion& block : blocks) put(out.coarse, block.width[axis]);
   for (unsigned byte = offset_planes; byte > 0; --byte)
@@ -112,8 +113,9 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
     const std::uint8_t kind = planes.kinds[b];
     block.base = static_cast<BlockBase>(kind & 3u);
     block.turns = (kind & kTurnsBit) != 0;
-    sound = sound && kind < 2 * kTurnsBit && may_follow(place, block.base) &&
-            !(block.turns && block.base == BlockBase::space);
+    block.spreads = (kind & kSpreadsBit) != 0;
+    sound = sound && kind < 2 * kSpreadsBit && may_follow(place, block.base) &&
+            !((block.turns || block.spreads) && block.base == BlockBase::space);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       block.width[axis] = planes.widths[axis * blocks.size() + b];
       sound = sound && block.width[axis] <= kMostWidth;
@@ -121,6 +123,7 @@ bool read_block_headers(std::span<const std::uint8_t> coarse, std::span<const st
       block.offset[axis] = static_cast<std::int32_t>(offset);
       if (block.base == BlockBase::space) before[axis] = offset;
     }
+    block.shift = 0;
     if (!block.turns) continue;
     block.shift = planes.shifts[turning];
     sound = sound && block.shift <= kMostShift;

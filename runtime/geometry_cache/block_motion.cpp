@@ -86,19 +86,46 @@ HWY_INLINE void unpack(const std::uint8_t* from, unsigned width, std::int32_t* o
 
 #endif  // HWY_TARGET
 
-/// Key frame: each point from those of its parallelogram.
-HWY_INLINE void move_in_space(const BlockMotion& motion, const std::uint8_t* corners, const std::int32_t* residuals,
-                              std::int32_t* x) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::uint32_t from_offset[kBlockPoints + 1];
-    from_offset[kNoCorner] = 0;
+/// eq   r[i] = residual[i] + r[a] + r[b] - r[c], for x, y and z of a point at once
+HWY_INLINE void spread(const std::uint8_t* corners, std::int32_t* residuals) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t axis = 0; axis < 3; ++axis, residuals += kBlockPoints) {
+    std::uint32_t r[kBlockPoints + 1];
+    r[kNoCorner] = 0;
     for (std::size_t i = 0; i < kBlockPoints; ++i) {
       const std::uint8_t* at = corners + 3 * i;
-      from_offset[i] = static_cast<std::uint32_t>(residuals[axis * kBlockPoints + i]) + from_offset[at[0]] +
-                       from_offset[at[1]] - from_offset[at[2]];
-      x[axis * kBlockPoints + i] =
-          static_cast<std::int32_t>(from_offset[i] + static_cast<std::uint32_t>(motion.offset[axis]));
+      r[i] = static_cast<std::uint32_t>(residuals[i]) + r[at[0]] + r[at[1]] - r[at[2]];
+      residuals[i] = static_cast<std::int32_t>(r[i]);
     }
+  }
+#else
+  const hn::FixedTag<std::int32_t, 4> d;
+  alignas(16) std::int32_t r[4 * (kBlockPoints + 1)];
+  hn::Store(hn::Zero(d), d, r + 4 * std::size_t{kNoCorner});
+  for (std::size_t i = 0; i < kBlockPoints; i += 4)
+    hn::StoreInterleaved4(hn::Load(d, residuals + i), hn::Load(d, residuals + kBlockPoints + i),
+                          hn::Load(d, residuals + 2 * kBlockPoints + i), hn::Zero(d), d, r + 4 * i);
+  for (std::size_t i = 0; i < kBlockPoints; ++i) {
+    const auto from = [&](std::size_t k) { return hn::Load(d, r + 4 * std::size_t{corners[3 * i + k]}); };
+    hn::Store(hn::Add(hn::Load(d, r + 4 * i), hn::Add(from(0), hn::Sub(from(1), from(2)))), d, r + 4 * i);
+  }
+  for (std::size_t i = 0; i < kBlockPoints; i += 4) {
+    hn::Vec<decltype(d)> x, y, z, none;
+    hn::LoadInterleaved4(d, r + 4 * i, x, y, z, none);
+    hn::Store(x, d, residuals + i);
+    hn::Store(y, d, residuals + kBlockPoints + i);
+    hn::Store(z, d, residuals + 2 * kBlockPoints + i);
+  }
+#endif
+}
+
+/// Key frame: offset and residuals alone.
+HWY_INLINE void move_in_space(const BlockMotion& motion, const std::int32_t* residuals, std::int32_t* x) {
+  const Ints d;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const IntLanes offset = hn::Set(d, motion.offset[axis]);
+    for (std::size_t i = axis * kBlockPoints; i < (axis + 1) * kBlockPoints; i += kLanes)
+      hn::StoreU(hn::Add(offset, hn::Load(d, residuals + i)), d, x + i);
   }
 }
 
@@ -170,10 +197,11 @@ void move_blocks(const MoveBlocksJob& job) {
       from += std::size_t{8} * motion.width[axis];
     }
     const std::size_t at = b * kBlockNumbers;
+    if (motion.spreads || motion.base == BlockBase::space) spread(job.corners.data() + at, residuals);
     const std::int32_t *x1 = job.x1.data() + at, *x2 = job.x2.data() + at;
     std::int32_t* x = job.x.data() + at;
     switch (motion.base) {
-      case BlockBase::space: move_in_space(motion, job.corners.data() + at, residuals, x); break;
+      case BlockBase::space: move_in_space(motion, residuals, x); break;
       case BlockBase::last: move_in_time<BlockBase::last>(motion, residuals, x1, x2, x); break;
       case BlockBase::linear: move_in_time<BlockBase::linear>(motion, residuals, x1, x2, x); break;
       case BlockBase::slower: move_in_time<BlockBase::slower>(motion, residuals, x1, x2, x); break;

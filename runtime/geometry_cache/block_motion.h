@@ -23,18 +23,19 @@ inline constexpr std::uint8_t kNoCorner = kBlockPoints;
 
 /// What residuals of a block are added to. x1 and x2 are the point one and two frames before.
 enum class BlockBase : std::uint8_t {
-  space,   ///< key frame: a + b - c of points of the block that come before (a parallelogram), from `offset` on
+  space,   ///< key frame: 0, and residuals spread: a + b - c of points that come before (a parallelogram)
   last,    ///< x1
   linear,  ///< 2 x1 - x2: the same velocity again
   slower,  ///< x1 + (x1 - x2) / 2, rounded down
 };
 
 /// The motion of one block from frame to frame.
-/// eq   x = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift) + residual,  `first` the x1 of the block's point
-/// 0
+/// eq   x = base + offset + ((M (x1 - first) + 2^(shift-1)) >> shift) + r,  `first` the x1 of the block's point 0
+///      r = residual, or where residuals spread over the surface: r = residual + r[a] + r[b] - r[c]
 struct BlockMotion {
   BlockBase base = BlockBase::last;
   bool turns = false;                    ///< M is there: the block also turns, stretches and shears
+  bool spreads = false;                  ///< what the motion misses goes on from neighbour to neighbour, as in `space`
   std::uint8_t shift = 0;                ///< [0, 30]
   std::array<std::uint8_t, 3> width{};   ///< bits of each residual along x, y, z
   std::array<std::int16_t, 9> matrix{};  ///< column by column

@@ -57,7 +57,7 @@ class GeometryHeadReader {
 
   double finite() {
     const auto number = in_.number<double>();
-    require(std::isfinite(number), "a length of the certificate is not finite");
+    require(std::isfinite(number), "a distance of the certificate is not finite");
     return number;
   }
 
@@ -90,7 +90,7 @@ class GeometryHeadReader {
     const auto corners = in_.number<std::uint32_t>();
     require(mesh.vertex_count <= kMostPoints && corners % 3 == 0, "a mesh is too large, or not of triangles");
     mesh.triangles = numbers(corners, mesh.vertex_count, "a triangle names a vertex that is not there");
-    mesh.certificate = {finite(), finite(), finite()};
+    mesh.certificate.between_m = finite();
     for (int axis = 0; axis < 3; ++axis) mesh.bounds.lower[axis] = in_.number<float>();
     for (int axis = 0; axis < 3; ++axis) mesh.bounds.upper[axis] = in_.number<float>();
     for (int axis = 0; axis < 3; ++axis)
@@ -101,6 +101,9 @@ class GeometryHeadReader {
     require(streams > 0 && streams <= 3, "a mesh has no streams, or too many");
     for (std::uint8_t s = 0; s < streams && ok(); ++s) add_stream(mesh);
     require(ok() && mesh.streams[0].kind == GeometryKind::positions, "the first stream of a mesh is not its positions");
+    if (!ok()) return;
+    mesh.certificate.asked_m = mesh.streams[0].asked;
+    mesh.certificate.measured_m = mesh.streams[0].measured;
     cache.stream_count_ += mesh.streams.size();
   }
 
@@ -111,7 +114,11 @@ class GeometryHeadReader {
     stream.step = in_.number<float>();
     stream.point_count = in_.number<std::uint32_t>();
     stream.most_payload = in_.number<std::uint32_t>();
+    stream.asked = finite();
+    stream.measured = finite();
     require(kind <= static_cast<std::uint8_t>(GeometryKind::colors), "there is no such kind of stream");
+    require(mesh.streams.size() < 2 || mesh.streams[mesh.streams.size() - 2].kind < stream.kind,
+            "the streams of a mesh are not in the order of their kinds, one of each");
     require(std::isfinite(stream.step) && stream.step > 0.0f, "the step of a stream is no length");
     require(stream.point_count <= mesh.vertex_count, "a stream has more points than its mesh has vertices");
     require(stream.most_payload <= stream.block_count() * kBlockNumbers * 4, "the residuals of a stream are too large");
@@ -126,7 +133,9 @@ class GeometryHeadReader {
     const std::uint64_t boxes = 6 * count * cache.meshes_.size();
     std::vector<std::uint32_t> sizes = numbers(count, kStoredByZstd, "a frame is too large");
     const std::vector<std::uint8_t> sums = bytes(8 * count), box_bytes = bytes(2 * boxes);
+    require(count * sizeof(GeometryFrame) <= left_, "the directory describes far more than its bytes account for");
     if (!ok()) return;
+    cache.frames_.reserve(count);
     cache.boxes_.resize(boxes);
     if (boxes > 0) std::memcpy(cache.boxes_.data(), box_bytes.data(), box_bytes.size());
     std::uint64_t offset = head_.size();

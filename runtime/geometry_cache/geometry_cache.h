@@ -36,14 +36,17 @@ struct GeometryStream {
   std::vector<std::uint32_t> point_of_vertex;  ///< [vertices] the point that each vertex of the mesh takes
   std::vector<std::uint8_t> corners;           ///< [3 * 64 * blocks] as MoveBlocksJob::corners
   std::uint32_t most_payload = 0;              ///< bytes of residuals in the largest frame
+  double asked = 0.0;     ///< largest distance that was asked for: metres, or the length of a difference of normals or
+                          ///< colours
+  double measured = 0.0;  ///< largest distance of a decoded value in any frame, measured after decoding
 
   std::size_t block_count() const noexcept { return (point_count + std::size_t{63}) / 64; }
 };
 
-/// Largest distances in metres, over all vertices and frames of a mesh.
+/// Largest distances of positions in metres, over all vertices and frames of a mesh.
 struct GeometryCertificate {
-  double asked_m = 0.0;
-  double measured_m = 0.0;  ///< of decoded positions
+  double asked_m = 0.0;     ///< as GeometryStream::asked of positions
+  double measured_m = 0.0;  ///< as GeometryStream::measured
   double between_m = -1.0;  ///< half way between frames, of positions interpolated linearly; negative = not measured
 };
 
@@ -51,7 +54,7 @@ struct GeometryMesh {
   std::string name;
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;  ///< [3 * triangles] empty = kept elsewhere
-  std::vector<GeometryStream> streams;   ///< positions first
+  std::vector<GeometryStream> streams;   ///< at most one of each kind, in the order of kinds; positions are there
   GeometryCertificate certificate;
   Aabb bounds;  ///< of all frames
 };

@@ -53,7 +53,7 @@ struct GeometryDecoder::Memory {
 
   std::size_t bytes() const noexcept {
     return coarse.size() + fine.size() + payload.size() + blocks.size() * sizeof(BlockMotion) +
-           points.size() * sizeof(glm::vec3);
+           points.size() * sizeof(glm::vec3) + unpacker.memory_bytes();
   }
 };
 

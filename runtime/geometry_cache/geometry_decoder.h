@@ -82,7 +82,7 @@ class GeometryDecoder {
   GeometryStatus write_vertices(std::size_t stream, std::span<glm::vec3> out) noexcept;
 
   std::uint64_t frames_decoded() const noexcept { return frames_decoded_; }  ///< since it was made: work counter
-  std::size_t memory_bytes() const noexcept;
+  std::size_t memory_bytes() const noexcept;  ///< all that it has allocated, without the cache
 
  private:
   struct Stream;

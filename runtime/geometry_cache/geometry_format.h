@@ -27,8 +27,8 @@ inline constexpr std::uint32_t kStoredByZstd = 0x80000000u;
 inline constexpr std::size_t kSections = 3;
 inline constexpr std::size_t kSectionHeads = kSections * sizeof(std::uint32_t);
 
-/// Kind of a block in one byte: its base, and a bit for the matrix.
-inline constexpr std::uint8_t kTurnsBit = 4;
+/// Kind of a block in one byte: its base, a bit for the matrix, and one for residuals that spread.
+inline constexpr std::uint8_t kTurnsBit = 4, kSpreadsBit = 8;
 
 /// Planes of bytes of the offsets above the lowest one; their number is the first byte of the coarse section.
 inline constexpr unsigned kMostOffsetPlanes = 3;

@@ -29,6 +29,8 @@ std::size_t Unpacker::unpack(std::span<const std::byte> stored, bool by_zstd, st
   return stored.size();
 }
 
+std::size_t Unpacker::memory_bytes() const noexcept { return ZSTD_sizeof_DCtx(context_.get()); }
+
 std::vector<std::uint32_t> numbers_of_planes(std::span<const std::uint8_t> planes) {
   const std::size_t count = planes.size() / 4;
   std::vector<std::uint32_t> numbers(count);

@@ -21,6 +21,8 @@ class Unpacker {
   /// cost O(out), no allocation
   std::size_t unpack(std::span<const std::byte> stored, bool by_zstd, std::span<std::uint8_t> out) noexcept;
 
+  std::size_t memory_bytes() const noexcept;
+
  private:
   struct Free {
     void operator()(ZSTD_DCtx_s* context) const noexcept;

@@ -9,6 +9,7 @@
 
 #include "importer/file/glb_container.h"
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/geometry_mutator.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/importer/glb_seeds.h"
 
@@ -63,6 +64,11 @@ std::optional<std::size_t> change_glb(std::uint8_t* data, std::size_t size, std:
   return put(file.data(), file.size(), data, max_size);
 }
 
+std::optional<std::size_t> change_geometry(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+  const auto file = fuzz::mutate_geometry(std::as_bytes(std::span(data, size)), seed, LLVMFuzzerMutate);
+  return put(file.data(), file.size(), data, max_size);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -75,6 +81,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   std::optional<std::size_t> changed;
   if (seed % 5 != 0) {  // else bytes, for what comes before JSON
     const std::string_view name = chosen_target().name;
+    if (name == "geometry") changed = change_geometry(data, size, max_size, seed / 5);
     if (name == "glb") changed = change_glb(data, size, max_size, seed / 5);
     if (name == "json" || name == "poses") changed = change_json(data, size, max_size, seed / 5);
   }

@@ -188,28 +188,34 @@ void add_clips(const Scene& scene, std::vector<Seed>& out) {
     }
 }
 
-/// A small geometry cache as a file, and its frames as geometry_target.cpp takes them.
-void add_geometry(std::vector<Seed>& out) {
+/// Points that jump about, or that turn and stretch as one: blocks without and with a matrix.
+GeometryTake any_take(std::uint32_t points, bool is_stiff, std::uint32_t frames) {
   test::FixedRandom random(3);
   GeometryTake take;
   TakeMesh& mesh = take.meshes.emplace_back();
-  mesh.vertex_count = 70;
+  mesh.vertex_count = points;
   mesh.triangles = {0, 1, 2, 2, 1, 3};
-  mesh.streams.emplace_back().budget = 0.1;
-  for (int f = 0; f < 4; ++f)
-    for (auto& frame = mesh.streams[0].frames.emplace_back(); frame.size() < mesh.vertex_count;)
-      frame.push_back(random.vec3(-1.0, 1.0));
-  const Blob file = *encode_geometry_cache(take, {.segment_frames = 3});
-  out.push_back({"geometry", file});
-  const auto cache = GeometryCache::open(file);
-  const std::size_t first = cache->frames()[0].offset, sizes = 3 * 2;
-  Blob frames(sizes + file.size() - first);
-  for (std::uint32_t f = 0; f < 3; ++f) {
-    frames[2 * f] = std::byte(cache->frames()[f].size & 0xff);
-    frames[2 * f + 1] = std::byte(cache->frames()[f].size >> 8);
+  mesh.streams.emplace_back().budget = 0.01;
+  std::vector<glm::vec3> rest;
+  while (rest.size() < points) rest.push_back(random.vec3(-1.0, 1.0));
+  for (std::uint32_t f = 0; f < frames; ++f)
+    for (auto& frame = mesh.streams[0].frames.emplace_back(); frame.size() < points;) {
+      const glm::vec3 p = rest[frame.size()];
+      const float t = 0.1f * static_cast<float>(f);
+      frame.push_back(is_stiff ? glm::vec3(p.x - t * p.y, p.y + t * p.x + t * t, p.z) : random.vec3(-1.0, 1.0));
+    }
+  return take;
+}
+
+/// Small geometry caches: one mesh, and two of which one has normals.
+void add_geometry(std::vector<Seed>& out) {
+  for (const bool is_stiff : {false, true}) {
+    GeometryTake take = any_take(70, is_stiff, 5);
+    out.push_back({"geometry", *encode_geometry_cache(take, {.segment_frames = 4})});
+    take.meshes.push_back(any_take(3, is_stiff, 5).meshes[0]);
+    take.meshes[0].streams.push_back({GeometryKind::normals, take.meshes[0].streams[0].frames, 0.1});
+    out.push_back({"geometry", *encode_geometry_cache(take, {.segment_frames = 4, .keep_triangles = false})});
   }
-  std::copy(file.begin() + static_cast<std::ptrdiff_t>(first), file.end(), frames.begin() + sizes);
-  out.push_back({"geometry", frames});
 }
 
 }  // namespace

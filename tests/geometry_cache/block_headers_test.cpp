@@ -18,6 +18,7 @@ std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsi
                   : place == FramePlace::second ? BlockBase::last
                                                 : static_cast<BlockBase>(1 + random.below(3));
     motion.turns = place != FramePlace::key && random.below(2) == 0;
+    motion.spreads = place != FramePlace::key && random.below(2) == 0;
     for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(33));
     for (auto& x : motion.offset)
       x = static_cast<std::int32_t>(static_cast<std::int64_t>(random.bits()) >> (64 - offset_bits));
@@ -29,8 +30,8 @@ std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsi
 }
 
 bool is_same(const BlockMotion& a, const BlockMotion& b) {
-  return a.base == b.base && a.turns == b.turns && a.width == b.width && a.offset == b.offset &&
-         (!a.turns || (a.shift == b.shift && a.matrix == b.matrix));
+  return a.base == b.base && a.turns == b.turns && a.spreads == b.spreads && a.width == b.width &&
+         a.offset == b.offset && (a.turns ? a.shift == b.shift && a.matrix == b.matrix : b.shift == 0);
 }
 
 TEST(block_headers, what_was_written_is_read_again) {
@@ -70,6 +71,7 @@ TEST(block_headers, kinds_that_a_frame_cannot_have_are_refused) {
   EXPECT_FALSE(reads({.base = BlockBase::space}, FramePlace::second));
   EXPECT_FALSE(reads({.base = BlockBase::space}, FramePlace::later));
   EXPECT_FALSE(reads({.base = BlockBase::space, .turns = true}, FramePlace::key));
+  EXPECT_FALSE(reads({.base = BlockBase::space, .spreads = true}, FramePlace::key));
   EXPECT_FALSE(reads({.base = BlockBase::last}, FramePlace::key));
   EXPECT_TRUE(reads({.base = BlockBase::last, .turns = true}, FramePlace::second));
   for (const BlockBase base : {BlockBase::linear, BlockBase::slower}) {

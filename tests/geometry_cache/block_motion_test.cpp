@@ -27,6 +27,7 @@ std::int32_t number_of_bits(FixedRandom& random, unsigned bits) {
 
 BlockMotion any_motion(FixedRandom& random, BlockBase base, unsigned state_bits) {
   BlockMotion motion{.base = base, .turns = base != BlockBase::space && random.below(2) == 0};
+  motion.spreads = base != BlockBase::space && random.below(3) == 0;
   motion.shift = static_cast<std::uint8_t>(random.below(31));
   for (auto& width : motion.width) width = static_cast<std::uint8_t>(random.below(kMostWidth + 1));
   for (auto& number : motion.matrix) number = static_cast<std::int16_t>(random.bits());

@@ -118,6 +118,11 @@ TEST(encode_geometry_cache, streams_of_normals_and_several_meshes_keep_their_own
   EXPECT_LE(errors[1], 0.01);
   EXPECT_LE(errors[2], 1e-3);
   EXPECT_GT(errors[2], 5e-4);
+  const auto cache = GeometryCache::open(*file);
+  std::size_t stream = 0;
+  for (const GeometryMesh& mesh : cache->meshes())
+    for (const GeometryStream& measured : mesh.streams) EXPECT_EQ(measured.measured, errors[stream++]);
+  EXPECT_EQ(cache->meshes()[0].streams[1].asked, 0.01);
 }
 
 TEST(encode_geometry_cache, the_smallest_takes) {

@@ -32,15 +32,16 @@ inline void move_block(const BlockMotion& motion, std::span<const std::uint8_t> 
     const auto row = [&](std::span<const std::int32_t> state, std::size_t i) {
       return std::int64_t{state[axis * kBlockPoints + i]};
     };
+    std::vector<std::int64_t> missed;  // by the motion, of each point
     for (std::size_t i = 0; i < kBlockPoints; ++i) {
       const std::uint32_t turned = packed_value(payload, motion.width[axis], i);
-      const std::int64_t residual = (turned & 1) != 0 ? -std::int64_t{turned / 2} - 1 : turned / 2;
-      std::int64_t sum = residual + motion.offset[axis];
-      if (motion.base == BlockBase::space) {
+      missed.push_back((turned & 1) != 0 ? -std::int64_t{turned / 2} - 1 : turned / 2);
+      if (motion.spreads || motion.base == BlockBase::space)
         for (std::size_t k = 0; k < 3; ++k)
-          if (corners[3 * i + k] != kNoCorner)
-            sum += (k < 2 ? 1 : -1) * (row(x, corners[3 * i + k]) - motion.offset[axis]);
-      } else {
+          if (corners[3 * i + k] != kNoCorner) missed[i] += (k < 2 ? 1 : -1) * missed[corners[3 * i + k]];
+      missed[i] = cut(missed[i]);
+      std::int64_t sum = missed[i] + motion.offset[axis];
+      if (motion.base != BlockBase::space) {
         const std::int64_t moved = cut(row(x1, i) - row(earlier, i));
         sum += row(x1, i);
         if (motion.base == BlockBase::linear) sum += moved;
