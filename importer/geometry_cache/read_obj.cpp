@@ -93,7 +93,10 @@ ImportResult<ObjMesh> read_obj(std::string_view text, const std::string& name) {
     if (auto error = reader.read(text.substr(0, size))) return tl::unexpected(std::move(*error));
     text.remove_prefix(std::min(size + 1, text.size()));
   }
-  return reader.take();
+  ObjMesh mesh = reader.take();
+  if (mesh.positions.empty())
+    return tl::unexpected(ImportError{name, {Severity::error, "obj-empty", "", "there is no vertex"}, {}, {}});
+  return mesh;
 }
 
 }  // namespace sinew

@@ -20,6 +20,7 @@ struct ObjMesh {
 /// err  obj-syntax  a line that is cut off or has no numbers where they belong
 ///      obj-index   a face names a vertex that is not there
 ///      obj-values  a position that is not finite
+///      obj-empty   no vertex
 /// cost O(text)
 ImportResult<ObjMesh> read_obj(std::string_view text, const std::string& name);
 

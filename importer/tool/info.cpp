@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -16,13 +15,13 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/bake/geometry_table.h"
+#include "importer/tool/bake/read_cache.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/info_json.h"
 #include "importer/tool/info_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "runtime/clip/clip_file.h"
-#include "runtime/geometry_cache/geometry_cache.h"
 
 namespace sinew::tool {
 namespace {
@@ -86,27 +85,14 @@ std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
 
 /// Prints what a geometry cache holds; nothing when the file is none. Reads its head only.
 std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const auto size = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;
-  std::vector<char> bytes(std::min<std::uint64_t>(size, kGeometryFileHead));
-  const auto in_bytes = [&] { return std::as_bytes(std::span(bytes)); };
-  const auto read = [&] {
-    stream.seekg(0);
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  };
-  read();
-  const std::uint64_t head = GeometryCache::head_bytes(in_bytes());
-  if (head == 0) return std::nullopt;
-  bytes.resize(std::min(size, head));
-  read();
-  const auto cache = GeometryCache::open(in_bytes(), size);
-  if (!cache)
-    return fail_with(ExitCode::input_at_fault, fmt::format("{}: byte {}: {}: {}", file, cache.error().offset,
-                                                           cache.error().rule, cache.error().detail));
+  const auto read = read_cache(file, false);
+  if (!read) return std::nullopt;
+  if (!*read) return read->error();
+  const GeometryCache& cache = (*read)->cache;
   if (json)
-    fmt::print("{}\n", json_text({{"file", file}, {"geometry_cache", geometry_json(*cache)}}));
+    fmt::print("{}\n", json_text({{"file", file}, {"geometry_cache", geometry_json(cache)}}));
   else
-    fmt::print("{}\ngeometry cache, version {}\n{}", file, kGeometryFileVersion, geometry_table(*cache));
+    fmt::print("{}\ngeometry cache, version {}\n{}", file, kGeometryFileVersion, geometry_table(cache));
   return ExitCode::done;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/bake/verify_geometry.h"
 #include "importer/tool/compare_poses.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct VerifyOptions {
   std::string file, golden;
+  TakeSource against;  // of a geometry cache
   std::optional<double> tolerance_m;
   bool exact = false;
 };
@@ -85,7 +87,15 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
   }
 }
 
-ExitCode verify_file(const VerifyOptions& options) {
+ExitCode verify_cache(const VerifyOptions& options) {
+  const bool has_source = !options.against.file.empty();
+  const auto outcome = verify_geometry(options.file, has_source ? std::optional(options.against) : std::nullopt);
+  if (outcome) return *outcome;
+  return fail_with(ExitCode::wrong_usage, has_source ? "--against: FILE is no geometry cache"
+                                                     : "GOLDEN is required: the poses to compare with");
+}
+
+ExitCode verify_poses(const VerifyOptions& options) {
   const auto golden = read_poses(options.golden);
   if (!golden) return fail_with(ExitCode::input_at_fault, options.golden, golden.error());
   if (options.exact && !holds_bits(*golden, "pose")) {
@@ -122,9 +132,16 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "verify",
       "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
-      "Exit status 0 when every pose still matches; else 1, and the worst differences are listed.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
-  command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz")->required();
+      "Exit status 0 when every pose still matches; else 1, and the worst differences are listed.\n"
+      "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured\n"
+      "anew. Exit status 0 when every frame is as it was written, and within what was asked.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file, or a geometry cache")->required();
+  auto* golden = command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz");
+  auto* against = command->add_option("--against", options->against.file, "What the geometry cache was baked from")
+                      ->type_name("SOURCE")
+                      ->excludes(golden);
+  add_source_options(*command, options->against);
+  for (const char* name : {"--clip", "--points"}) command->get_option(name)->needs(against);
   command->add_flag(
       "--exact", options->exact,
       "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread count\n"
@@ -134,7 +151,8 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
                    "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")
       ->type_name("METRES")
       ->check(CLI::NonNegativeNumber);
-  command->callback([options, &outcome] { outcome = verify_file(*options); });
+  command->callback(
+      [options, &outcome] { outcome = options->golden.empty() ? verify_cache(*options) : verify_poses(*options); });
 }
 
 }  // namespace sinew::tool

@@ -155,16 +155,19 @@ class GeometryHeadReader {
   GeometryCacheError error_;
 };
 
+bool looks_like_geometry_cache(std::span<const std::byte> start) noexcept {
+  return start.size() >= sizeof(kGeometryMagic) &&
+         std::memcmp(start.data(), kGeometryMagic, sizeof(kGeometryMagic)) == 0;
+}
+
 std::uint64_t GeometryCache::head_bytes(std::span<const std::byte> start) noexcept {
-  if (start.size() < kGeometryFileHead || std::memcmp(start.data(), kGeometryMagic, sizeof(kGeometryMagic)) != 0)
-    return 0;
+  if (start.size() < kGeometryFileHead || !looks_like_geometry_cache(start)) return 0;
   return ByteReader(start, 16).number<std::uint64_t>();
 }
 
 tl::expected<GeometryCache, GeometryCacheError> GeometryCache::open(std::span<const std::byte> head,
                                                                     std::uint64_t file_size) {
-  if (head.size() < sizeof(kGeometryMagic) || std::memcmp(head.data(), kGeometryMagic, sizeof(kGeometryMagic)) != 0)
-    return refuse("cache-magic", 0, "this is no geometry cache");
+  if (!looks_like_geometry_cache(head)) return refuse("cache-magic", 0, "this is no geometry cache");
   if (head.size() < kGeometryFileHead) return refuse("cache-size", head.size(), "the file ends inside of its head");
   ByteReader in(head, sizeof(kGeometryMagic));
   if (in.number<std::uint32_t>() != kGeometryFileVersion)

@@ -123,6 +123,9 @@ class GeometryCache {
   std::uint64_t file_bytes_ = 0, largest_frame_ = 0, content_ = 0;
 };
 
+/// True when the bytes begin as geometry caches do.
+bool looks_like_geometry_cache(std::span<const std::byte> start) noexcept;
+
 inline constexpr std::uint32_t kGeometryFileVersion = 1;
 inline constexpr std::size_t kGeometryFileHead = 40;
 

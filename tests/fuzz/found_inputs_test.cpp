@@ -9,7 +9,9 @@
 #include <map>
 
 #include "importer/import_gltf.h"
+#include "runtime/geometry_cache/geometry_decoder.h"
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/geometry_mutator.h"
 #include "tests/fuzz/import_target.h"
 #include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/seeds.h"
@@ -77,6 +79,30 @@ TEST(json_mutator, changes_a_document_and_keeps_it_json) {
   }
   EXPECT_GT(changed, 150);
   EXPECT_EQ(mutate_json("{no", 1, no_bytes), "{no");
+}
+
+TEST(geometry_mutator, most_changed_caches_open_and_no_checksum_stops_their_frames) {
+  const auto flip = [](std::uint8_t* data, std::size_t size, std::size_t) {
+    if (size > 0) data[size / 2] ^= 1;
+    return size;
+  };
+  int opened = 0, changed = 0, frames = 0, played = 0;
+  for (const Seed& seed : own_seeds())
+    if (seed.target == "geometry")
+      for (std::uint64_t number = 0; number < 50; ++number) {
+        const std::vector<std::byte> file = mutate_geometry(seed.bytes, number, flip);
+        ++changed;
+        EXPECT_EQ(file, mutate_geometry(seed.bytes, number, flip));
+        const auto cache = GeometryCache::open(file);
+        if (!cache) continue;
+        ++opened;
+        GeometryDecoder decoder(*cache);
+        MappedFrames source{*cache, file};
+        for (std::uint32_t f = 0; f < cache->frame_count(); ++f, ++frames)
+          played += decoder.decode(f, source) == GeometryStatus::ok;
+      }
+  EXPECT_GT(opened, changed * 3 / 4);
+  EXPECT_GT(played, frames / 2);
 }
 
 }  // namespace

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Point caches as other programs write them.
+// Point caches as other programs write them, and files of tests.
 #pragma once
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <glm/vec3.hpp>
+#include <iterator>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace sinew::test {
@@ -44,6 +49,21 @@ inline std::vector<std::byte> pc2_file(const std::vector<std::vector<glm::vec3>>
   add_word(out, static_cast<std::uint32_t>(frames.size()), false);
   add_points(out, frames, false);
   return out;
+}
+
+inline std::vector<std::byte> read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
+  const auto view = std::as_bytes(std::span(bytes));
+  return {view.begin(), view.end()};
+}
+
+inline void write_file(const std::string& path, std::span<const std::byte> bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+inline void write_file(const std::string& path, const std::string& text) {
+  write_file(path, std::as_bytes(std::span(text)));
 }
 
 }  // namespace sinew::test

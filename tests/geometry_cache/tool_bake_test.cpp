@@ -23,19 +23,6 @@ namespace sinew::test {
 namespace {
 using testing::HasSubstr;
 
-std::vector<std::byte> read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::vector<char> bytes((std::istreambuf_iterator<char>(in)), {});
-  const auto view = std::as_bytes(std::span(bytes));
-  return {view.begin(), view.end()};
-}
-
-void write_file(const std::string& path, std::span<const std::byte> bytes) {
-  std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
-void write_file(const std::string& path, const std::string& text) { write_file(path, std::as_bytes(std::span(text))); }
-
 /// Positions of all vertices of one mesh in one frame of a cache.
 std::vector<glm::vec3> positions(const std::string& file, std::uint32_t frame, std::size_t mesh = 0) {
   const std::vector<std::byte> bytes = read_file(file);

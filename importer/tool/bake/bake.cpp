@@ -1,90 +1,80 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
-#include "importer/tool/bake/bake_points.h"
-#include "importer/tool/bake/bake_scene.h"
 #include "importer/tool/bake/geometry_table.h"
-#include "importer/tool/clip_choice.h"
+#include "importer/tool/bake/take_source.h"
 #include "importer/tool/length_text.h"
-#include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
-#include "importer/tool/progress_line.h"
 #include "importer/write/replace_file.h"
 
 namespace sinew::tool {
 namespace {
 
 struct BakeOptions {
-  std::string in, out, budget = "0.1mm";
-  std::optional<std::string> clip, points, up;
-  double fps = 30.0;
+  TakeSource source;
+  std::string out, budget = "0.1mm";
+  std::optional<std::string> normals, colors;
   std::uint32_t segment = 32;
   bool without_triangles = false;
 };
 
-bool is_obj(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return extension == ".obj";
+/// Reads "0.5deg" or "0.5" as degrees, or a plain number; nothing where it is neither, or not above 0.
+std::optional<double> parse_budget(std::string_view text, std::string_view unit) {
+  if (!unit.empty() && text.ends_with(unit)) text.remove_suffix(unit.size());
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number) || number <= 0.0)
+    return std::nullopt;
+  return number;
 }
 
-/// The take, or the exit code after its message was printed.
-using TakeOrExit = tl::expected<GeometryTake, ExitCode>;
-
-TakeOrExit told(ImportResult<BakedPoints> baked) {
-  if (!baked) return tl::unexpected(fail_with(ExitCode::input_at_fault, baked.error().file, baked.error().issue));
-  if (!baked->found.empty()) fmt::print("{}\n", baked->found);
-  return std::move(baked->take);
-}
-
-TakeOrExit take_of_scene(const Scene& scene, const BakeOptions& options, double budget_m) {
-  const auto clips = choose_clips(scene, options.clip);
-  if (!clips) return tl::unexpected(fail_with(ExitCode::wrong_usage, clips.error()));
-  if (!options.clip && clips->size() > 2)  // the rest pose and several clips
-    return tl::unexpected(fail_with(ExitCode::wrong_usage, list_of_clips(scene) + "; choose one with --clip"));
-  auto baked = bake_scene(scene, clips->back(), options.fps, budget_m);
-  if (!baked)
-    return tl::unexpected(fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.in, baked.error())));
-  for (const std::string& what : baked->left_out) say_error(fmt::format("{}: left out: {}", options.in, what));
-  return std::move(baked->take);
-}
-
-TakeOrExit take_of(const BakeOptions& options, double budget_m) {
-  if (is_obj(options.in) && !options.points) return told(bake_numbered_obj(options.in, options.fps, budget_m));
-  std::optional<UpAxis> up;
-  if (options.up) up = *options.up == "y" ? UpAxis::y : UpAxis::z;
-  const PointsOptions points{options.points.value_or(""), up, options.fps, budget_m};
-  if (is_obj(options.in)) return told(bake_points(std::filesystem::path(options.in), points));
-  ImportOptions import;
-  import.decode_images = import.make_tangents = false;
-  const auto file = load_file(options.in, import);
-  if (!file) return tl::unexpected(ExitCode::input_at_fault);
-  if (options.points) return told(bake_points(file->scene, points));
-  return take_of_scene(file->scene, options, budget_m);
-}
-
-ExitCode bake_file(const BakeOptions& options) {
+/// The budgets of the command line; a sentence where one makes no sense.
+tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
+  TakeBudgets out;
   const auto budget_m = parse_length(options.budget);
-  if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
+  if (!budget_m) return tl::unexpected("--budget: " + budget_m.error());
+  out.positions_m = *budget_m;
+  if (options.normals) {
+    const auto degrees = parse_budget(*options.normals, "deg");
+    if (!degrees || *degrees > 45.0)
+      return tl::unexpected(fmt::format("--normals: \"{}\" is no angle up to 45deg, such as 0.5deg", *options.normals));
+    out.normals_rad = *degrees * std::numbers::pi / 180.0;
+  }
+  if (options.colors) {
+    out.colors = parse_budget(*options.colors, "");
+    if (!out.colors)
+      return tl::unexpected(fmt::format("--colors: \"{}\" is no difference above 0, such as 0.004", *options.colors));
+  }
+  return out;
+}
+
+ExitCode bake_file(BakeOptions& options) {
+  const auto budgets = budgets_of(options);
+  if (!budgets) return fail_with(ExitCode::wrong_usage, budgets.error());
+  options.source.budgets = *budgets;
   std::error_code error;
-  for (const std::string& read : {options.in, options.points.value_or(options.in)})
+  for (const std::string& read : {options.source.file, options.source.points.value_or(options.source.file)})
     if (std::filesystem::equivalent(read, options.out, error))
       return fail_with(ExitCode::wrong_usage,
                        fmt::format("{}: OUT is a file that is read; it is left as it is", options.out));
-  const auto take = take_of(options, *budget_m);
+  const auto take = read_take(options.source);
   if (!take) return take.error();
   const auto bytes =
       encode_geometry_cache(*take, {.segment_frames = options.segment, .keep_triangles = !options.without_triangles});
-  if (!bytes) return fail_with(ExitCode::input_at_fault, options.in, bytes.error().issue);
+  if (!bytes) return fail_with(ExitCode::input_at_fault, options.source.file, bytes.error().issue);
   if (const auto fault = write::replace_file(options.out, *bytes))
     return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
   const auto cache = GeometryCache::open(*bytes);
@@ -104,23 +94,25 @@ void add_bake(CLI::App& program, ExitCode& outcome) {
                                              "measured at every vertex of every frame, and half way between frames "
                                              "where the source is known there; OUT stores\n"
                                              "that as well. sinew::geometry_cache (runtime/geometry_cache/) plays it.");
-  command->add_option("FILE", options->in, "A .gltf, .glb or .obj file; the first of numbered .obj files")->required();
+  command->add_option("FILE", options->source.file, "A .gltf, .glb or .obj file; the first of numbered .obj files")
+      ->required();
   command->add_option("-o,--output", options->out, "The file to write")->required()->type_name("OUT.sgeo");
-  command->add_option("--clip", options->clip, "The clip to bake; none = the rest pose")->type_name("INDEX|NAME|none");
-  auto* points = command->add_option("--points", options->points, "Positions of the vertices of FILE over time")
-                     ->type_name("CACHE.mdd|.pc2");
-  command
-      ->add_option("--up", options->up,
-                   "Which axis of the point cache is up; without it, found by comparing its\n"
-                   "first frame with the mesh at rest")
-      ->type_name("y|z")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->needs(points);
-  command->add_option("--fps", options->fps, "Frames per second; .mdd files have their own")
+  add_source_options(*command, options->source);
+  command->add_option("--fps", options->source.fps, "Frames per second; .mdd files have their own")
       ->type_name("N")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4")->capture_default_str();
+  command
+      ->add_option("--normals", options->normals,
+                   "Bake normals too, within this angle; without, they follow from the triangles")
+      ->type_name("[1deg]")
+      ->expected(0, 1)
+      ->default_str("1deg");
+  command->add_option("--colors", options->colors, "Bake colours too, within this difference of a linear component")
+      ->type_name("[0.004]")
+      ->expected(0, 1)
+      ->default_str("0.004");
   command->add_option("--segment", options->segment, "Frames from one key frame to the next: most that a seek decodes")
       ->type_name("N")
       ->check(CLI::Range(1, 10000))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/bake/bake_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
 #include "runtime/math/affine.h"
+#include "runtime/math/normal_transform.h"
 #include "runtime/plan/run_plan.h"
 
 namespace sinew::tool {
@@ -23,10 +25,10 @@ struct Source {
 
 class SceneBaker {
  public:
-  SceneBaker(const Scene& scene, std::uint32_t clip)
-      : scene_(scene), clip_(clip), plan_(compile_plan(scene, needs())), frame_(plan_) {}
+  SceneBaker(const Scene& scene, std::uint32_t clip, const TakeBudgets& budgets)
+      : scene_(scene), clip_(clip), budgets_(budgets), plan_(compile_plan(scene, needs(budgets))), frame_(plan_) {}
 
-  void add_meshes(double budget_m, BakedScene& out) {
+  void add_meshes(BakedScene& out) {
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
       const Mesh& mesh = scene_.meshes[scene_.instances[i].mesh];
       if (!scene_.instances[i].copies.empty())
@@ -42,7 +44,16 @@ class SceneBaker {
         taken.name = mesh.primitives.size() == 1 ? mesh.name : fmt::format("{} {}", mesh.name, p);
         taken.vertex_count = static_cast<std::uint32_t>(primitive.vertex_count());
         taken.triangles = primitive.indices;
-        taken.streams.push_back({GeometryKind::positions, {}, budget_m});
+        taken.streams.push_back({GeometryKind::positions, {}, budgets_.positions_m});
+        // A vector off a unit vector by the sine of an angle turns by that angle at most.
+        if (budgets_.normals_rad && !primitive.normals.empty())
+          taken.streams.push_back({GeometryKind::normals, {}, std::sin(*budgets_.normals_rad)});
+        if (budgets_.colors && !primitive.colors.empty()) {
+          taken.streams.push_back({GeometryKind::colors, {}, *budgets_.colors});
+          if (std::any_of(primitive.colors.begin(), primitive.colors.end(),
+                          [](const glm::vec4& c) { return c.a != 1; }))
+            out.left_out.push_back(fmt::format("alpha of the colours of mesh {}", in_quotes(mesh.name)));
+        }
       }
     }
   }
@@ -54,21 +65,36 @@ class SceneBaker {
     return run_plan(plan_, input, frame_);
   }
 
-  std::vector<glm::vec3> positions(std::size_t source) const {
+  /// What the last frame shows of a mesh of the take.
+  std::vector<glm::vec3> values(std::size_t source, GeometryKind kind) const {
     const auto [i, p] = sources_[source];
     const InstanceResult& instance = frame_.result().instances[i];
     const DeformedPrimitive& deformed = frame_.result().primitives[instance.first_primitive + p];
-    const std::vector<glm::vec3>& rest = scene_.meshes[scene_.instances[i].mesh].primitives[p].positions;
-    const std::span<const glm::vec3> from = deformed.positions.empty() ? std::span(rest) : deformed.positions;
+    const Primitive& rest = scene_.meshes[scene_.instances[i].mesh].primitives[p];
+    const auto shown = [](const auto& moved, const auto& still) { return moved.empty() ? std::span(still) : moved; };
     std::vector<glm::vec3> out;
-    for (const glm::vec3& x : from) out.push_back(transform_point(instance.world_from_mesh, x));
+    out.reserve(rest.vertex_count());
+    const auto turn = linear_part(instance.world_from_mesh);
+    switch (kind) {
+      case GeometryKind::positions:
+        for (const glm::vec3& x : shown(deformed.positions, rest.positions))
+          out.push_back(transform_point(instance.world_from_mesh, x));
+        break;
+      case GeometryKind::normals:
+        for (const glm::vec3& n : shown(deformed.normals, rest.normals)) out.push_back(transform_normal(turn, n));
+        break;
+      case GeometryKind::colors:
+        for (const glm::vec4& c : shown(deformed.colors, rest.colors)) out.emplace_back(c.r, c.g, c.b);
+        break;
+    }
     return out;
   }
 
  private:
-  static Needs needs() {
+  static Needs needs(const TakeBudgets& budgets) {
     Needs needs;
-    needs.joints = needs.normals = needs.tangents = needs.properties = needs.weights = false;
+    needs.normals = budgets.normals_rad.has_value();
+    needs.joints = needs.tangents = needs.properties = needs.weights = false;
     needs.hidden_meshes = true;
     needs.max_layers = 1;
     return needs;
@@ -76,6 +102,7 @@ class SceneBaker {
 
   const Scene& scene_;
   std::uint32_t clip_;
+  TakeBudgets budgets_;
   Plan plan_;
   FrameBuffer frame_;
   std::vector<Source> sources_;
@@ -83,15 +110,16 @@ class SceneBaker {
 
 }  // namespace
 
-tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps, double budget_m) {
+tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps,
+                                                 const TakeBudgets& budgets) {
   const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
   if (duration_s * fps > kMostFrames)
     return tl::unexpected(fmt::format("--fps {}: more than {} frames", fps, kMostFrames));
   const auto frames = static_cast<std::size_t>(std::floor(duration_s * fps + 1e-6)) + 1;
   BakedScene out;
   out.take.frame_s = 1.0 / fps;
-  SceneBaker baker(scene, clip);
-  baker.add_meshes(budget_m, out);
+  SceneBaker baker(scene, clip, budgets);
+  baker.add_meshes(out);
   ProgressLine progress;
   for (std::size_t half = 0; half < 2 * frames - 1; ++half) {  // frames, and the times half way between them
     progress.show("sampling", static_cast<double>(half) / static_cast<double>(2 * frames));
@@ -99,7 +127,9 @@ tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32
       return tl::unexpected(std::string(describe(code)));
     for (std::size_t m = 0; m < out.take.meshes.size(); ++m) {
       TakeMesh& mesh = out.take.meshes[m];
-      (half % 2 == 0 ? mesh.streams[0].frames : mesh.between).push_back(baker.positions(m));
+      if (half % 2 == 1) mesh.between.push_back(baker.values(m, GeometryKind::positions));
+      if (half % 2 == 0)
+        for (TakeStream& stream : mesh.streams) stream.frames.push_back(baker.values(m, stream.kind));
     }
   }
   return out;

@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "importer/geometry_cache/geometry_take.h"
+#include "importer/tool/bake/take_source.h"
 #include "runtime/model/scene.h"
 
 namespace sinew::tool {
@@ -17,9 +18,10 @@ struct BakedScene {
 };
 
 /// Every triangle mesh of a scene while a clip plays, in world space, as a frame shows it. Also between frames, to
-/// measure what interpolation costs.
+/// measure what interpolation costs. Normals and colours where budgets ask for them and a mesh has them.
 /// in   clip  kNone = the rest pose, one frame
 /// err  a sentence
-tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps, double budget_m);
+tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps,
+                                                 const TakeBudgets& budgets);
 
 }  // namespace sinew::tool

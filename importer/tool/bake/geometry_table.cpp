@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/bake/geometry_table.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -19,32 +24,66 @@ double raw_bytes(const GeometryCache& cache) {
   return bytes;
 }
 
+std::uint32_t segments(const GeometryCache& cache) { return (cache.frame_count() - 1) / cache.segment_frames() + 1; }
+
+/// Of the frames alone, while they play at their rate.
+double bytes_a_second(const GeometryCache& cache) {
+  const double frames = static_cast<double>(cache.file_bytes() - cache.frames()[0].offset);
+  return frames / (cache.frame_s() * cache.frame_count());
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.1f} kB", 1e-3 * bytes) : fmt::format("{:.2f} MB", 1e-6 * bytes);
+}
+
 std::string between_text(const GeometryCertificate& certificate) {
   return certificate.between_m < 0.0 ? "" : length_text(certificate.between_m);
 }
 
 }  // namespace
 
+const char* name_of(GeometryKind kind) {
+  constexpr const char* kNames[] = {"positions", "normals", "colours"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string error_text(GeometryKind kind, double error) {
+  if (kind == GeometryKind::positions) return length_text(error);
+  if (kind == GeometryKind::colors) return fmt::format("{:.3g}", error);
+  return fmt::format("{:.3g} deg", std::asin(std::min(error, 1.0)) * 180.0 / std::numbers::pi);
+}
+
 std::string geometry_table(const GeometryCache& cache) {
-  TextTable table({"#", "mesh", "vertices", "points", "triangles", "asked", "measured", "kept", "between frames"});
+  TextTable table(
+      {"#", "mesh", "stream", "vertices", "points", "triangles", "asked", "measured", "kept", "between frames"});
   for (std::size_t m = 0; m < cache.meshes().size(); ++m) {
     const GeometryMesh& mesh = cache.meshes()[m];
-    const GeometryCertificate& c = mesh.certificate;
-    table.add({std::to_string(m), mesh.name.empty() ? "" : in_quotes(mesh.name), std::to_string(mesh.vertex_count),
-               std::to_string(mesh.streams[0].point_count), std::to_string(mesh.triangles.size() / 3),
-               length_text(c.asked_m), length_text(c.measured_m), c.measured_m <= c.asked_m ? "yes" : "NO",
-               between_text(c)});
+    for (const GeometryStream& stream : mesh.streams) {
+      const bool first = &stream == mesh.streams.data();
+      table.add({first ? std::to_string(m) : "", first && !mesh.name.empty() ? in_quotes(mesh.name) : "",
+                 name_of(stream.kind), std::to_string(mesh.vertex_count), std::to_string(stream.point_count),
+                 first ? std::to_string(mesh.triangles.size() / 3) : "", error_text(stream.kind, stream.asked),
+                 error_text(stream.kind, stream.measured), stream.measured <= stream.asked ? "yes" : "NO",
+                 first ? between_text(mesh.certificate) : ""});
+    }
   }
-  const double raw = raw_bytes(cache), bytes = static_cast<double>(cache.file_bytes());
-  return table.text() + fmt::format("{} at {:.4g} a second in segments of {}, {}, {:.1f} % of raw floats\n",
-                                    counted(cache.frame_count(), "frame"), 1.0 / cache.frame_s(),
-                                    cache.segment_frames(), counted(cache.file_bytes(), "byte"),
-                                    raw > 0.0 ? 100.0 * bytes / raw : 0.0);
+  const double raw = raw_bytes(cache);
+  const double bytes = static_cast<double>(cache.file_bytes());
+  const std::uint32_t segment = std::min(cache.segment_frames(), cache.frame_count());
+  return table.text() + fmt::format(
+                            "{} at {:.4g} a second, {}, {:.1f} % of raw floats, {} a second\n"
+                            "{} of up to {}; a seek decodes no more\n",
+                            counted(cache.frame_count(), "frame"), 1.0 / cache.frame_s(),
+                            counted(cache.file_bytes(), "byte"), raw > 0.0 ? 100.0 * bytes / raw : 0.0,
+                            size_text(bytes_a_second(cache)), counted(segments(cache), "segment"),
+                            counted(segment, "frame"));
 }
 
 nlohmann::ordered_json geometry_json(const GeometryCache& cache) {
   nlohmann::ordered_json out{{"frames", cache.frame_count()},
                              {"segment_frames", cache.segment_frames()},
+                             {"segments", segments(cache)},
+                             {"bytes_a_second", bytes_a_second(cache)},
                              {"start_s", cache.start_s()},
                              {"frame_s", cache.frame_s()},
                              {"bytes", cache.file_bytes()},
@@ -59,7 +98,14 @@ nlohmann::ordered_json geometry_json(const GeometryCache& cache) {
          {"triangles", mesh.triangles.size() / 3},
          {"asked_m", c.asked_m},
          {"measured_m", c.measured_m},
-         {"between_m", c.between_m < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(c.between_m)}});
+         {"between_m", c.between_m < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(c.between_m)},
+         {"streams", nlohmann::ordered_json::array()}});
+    for (const GeometryStream& stream : mesh.streams)
+      out["meshes"].back()["streams"].push_back({{"kind", name_of(stream.kind)},
+                                                 {"points", stream.point_count},
+                                                 {"step", stream.step},
+                                                 {"asked", stream.asked},
+                                                 {"measured", stream.measured}});
   }
   return out;
 }

@@ -8,8 +8,14 @@
 
 namespace sinew::tool {
 
-/// A table of the meshes of a geometry cache with their certificates: budget asked for, error measured at frames and
-/// between them; and a line with its frames and bytes beside raw floats.
+/// "positions", "normals", "colours".
+const char* name_of(GeometryKind kind);
+
+/// An error of a stream in its unit: a length, an angle that a unit vector so far off may turn by, or a difference.
+std::string error_text(GeometryKind kind, double error);
+
+/// A table of the streams of a geometry cache with their certificates: budget asked for, error measured at frames and
+/// between them; and lines with its frames and bytes beside raw floats, bytes a second, and what a seek decodes.
 std::string geometry_table(const GeometryCache& cache);
 
 /// The same for programs.
