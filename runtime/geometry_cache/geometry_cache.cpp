@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "runtime/base/checksum.h"
@@ -71,7 +72,13 @@ class GeometryHeadReader {
     left_ -= size;
     std::vector<std::uint8_t> out(size);
     const auto from = head_.subspan(in_.offset(), stored);
-    require(unpacker_.unpack(from, (head & kStoredByZstd) != 0, out) == size, "a table is not of its size");
+    if ((head & kStoredByZstd) != 0) {
+      if (!unpacker_) unpacker_.emplace();
+      require(unpacker_->unpack(from, true, out) == size, "a table is not of its size");
+    } else {
+      require(stored == size, "a table is not of its size");
+      if (ok() && size > 0) std::memcpy(out.data(), from.data(), size);
+    }
     in_.skip(stored);
     return out;
   }
@@ -150,7 +157,7 @@ class GeometryHeadReader {
 
   std::span<const std::byte> head_;
   ByteReader in_;
-  Unpacker unpacker_;
+  std::optional<Unpacker> unpacker_;  // made for the first table that needs it
   std::uint64_t left_;
   GeometryCacheError error_;
 };
