@@ -75,6 +75,13 @@ FrameWindow::operator FrameSource() noexcept {
   return {bytes_of, this, prefetch};
 }
 
+std::uint32_t FrameWindow::frames_there() const noexcept {
+  std::uint32_t count = 0;
+  for (std::uint32_t s = 0; s < slot_count_; ++s)
+    count += slots_[s].state_.load(std::memory_order_acquire) == FrameRead::State::ready;
+  return count;
+}
+
 std::size_t FrameWindow::pending_reads() const noexcept {
   std::size_t count = 0;
   for (std::uint32_t s = 0; s < slot_count_; ++s)

@@ -58,6 +58,7 @@ class FrameWindow {
   operator FrameSource() noexcept;  ///< valid as long as this; a frame that is missing is asked for
 
   std::size_t pending_reads() const noexcept;
+  std::uint32_t frames_there() const noexcept;                         ///< also while another thread plays
   std::uint64_t bytes_asked() const noexcept { return bytes_asked_; }  ///< of the reader, since this was made
   std::size_t memory_bytes() const noexcept { return memory_.size(); }
 

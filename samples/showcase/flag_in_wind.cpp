@@ -102,7 +102,7 @@ void add_surroundings(SceneBuilder& builder) {
   const std::uint32_t gold = builder.add_material("gold", {0.90f, 0.66f, 0.25f}, 0.35f, 0.6f);
   const auto disc = [](float u, float v) {
     const float angle = 2.0f * std::numbers::pi_v<float> * u;
-    return 7.0f * (1.0f - v) * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
+    return 2.6f * (1.0f - v) * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
   };
   builder.add_prop("ground", grid(disc, 64, 12), ground);
   Primitive steps = box({0.0f, 0.11f, 0.0f}, {0.75f, 0.11f, 0.75f});

@@ -45,6 +45,20 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   EXPECT_FALSE(row(live, "morph").runs);
 }
 
+TEST(live_plan, tells_what_a_frame_took_from_a_geometry_cache) {
+  LivePlan live;
+  const CacheFacts facts{.frames_there = 5, .window_frames = 40, .ns_per_vertex = 3.0, .late = 1};
+  live.cache(facts, {.cache_frames_decoded = 2, .vertices_from_cache = 825});
+  EXPECT_TRUE(row(live, "cache window").runs);
+  EXPECT_EQ(row(live, "cache window").count, 2u);
+  for (const char* part :
+       {"2 frames decoded, 825 vertices; ", "window 5 of 40 frames", "3.0 ns a decoded vertex, pictures late: 1"})
+    EXPECT_THAT(row(live, "cache window").reason, HasSubstr(part));
+  live.cache(facts, {.vertices_from_cache = 825, .vertices_blended = 825});
+  EXPECT_FALSE(row(live, "cache window").runs);
+  EXPECT_THAT(row(live, "cache window").reason, HasSubstr("0 frames decoded, 825 vertices, 825 blended with the pose"));
+}
+
 TEST(live_plan, says_how_often_poses_are_evaluated) {
   const Scene scene = test::arm_scene();
   const Plan plan = compile_plan(scene, {});

@@ -65,6 +65,16 @@ TEST(options, read_a_camera_and_a_variant_of_the_file) {
   EXPECT_TRUE(std::holds_alternative<Leave>(parse({"a.glb", "--camera", "0", "--eye", "0,0,1", "--target", "0,0,0"})));
 }
 
+TEST(options, read_a_geometry_cache_and_its_weight) {
+  const Options options = accepted({"a.glb", "--cache", "b.sgeo", "--cache-weight", "0.25"});
+  EXPECT_EQ(options.file, "a.glb");
+  EXPECT_EQ(options.cache, "b.sgeo");
+  EXPECT_EQ(options.cache_weight, 0.25f);
+  EXPECT_EQ(accepted({"b.sgeo"}).cache, "") << "a cache alone is the file";
+  EXPECT_EQ(accepted({}).cache_weight, 1.0f);
+  EXPECT_EQ(accepted({"--scene", "3", "--cache-weight", "0"}).cache_weight, 0.0f) << "for the built-in flag";
+}
+
 TEST(options, read_a_range_of_pictures) {
   const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
   EXPECT_EQ(options.showcase_scene, 2u);
@@ -104,6 +114,9 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"a.glb", "b.glb"}, "b.glb"},
       {{"a.glb", "--scene", "1"}, "--scene"},
       {{"--scene", "-1"}, "--scene"},
+      {{"--cache", "b.sgeo"}, "--cache"},
+      {{"--cache-weight", "1.5"}, "1.5"},
+      {{"--cache-weight", "half"}, "half"},
       {{"--size", "0x5"}, "0x5"},
       {{"--size", "640"}, "640"},
       {{"--size", "16385x2"}, "16385x2"},

@@ -114,6 +114,29 @@ TEST_F(PanelTest, the_choice_of_updates_is_in_the_panel_where_something_moves) {
   EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId));
 }
 
+TEST_F(PanelTest, a_geometry_cache_has_a_weight_and_says_how_it_plays) {
+  const Scene still;
+  facts_.scene = &still;
+  Playback playback(still, 2.0);
+  const auto vertices = [&] {
+    frame(playback);
+    frame(playback);
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  const int without = vertices();
+  facts_.cache.emplace();
+  facts_.cache->name = "flag.sgeo";
+  facts_.cache->ns_per_vertex = 3.5;
+  const int with = vertices();
+  EXPECT_GT(with, without + 200);
+  facts_.cache->fault = "flag.sgeo: cache-checksum: a frame is not as it was written";
+  EXPECT_GT(vertices(), with + 100);
+  click("cache", playback);
+  EXPECT_LT(settings_.cache_weight, 0.1f) << "the slider was clicked at its left end";
+  click("time", playback);
+  EXPECT_FALSE(playback.playing()) << "it has time without a clip";
+}
+
 TEST_F(PanelTest, switches_change_the_settings) {
   Playback playback(scene_);
   click("dual quaternion", playback);

@@ -25,6 +25,24 @@ TEST(playback, starts_playing_the_first_clip) {
   EXPECT_EQ(playback.layers()[0].weight, 1.0f);
 }
 
+TEST(playback, is_as_long_as_what_plays_beside_the_clip) {
+  const Scene scene = scene_with_clips({2.0, 3.0}), still;
+  Playback beside(scene, 2.5), alone(still, 2.5);
+  EXPECT_EQ(beside.duration_s(), 2.5);
+  beside.choose(1);
+  EXPECT_EQ(beside.duration_s(), 3.0);
+  beside.choose(kNone);
+  EXPECT_EQ(beside.duration_s(), 2.5);
+  alone.advance(1.25);
+  EXPECT_EQ(alone.time_s(), 1.25);
+  EXPECT_TRUE(alone.layers().empty());
+  alone.step(+1);
+  EXPECT_NEAR(alone.time_s(), 38.0 / 30.0, 1e-12);
+  alone.toggle();
+  alone.advance(1.5);
+  EXPECT_NEAR(alone.time_s(), 38.0 / 30.0 + 1.5 - 2.5, 1e-12) << "it repeats";
+}
+
 TEST(playback, knows_the_frames_to_come) {
   const Scene scene = scene_with_clips({2.0});
   Playback playback(scene);

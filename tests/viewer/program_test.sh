@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs the viewer as a program without a display: exit codes, messages and the pictures that it writes.
-# usage: program_test.sh SINEW-VIEWER;   exit code 77 = skipped, because a tool is missing
+# usage: program_test.sh SINEW-VIEWER SINEW-SHOWCASE;   exit code 77 = skipped, because a tool is missing
 set -uo pipefail
 
-viewer=$1
+viewer=$1 showcase=$2
 for tool in convert identify; do
   command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
@@ -106,5 +106,38 @@ ends 0 '' bones.gltf --headless bones.png --size 64x64 --transparent
 holds "a file of bones shows its skeleton" 'maxima.a==1' bones.png
 ends 0 '' --headless lines.png --size 320x180 --time 1 --skeleton
 cmp -s a.png lines.png && complain "--skeleton draws nothing"
+
+"$showcase" scenes > out 2> err || complain "sinew-showcase scenes"
+flag=scenes/flag-in-wind
+size='--size 160x90'
+ends 0 '' $flag.sgeo --headless alone.png $size --time 1.5 --validate
+holds "a geometry cache alone is shown" 'standard_deviation>0.05' alone.png
+ends 0 '' $flag.glb --headless flat.png $size
+ends 0 '' $flag.glb --cache $flag.sgeo --headless moved.png $size --time 1.5 --validate
+cmp -s flat.png moved.png && complain "--cache changes nothing"
+ends 0 '' $flag.glb --cache $flag.sgeo --cache-weight 0 --headless w0.png $size --time 1.5 --eye 2.7,1.9,6.8 --target 1,2,0
+ends 0 '' $flag.glb --headless posed.png $size --eye 2.7,1.9,6.8 --target 1,2,0
+if cmp -s w0.png posed.png; then echo "ok: --cache-weight 0 shows the pose"; else complain "--cache-weight 0 is not the pose"; fi
+ends 0 '' $flag.glb --cache $flag.sgeo --headless played/ $size --frames 0:9 --fps 2 --eye 2.7,1.9,6.8 --target 1,2,0
+ends 0 '' $flag.glb --cache $flag.sgeo --headless one.png $size --time 1.5 --eye 2.7,1.9,6.8 --target 1,2,0
+if cmp -s one.png played/00003.png; then echo "ok: a seek shows what playing shows"; else complain "second 1.5 depends on what was shown before"; fi
+if cmp -s played/00001.png played/00009.png; then echo "ok: four seconds later it repeats"; else complain "the flag does not repeat"; fi
+ends 0 '' --scene 3 --headless own.png $size --time 1.5 --plan
+for row in 'geometry_cache  *on ' 'cache window  *on .*frames decoded, 2501 vertices'; do
+  if grep -q -- "$row" out; then echo "ok: --plan tells '$row'"; else complain "--plan does not tell '$row': $(cat out)"; fi
+done
+ends 1 'missing.sgeo: No such file' missing.sgeo --headless a.png
+ends 1 'missing.sgeo: No such file' $flag.glb --cache missing.sgeo --headless a.png
+ends 2 'a geometry cache itself' $flag.sgeo --cache $flag.sgeo --headless a.png
+ends 1 'no mesh of the scene fits' scenes/skull-flight.glb --cache $flag.sgeo --headless a.png
+head -c 300000 $flag.sgeo > cut.sgeo
+ends 1 'cache-size' cut.sgeo --headless a.png
+{ head -c 8 $flag.sgeo; printf '\177'; tail -c +10 $flag.sgeo; } > newer.sgeo
+ends 1 'cache-version' newer.sgeo --headless a.png
+{ head -c 500000 $flag.sgeo; printf '\125\125\125\125'; tail -c +500005 $flag.sgeo; } > damaged.sgeo
+rm -f a.png
+ends 1 "cache-checksum" damaged.sgeo --headless alone/ --frames 0:119 --size 16x16
+ends 1 'cache-checksum' $flag.glb --cache damaged.sgeo --headless damaged/ --frames 0:119 --size 16x16
+[ "$(ls damaged | wc -l)" -lt 120 ] || complain "pictures without the cache were written"
 
 [ "$failures" = 0 ]

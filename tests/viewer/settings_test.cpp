@@ -13,10 +13,12 @@ TEST(settings, begin_as_the_command_line_says) {
   options.show = Show::depth;
   options.ambient_occlusion = false;
   options.skinning = Skinning::dual_quaternion;
+  options.cache_weight = 0.25f;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
+  EXPECT_EQ(settings.cache_weight, 0.25f);
   EXPECT_TRUE(settings.panel);
   EXPECT_FALSE(settings.skeleton);
   options.skeleton = true;

@@ -152,16 +152,38 @@ eventually "tab shows the next scene" differs_now before_tab
 press d n p l Up Down v space
 
 sleep 0.3
-press q
-for ((i = 0; i < 200; i++)); do kill -0 "$pid" 2> /dev/null || break; sleep 0.1; done
-kill -0 "$pid" 2> /dev/null && fail "q closes the window"
-wait "$pid"
-code=$?
-pid=
-[ "$code" = 0 ] || fail "the exit code after q is 0, was $code"
-passed "q closes the window with exit code 0"
-[ ! -s "$pictures/messages" ] || fail "the viewer and Vulkan's validation layer have nothing to say"
-passed "validation was silent"
+quit() {
+  press q
+  for ((i = 0; i < 200; i++)); do kill -0 "$pid" 2> /dev/null || break; sleep 0.1; done
+  kill -0 "$pid" 2> /dev/null && fail "q closes the window"
+  wait "$pid"
+  code=$?
+  pid=
+  [ "$code" = 0 ] || fail "the exit code after q is 0, was $code"
+  passed "q closes the window with exit code 0"
+  [ ! -s "$pictures/messages" ] || fail "the viewer and Vulkan's validation layer have nothing to say"
+  passed "validation was silent"
+}
+quit
+
+"$viewer" --validate --size 640x400 --scene 3 2> "$pictures/messages" &
+pid=$!
+eventually "a window with a geometry cache opens" find_window
+xdotool windowfocus "$window"
+eventually "it shows a picture" has_picture
+press h
+shot first
+eventually "the flag flies" differs_now first
+press space
+eventually "space holds it" still paused
+press Right
+eventually "right steps to another frame of the cache" differs_now paused
+eventually "which stands still" still stepped
+press Right Right
+eventually "right steps on" differs_now stepped
+press Left Left
+eventually "left goes back to the very same picture" equals_now stepped
+quit
 
 timeout 60 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"
 code=$?

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/clip_extent.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "runtime/model/mesh_copies.h"
 #include "runtime/plan/run_plan.h"
+#include "viewer/app/cache_playback.h"
 #include "viewer/app/skeleton_lines.h"
 
 namespace sinew::viewer {
@@ -43,17 +46,25 @@ Aabb bounds_of(const Scene& scene, const FrameResult& frame) {
   return box;
 }
 
-ClipExtent clip_extent(const Scene& scene, std::uint32_t clip) {
+ClipExtent clip_extent(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
   Needs needs;
   needs.normals = needs.tangents = false;
+  std::optional<CachePlayback> played;
+  if (cache) {
+    needs.cached_instances = cache->instances();
+    played.emplace(*cache, scene, CacheReader::Reads::at_once);
+  }
   const Plan plan = compile_plan(scene, needs);
   FrameBuffer frame(plan);
-  const double duration = clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0;
+  const double duration = std::max(clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0,
+                                   cache ? cache->duration_s() : 0.0);
   const int poses = duration > 0.0 ? kPoses : 1;
   ClipExtent bounds;
   for (int i = 0; i < poses; ++i) {
-    const ClipLayer layer{clip, poses > 1 ? duration * i / (poses - 1) : 0.0, 1.0f};
+    const double time_s = poses > 1 ? duration * i / (poses - 1) : 0.0;
+    const ClipLayer layer{clip, time_s, 1.0f};
     FrameInput input;
+    if (played) input.geometry = played->at(time_s, 1.0f);
     if (clip < scene.animations.size()) input.layers = {&layer, 1};
     if (run_plan(plan, input, frame) != ErrorCode::ok) continue;
     const FrameResult& pose = frame.result();

@@ -7,15 +7,18 @@
 
 #include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
+#include "runtime/base/contract.h"
 #include "samples/showcase/showcase.h"
 #include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
 namespace {
 
-std::vector<Exhibit> built_in() {
+using Say = std::function<void(const std::string&)>;
+
+std::vector<Exhibit> built_in(const Say& say) {
   std::vector<Exhibit> exhibits;
-  for (auto& shown : showcase::showcase()) {
+  for (auto& shown : showcase::showcase(showcase::flag_cache())) {
     auto& exhibit = exhibits.emplace_back();
     exhibit.name = std::move(shown.name);
     exhibit.note = std::move(shown.what_to_look_at);
@@ -23,13 +26,16 @@ std::vector<Exhibit> built_in() {
     exhibit.instance_skinning = std::move(shown.needs.instance_skinning);
     exhibit.camera = PlacedCamera{shown.eye, shown.target};
     exhibit.fov_y_rad = static_cast<double>(shown.fov_y_rad);
+    if (shown.geometry_cache.empty()) continue;
+    auto file = open_cache_bytes("geometry cache, within the program", shown.geometry_cache);
+    CONTRACT(file.has_value());
+    exhibit.cache = *bind_cache(std::move(*file), exhibit.scene, say);
   }
   return exhibits;
 }
 
 /// Warns about what the scene has and the viewer does not show.
-void say_what_is_left_out(const std::string& file, const Scene& scene,
-                          const std::function<void(const std::string&)>& say) {
+void say_what_is_left_out(const std::string& file, const Scene& scene, const Say& say) {
   if (scene.lights.size() > kMaxLights)
     say(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " +
         std::to_string(kMaxLights));
@@ -41,7 +47,21 @@ void say_what_is_left_out(const std::string& file, const Scene& scene,
             "; the viewer takes TEXCOORD_0 instead");
 }
 
-tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::function<void(const std::string&)>& say,
+tl::unexpected<LoadError> fails(std::string why) { return tl::unexpected(LoadError{1, std::move(why)}); }
+
+tl::expected<Exhibit, LoadError> from_cache(const std::string& path) {
+  auto file = open_cache_file(path);
+  if (!file) return fails(std::move(file.error()));
+  auto alone = show_cache_alone(std::move(*file));
+  if (!alone) return fails(std::move(alone.error()));
+  Exhibit exhibit;
+  exhibit.name = alone->cache->file.name;
+  exhibit.scene = std::move(alone->scene);
+  exhibit.cache = std::move(alone->cache);
+  return exhibit;
+}
+
+tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::string& cache, const Say& say,
                                            const std::function<void(double)>& progress) {
   ImportOptions how;
   if (progress) how.progress = [&](const char*, double done) { progress(done); };
@@ -53,6 +73,12 @@ tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::f
   Exhibit exhibit;
   exhibit.name = std::filesystem::path(file).filename().string();
   exhibit.scene = std::move(imported->scene);
+  if (cache.empty()) return exhibit;
+  auto opened = open_cache_file(cache);
+  if (!opened) return fails(std::move(opened.error()));
+  auto bound = bind_cache(std::move(*opened), exhibit.scene, say);
+  if (!bound) return fails(std::move(bound.error()));
+  exhibit.cache = std::move(*bound);
   return exhibit;
 }
 
@@ -64,22 +90,27 @@ Needs needs_of(const Exhibit& exhibit, const Evaluation& evaluation) {
   needs.max_layers = 1;
   needs.skinning = evaluation.skinning;
   needs.instance_skinning = exhibit.instance_skinning;
-  needs.stage_times = evaluation.stage_times;
+  needs.stage_times = evaluation.stage_times || exhibit.cache;
+  if (exhibit.cache) needs.cached_instances = exhibit.cache->instances();
   needs.between_updates = evaluation.updates == Updates::interpolated;
   return needs;
 }
 
-tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
-                                                            const std::function<void(const std::string&)>& say,
+double cache_duration_s(const Exhibit& exhibit) noexcept { return exhibit.cache ? exhibit.cache->duration_s() : 0.0; }
+
+tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options, const Say& say,
                                                             const std::function<void(double)>& progress) {
   std::vector<Exhibit> exhibits;
   if (options.file.empty()) {
-    exhibits = built_in();
+    exhibits = built_in(say);
     if (options.showcase_scene >= exhibits.size())
       return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.showcase_scene) +
                                              ": the built-in scenes are 0 to " + std::to_string(exhibits.size() - 1)});
   } else {
-    auto exhibit = from_file(options.file, say, progress);
+    const bool alone = is_cache_file(options.file);
+    if (alone && !options.cache.empty())
+      return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
+    auto exhibit = alone ? from_cache(options.file) : from_file(options.file, options.cache, say, progress);
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
     exhibits.push_back(std::move(*exhibit));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
+#include "viewer/app/cache_on_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"
 
@@ -19,8 +21,9 @@ struct Exhibit {
   std::string name;  ///< for the title and the menu
   std::string note;  ///< one sentence: what to look at; may be empty
   Scene scene;
-  std::vector<Skinning> instance_skinning;  ///< as in Needs: the kind of skinning that the scene itself asks for
-  std::optional<PlacedCamera> camera;       ///< none = the camera frames everything
+  std::shared_ptr<const CacheOnScene> cache;  ///< none = no geometry cache plays
+  std::vector<Skinning> instance_skinning;    ///< as in Needs: the kind of skinning that the scene itself asks for
+  std::optional<PlacedCamera> camera;         ///< none = the camera frames everything
   double fov_y_rad = 0.785398163397448;
 };
 
@@ -35,6 +38,9 @@ struct Evaluation {
 
 /// What the viewer asks the runtime for: vertices, and bounds for frustum culling.
 Needs needs_of(const Exhibit& exhibit, const Evaluation& evaluation);
+
+/// Duration of what plays beside each clip: of the geometry cache, else 0.
+double cache_duration_s(const Exhibit& exhibit) noexcept;
 
 /// Why there is nothing to show, and the exit code of the program.
 struct LoadError {

@@ -14,7 +14,14 @@ bool CulledInstances::culls_more_than(const CulledInstances& other) const noexce
 CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double aspect) {
   const bool plays = clip < scene_->animations.size();
   auto& bounds = plays ? bounds_[clip] : bounds_.back();
-  if (!bounds) bounds = clip_bounds(*scene_, needs_, plays ? clip : kNone);
+  if (!bounds) {
+    bounds = clip_bounds(*scene_, needs_, plays ? clip : kNone);
+    for (std::size_t i = 0; i < reach_.size(); ++i) {
+      if (reach_[i].empty()) continue;
+      (*bounds)[i].add(reach_[i].lower);
+      (*bounds)[i].add(reach_[i].upper);
+    }
+  }
   CulledInstances culled = all_in_view();
   for (std::size_t i = 0; i < bounds->size(); ++i)
     culled.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, (*bounds)[i]);

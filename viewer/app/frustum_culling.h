@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "runtime/lod/clip_bounds.h"
@@ -26,8 +27,9 @@ struct CulledInstances {
 class FrustumCulling {
  public:
   /// in   scene  must outlive this. The bounds of a clip are computed at its first use.
-  FrustumCulling(const Scene& scene, const Needs& needs)
-      : scene_(&scene), needs_(needs), bounds_(scene.animations.size() + 1) {}
+  ///      reach  [instances] where a geometry cache takes them beside every clip; empty = nowhere
+  FrustumCulling(const Scene& scene, const Needs& needs, std::vector<Aabb> reach = {})
+      : scene_(&scene), needs_(needs), reach_(std::move(reach)), bounds_(scene.animations.size() + 1) {}
 
   /// in   clip  kNone = the rest pose;   aspect  width / height of the picture
   CulledInstances of(std::uint32_t clip, const View& view, double aspect);
@@ -38,6 +40,7 @@ class FrustumCulling {
  private:
   const Scene* scene_;
   Needs needs_;
+  std::vector<Aabb> reach_;
   std::vector<std::optional<std::vector<Aabb>>> bounds_;  // [clips + 1] of each instance; the last is the rest pose
 };
 

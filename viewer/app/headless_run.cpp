@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/headless_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +13,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
+#include "viewer/app/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/frustum_culling.h"
 #include "viewer/app/headless.h"
@@ -30,17 +32,21 @@ namespace fs = std::filesystem;
 // Evaluates the pose of the exhibit at any time, on the calling thread.
 class PoseEvaluator {
  public:
-  PoseEvaluator(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip)
+  PoseEvaluator(const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t clip, float cache_weight)
       : clip_(clip),
+        cache_weight_(cache_weight),
         plan_(compile_plan(exhibit.scene, needs_of(exhibit, evaluation))),
         stages_(plan_.stages()),
         frame_(plan_),
-        levels_(plan_, evaluation.updates) {}
+        levels_(plan_, evaluation.updates) {
+    if (exhibit.cache) cache_.emplace(*exhibit.cache, exhibit.scene, CacheReader::Reads::at_once);
+  }
 
   const Needs& needs() const noexcept { return plan_.needs(); }
   std::span<const PlanStage> stages() const noexcept { return stages_; }
   const FrameResult& newest() const noexcept { return frame_.result(); }
   UpdateLevels& levels() noexcept { return levels_; }
+  const CachePlayback* cache() const noexcept { return cache_ ? &*cache_ : nullptr; }
 
   /// in   ahead_s  gives the clip time of the picture that is that many frames from this one
   const FrameResult& at(double time_s, const std::function<double(std::uint32_t)>& ahead_s,
@@ -50,17 +56,21 @@ class PoseEvaluator {
     FrameInput now;
     leave_out(culled, joints_watched, now);
     now.layers = {&layer, count};
+    if (cache_) now.geometry = cache_->at(time_s, cache_weight_);
     const ErrorCode code = run_plan(plan_, levels_.input(now, {&ahead, count}), frame_);
     CONTRACT(code == ErrorCode::ok);  // the clip is in range and the time is finite
+    if (cache_) cache_->watch(frame_.result());
     return frame_.result();
   }
 
  private:
   std::uint32_t clip_;
+  float cache_weight_;
   Plan plan_;
   std::vector<PlanStage> stages_;
   FrameBuffer frame_;
   UpdateLevels levels_;
+  std::optional<CachePlayback> cache_;
 };
 
 OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
@@ -84,15 +94,16 @@ class PictureMaker {
  public:
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
       : clip_(clip),
-        bounds_(clip_extent(exhibit.scene, clip)),
+        bounds_(clip_extent(exhibit.scene, clip, exhibit.cache.get())),
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
         transparent_(options.transparent),
         watches_plan_(options.plan),
         frame_s_(1.0 / options.fps),
         aspect_(static_cast<double>(options.width) / options.height),
-        evaluator_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip),
-        culling_(exhibit.scene, evaluator_.needs()),
+        evaluator_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip, settings_.cache_weight),
+        culling_(exhibit.scene, evaluator_.needs(),
+                 exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
@@ -108,6 +119,8 @@ class PictureMaker {
   Picture in_sequence(std::uint32_t picture, const std::function<double(std::uint32_t)>& time_of) {
     if (evaluator_.newest().frame == 0)
       evaluator_.levels().begin_exact_frame("the first picture");
+    else if (evaluator_.cache() && settings_.cache_weight > 0.0f)
+      evaluator_.levels().begin_exact_frame("a geometry cache plays");
     else if (camera_ && camera_->moves())
       evaluator_.levels().begin_exact_frame("the camera moves with the clip");
     else
@@ -116,6 +129,9 @@ class PictureMaker {
   }
 
   const LivePlan& live_plan() const noexcept { return live_plan_; }
+
+  /// Why the last picture lacks the geometry cache, in one sentence; empty when it does not.
+  std::string fault() const { return evaluator_.cache() ? evaluator_.cache()->fault() : std::string(); }
 
  private:
   Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
@@ -130,6 +146,7 @@ class PictureMaker {
     if (watches_plan_) {
       live_plan_.updates(evaluator_.levels());
       live_plan_.evaluated(evaluator_.stages(), pose);
+      if (evaluator_.cache()) live_plan_.cache(evaluator_.cache()->facts(), pose.work);
       live_plan_.drawn(headless_.upload_counts(), headless_.report(), headless_.pass_times());
     }
     return picture;
@@ -174,6 +191,30 @@ double picture_time_s(std::uint32_t picture, double fps, double duration_s) noex
   return std::fmod(time, duration_s);
 }
 
+namespace {
+
+/// Writes what the options ask for. Stops before a picture that lacks the geometry cache.
+/// out  why, in one sentence; empty = all was written
+std::string make_pictures(const Options& options, double duration_s, PictureMaker& maker, PngWriter& writer) {
+  if (!options.frames) {
+    if (options.plan) warm_up(maker, duration_s);
+    Picture picture = maker.at(options.time_s.value_or(0.0));
+    if (maker.fault().empty()) writer.write(options.headless, std::move(picture));
+    return maker.fault();
+  }
+  const auto [first, last] = *options.frames;
+  const auto time_of = [&](std::uint32_t n) { return picture_time_s(n, options.fps, duration_s); };
+  for (std::uint32_t n = first;; ++n) {
+    Picture picture = maker.in_sequence(n, time_of);
+    if (!maker.fault().empty()) return maker.fault();
+    writer.write(fs::path(options.headless) / picture_name(n), std::move(picture));
+    show_progress(n - first + 1, last - first + 1);
+    if (n == last) return {};
+  }
+}
+
+}  // namespace
+
 int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
   if (options.frames) {
     std::error_code error;
@@ -188,24 +229,15 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
   Device device(wanted);
   PictureMaker maker(device, options, exhibit, clip);
   PngWriter writer;
-  const double duration = clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s;
-  if (options.frames) {
-    const auto [first, last] = *options.frames;
-    const auto time_of = [&](std::uint32_t n) { return picture_time_s(n, options.fps, duration); };
-    for (std::uint32_t n = first;; ++n) {
-      writer.write(fs::path(options.headless) / picture_name(n), maker.in_sequence(n, time_of));
-      show_progress(n - first + 1, last - first + 1);
-      if (n == last) break;
-    }
-  } else {
-    const double time_s = options.time_s.value_or(0.0);
-    if (options.plan) warm_up(maker, duration);
-    writer.write(options.headless, maker.at(time_s));
-  }
+  const double duration =
+      std::max(clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s, cache_duration_s(exhibit));
+  const std::string fault = make_pictures(options, duration, maker, writer);
+  if (!fault.empty()) std::fprintf(stderr, "sinew-viewer: %s\n", fault.c_str());
   if (options.plan) std::fputs(plan_text(maker.live_plan().rows()).c_str(), stdout);
   const auto failed = writer.finish();
   for (const auto& file : failed) std::fprintf(stderr, "sinew-viewer: %s\n", file.c_str());
-  return failed.empty() ? exit_code_after_validation(options, device) : 3;
+  if (!failed.empty()) return 3;
+  return fault.empty() ? exit_code_after_validation(options, device) : 1;
 }
 
 }  // namespace sinew::viewer

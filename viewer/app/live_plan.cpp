@@ -54,6 +54,15 @@ void LivePlan::updates(const UpdateLevels& levels) {
        std::uint64_t{1} << static_cast<unsigned>(levels.level()));
 }
 
+void LivePlan::cache(const CacheFacts& facts, const WorkCounters& work) {
+  const std::string blended =
+      work.vertices_blended > 0 ? ", " + std::to_string(work.vertices_blended) + " blended with the pose" : "";
+  tell(PlanPart::evaluation, "cache window", work.cache_frames_decoded > 0,
+       std::to_string(work.cache_frames_decoded) + " frames decoded, " + std::to_string(work.vertices_from_cache) +
+           " vertices" + blended + "; " + describe_window(facts) + "; " + describe_cost(facts),
+       work.cache_frames_decoded);
+}
+
 namespace {
 
 std::string why_upload(const UploadCounts& upload) {

@@ -6,6 +6,7 @@
 
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_result.h"
+#include "viewer/app/cache_facts.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/passes/frame_renderer.h"
 
@@ -42,6 +43,9 @@ class LivePlan {
 
   /// Records how often poses are evaluated, and why.
   void updates(const UpdateLevels& levels);
+
+  /// Records how a geometry cache plays, and what the newest frame took from it.
+  void cache(const CacheFacts& facts, const WorkCounters& work);
 
   /// Records that a picture was drawn.
   void drawn(const UploadCounts& upload, const FrameReport& report, std::span<const PassTime> passes);

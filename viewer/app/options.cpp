@@ -148,6 +148,18 @@ void add_picture_options(CLI::App& app, Options& options) {
   camera->excludes(fov);
 }
 
+void add_cache_options(CLI::App& app, Options& options, CLI::Option* file) {
+  app.add_option("--cache", options.cache, "play a geometry cache (.sgeo) over FILE's meshes of the same names")
+      ->type_name("OUT.sgeo")
+      ->needs(file);
+  text_option(app, "--cache-weight", "W", "0 shows the pose, 1 the geometry cache (1)", [&](const std::string& text) {
+    const auto weight = number<float>(text);
+    if (!weight || *weight < 0.0f || *weight > 1.0f)
+      throw CLI::ValidationError("--cache-weight", "'" + text + "' is not a number from 0 to 1");
+    options.cache_weight = *weight;
+  });
+}
+
 void add_time_options(CLI::App& app, Options& options) {
   const auto seconds = [](const char* option, const std::string& text, double least) {
     const auto value = number<double>(text);
@@ -217,8 +229,9 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "sinew-viewer"};
   app.formatter(std::make_shared<ShortFormatter>());
   app.set_version_flag("--version", "sinew-viewer " SINEW_VERSION);
-  app.add_option("FILE", options.file, "a .gltf or .glb file")->type_name("");
+  auto* file = app.add_option("FILE", options.file, "a .gltf or .glb file, or a geometry cache (.sgeo)")->type_name("");
   app.add_option("--scene", options.showcase_scene, "which built-in scene (0)")->type_name("N")->excludes("FILE");
+  add_cache_options(app, options, file);
   add_picture_options(app, options);
   add_time_options(app, options);
   app.footer(

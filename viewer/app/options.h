@@ -25,8 +25,10 @@ struct PlacedCamera {
 
 /// The command line of sinew-viewer, checked.
 struct Options {
-  std::string file;  ///< empty = the built-in showcase
+  std::string file;  ///< a glTF file or a geometry cache; empty = the built-in showcase
   std::uint32_t showcase_scene = 0;
+  std::string cache;             ///< a geometry cache that plays over the meshes of the file; empty = none
+  float cache_weight = 1.0f;     ///< [0, 1] 0 = the pose, 1 = the cache
   std::string headless;          ///< OUT.png, or a folder together with `frames`; empty = window
   std::optional<double> time_s;  ///< unset = 0
   std::optional<FrameRange> frames;

@@ -2,6 +2,7 @@
 #include "viewer/app/panel.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <imgui.h>
@@ -59,7 +60,7 @@ void mode_choice(Playback& playback) {
 }
 
 void time_controls(const Scene& scene, Playback& playback) {
-  if (scene.animations.empty()) {
+  if (scene.animations.empty() && playback.duration_s() == 0.0) {
     ImGui::TextDisabled("no clips: the rest pose is shown");
     return;
   }
@@ -86,7 +87,7 @@ void time_controls(const Scene& scene, Playback& playback) {
     playback.set_speed(speed);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) playback.set_speed(1.0);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("right click: x 1");
-  clip_choice(scene, playback);
+  if (!scene.animations.empty()) clip_choice(scene, playback);
   mode_choice(playback);
 }
 
@@ -114,6 +115,18 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
   }
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextDisabled("%s", facts.updates.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void cache_controls(const CacheFacts& cache, Settings& settings) {
+  text(cache.name);
+  ImGui::SliderFloat("cache", &settings.cache_weight, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("0: the pose, 1: the geometry cache");
+  ImGui::Text("%u frames of %.1f ms, %zu vertices", cache.frame_count, 1e3 * cache.frame_s, cache.vertex_count);
+  ImGui::PushTextWrapPos(0.0f);
+  text(describe_window(cache));
+  text(describe_cost(cache));
+  if (!cache.fault.empty()) ImGui::TextColored({1.0f, 0.5f, 0.4f, 1.0f}, "%s", std::string(cache.fault).c_str());
   ImGui::PopTextWrapPos();
 }
 
@@ -193,6 +206,10 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
     ImGui::Separator();
     time_controls(*facts.scene, playback);
     ImGui::Separator();
+    if (facts.cache) {
+      cache_controls(*facts.cache, settings);
+      ImGui::Separator();
+    }
     look_controls(facts, settings, wishes);
     ImGui::Checkbox("live plan", &settings.plan);
     key_help();

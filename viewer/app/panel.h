@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "runtime/plan/needs.h"
+#include "viewer/app/cache_facts.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/settings.h"
@@ -20,6 +21,7 @@ struct PanelFacts {
   const Scene* scene = nullptr;
   const Needs* needs = nullptr;
   std::string updates;                    ///< how often poses are evaluated, and why
+  std::optional<CacheFacts> cache;        ///< none = no geometry cache plays
   std::span<const PlanRow> rows;          ///< the live plan
   bool resting = false;                   ///< nothing moves, so no pose is evaluated
   double frame_ms = 0.0;                  ///< time from one picture to the next, smoothed

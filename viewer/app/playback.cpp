@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/playback.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,18 +11,21 @@ namespace {
 constexpr std::array kSpeeds{0.05, 0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0, 8.0};
 static_assert(kSpeeds.front() == Playback::kSlowest && kSpeeds.back() == Playback::kFastest);
 
-double duration_of(const Scene& scene, std::uint32_t clip) {
-  return clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0;
+double duration_of(const Scene& scene, std::uint32_t clip, double beside_s) {
+  return clip < scene.animations.size() ? std::max(scene.animations[clip].duration_s, beside_s) : beside_s;
 }
 
 }  // namespace
 
-Playback::Playback(const Scene& scene)
-    : scene_(&scene), clip_(scene.animations.empty() ? kNone : 0), clock_(duration_of(scene, clip_)) {}
+Playback::Playback(const Scene& scene, double duration_s)
+    : scene_(&scene),
+      beside_s_(duration_s),
+      clip_(scene.animations.empty() ? kNone : 0),
+      clock_(duration_of(scene, clip_, duration_s)) {}
 
 void Playback::choose(std::uint32_t clip) {
   clip_ = clip < scene_->animations.size() ? clip : kNone;
-  clock_ = PlaybackClock(duration_of(*scene_, clip_), clock_.mode(), clock_.speed());
+  clock_ = PlaybackClock(duration_of(*scene_, clip_, beside_s_), clock_.mode(), clock_.speed());
 }
 
 void Playback::next(int direction) {

@@ -16,8 +16,9 @@ class Playback {
   static constexpr double kSlowest = 0.05, kFastest = 8.0;
 
   /// Plays the first clip.
-  /// in   scene  must outlive this
-  explicit Playback(const Scene& scene);
+  /// in   scene       must outlive this
+  ///      duration_s  of what plays beside each clip and the rest pose, such as a geometry cache: the longer one counts
+  explicit Playback(const Scene& scene, double duration_s = 0.0);
 
   /// Plays a clip from its start, or shows the rest pose (kNone). Speed and looping stay.
   void choose(std::uint32_t clip);
@@ -61,6 +62,7 @@ class Playback {
 
  private:
   const Scene* scene_;
+  double beside_s_ = 0.0;
   std::uint32_t clip_ = kNone;
   bool playing_ = true;
   PlaybackClock clock_;

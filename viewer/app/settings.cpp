@@ -10,6 +10,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.show = options.show;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.skinning = options.skinning;
+  settings.cache_weight = options.cache_weight;
   settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
   settings.skeleton = options.skeleton || scene.instances.empty();
   if (options.file_camera) settings.camera = choose_camera(scene, *options.file_camera).value_or(kNone);

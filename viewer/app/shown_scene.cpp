@@ -5,17 +5,25 @@
 #include "viewer/app/file_camera.h"
 
 namespace sinew::viewer {
+namespace {
+
+FrustumCulling culling_for(const Exhibit& exhibit, const Needs& needs) {
+  return {exhibit.scene, needs, exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()};
+}
+
+}  // namespace
 
 ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count)
     : exhibit_(exhibit),
-      playback_(exhibit.scene),
-      culling_(exhibit.scene, needs_of(exhibit, evaluation)),
+      playback_(exhibit.scene, cache_duration_s(exhibit)),
+      culling_(culling_for(exhibit, needs_of(exhibit, evaluation))),
       culled_(culling_.all_in_view()),
       scene_upload_(device, exhibit.scene, slot_count),
       frame_upload_(device, exhibit.scene, slot_count),
       look_(exhibit.scene),
       skeleton_(exhibit.scene),
       bounds_(exhibit.scene.animations.size() + 1) {
+  if (exhibit.cache) cache_.emplace(*exhibit.cache, exhibit.scene, CacheReader::Reads::beside);
   plan_for(evaluation);
 }
 
@@ -35,7 +43,7 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   jobs_ = std::make_unique<JobThread>();
   character_ = jobs_->add_character(plan_);
   ready_seen_ = false;
-  culling_ = FrustumCulling(exhibit_.scene, plan_.needs());
+  culling_ = culling_for(exhibit_, plan_.needs());
   culled_ = culling_.all_in_view();
   const auto ticket = request();
   CONTRACT(ticket.has_value());  // the job thread is idle
@@ -47,6 +55,7 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
 Result<Ticket> ShownScene::request() {
   FrameInput now;
   now.layers = playback_.layers();
+  if (cache_) now.geometry = cache_->at(playback_.time_s(), cache_weight_);
   leave_out(culled_, joints_watched_, now);
   const FrameInput input = levels_->input(now, playback_.layers_ahead(levels_->frames_to_update()));
   const auto ticket = jobs_->submit({&input, 1});
@@ -63,6 +72,8 @@ Result<Ticket> ShownScene::request() {
 void ShownScene::begin_frame(const View& view, bool view_is_moved) {
   if (!playback_.playing())
     levels_->begin_exact_frame("the time stands still");
+  else if (cache_ && cache_weight_ > 0.0f)
+    levels_->begin_exact_frame("a geometry cache plays");
   else if (view_is_moved)
     levels_->begin_exact_frame("the camera moves with the clip");
   else
@@ -75,7 +86,7 @@ void ShownScene::submit(const View& view, bool view_is_moved, double aspect, boo
   joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // the user may choose one of them at any time
   const bool lacks = requested_culled_.culls_more_than(culled_) ||
                      (requested_culled_.every_instance && !requested_joints_ && joints_watched_);
-  if (!lacks && is_requested()) return;
+  if (!lacks && is_requested() && !cache_is_late_) return;
   if (!request()) {
     if (!lacks) return;  // the worker is busy: the next frame requests again
     jobs_->wait(ticket_);
@@ -87,11 +98,27 @@ void ShownScene::submit(const View& view, bool view_is_moved, double aspect, boo
 const FrameResult& ShownScene::newest() {
   const bool ready = jobs_->done(ticket_);
   newest_ = jobs_->latest(character_);
+  if (ready && !ready_seen_ && cache_) watch_cache();
   ready_seen_ = ready_seen_ || ready;
   return *newest_;
 }
 
-bool ShownScene::settled() const noexcept { return ready_seen_ && is_requested(); }
+// Nothing runs now: what was requested last is done.
+void ShownScene::watch_cache() {
+  cache_->watch(*newest_);
+  cache_fault_ = cache_->fault();
+  cache_is_late_ = is_late(*newest_) && cache_fault_.empty();
+}
+
+bool ShownScene::settled() const noexcept { return ready_seen_ && is_requested() && !cache_is_late_; }
+
+std::optional<CacheFacts> ShownScene::cache_facts() const {
+  if (!cache_) return std::nullopt;
+  CacheFacts facts = cache_->facts();
+  facts.fault = cache_fault_;
+  if (resting()) facts.bytes_per_s = 0.0;
+  return facts;
+}
 
 DrawnScene ShownScene::upload(std::uint32_t slot, std::uint32_t variant) {
   frame_upload_.update(slot, newest(), plan_number_);
@@ -122,7 +149,7 @@ std::span<const LineVertex> ShownScene::skeleton_lines() {
 const ClipExtent& ShownScene::bounds() {
   const std::uint32_t clip = playback_.clip();
   auto& known = clip < exhibit_.scene.animations.size() ? bounds_[clip] : bounds_.back();
-  if (!known) known = clip_extent(exhibit_.scene, clip);
+  if (!known) known = clip_extent(exhibit_.scene, clip, exhibit_.cache.get());
   return *known;
 }
 

@@ -7,6 +7,7 @@
 
 #include "runtime/model/scene_look.h"
 #include "runtime/threads/job_thread.h"
+#include "viewer/app/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"
@@ -35,6 +36,15 @@ class ShownScene {
 
   /// Compiles a new plan and waits for its first pose, so that there is always one to draw.
   void plan_for(const Evaluation& evaluation);
+
+  /// How much of the geometry cache is in the next pose: FrameInput::geometry. Without one nothing changes.
+  void set_cache_weight(float weight) noexcept { cache_weight_ = weight; }
+
+  /// The geometry cache as it plays; nothing without one.
+  std::optional<CacheFacts> cache_facts() const;
+
+  /// Why the geometry cache cannot be shown, in one sentence; empty when it can.
+  const std::string& cache_fault() const noexcept { return cache_fault_; }
 
   /// Requests the pose at the current time, without meshes that are out of view. Does nothing if that pose was
   /// requested already, or while another request waits for the worker. Waits for the pose only if a mesh comes into
@@ -78,9 +88,11 @@ class ShownScene {
   struct Request {
     std::uint32_t clip = kNone;
     double time_s = 0.0;
+    float cache_weight = 0.0f;
     friend bool operator==(const Request&, const Request&) = default;
   };
-  Request current() const noexcept { return {playback_.clip(), playback_.time_s()}; }
+  Request current() const noexcept { return {playback_.clip(), playback_.time_s(), cache_ ? cache_weight_ : 0.0f}; }
+  void watch_cache();
   bool is_requested() const noexcept { return request_is_exact_ && requested_ == current(); }
   void begin_frame(const View& view, bool view_is_moved);
   CameraPose& camera_pose(std::uint32_t camera);
@@ -89,6 +101,10 @@ class ShownScene {
   const Exhibit& exhibit_;
   Playback playback_;
   Evaluation evaluation_;
+  std::optional<CachePlayback> cache_;  ///< outlives the job thread, which calls it
+  float cache_weight_ = 1.0f;
+  bool cache_is_late_ = false;  ///< in the newest pose: it is asked for again
+  std::string cache_fault_;
   Plan plan_;
   std::vector<PlanStage> stages_;  ///< of the plan
   std::unique_ptr<UpdateLevels> levels_;

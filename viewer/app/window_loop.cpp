@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -70,6 +71,7 @@ class WindowLoop {
   PanelFacts facts();
   void draw();
   void keep_pace();
+  void say_fault();
 
   const Options& options_;
   std::vector<Exhibit>& exhibits_;
@@ -87,6 +89,7 @@ class WindowLoop {
   std::optional<std::uint32_t> wished_exhibit_;
   int frames_to_draw_ = kFramesAfterChange;  // before the loop stops drawing because nothing moves
   double frame_ms_ = 0.0;
+  std::string said_fault_;
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
@@ -131,6 +134,7 @@ void WindowLoop::ask() {
   const bool of_file = settings_.camera != kNone;
   const View view =
       of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
+  shown_->set_cache_weight(settings_.cache_weight);
   shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
 }
 
@@ -203,6 +207,7 @@ PanelFacts WindowLoop::facts() {
   facts.device = device_.name();
   facts.scene = &exhibit.scene;
   facts.needs = &shown_->needs();
+  facts.cache = shown_->cache_facts();
   facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
   facts.resting = shown_->resting();
@@ -226,6 +231,7 @@ void WindowLoop::draw() {
   if (settings_.watches_plan()) {
     live_plan_.updates(shown_->update_levels());
     live_plan_.evaluated(shown_->stages(), shown_->newest());
+    if (const auto cache = shown_->cache_facts()) live_plan_.cache(*cache, shown_->newest().work);
     live_plan_.drawn(shown_->upload_counts(), frame_.report(), frame_.pass_times());
   }
   --frames_to_draw_;
@@ -268,13 +274,22 @@ int WindowLoop::run() {
       continue;
     }
     ask();
+    say_fault();
     if (!shown_->settled()) frames_to_draw_ = kFramesAfterChange;
     if (frames_to_draw_ <= 0) continue;
     draw();
     keep_pace();
   }
   device_.wait_idle();
-  return exit_code_after_validation(options_, device_);
+  const int code = exit_code_after_validation(options_, device_);
+  return code == 0 && !said_fault_.empty() ? 1 : code;
+}
+
+// Says once why a geometry cache cannot be shown; the window goes on with the pose.
+void WindowLoop::say_fault() {
+  if (shown_->cache_fault().empty() || shown_->cache_fault() == said_fault_) return;
+  said_fault_ = shown_->cache_fault();
+  std::fprintf(stderr, "sinew-viewer: %s\n", said_fault_.c_str());
 }
 
 }  // namespace

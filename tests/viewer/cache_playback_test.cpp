@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/cache_playback.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "runtime/plan/run_plan.h"
+#include "tests/viewer/cache_files.h"
+
+namespace sinew::viewer {
+namespace {
+
+using testing::HasSubstr;
+using Reads = CacheReader::Reads;
+
+/// A cache alone, evaluated at any time.
+class Played {
+ public:
+  Played(const CacheAlone& alone, Reads reads)
+      : playback(*alone.cache, alone.scene, reads), plan_(compile_plan(alone.scene, needs(alone))), frame_(plan_) {}
+
+  const FrameResult& at(double time_s, float weight = 1.0f) {
+    FrameInput input;
+    input.geometry = playback.at(time_s, weight);
+    EXPECT_EQ(run_plan(plan_, input, frame_), ErrorCode::ok);
+    playback.watch(frame_.result());
+    return frame_.result();
+  }
+
+  CachePlayback playback;
+
+ private:
+  static Needs needs(const CacheAlone& alone) {
+    Needs needs;
+    needs.cached_instances = alone.cache->instances();
+    needs.stage_times = true;
+    return needs;
+  }
+  Plan plan_;
+  FrameBuffer frame_;
+};
+
+std::vector<glm::vec3> positions(const FrameResult& frame) {
+  return {frame.primitives[0].positions.begin(), frame.primitives[0].positions.end()};
+}
+
+TEST(cache_playback, shows_the_frame_of_the_time) {
+  const Bytes bytes = flag_bytes(20, 1.5);
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  GeometryDecoder decoder(alone.cache->file.cache);
+  MappedFrames source{alone.cache->file.cache, bytes};
+  std::vector<glm::vec3> expected(alone.cache->file.cache.meshes()[0].vertex_count);
+  for (const std::uint32_t frame : {0u, 7u, 6u, 19u}) {
+    ASSERT_EQ(decoder.decode(frame, source), GeometryStatus::ok);
+    decoder.write_vertices(0, expected);
+    EXPECT_EQ(positions(played.at(frame / 30.0)), expected) << frame;
+  }
+}
+
+TEST(cache_playback, order_of_times_changes_nothing) {
+  const Bytes bytes = flag_bytes();
+  const CacheAlone alone = flag_alone(bytes);
+  const std::vector<double> times = {0.0, 0.01, 0.2, 0.333, 0.5, 0.61, 0.633};
+  std::vector<std::vector<glm::vec3>> forward;
+  Played first(alone, Reads::at_once), second(alone, Reads::at_once), third(alone, Reads::beside);
+  for (const double t : times) forward.push_back(positions(first.at(t)));
+  for (std::size_t i = times.size(); i-- > 0;) EXPECT_EQ(positions(second.at(times[i])), forward[i]) << times[i];
+  for (const std::size_t i : {3u, 0u, 6u, 1u, 5u, 2u, 4u}) {
+    while (is_late(third.at(times[i]))) std::this_thread::yield();
+    EXPECT_EQ(positions(third.at(times[i])), forward[i]) << times[i];
+  }
+}
+
+TEST(cache_playback, plays_forward_and_backward_within_one_window_and_reads_each_frame_once) {
+  const Bytes bytes = flag_bytes(16);
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  std::uint64_t frames = 0;
+  for (const GeometryFrame& frame : alone.cache->file.cache.frames()) frames += frame.size;
+  for (int f = 0; f < 16; ++f) played.at(f / 30.0);
+  for (int f = 16; f-- > 0;) played.at(f / 30.0);
+  EXPECT_EQ(played.playback.bytes_read(), frames) << "two segments fit";
+}
+
+TEST(cache_playback, tells_what_it_takes) {
+  const Bytes bytes = flag_bytes();
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  EXPECT_FALSE(played.playback.facts().ns_per_vertex);
+  for (int f = 0; f < 6; ++f) played.at(f / 30.0);
+  const CacheFacts facts = played.playback.facts();
+  EXPECT_EQ(facts.frame_count, 20u);
+  EXPECT_EQ(facts.vertex_count, 33u * 25u);
+  EXPECT_EQ(facts.window_frames, 16u) << "a segment and what is read ahead";
+  EXPECT_GT(facts.frames_there, 5u);
+  EXPECT_LE(facts.frames_there, facts.window_frames);
+  EXPECT_GT(facts.window_bytes, 0u);
+  ASSERT_TRUE(facts.ns_per_vertex);
+  EXPECT_GT(*facts.ns_per_vertex, 0.0);
+  EXPECT_EQ(facts.late, 0u);
+  EXPECT_EQ(describe_cost({.ns_per_vertex = 3.14, .late = 2}), "3.1 ns a decoded vertex, pictures late: 2");
+  EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_there = 3, .window_frames = 40, .window_bytes = 1234567}),
+            "18 kB a second read, window 3 of 40 frames in 1.2 MB");
+}
+
+TEST(cache_playback, says_which_rule_a_damaged_frame_breaks_and_shows_the_pose) {
+  const Bytes bytes = with_damage(flag_bytes(), 10);
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  EXPECT_TRUE(played.at(9 / 30.0).instances[0].from_cache);
+  EXPECT_EQ(played.playback.fault(), "");
+  const FrameResult& damaged = played.at(12 / 30.0);
+  EXPECT_FALSE(damaged.instances[0].from_cache);
+  EXPECT_THAT(played.playback.fault(), HasSubstr("flag: cache-checksum: "));
+  EXPECT_TRUE(played.at(17 / 30.0).instances[0].from_cache) << "the next segment is whole";
+  EXPECT_EQ(played.playback.fault(), "");
+}
+
+TEST(cache_playback, frames_that_cannot_be_read_are_late_and_for_pictures_a_fault) {
+  const Bytes bytes = flag_bytes();
+  CacheAlone alone = flag_alone(bytes);
+  CacheOnScene gone = *alone.cache;
+  gone.file.path = "/nothing/here.sgeo";
+  alone.cache = std::make_shared<const CacheOnScene>(gone);
+  Played pictures(alone, Reads::at_once), window(alone, Reads::beside);
+  EXPECT_TRUE(is_late(pictures.at(0.1)));
+  EXPECT_THAT(pictures.playback.fault(), HasSubstr("cache-size"));
+  EXPECT_TRUE(is_late(window.at(0.1)));
+  EXPECT_EQ(window.playback.fault(), "") << "it may come later";
+  EXPECT_EQ(window.playback.facts().late, 1u);
+}
+
+TEST(cache_playback, without_weight_nothing_is_read) {
+  const Bytes bytes = flag_bytes();
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  EXPECT_FALSE(played.at(0.3, 0.0f).instances[0].from_cache);
+  EXPECT_EQ(played.playback.bytes_read(), 0u);
+}
+
+}  // namespace
+}  // namespace sinew::viewer
