@@ -5,7 +5,7 @@
 speed     the table of `./run bench` in tests/bench/README.md, and its few rows in README.md (`headlines`)
 budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models, in runtime/compress/README.md
 cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
-showcase  samples/showcase/showcase.png
+showcase  showcase.png and flag.png in samples/showcase
 
 A table goes between the lines `<!-- figures: NAME -->` and `<!-- end -->` of its file. Models come from CORPUS; without it,
 figures that need them stay as they are. Leave the machine alone meanwhile.
@@ -129,7 +129,8 @@ def cost(build, corpus):
 def showcase(build, corpus):
     no_display = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     subprocess.run([ROOT / "run", "--preset", build.name, "demo"], env=no_display, check=True)
-    shutil.copy(ROOT / "build/demo/showcase.png", ROOT / "samples/showcase/showcase.png")
+    for name in ("showcase.png", "flag.png"):
+        shutil.copy(ROOT / "build/demo" / name, ROOT / "samples/showcase" / name)
 
 
 def main():
