@@ -35,26 +35,39 @@ void write_all(const std::vector<T>& numbers, ByteWriter& out) {
   out.add(std::span<const T>(numbers));
 }
 
-void write_block(const TrackBlock& block, ByteWriter& out) {
+/// Tables are [component][lane], a left-out component has no range. A range is the two halves of `low` and, where the
+/// component takes bits, the upper half of `step`.
+void write_packed(const TrackBlock& block, std::size_t key_count, ByteWriter& out) {
+  std::vector<PackedTrack> tracks;
+  for (std::size_t lane = 0; lane < block.lane_count; ++lane)
+    tracks.push_back(packed_range(block.packed, block.lane_count, lane));
+  std::vector<std::uint8_t> widths, derived;
+  std::vector<std::uint16_t> ranges;
+  for (std::size_t c = 0; c < tracks.front().components; ++c)
+    for (const PackedTrack& track : tracks) {
+      widths.push_back(track.width[c]);
+      if (c == track.derived) continue;
+      const auto low = std::bit_cast<std::uint32_t>(track.low[c]);
+      ranges.push_back(static_cast<std::uint16_t>(low >> 16));
+      ranges.push_back(static_cast<std::uint16_t>(low));
+      if (track.width[c] > 0)
+        ranges.push_back(static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(track.step[c]) >> 16));
+    }
+  if (block.property == Property::rotation)
+    for (const PackedTrack& track : tracks) derived.push_back(track.derived);
+  write_all(widths, out);
+  write_all(derived, out);
+  write_all(ranges, out);
+  write_all(in_lane_order(block.packed, block.lane_count, key_count), out);
+}
+
+void write_block(const TrackBlock& block, std::size_t key_count, ByteWriter& out) {
   out.add(static_cast<std::uint8_t>(block.property));
   out.add(static_cast<std::uint8_t>(block.interpolation));
   out.add(static_cast<std::uint8_t>(!block.packed.empty()));
   write_rising(block.targets, out);
   if (block.packed.empty()) return out.add(std::span(block.rows).first(block.rows.size() - kLanePadding));
-  const PackedRows& p = block.packed;
-  const std::size_t lanes = block.lane_count, table = p.width.size() - kLanePadding;
-  out.add(std::span(p.width).first(table));
-  out.add(std::span(p.derived).first(p.derived.empty() ? 0 : lanes));
-  std::vector<std::uint16_t> ranges;
-  for (std::size_t at = 0; at < table; ++at) {
-    if (!p.derived.empty() && p.derived[at % lanes] == at / lanes) continue;
-    const auto low = std::bit_cast<std::uint32_t>(p.low[at]);
-    ranges.push_back(static_cast<std::uint16_t>(low >> 16));
-    ranges.push_back(static_cast<std::uint16_t>(low));
-    if (p.width[at] > 0) ranges.push_back(static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(p.step[at]) >> 16));
-  }
-  write_all(ranges, out);
-  out.add(std::span(p.bits).first(p.bits.size() - kReadAhead));
+  write_packed(block, key_count, out);
 }
 
 constexpr Property kOfJoints[] = {Property::translation, Property::rotation, Property::scale};
@@ -103,7 +116,7 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
   for (const TimeGroup& group : clip.groups) {
     write_times(group.times.times_s(), out);
     out.add(static_cast<std::uint32_t>(group.blocks.size()));
-    for (const TrackBlock& block : group.blocks) write_block(block, out);
+    for (const TrackBlock& block : group.blocks) write_block(block, group.times.key_count(), out);
   }
   const BasePose identity{std::vector<Transform>(clip.joint_count)};
   for (const Property property : kOfJoints) {
@@ -252,53 +265,54 @@ class Loader {
   }
 
   void read_packed(TrackBlock& block, std::size_t keys) {
-    PackedRows& p = block.packed;
     const std::size_t lanes = block.lane_count,
-                      components = block.property == Property::rotation ? 4 : block.plane_count,
-                      table = lanes * components;
+                      components = block.property == Property::rotation ? 4 : block.plane_count;
     require(block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear,
             "only step and linear keys are packed");
-    p.width = in_.numbers<std::uint8_t>();
-    p.derived = in_.numbers<std::uint8_t>();
-    const std::vector<std::uint16_t> ranges = in_.numbers<std::uint16_t>();
-    p.bits = in_.numbers<std::uint8_t>();
-    require(lanes <= kMostPackedLanes && p.width.size() == table && p.derived.size() == (components == 4 ? lanes : 0),
+    const auto widths = in_.numbers<std::uint8_t>(), derived = in_.numbers<std::uint8_t>();
+    const auto ranges = in_.numbers<std::uint16_t>();
+    const auto bits = in_.numbers<std::uint8_t>();
+    require(lanes <= kMostPackedLanes && widths.size() == lanes * components &&
+                derived.size() == (components == 4 ? lanes : 0),
             "the tables of a packed block are not of its size");
-    require(
-        std::all_of(p.derived.begin(), p.derived.end(), [](std::uint8_t c) { return c <= PackedTrack::kNoneDerived; }),
-        "no such component");
-    require(std::all_of(p.width.begin(), p.width.end(), [](std::uint8_t w) { return w <= PackedTrack::kMostBits; }),
+    require(std::all_of(derived.begin(), derived.end(), [](std::uint8_t c) { return c <= PackedTrack::kNoneDerived; }),
+            "no such component");
+    require(std::all_of(widths.begin(), widths.end(), [](std::uint8_t w) { return w <= PackedTrack::kMostBits; }),
             "a packed number is too wide");
-    if (ok()) read_ranges(p, lanes, components, ranges);
     if (!ok()) return;
-    for (std::vector<std::uint8_t>* entries : {&p.width, &p.derived})
-      if (!entries->empty()) entries->resize(entries->size() + kLanePadding, 0);
-    place_bits(p, lanes, components);
-    require(p.bits.size() == keys * p.row_bytes, "packed keys are not of their size");
-    p.bits.resize(p.bits.size() + kReadAhead, 0);
+    std::vector<PackedTrack> tracks(lanes);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      tracks[lane].components = static_cast<std::uint32_t>(components);
+      if (!derived.empty()) tracks[lane].derived = derived[lane];
+      for (std::size_t c = 0; c < components; ++c) tracks[lane].width[c] = widths[c * lanes + lane];
+      require(tracks[lane].bits_per_key() <= PackedTrack::kMostKeyBits, "a packed key is too wide");
+    }
+    read_ranges(tracks, ranges);
+    require(bits.size() == keys * packed_row_bytes(tracks), "packed keys are not of their size");
+    if (components == 4) take(keys);
+    if (ok()) block.packed = packed_rows(tracks, bits, keys);
   }
 
-  void read_ranges(PackedRows& p, std::size_t lanes, std::size_t components, std::span<const std::uint16_t> ranges) {
-    p.low.assign(lanes * components + kLanePadding, 0.0f);
-    p.step = p.low;
-    std::size_t next = 0;
-    const auto half = [&] {
-      const std::size_t at = next++;
-      return at < ranges.size() ? std::uint32_t{ranges[at]} : 0u;
-    };
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      std::uint32_t bits = 0;
-      for (std::size_t c = 0; c < components; ++c) bits += p.width[c * lanes + lane];
-      require(bits <= PackedTrack::kMostKeyBits, "a packed key is too wide");
-    }
-    for (std::size_t at = 0; at < lanes * components; ++at) {
-      if (components == 4 && p.derived[at % lanes] == at / lanes) continue;
-      const std::uint32_t upper = half(), lower = half();
-      p.low[at] = std::bit_cast<float>(upper << 16 | lower);
-      if (p.width[at] > 0) p.step[at] = std::bit_cast<float>(half() << 16);
-    }
-    require(all_finite(p.low) && all_finite(p.step), "a range of packed keys is not finite");
-    require(next == ranges.size(), "the ranges of packed keys are not as many as their components");
+  void read_ranges(std::vector<PackedTrack>& tracks, std::span<const std::uint16_t> ranges) {
+    std::size_t expected = 0;
+    for (const PackedTrack& track : tracks)
+      for (std::size_t c = 0; c < track.components; ++c) {
+        require(c != track.derived || track.width[c] == 0, "a component that is left out has bits");
+        expected += c == track.derived ? 0 : track.width[c] > 0 ? 3 : 2;
+      }
+    require(ranges.size() == expected, "the ranges of packed keys are not as many as their components");
+    if (!ok()) return;
+    const std::uint16_t* next = ranges.data();
+    for (std::size_t c = 0; c < tracks.front().components; ++c)
+      for (PackedTrack& track : tracks) {
+        if (c == track.derived) continue;
+        const std::uint32_t upper = *next++, lower = *next++;
+        track.low[c] = std::bit_cast<float>(upper << 16 | lower);
+        if (track.width[c] > 0) track.step[c] = std::bit_cast<float>(std::uint32_t{*next++} << 16);
+        require(std::isfinite(track.low[c]) && std::isfinite(track.step[c]), "a range of packed keys is not finite");
+        require(track.width[c] == 0 || std::abs(track.step[c]) >= PackedTrack::kLeastStep,
+                "a step of packed keys is too small");
+      }
   }
 
   ByteReader in_;

@@ -10,7 +10,7 @@
 
 #include "runtime/clip/clip.h"
 #include "runtime/clip/key_times.h"
-#include "runtime/clip/packed_keys.h"
+#include "runtime/clip/packed_rows.h"
 
 /// What a compiled clip is made of. compile_clip and load_clips write it, sample_clip reads it; engines need none of
 /// it.

@@ -51,6 +51,7 @@ TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> nu
   std::vector<PackedTrack> tracks;
   for (const std::uint32_t lane : lanes) tracks.push_back(packed_lane(block.packed, block.lane_count, lane, key_count));
   kept.packed = packed_rows(tracks, key_count);
+  kept.packed.power = block.packed.power;  // so that poses keep their bits
   return kept;
 }
 

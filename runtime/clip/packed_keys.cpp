@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
-#include "runtime/base/contract.h"
 #include "runtime/clip/clip_layout.h"
 #include "runtime/math/quaternion.h"
 
@@ -92,6 +92,8 @@ std::optional<PackedTrack> fewest_bits(PackedTrack out, std::span<const float> v
       out = before;
       break;
     }
+  for (std::size_t c = 0; c < n; ++c)
+    if (out.width[c] > 0 && out.step[c] < PackedTrack::kLeastStep) return std::nullopt;
   return tolerance > 0.0 ? std::optional(std::move(out)) : std::nullopt;
 }
 
@@ -113,15 +115,10 @@ std::vector<float> signed_keys(const QuatTrack& track, std::uint8_t& derived) {
     Quat<double> q = normalised(quat_cast<double>(key));
     if (derived == PackedTrack::kNoneDerived ? quat_dot(before, q) < 0.0 : q[derived] < 0.0) q = -q;
     before = q;
-    for (int c = 0; c < 4; ++c) values.push_back(static_cast<float>(q[c]));
+    const glm::quat key_now = without_tiny(quat_cast<float>(q));  // lanes need not look for them (N26)
+    values.insert(values.end(), {key_now.x, key_now.y, key_now.z, key_now.w});
   }
   return values;
-}
-
-std::uint32_t bits_at(const PackedRows& rows, std::size_t bit, std::uint32_t count) noexcept {
-  std::uint32_t number = 0;
-  for (std::uint32_t i = 0; i < count; ++i, ++bit) number |= (std::uint32_t{rows.bits[bit / 8]} >> bit % 8 & 1u) << i;
-  return number;
 }
 
 }  // namespace
@@ -132,7 +129,10 @@ std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexc
     if (c != track.derived)
       v[c] = static_cast<float>(track.numbers[key * track.components + c]) * track.step[c] + track.low[c];
   if (track.derived < track.components) {
-    const float rest = 1.0f - ((v[0] * v[0] + v[1] * v[1]) + (v[2] * v[2] + v[3] * v[3]));
+    // In the order of the lanes, where w takes the place of the component that is left out.
+    std::array<float, 4> stored = v;
+    std::swap(stored[track.derived], stored[3]);
+    const float rest = 1.0f - ((stored[0] * stored[0] + stored[1] * stored[1]) + stored[2] * stored[2]);
     v[track.derived] = std::sqrt(std::max(rest, 0.0f));
   }
   return v;
@@ -175,65 +175,6 @@ std::optional<PackedTrack> pack_keys(const WeightTrack& track, std::uint32_t wei
     return std::abs(static_cast<double>(unpack_key(packed, key)[0]) - static_cast<double>(values[key]));
   };
   return fewest_bits(std::move(out), values, tolerance, error);
-}
-
-void place_bits(PackedRows& rows, std::size_t lanes, std::size_t components) {
-  rows.first_bit.assign(lanes + kLanePadding, 0);
-  std::uint32_t bit = 0;
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    rows.first_bit[lane] = static_cast<std::uint16_t>(bit);
-    for (std::size_t c = 0; c < components; ++c) bit += rows.width[c * lanes + lane];
-  }
-  rows.row_bytes = (bit + 7) / 8;
-}
-
-PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_count) {
-  CONTRACT(!tracks.empty() && tracks.size() <= kMostPackedLanes);
-  const std::size_t lanes = tracks.size(), components = tracks.front().components,
-                    table = lanes * components + kLanePadding;
-  PackedRows rows;
-  rows.width.assign(table, 0);
-  rows.low.assign(table, 0.0f);
-  rows.step.assign(table, 0.0f);
-  if (components == 4) rows.derived.assign(lanes + kLanePadding, PackedTrack::kNoneDerived);
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    if (components == 4) rows.derived[lane] = tracks[lane].derived;
-    for (std::size_t c = 0; c < components; ++c) {
-      const std::size_t at = c * lanes + lane;
-      rows.width[at] = tracks[lane].width[c];
-      rows.low[at] = tracks[lane].low[c];
-      rows.step[at] = tracks[lane].step[c];
-    }
-  }
-  place_bits(rows, lanes, components);
-  rows.bits.assign(key_count * rows.row_bytes + kReadAhead, 0);
-  for (std::size_t key = 0; key < key_count; ++key) {
-    std::size_t at = key * rows.row_bytes * 8;
-    for (const PackedTrack& track : tracks)
-      for (std::size_t c = 0; c < components; ++c)
-        for (std::uint32_t i = 0; i < track.width[c]; ++i, ++at)
-          rows.bits[at / 8] = static_cast<std::uint8_t>(rows.bits[at / 8] |
-                                                        ((track.numbers[key * components + c] >> i & 1u) << at % 8));
-  }
-  return rows;
-}
-
-PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count) {
-  PackedTrack track;
-  track.components = static_cast<std::uint32_t>((rows.width.size() - kLanePadding) / lanes);
-  if (!rows.derived.empty()) track.derived = rows.derived[lane];
-  for (std::size_t c = 0; c < track.components; ++c) {
-    const std::size_t at = c * lanes + lane;
-    track.width[c] = rows.width[at];
-    track.low[c] = rows.low[at];
-    track.step[c] = rows.step[at];
-  }
-  for (std::size_t key = 0; key < key_count; ++key) {
-    std::size_t bit = key * rows.row_bytes * 8 + rows.first_bit[lane];
-    for (std::size_t c = 0; c < track.components; bit += track.width[c++])
-      track.numbers.push_back(bits_at(rows, bit, track.width[c]));
-  }
-  return track;
 }
 
 }  // namespace sinew

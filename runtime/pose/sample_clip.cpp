@@ -40,9 +40,11 @@ bool wanted(const TrackBlock& block, const SampleClipJob& job) {
 void sample_packed(const TrackBlock& block, const KeyPosition& position, const BetweenKeys& at,
                    const TrackOutput& out) {
   const bool on_key = position.on_key || block.interpolation == Interpolation::step;
-  const std::uint8_t* begin = block.packed.bits.data() + at.key * block.packed.row_bytes;
-  const PackedKeys keys{begin, on_key ? begin : begin + block.packed.row_bytes, on_key ? 0.0f : at.s,
-                        on_key ? 1.0f : at.r};
+  const PackedRows& rows = block.packed;
+  const std::uint8_t* begin = rows.bits.data() + at.key * rows.row_bytes;
+  const std::size_t power = rows.power.empty() ? 0 : rows.power_at(at.key);
+  const PackedKeys keys{begin, on_key ? begin : begin + rows.row_bytes, on_key ? 0.0f : at.s, on_key ? 1.0f : at.r,
+                        power};
   if (block.property == Property::rotation)
     slerp_packed(block, keys, out);
   else

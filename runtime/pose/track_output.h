@@ -33,6 +33,7 @@ struct BetweenKeys {
 struct PackedKeys {
   const std::uint8_t *begin, *end;
   float s, r;
+  std::size_t power;  ///< of the series of slerp (slerp_series.h)
 };
 
 /// Weights of the Hermite form; those of tangents include the interval. Computed in double (N24).

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "runtime/base/same_bits.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/clip/unpack_clip.h"
 #include "runtime/pose/blend_poses.h"
 #include "runtime/pose/local_to_model.h"
@@ -103,6 +104,22 @@ struct Crowd {
     const double duration_s = rooms[0]->of->animation.duration_s;
     for (std::size_t i = 0; i < kCrowd; ++i)
       step(*rooms[i], std::fmod(time_s + 0.618 * static_cast<double>(i), duration_s));
+  }
+};
+
+/// Many characters that play many clips, each at its own time. The clips together are larger than the caches: each one
+/// has tracks of its own.
+struct ClipCrowd {
+  static constexpr std::size_t kClips = 128;
+  Crowd crowd;
+  std::vector<Clip> clips;
+
+  ClipCrowd(const Shared& c, const Clip& clip) : crowd(c) {
+    for (std::size_t i = 0; i < kClips; ++i) clips.push_back(clip_of(ClipLayout(clip.layout())));
+  }
+  void sample() {
+    std::size_t next = 0;
+    crowd.each([&](Room& room, double t) { room.sample(clips[next++ % kClips], t); });
   }
 };
 
@@ -291,6 +308,13 @@ void add_crowd() {
   const std::size_t joints = kCrowd * characters().front()->joint_count();
   add("sample/sinew/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample(t); }); });
   add("sample/glm/crowd1024/cold", joints, [crowd] { crowd->each([](Room& room, double t) { room.sample_glm(t); }); });
+  const Shared& biped = characters().front();
+  const auto of_floats = std::make_shared<ClipCrowd>(biped, biped->clip),
+             of_bits = std::make_shared<ClipCrowd>(biped, *biped->packed);
+  add("sample/sinew/crowd1024/128clips", joints, [of_floats] { of_floats->sample(); });
+  add("sample/packed/crowd1024/128clips", joints, [of_bits] { of_bits->sample(); });
+  add("sample/glm/crowd1024/128clips", joints,
+      [crowd] { crowd->each([](Room& room, double t) { room.sample_glm(t); }); });
   const auto fewer_joints = [](const Shared& a, const Shared& b) { return a->joint_count() < b->joint_count(); };
   for (const Shared& c :
        {characters().front(), *std::min_element(characters().begin(), characters().end(), fewer_joints)})

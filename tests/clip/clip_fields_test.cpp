@@ -37,25 +37,23 @@ void add_range(std::vector<std::uint16_t>& ranges, std::uint8_t width) {
   if (width > 0) ranges.push_back(0x3c00);        // 0.0078125
 }
 
+/// The same row for each key.
+std::vector<std::uint8_t> rows(std::size_t keys, const std::vector<std::uint8_t>& row) {
+  std::vector<std::uint8_t> bits;
+  for (std::size_t k = 0; k < keys; ++k) bits.insert(bits.end(), row.begin(), row.end());
+  return bits;
+}
+
 /// Two rotations, one of them without its w: 9 and 8 bits, so that a key takes three bytes.
 Tracks packed_rotations(std::size_t keys) {
-  Tracks t{kRotation,
-           kLinear,
-           1,
-           2,
-           {0, 3},
-           {},
-           {3, 2, 3, 2, 3, 2, 0, 2},
-           {3, 4},
-           {},
-           std::vector<std::uint8_t>(3 * keys, 0x5a)};
+  Tracks t{kRotation, kLinear, 1, 2, {0, 3}, {}, {3, 2, 3, 2, 3, 2, 0, 2}, {3, 4}, {}, rows(keys, {0x5a, 0x5a, 0x01})};
   for (std::size_t at = 0; at < 8; ++at)
     if (at != 6) add_range(t.ranges, t.width[at]);
   return t;
 }
 
 Tracks packed_vectors(std::size_t keys) {
-  Tracks t{kTranslation, kStep, 1, 1, {1}, {}, {5, 0, 4}, {}, {}, std::vector<std::uint8_t>(2 * keys, 0x33)};
+  Tracks t{kTranslation, kStep, 1, 1, {1}, {}, {5, 0, 4}, {}, {}, rows(keys, {0x33, 0x01})};
   for (const std::uint8_t width : t.width) add_range(t.ranges, width);
   return t;
 }
@@ -177,6 +175,10 @@ const Damage kDamages[] = {
      [](ClipFields& f) {
        tracks(f, 1, 1).width = {19, 19, 19};
      }},
+    {"bits of a left-out component", "a component that is left out has bits",
+     [](ClipFields& f) { tracks(f, 1, 0).width[6] = 1; }},
+    {"a step that lanes cannot divide", "a step of packed keys is too small",
+     [](ClipFields& f) { tracks(f, 1, 1).ranges[2] = 0x0080; }},
     {"a lowest value", "a range of packed keys is not finite",
      [](ClipFields& f) { tracks(f, 1, 1).ranges[0] = kNoNumber; }},
     {"a step", "a range of packed keys is not finite", [](ClipFields& f) { tracks(f, 1, 1).ranges[2] = kNoNumber; }},

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "runtime/clip/clip_layout.h"
 #include "tests/support/near.h"
 #include "tests/support/tiny_assets.h"
 
@@ -69,27 +68,6 @@ TEST(packed_keys, what_takes_too_many_bits_or_is_a_curve_is_not_packed) {
   EXPECT_FALSE(pack_keys(Vec3Track{Interpolation::cubic_spline, {0}, {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}}, 1.0));
   test::FixedRandom random(3);
   EXPECT_FALSE(pack_keys(wandering(random, 10, 1.0), 1e-8));
-}
-
-TEST(packed_keys, rows_hold_the_numbers_of_every_lane_one_after_another) {
-  test::FixedRandom random(4);
-  std::vector<PackedTrack> tracks;
-  for (int i = 0; i < 21; ++i)
-    tracks.push_back(*pack_keys(wandering(random, 9, random.in(0.01, 2)), std::pow(10.0, random.in(-4, -1))));
-  const PackedRows rows = packed_rows(tracks, 9);
-  for (std::size_t key = 0; key < 9; ++key) {
-    std::size_t bit = key * rows.row_bytes * 8;
-    for (std::size_t lane = 0; lane < tracks.size(); ++lane) {
-      EXPECT_EQ(rows.first_bit[lane], bit - key * rows.row_bytes * 8);
-      for (std::uint32_t c = 0; c < 4; ++c) {
-        std::uint32_t number = 0;
-        for (std::uint32_t i = 0; i < tracks[lane].width[c]; ++i, ++bit)
-          number |= static_cast<std::uint32_t>(rows.bits[bit / 8] >> bit % 8 & 1) << i;
-        EXPECT_EQ(number, tracks[lane].numbers[key * 4 + c]);
-      }
-    }
-  }
-  EXPECT_EQ(rows.bits.size(), 9 * rows.row_bytes + kReadAhead);
 }
 
 }  // namespace

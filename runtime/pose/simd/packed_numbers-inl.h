@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unpacks the integers of packed keys; included once per SIMD target, so without `#pragma once`. Rows are
+// Reads the numbers of packed keys (PackedRows); included once per SIMD target, so without `#pragma once`. Rows are
 // little-endian.
 #if defined(SINEW_PACKED_NUMBERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_NUMBERS_INL_H
@@ -13,94 +13,119 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-using WholeTag = hn::RebindToSigned<Floats>;
-using Whole = hn::Vec<WholeTag>;
-
-/// Integers of the components of some lanes at both keys.
-template <std::size_t kComponents>
-struct Numbers {
-  Whole begin[kComponents], end[kComponents];
-};
+template <class D>
+using MaskTag = hn::RebindToUnsigned<D>;
+template <class D>
+using Masks = hn::Vec<MaskTag<D>>;
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// Unpacks one lane of the rows of two keys.
-template <std::size_t kComponents>
-HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane) {
-  const std::uint32_t first_bit = block.packed.first_bit[lane];
-  std::uint64_t b, e;
-  hwy::CopyBytes<sizeof(b)>(keys.begin + first_bit / 8, &b);
-  hwy::CopyBytes<sizeof(e)>(keys.end + first_bit / 8, &e);
-  b >>= first_bit % 8;
-  e >>= first_bit % 8;
-  Numbers<kComponents> out;
-  for (std::size_t c = 0; c < kComponents; ++c) {
-    const std::uint32_t width = block.packed.width[c * block.lane_count + lane];
-    const std::uint64_t mask = (std::uint64_t{1} << width) - 1;
-    out.begin[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(b & mask));
-    out.end[c] = hn::Set(WholeTag(), static_cast<std::int32_t>(e & mask));
-    b >>= width;
-    e >>= width;
-  }
-  return out;
+template <class D>
+using RowBytes = const std::uint8_t*;
+template <class D>
+using Shuffle = std::uint8_t;
+
+template <class D>
+HWY_INLINE RowBytes<D> load_fours(D, const std::uint8_t* row, const std::uint16_t* first_byte) {
+  return row + *first_byte;
+}
+template <class D>
+HWY_INLINE Shuffle<D> shuffle_of(D, const std::uint8_t* byte) {
+  return *byte;
+}
+template <class D>
+HWY_INLINE Masks<D> shuffled(D, RowBytes<D> row, Shuffle<D> shuffle) {
+  std::uint32_t bytes;
+  hwy::CopyBytes<sizeof(bytes)>(row + shuffle, &bytes);
+  return hn::Set(MaskTag<D>(), bytes);
 }
 
 #else
 
-using WordTag = hn::Repartition<std::uint64_t, Floats>;
-using Words = hn::Vec<WordTag>;
+template <class D>
+using ByteTag = hn::Repartition<std::uint8_t, D>;
+template <class D>
+using RowBytes = hn::Vec<ByteTag<D>>;
+template <class D>
+using Shuffle = hn::Vec<ByteTag<D>>;
 
-/// 64-bit integers of the even lanes and of the odd lanes.
-struct WordPairs {
-  Words even, odd;
-};
-
-HWY_INLINE WordPairs widened(Whole of_lanes) {
-  const WordTag d;
-  const Words pairs = hn::BitCast(d, of_lanes);
-  return {hn::And(pairs, hn::Set(d, 0xffffffffu)), hn::ShiftRight<32>(pairs)};
-}
-
-/// Eight bytes of a row for every lane.
-HWY_INLINE WordPairs gather(const std::uint8_t* row, const WordPairs& first_byte) {
-  const WordTag d;
-  const hn::RebindToSigned<WordTag> offsets;
-  const auto* words = reinterpret_cast<const std::uint64_t*>(row);
-  return {hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.even)),
-          hn::GatherOffset(d, words, hn::BitCast(offsets, first_byte.odd))};
-}
-
-/// The integers that begin at bit `shift` of each word.
-HWY_INLINE Whole numbers_at(const WordPairs& words, const WordPairs& shift, Whole mask) {
-  const WholeTag whole;
-  const Words even = hn::Shr(words.even, shift.even), odd = hn::Shr(words.odd, shift.odd);
-  return hn::And(hn::OddEven(hn::BitCast(whole, hn::ShiftLeft<32>(odd)), hn::BitCast(whole, even)), mask);
-}
-
-/// Unpacks a vector of lanes from `lane` on of the rows of two keys. Lanes past the last track read bits of the first.
-template <std::size_t kComponents>
-HWY_INLINE Numbers<kComponents> unpack(const TrackBlock& block, const PackedKeys& keys, std::size_t lane) {
-  const WholeTag whole;
-  const Whole one = hn::Set(whole, 1);
-  const Whole first_bit =
-      hn::PromoteTo(whole, hn::LoadU(hn::Rebind<std::uint16_t, Floats>(), block.packed.first_bit.data() + lane));
-  const WordPairs first_byte = widened(hn::ShiftRight<3>(first_bit));
-  const WordPairs begin = gather(keys.begin, first_byte), end = gather(keys.end, first_byte);
-  Whole shift = hn::And(first_bit, hn::Set(whole, 7));
-  Numbers<kComponents> out;
-  for (std::size_t c = 0; c < kComponents; ++c) {
-    const Whole width = hn::PromoteTo(
-        whole, hn::LoadU(hn::Rebind<std::uint8_t, Floats>(), block.packed.width.data() + c * block.lane_count + lane));
-    const Whole mask = hn::Sub(hn::Shl(one, width), one);
-    const WordPairs shifts = widened(shift);
-    out.begin[c] = numbers_at(begin, shifts, mask);
-    out.end[c] = numbers_at(end, shifts, mask);
-    shift = hn::Add(shift, width);
+template <class D>
+HWY_INLINE hn::Vec<D> load_sixteens(D d, const std::uint8_t* row, const std::uint16_t* first_byte) {
+  if constexpr (hn::MaxLanes(d) <= 16) {
+    return hn::LoadU(d, row + *first_byte);
+  } else {
+    const hn::Half<D> half;
+    return hn::Combine(d, load_sixteens(half, row, first_byte + hn::MaxLanes(half) / 16),
+                       load_sixteens(half, row, first_byte));
   }
-  return out;
+}
+
+/// Sixteen bytes of a row for each four lanes.
+template <class D>
+HWY_INLINE RowBytes<D> load_fours(D, const std::uint8_t* row, const std::uint16_t* first_byte) {
+  return load_sixteens(ByteTag<D>(), row, first_byte);
+}
+
+/// Puts the four bytes from `byte` on into each lane.
+template <class D>
+HWY_INLINE Shuffle<D> shuffle_of(D, const std::uint8_t* byte) {
+  HWY_ALIGN static constexpr std::uint8_t kFirst[16] = {0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12};
+  HWY_ALIGN static constexpr std::uint8_t kNext[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+  const ByteTag<D> d;
+  const auto of_lanes = hn::PromoteTo(MaskTag<D>(), hn::LoadU(hn::Rebind<std::uint8_t, D>(), byte));
+  return hn::Add(hn::TableLookupBytes(hn::BitCast(d, of_lanes), hn::LoadDup128(d, kFirst)), hn::LoadDup128(d, kNext));
+}
+
+template <class D>
+HWY_INLINE Masks<D> shuffled(D, RowBytes<D> bytes, Shuffle<D> shuffle) {
+  return hn::BitCast(MaskTag<D>(), hn::TableLookupBytes(bytes, shuffle));
 }
 
 #endif
+
+/// The bytes of both keys that have the numbers of a slot.
+template <class D>
+struct KeyBytes {
+  RowBytes<D> begin, end;
+};
+
+template <class D>
+HWY_INLINE KeyBytes<D> key_bytes(D d, const TrackBlock& block, const PackedKeys& keys, std::size_t slot,
+                                 std::size_t lane) {
+  const std::uint16_t* first_byte =
+      block.packed.first_byte.data() + slot * ((std::size_t{block.lane_count} + 3) / 4) + lane / 4;
+  return {load_fours(d, keys.begin, first_byte), load_fours(d, keys.end, first_byte)};
+}
+
+/// Where the lanes of one slot find their numbers in these bytes, and what the numbers stand for.
+template <class D>
+class Slot {
+ public:
+  HWY_INLINE Slot(const TrackBlock& block, std::size_t slot, std::size_t lane) {
+    const std::size_t at = slot * block.lane_count + lane;
+    const PackedRows& rows = block.packed;
+    const D d;
+    shuffle_ = shuffle_of(d, rows.byte.data() + at);
+    mask_ = hn::LoadU(MaskTag<D>(), rows.mask.data() + at);
+    const auto upper = hn::PromoteTo(MaskTag<D>(), hn::LoadU(hn::Rebind<std::uint16_t, D>(), rows.step.data() + at));
+    step_ = hn::BitCast(d, hn::ShiftLeft<16>(upper));
+    low_ = hn::LoadU(d, rows.low.data() + at);
+  }
+
+  /// Numbers of a key, where they stand in their bytes: below 2^31.
+  HWY_INLINE hn::Vec<D> number(RowBytes<D> bytes) const {
+    const D d;
+    const hn::RebindToSigned<D> whole;
+    return hn::ConvertTo(d, hn::BitCast(whole, hn::And(shuffled(d, bytes, shuffle_), mask_)));
+  }
+  /// eq   number * step + low
+  HWY_INLINE hn::Vec<D> value(hn::Vec<D> number) const { return hn::Add(hn::Mul(number, step_), low_); }
+
+ private:
+  Shuffle<D> shuffle_;
+  Masks<D> mask_;
+  hn::Vec<D> step_, low_;
+};
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
