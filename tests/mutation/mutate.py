@@ -7,6 +7,7 @@ import dataclasses
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 import time
@@ -25,7 +26,7 @@ SOURCES = ('.cpp', '.h', '.glsl', '.frag', '.vert')
 def arguments():
     parser = argparse.ArgumentParser(prog='./run mutate', description=__doc__)
     parser.add_argument('files', nargs='*', help='files or folders (default: runtime importer viewer)')
-    parser.add_argument('--changed', action='store_true', help='only files that the last commit changed')
+    parser.add_argument('--changed', action='store_true', help='only lines that the last commit wrote')
     parser.add_argument('--sample', type=int, metavar='N', help='an even sample of N mutants')
     parser.add_argument('--clusters', type=int, metavar='K', help='take the sample from about K files, which are compiled sooner')
     parser.add_argument('--seed', type=int, default=1, help='which sample (default: 1)')
@@ -43,18 +44,25 @@ def arguments():
     return parser.parse_args()
 
 
-def wanted_files(root, tree, options):
-    if options.changed:
-        changed = subprocess.run(['git', 'diff-tree', '--no-commit-id', '--name-only', '--diff-filter=d', '-r', '-m', 'HEAD'], cwd=root,
-                                 check=True, capture_output=True, text=True).stdout.split()
-        folders = tuple(options.files or ('runtime', 'importer', 'viewer'))
-        listed = [f for f in dict.fromkeys(changed) if f.startswith(folders)]
-    else:
-        listed = subprocess.run(['git', 'ls-files', *(options.files or ['runtime', 'importer', 'viewer'])], cwd=root, check=True,
-                                capture_output=True, text=True).stdout.split()
+def changed_lines(root):
+    """File -> the lines that the last commit wrote; nothing where there is no commit before it."""
+    diff = subprocess.run(['git', 'diff', '--unified=0', '--no-color', '--no-renames', 'HEAD~1', 'HEAD'], cwd=root, capture_output=True, text=True)
+    lines, file = {}, ''
+    for text in diff.stdout.splitlines():
+        if text.startswith('+++ '):
+            file = text[6:]
+        elif found := re.match(r'@@ -\S+ \+(\d+)(?:,(\d+))? @@', text):
+            first, count = int(found[1]), int(found[2] or 1)
+            lines.setdefault(file, set()).update(range(first, first + count))
+    return lines
+
+
+def wanted_files(root, tree, options, changed):
+    listed = subprocess.run(['git', 'ls-files', *(options.files or ['runtime', 'importer', 'viewer'])], cwd=root, check=True, capture_output=True,
+                            text=True).stdout.split()
     header = lambda f: f.endswith('.h')
     if options.changed:  # headers that half of the project includes take too long for every commit
-        listed = [f for f in listed if not header(f) or len(tree.users[f]) <= 25]
+        listed = [f for f in listed if f in changed and (not header(f) or len(tree.users[f]) <= 25)]
     keep = {'with': lambda f: True, 'without': lambda f: not header(f), 'only': header}[options.headers]
     return sorted(f for f in listed if f.endswith(SOURCES) and keep(f))
 
@@ -194,8 +202,11 @@ def main():
     state = f'{root}/{options.state}'
     os.makedirs(state, exist_ok=True)
     tree = Tree(root, f'{root}/{options.build}')
-    files = wanted_files(root, tree, options)
+    changed = changed_lines(root) if options.changed else {}
+    files = wanted_files(root, tree, options, changed)
     mutants = in_sample_order(find_places(tree, files, state, options.jobs), options.seed)
+    if options.changed:
+        mutants = [m for m in mutants if m.line in changed[m.file]]
     report.note(f'{len(mutants)} mutants can be set in {len(files)} files')
     chosen = mutants if options.sample is None else mutants[:options.sample]
     if options.clusters and options.sample:
