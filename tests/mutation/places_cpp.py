@@ -155,9 +155,17 @@ class Finder:
         else:
             self.mutate(cursor, parent, children)
         for child in children:
+            if kind == K.VAR_DECL and self.is_part_of_type(child, cursor):
+                continue
             if kind in (K.COMPOUND_STMT, K.IF_STMT, K.FOR_STMT, K.WHILE_STMT, K.CXX_FOR_RANGE_STMT, K.CASE_STMT, K.DEFAULT_STMT):
                 self.drop_statement(child, cursor, children)
             self.visit(child, cursor)
+
+    def is_part_of_type(self, child, variable):
+        """Arguments of templates and sizes of arrays, which the compiler has to know."""
+        start, end = self.range_of(child)
+        before = bisect.bisect_left(self.starts, start) - 1
+        return end <= variable.location.offset or self.tokens[before][2] == '['
 
     def is_constant(self, variable):
         start, end = self.range_of(variable)
@@ -316,7 +324,7 @@ class Finder:
         self.offset_index(self.range_of(cursor), children[0], children[1])
 
     def offset_index(self, whole, base, index):
-        if index.type.get_canonical().kind not in INTEGERS:
+        if index.type.get_canonical().kind not in INTEGERS or index.kind == K.INTEGER_LITERAL:
             return
         start, end = self.range_of(index)
         self.add(start, end, 'index', f'({self.flat(start, end)}) + 1')
