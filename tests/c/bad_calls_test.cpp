@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "runtime/c/handles.h"
 #include "tests/c/engine.h"
@@ -119,6 +120,35 @@ TEST(c_bad_calls, clocks_refuse_what_they_cannot_count) {
   EXPECT_EQ(sinew_crossed_events(nullptr, &time_s, 1, &event, 1), 0u);
   step = {};
   EXPECT_EQ(sinew_crossed_events(&step, nullptr, 3, &event, 1), 0u);
+}
+
+TEST(c_bad_calls, needs_are_checked_from_the_first_number_to_the_last) {
+  const sinew_scene scene{arm_scene()};  // three joints, one instance
+  sinew_plan* plan = nullptr;
+  const auto answer = [&](const auto& change) {
+    sinew_needs needs = sinew_default_needs();
+    change(needs);
+    return sinew_plan_create(&scene, &needs, &plan);
+  };
+  for (const float bad : {std::nanf(""), static_cast<float>(kInfinite), -0.5f})
+    for (std::size_t i = 0; i < 6; ++i) {
+      std::vector<float> masks(6, 1.0f);
+      masks[i] = bad;
+      EXPECT_EQ(answer([&](sinew_needs& n) {
+                  n.mask_count = 2;
+                  n.masks = masks.data();
+                }),
+                SINEW_NOT_FINITE)
+          << i;
+    }
+  const std::uint8_t unknown = SINEW_SKIN_CENTER_OF_ROTATION + 1;
+  EXPECT_EQ(answer([&](sinew_needs& n) { n.instance_skinning = &unknown; }), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer([](sinew_needs& n) { n.mask_count = 1; }), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(answer([](sinew_needs& n) { n.max_layers = 0; }), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer([](sinew_needs& n) { n.skinning = SINEW_SKIN_CENTER_OF_ROTATION + 1; }), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer([](sinew_needs& n) { n.normal_rule = SINEW_NORMALS_COFACTOR + 1; }), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer([](sinew_needs& n) { n.flags = ~0u; }), SINEW_UNSUPPORTED);
+  EXPECT_EQ(plan, nullptr);
 }
 
 TEST(c_bad_calls, root_motion_refuses_what_does_not_exist) {

@@ -261,7 +261,7 @@ class Finder:
             self.replace_token(whole, token, 'comparison', RELATIONAL[spelling][0])
         if 'glm::' not in first + second:
             return
-        if spelling == '*' and first == second and 'vec<' not in first:
+        if spelling == '*' and first == second and ('mat<' in first or 'qua<' in first):
             a, b = self.range_of(operands[0]), self.range_of(operands[1])
             self.add(*whole, 'arguments', f'({self.flat(*b)}) * ({self.flat(*a)})')
         elif spelling in ('+', '-', '+=', '-='):

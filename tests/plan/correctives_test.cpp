@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/plan/run_plan.h"
+#include "runtime/pose/correct_pose.h"
 #include "tests/plan/plan_dump.h"
 #include "tests/plan/slow_frame.h"
 #include "tests/scenes/hand_scenes.h"
@@ -55,6 +56,7 @@ TEST(correctives, run_when_weights_or_morphed_vertices_are_asked_for_and_say_why
   EXPECT_TRUE(runs.runs);
   EXPECT_EQ(runs.reason, "1 corrective adds to morph weights");
   EXPECT_EQ(runs.count, 2u);
+  EXPECT_EQ(runs.bytes, sizeof(double) * scratch_size(scene.correctives[0]));
   needs.weights = false;
   EXPECT_TRUE(stage(compile_plan(scene, needs), "correctives").runs);
   needs.positions = needs.normals = needs.tangents = false;

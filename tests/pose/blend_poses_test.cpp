@@ -245,6 +245,21 @@ TEST(blend_poses, N26_weights_too_small_to_matter_count_as_none) {
   for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(out.span().get(j), a.span().get(j));
 }
 
+TEST(blend_poses, N26_weights_of_any_size_blend_by_their_shares) {
+  test::FixedRandom random(27);
+  PoseBuffer a = random_pose(random, 5), b = random_pose(random, 5), rest(5), shares(5), out(5);
+  run(BlendPosesJob{std::array<BlendLayer, 2>{{{a.span(), 0.25f, {}}, {b.span(), 0.75f, {}}}}, rest.span(),
+                    shares.span()});
+  run(BlendPosesJob{std::array<BlendLayer, 2>{{{a.span(), 1e25f, {}}, {b.span(), 3e25f, {}}}}, rest.span(),
+                    out.span()});
+  for (std::size_t j = 0; j < 5; ++j) {
+    const Transform found = out.span().get(j), expected = shares.span().get(j);
+    EXPECT_LT(glm::length(found.translation - expected.translation), 1e-5f);
+    EXPECT_LT(glm::length(found.scale - expected.scale), 1e-5f);
+    EXPECT_TRUE(test::same_rotation(found.rotation, expected.rotation, 1e-6));
+  }
+}
+
 TEST(blend_poses, output_may_be_an_input) {
   test::FixedRandom random(7);
   PoseBuffer a = random_pose(random, 20), b = random_pose(random, 20), rest(20), out(20);
