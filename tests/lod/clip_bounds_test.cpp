@@ -112,7 +112,18 @@ TEST(clip_bounds, G03_cubic_weights_lead_out_of_what_their_keys_reach) {
     const std::vector<Aabb> reached =
         expect_holds(lifted_face(out_slope, in_slope), boxes_for(Skinning::linear), 0, 300);
     EXPECT_GT(std::max(reached[0].upper.z, -reached[0].lower.z), 1.2f) << "9 * 4 / 27 at a third of the way";
+    const Aabb reach = clip_bounds(lifted_face(out_slope, in_slope), boxes_for(Skinning::linear), 0)[0];
+    EXPECT_LT(std::max(reach.upper.z, -reach.lower.z), 3.01f) << "the curve stays among its control points";
   }
+}
+
+TEST(clip_bounds, G54_holds_every_copy_of_a_mesh_that_morphs) {
+  Scene scene = face_scene();
+  scene.instances[0].copies = {{{3, 0, 0}, glm::quat(1, 0, 0, 0), {2, 1, 4}},
+                               {{-4, 1, 0}, glm::quat(0.8f, 0.6f, 0, 0), {1, -3, 1}}};
+  const std::vector<Aabb> reached = expect_holds(scene, boxes_for(Skinning::linear), 0, 100);
+  EXPECT_GT(reached[0].upper.z, 3.9f) << "lifted by a metre that is scaled by four";
+  EXPECT_LT(diagonal(clip_bounds(scene, {}, 0)[0]), 4.0f * diagonal(reached[0]));
 }
 
 TEST(clip_bounds, turning_between_far_keys_reaches_out_of_both_poses) {

@@ -143,7 +143,7 @@ class Finder:
         if kind in (K.STRUCT_DECL, K.CLASS_DECL):
             self.declarations(cursor)
             return
-        if kind == K.VAR_DECL and self.is_constant(cursor):
+        if kind == K.VAR_DECL and (self.is_constant(cursor) or self.is_constant_statement(parent)):
             return
         children = list(cursor.get_children())
         if kind == K.CALL_EXPR and cursor.spelling in SILENT_CALLS:
@@ -166,6 +166,10 @@ class Finder:
         start, end = self.range_of(child)
         before = bisect.bisect_left(self.starts, start) - 1
         return end <= variable.location.offset or self.tokens[before][2] == '['
+
+    def is_constant_statement(self, statement):
+        words = [t[2] for t in self.between(*self.range_of(statement))][:2]
+        return statement.kind == K.DECL_STMT and ('constexpr' in words or 'static' in words)
 
     def is_constant(self, variable):
         start, end = self.range_of(variable)
