@@ -2,6 +2,7 @@
 """Places of a C++ file where a mutant can be set, found in clang's AST. Only code that runs: bodies of functions, no
 declarations, constants, contracts or messages."""
 import bisect
+import re
 import shlex
 
 from clang import cindex
@@ -349,6 +350,8 @@ class Finder:
         droppable = kind in (K.CALL_EXPR, K.COMPOUND_ASSIGNMENT_OPERATOR, K.BINARY_OPERATOR, K.BREAK_STMT, K.CONTINUE_STMT,
                              K.UNARY_OPERATOR, K.UNEXPOSED_EXPR) or kind == K.RETURN_STMT and text == 'return'
         if not droppable or 'stderr' in text or child.spelling in SILENT_CALLS or text.startswith('progress.'):
+            return
+        if re.match(r'[\w.\[\]>-]+\.(reserve|shrink_to_fit)\(', text):  # templates hide what is called
             return
         if self.between(start, end)[-1][2].startswith('"') and ' ' in self.between(start, end)[-1][2]:
             return  # words for people

@@ -65,6 +65,10 @@ TEST(local_to_model, an_empty_skeleton_is_no_work) {
   Rig rig({});
   EXPECT_EQ(check(rig.job()), ErrorCode::ok);
   run(rig.job());
+  LocalToModelJob without_memory = rig.job();
+  without_memory.local.planes = nullptr;
+  without_memory.model = {};
+  EXPECT_EQ(check(without_memory), ErrorCode::ok);
 }
 
 TEST(local_to_model, quarter_turns_along_a_chain_end_where_drawn_by_hand) {

@@ -38,9 +38,25 @@ class PanelTest : public testing::Test {
 
   // Presses the item with that label. True if some frame reported it active.
   PanelWishes click(const char* label, Playback& playback) {
-    PanelWishes wishes;
     frame(playback);
-    const ImGuiID id = ImGui::FindWindowByName("sinew (h hides this)")->GetID(label);
+    return click(label, "sinew (h hides this)", playback);
+  }
+
+  // Opens a list of choices and presses one of them.
+  void choose(const char* list, const char* item, Playback& playback) {
+    click(list, playback);
+    frame(playback);
+    click(item, "##Combo_00", playback);
+  }
+
+  PanelWishes click(const char* label, const char* window_name, Playback& playback) {
+    PanelWishes wishes;
+    ImGuiWindow* window = ImGui::FindWindowByName(window_name);
+    if (window == nullptr) {
+      ADD_FAILURE() << "no window " << window_name;
+      return wishes;
+    }
+    const ImGuiID id = window->GetID(label);
     ImGuiContext& g = *context_;
     // This version of ImGui has no test hooks: moves the mouse over the panel until the item is hovered.
     for (float y = 10; y < 700 && g.HoveredId != id; y += 4)
@@ -48,7 +64,7 @@ class PanelTest : public testing::Test {
         ImGui::GetIO().MousePos = {x, y};
         frame(playback);
       }
-    EXPECT_EQ(g.HoveredId, id) << label << " is nowhere in the panel";
+    EXPECT_EQ(g.HoveredId, id) << label << " is nowhere in " << window_name;
     for (const bool down : {true, false}) {
       ImGui::GetIO().MouseDown[0] = down;
       const PanelWishes now = frame(playback);
@@ -135,6 +151,15 @@ TEST_F(PanelTest, a_geometry_cache_has_a_weight_and_says_how_it_plays) {
   EXPECT_LT(settings_.cache_weight, 0.1f) << "the slider was clicked at its left end";
   click("time", playback);
   EXPECT_FALSE(playback.playing()) << "it has time without a clip";
+}
+
+TEST_F(PanelTest, the_way_of_playing_is_chosen_from_a_list) {
+  Playback playback(scene_);
+  for (const auto& [name, mode] :
+       {std::pair{"once", PlayMode::once}, {"there and back", PlayMode::ping_pong}, {"repeat", PlayMode::loop}}) {
+    choose("loop", name, playback);
+    EXPECT_EQ(playback.mode(), mode) << name;
+  }
 }
 
 TEST_F(PanelTest, switches_change_the_settings) {
