@@ -12,7 +12,7 @@ struct SurfaceFaces {
   std::vector<std::uint32_t> corners;          ///< [3T] vertices of the triangles
   std::vector<std::uint32_t> point_of_vertex;  ///< [V] vertices with one position and one normal at rest are one point,
                                                ///< so normals are smooth over seams of texture and sharp at sharp edges
-  std::uint32_t point_count = 0;
+  std::uint32_t point_count = 0;               ///< points are numbered in the order of their first vertices
   std::vector<glm::vec2> tangents;  ///< [3T] or empty; each corner's tangent at rest along the edges b - a and c - a of
                                     ///< its triangle, times the length of their cross product
 

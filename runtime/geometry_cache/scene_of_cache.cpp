@@ -23,7 +23,7 @@ std::vector<glm::vec3> values_of(GeometryDecoder& decoder, std::size_t stream, s
 /// Smooth over the points of the positions.
 std::vector<glm::vec3> smooth_normals(const Primitive& primitive, const GeometryStream& positions) {
   const SurfaceFaces faces{primitive.indices, positions.point_of_vertex, positions.point_count, {}};
-  std::vector<Vec3<double>> sums(positions.point_count);
+  std::vector<glm::vec4> sums(surface_sums(faces));
   std::vector<glm::vec3> normals(primitive.vertex_count());
   const std::vector<glm::vec3> up(primitive.vertex_count(), kUp);
   run(SurfaceNormalsJob{

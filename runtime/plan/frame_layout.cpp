@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/deform/surface_normals.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_tables.h"
 #include "runtime/pose/correct_pose.h"
@@ -55,19 +56,19 @@ void lay_out_primitives(CompiledPlan& plan, BlockLayout& block) {
 
 /// Primitives play one after another: what lies before the blend is shared by all of them.
 void lay_out_geometry(CompiledPlan& plan, BlockLayout& block) {
-  std::size_t positions = 0, normals = 0, tangents = 0, points = 0;
+  std::size_t positions = 0, normals = 0, tangents = 0, sums = 0;
   for (std::size_t p = 0; p < plan.primitives.size(); ++p) {
     const AttributeSet& cached = plan.primitives[p].cached;
     const std::size_t count = primitive_of(plan, plan.primitives[p]).vertex_count();
     if (cached.positions) positions = std::max(positions, count);
     if (cached.normals) normals = std::max(normals, count);
     if (cached.tangents) tangents = std::max(tangents, count);
-    if (plan.surface_faces[p] != nullptr) points = std::max<std::size_t>(points, plan.surface_faces[p]->point_count);
+    if (plan.surface_faces[p] != nullptr) sums = std::max(sums, surface_sums(*plan.surface_faces[p]));
   }
   plan.layout.cached.positions_at = block.take_array<glm::vec3>(positions);
   plan.layout.cached.normals_at = block.take_array<glm::vec3>(normals);
   plan.layout.cached.tangents_at = block.take_array<glm::vec4>(tangents);
-  plan.layout.surface_sums_at = block.take_array<Vec3<double>>(points);
+  plan.layout.surface_sums_at = block.take_array<glm::vec4>(sums);
 }
 
 void lay_out_tables(CompiledPlan& plan, BlockLayout& block) {

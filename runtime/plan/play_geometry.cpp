@@ -43,7 +43,7 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
                           .positions = out.positions,
                           .rest_normals = primitive.normals,
                           .turned = turned,
-                          .sums = memory.array<Vec3<double>>(plan.layout.surface_sums_at, faces->point_count),
+                          .sums = memory.array<glm::vec4>(plan.layout.surface_sums_at, surface_sums(*faces)),
                           .normals = out.normals});
   if (!out.tangents.empty())
     run(SurfaceTangentsJob{
