@@ -20,7 +20,8 @@ inline bool same_shape(const DeformedPrimitive& a, const DeformedPrimitive& b) {
 
 inline bool same_instance(const InstanceResult& a, const InstanceResult& b) {
   return same_bits(a.world_from_mesh, b.world_from_mesh) && same_bits(a.bounds, b.bounds) &&
-         a.first_primitive == b.first_primitive && a.mirrored == b.mirrored && a.visible == b.visible;
+         a.first_primitive == b.first_primitive && a.mirrored == b.mirrored && a.visible == b.visible &&
+         a.from_cache == b.from_cache && a.late == b.late;
 }
 
 /// The first part in which two frames differ, bit by bit, such as "instances[2]"; empty when they are the same. Numbers

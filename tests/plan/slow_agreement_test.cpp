@@ -171,6 +171,44 @@ TEST(slow_agreement, any_valid_input_shows_what_plain_double_loops_give) {
   EXPECT_GT(with_properties, 100u);
 }
 
+/// Every mesh plays, at any weight, from sources in either space, with and without normals.
+TEST(slow_agreement, instances_that_play_show_what_plain_double_loops_give) {
+  for (std::uint64_t seed = 400; seed < 424; ++seed) {
+    RandomSceneOptions options;
+    options.flat_normals = seed % 3 == 0;
+    options.mirrored_joints = seed % 2 == 0;
+    options.triangles = 8;
+    const Scene scene = random_scene(seed, options);
+    WavingVertices waves(scene, seed);
+    waves.space = seed % 5 < 2 ? VertexSpace::mesh : VertexSpace::scene;
+    waves.has_normals = seed % 7 == 0;
+    Needs needs;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) needs.cached_instances.push_back(i);
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const ClipLayer layer{0, 0.31, 1.0f};
+    for (const float weight : {0.0f, 0.3f, 0.8f, 1.0f}) {
+      const std::vector<GeometryInput> geometry(scene.instances.size(), {waves.source(), 0.7, weight});
+      FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = {}};
+      input.geometry = geometry;
+      input.root.row[1] = {0.0f, seed % 4 == 0 ? -1.5f : 1.25f, 0.0f, 2.0f};
+      ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      const SlowFrame slow = evaluate_slowly(scene, needs, input);
+      const Errors e = compare(frame.result(), slow);
+      EXPECT_LE(e.positions, weight == 1.0f ? 0.0 : 6e-6) << "seed " << seed << " weight " << weight;
+      EXPECT_LE(e.normals, weight == 1.0f ? 1e-6 : 2e-4) << "seed " << seed << " weight " << weight;
+      EXPECT_LE(e.tangents, weight == 1.0f ? 1e-5 : 4e-5) << "seed " << seed << " weight " << weight;
+      for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        EXPECT_EQ(frame.result().instances[i].mirrored, slow.mirrored[i]) << "seed " << seed << " weight " << weight;
+        EXPECT_LE(distance(affine_cast<double>(frame.result().instances[i].world_from_mesh), slow.world_from_mesh[i]) /
+                      (1.0 + safe_length(translation_of(slow.world_from_mesh[i]))),
+                  1e-5)
+            << "seed " << seed << " weight " << weight;
+      }
+    }
+  }
+}
+
 // The slow path must share no code with plans, clips and jobs, else agreement proves nothing.
 TEST(slow_frame, differs_when_its_input_differs) {
   const Scene scene = random_scene(7);

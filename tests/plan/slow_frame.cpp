@@ -5,8 +5,10 @@
 
 #include "runtime/animation/track_sample.h"
 #include "runtime/math/decompose.h"
+#include "runtime/math/normal_transform.h"
 #include "tests/reference/pose_corrective.h"
 #include "tests/reference/skinning.h"
+#include "tests/reference/surface.h"
 
 namespace sinew::test {
 namespace {
@@ -313,6 +315,73 @@ SlowPrimitive deformed(const Scene& scene, const Needs& needs, std::size_t i, co
   return shape;
 }
 
+/// The entry of an instance that is seen playing, or null.
+const GeometryInput* playing(const Needs& needs, const FrameInput& input, std::uint32_t instance) {
+  if (!input.out_of_view.empty() && input.out_of_view[instance] != 0) return nullptr;
+  for (std::size_t slot = 0; slot < input.geometry.size(); ++slot)
+    if (needs.cached_instances[slot] == instance && input.geometry[slot].plays()) return &input.geometry[slot];
+  return nullptr;
+}
+
+/// What the source of a primitive gives, with the normals and tangents that it lacks.
+SlowPrimitive sourced(const GeometryInput& input, std::uint32_t instance, std::uint32_t p, const Primitive& primitive,
+                      bool turned) {
+  const VertexSource& source = input.source;
+  std::vector<glm::vec3> positions(primitive.vertex_count()), normals(primitive.normals.size());
+  source.show(source.context, instance, input.time_s);
+  const bool has_normals = source.write(source.context, instance, p, positions, normals);
+  SlowPrimitive out;
+  out.positions.assign(positions.begin(), positions.end());
+  out.colors.assign(primitive.colors.begin(), primitive.colors.end());
+  if (has_normals && !primitive.flat_normals)
+    out.normals.assign(normals.begin(), normals.end());
+  else if (!primitive.normals.empty())
+    out.normals = reference::surface_normals(primitive, out.positions, turned);
+  if (!primitive.tangents.empty()) out.tangents = reference::surface_tangents(primitive, out.positions);
+  return out;
+}
+
+/// eq   (1 - w) A x + w B y; directions unit before and after
+SlowPrimitive blended(const SlowPrimitive& pose, const Affined& a, const SlowPrimitive& source, const Affined& b,
+                      double w) {
+  SlowPrimitive out = pose;
+  const auto mixed = [&](const Vec3d& x, const Vec3d& y) { return (1.0 - w) * x + w * y; };
+  const auto unit = [](const Vec3d& v) { return normalised_or(v, v); };
+  for (std::size_t v = 0; v < out.positions.size(); ++v)
+    out.positions[v] = mixed(transform_point(a, pose.positions[v]), transform_point(b, source.positions[v]));
+  for (std::size_t v = 0; v < out.normals.size(); ++v)
+    out.normals[v] = unit(mixed(transform_normal_outward(linear_part(a), pose.normals[v]),
+                                transform_normal_outward(linear_part(b), source.normals[v])));
+  for (std::size_t v = 0; v < out.tangents.size(); ++v)
+    out.tangents[v] =
+        unit(mixed(unit(transform_vector(a, pose.tangents[v])), unit(transform_vector(b, source.tangents[v]))));
+  return out;
+}
+
+/// Puts what an instance plays in the place of its pose.
+void play(const Scene& scene, const FrameInput& input, const GeometryInput& geometry, std::uint32_t i,
+          std::size_t first_primitive, SlowFrame& frame) {
+  const MeshInstance& instance = scene.instances[i];
+  const Affined root = affine_cast<double>(input.root), joint = frame.model[instance.joint];
+  const bool in_scene = geometry.source.space == VertexSpace::scene, full = geometry.weight == 1.0f;
+  const bool in_mesh = !in_scene && instance.skin == kNone;
+  const bool turned = in_scene && frame.mirrored[i] != (determinant(root) < 0.0);
+  const Affined pose_placed = in_mesh ? Affined{} : frame.world_from_mesh[i], source_placed = in_mesh    ? Affined{}
+                                                                                              : in_scene ? root
+                                                                                                         : joint;
+  const auto& primitives = scene.meshes[instance.mesh].primitives;
+  for (std::uint32_t p = 0; p < primitives.size(); ++p) {
+    SlowPrimitive& shape = frame.primitives[first_primitive + p];
+    const SlowPrimitive source = sourced(geometry, i, p, primitives[p], turned);
+    shape = full ? source : blended(shape, pose_placed, source, source_placed, static_cast<double>(geometry.weight));
+    const bool flips = full ? turned : !in_mesh && frame.mirrored[i];
+    if (primitives[p].flat_normals) flatten(shape, primitives[p], flips ? -1.0 : 1.0);
+    for (Vec3d& n : shape.normals) n = normalised_or(n, n);
+  }
+  if (full && !in_scene) frame.mirrored[i] = determinant(joint) < 0.0;
+  if (full || !in_mesh) frame.world_from_mesh[i] = full ? (in_scene ? root : joint) : Affined{};
+}
+
 }  // namespace
 
 SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input) {
@@ -329,8 +398,13 @@ SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInp
       placed = frame.model[skin.joints[0]] * affine_cast<double>(skin.inverse_bind[0]);
     }
     frame.mirrored.push_back(determinant(placed) < 0.0);
+    frame.world_from_mesh.push_back(instance.skin != kNone ? Affined{} : frame.model[instance.joint]);
+    const std::size_t first = frame.primitives.size();
     for (const Primitive& primitive : scene.meshes[instance.mesh].primitives)
       frame.primitives.push_back(deformed(scene, needs, i, primitive, frame));
+    const auto index = static_cast<std::uint32_t>(i);
+    if (const GeometryInput* geometry = playing(needs, input, index))
+      play(scene, input, *geometry, index, first, frame);
   }
   return frame;
 }

@@ -19,6 +19,7 @@ struct SlowFrame {
   std::vector<double> properties;
   std::vector<SlowPrimitive> primitives;  ///< all instances in order
   std::vector<bool> mirrored;             ///< [instances]
+  std::vector<Affined> world_from_mesh;   ///< [instances]
 };
 
 SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input);

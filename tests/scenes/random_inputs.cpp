@@ -48,6 +48,17 @@ bool is_out_of_view(const std::vector<std::uint8_t>& flags, std::size_t instance
 
 }  // namespace
 
+RandomInputs::RandomInputs(const Plan& plan)
+    : plan_(plan),
+      sources_(std::make_shared<Sources>(Sources{WavingVertices(plan.scene(), 11), WavingVertices(plan.scene(), 12),
+                                                 WavingVertices(plan.scene(), 11)})),
+      playing_(plan.needs().cached_instances.size()) {
+  WavingVertices& other = (*sources_)[1];
+  other.space = VertexSpace::mesh;
+  other.has_normals = true;
+  other.there_until = 1.9;
+}
+
 ClipLayer RandomInputs::some_layer(FixedRandom& random) const {
   ClipLayer layer{random.below(static_cast<std::uint32_t>(plan_.clip_tracks().size())), some_time(random)};
   layer.weight = some_weight(random);
@@ -122,8 +133,38 @@ void RandomInputs::change_view(FixedRandom& random) {
   flag = flag == 0 ? 1 : 0;
 }
 
+/// The first and the last source are of the same content: one may take the place of the other.
+void RandomInputs::change_geometry(FixedRandom& random) {
+  constexpr float kWeights[] = {0.0f, 0.25f, 0.5f, 1.0f, 1.0f, 1.0f};
+  if (playing_.empty()) return;
+  Playing& one = playing_[random.below(static_cast<std::uint32_t>(playing_.size()))];
+  switch (random.below(4)) {
+    case 0: one.source = random.below(4) == 0 ? kNone : random.below(3); break;
+    case 1: one.weight = kWeights[random.below(std::size(kWeights))]; break;
+    case 2:
+      for (Playing& all : playing_) all = one;
+      break;
+    default: source_times_[random.below(3)] = some_time(random);
+  }
+}
+
+void RandomInputs::set_geometry() {
+  geometry_.assign(playing_.size(), {});
+  for (std::size_t slot = 0; slot < playing_.size(); ++slot)
+    if (const std::uint32_t source = playing_[slot].source; source != kNone)
+      geometry_[slot] = {(*sources_)[source].source(), source_times_[source], playing_[slot].weight};
+}
+
+bool RandomInputs::is_seen_playing(std::size_t slot) const {
+  return slot < geometry_.size() && geometry_[slot].plays() &&
+         !is_out_of_view(out_of_view_, plan_.needs().cached_instances[slot]);
+}
+
 void RandomInputs::change_one_part(FixedRandom& random) {
-  switch (random.below(10)) {
+  switch (random.below(13)) {
+    case 10:
+    case 11:
+    case 12: change_geometry(random); break;
     case 0: change_weights(random); break;
     case 1: change_root(random); break;
     case 2:
@@ -157,6 +198,7 @@ void RandomInputs::step(std::uint32_t seed) {
   for (std::uint32_t changes = random.below(4); changes > 0; --changes) change_one_part(random);
   make_valid(layers_);
   make_valid(next_layers_);
+  set_geometry();
 }
 
 FrameInput RandomInputs::view() const {
@@ -166,6 +208,7 @@ FrameInput RandomInputs::view() const {
           .next_layers = next_layers_,
           .interpolation_factor = interpolation_factor_,
           .out_of_view = out_of_view_,
+          .geometry = geometry_,
           .asleep = asleep_};
 }
 
@@ -174,6 +217,10 @@ bool means_the_same(const RandomInputs& a, const RandomInputs& b) {
   const bool reached = a.interpolation_factor_ != 0.0f;
   for (std::size_t i = 0; i < std::max(a.out_of_view_.size(), b.out_of_view_.size()); ++i)
     if (is_out_of_view(a.out_of_view_, i) != is_out_of_view(b.out_of_view_, i)) return false;
+  for (std::size_t slot = 0; slot < a.playing_.size(); ++slot) {
+    if (a.is_seen_playing(slot) != b.is_seen_playing(slot)) return false;
+    if (a.is_seen_playing(slot) && !same_geometry(a.geometry_[slot], b.geometry_[slot])) return false;
+  }
   return same_layers(a.layers_, b.layers_) && same_bits<float>(a.weights_, b.weights_) && same_bits(a.root_, b.root_) &&
          same_bits(a.interpolation_factor_, b.interpolation_factor_) &&
          (!reached || same_layers(a.next_layers_, b.next_layers_));
@@ -217,6 +264,9 @@ Needs busy_needs(std::uint64_t seed, const Scene& scene) {
     std::vector<float>& mask = needs.masks.emplace_back(scene.skeleton.joint_count());
     for (float& weight : mask) weight = 0.5f * static_cast<float>(random.below(3));
   }
+  if (random.below(2) == 0) return needs;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (random.below(3) > 0) needs.cached_instances.push_back(i);
   return needs;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_input.h"
+#include "tests/scenes/waving_vertices.h"
 #include "tests/support/fixed_random.h"
 
 namespace sinew::test {
@@ -14,7 +17,7 @@ namespace sinew::test {
 class RandomInputs {
  public:
   /// in   plan  of a scene with two clips or more
-  explicit RandomInputs(const Plan& plan) : plan_(plan) {}
+  explicit RandomInputs(const Plan& plan);
 
   /// Changes none to three parts. The same seeds give the same inputs on every machine.
   void step(std::uint32_t seed);
@@ -23,7 +26,8 @@ class RandomInputs {
   FrameInput view() const;
 
   /// Whether frames cannot tell the inputs apart: numbers by their bits, a character asleep is asleep, layers that
-  /// are not reached do not count, and an empty list of what is out of view says that all is in view.
+  /// are not reached do not count, an empty list of what is out of view says that all is in view, and what is out of
+  /// view plays nothing.
   friend bool means_the_same(const RandomInputs& a, const RandomInputs& b);
 
  private:
@@ -36,10 +40,24 @@ class RandomInputs {
   void change_weights(FixedRandom& random);
   void change_root(FixedRandom& random);
   void change_view(FixedRandom& random);
+  void change_geometry(FixedRandom& random);
+  void set_geometry();
   void make_valid(Layers& layers) const;
   ClipLayer some_layer(FixedRandom& random) const;
 
+  /// What a mesh instance plays: a source, none or one that weighs nothing.
+  struct Playing {
+    std::uint32_t source = kNone;
+    float weight = 1.0f;
+  };
+  using Sources = std::array<WavingVertices, 3>;
+  bool is_seen_playing(std::size_t slot) const;
+
   Plan plan_;
+  std::shared_ptr<Sources> sources_;  ///< copies of the inputs share them, as characters do
+  std::array<double, 3> source_times_{};
+  std::vector<Playing> playing_;  ///< [cached instances]
+  std::vector<GeometryInput> geometry_;
   Layers layers_, next_layers_;
   std::vector<float> weights_;
   std::vector<std::uint8_t> out_of_view_;

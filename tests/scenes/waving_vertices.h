@@ -68,7 +68,7 @@ class WavingVertices {
     ShownVertices shown;
     shown.is_late = time_s > there_until;
     const double before = time_s_;
-    time_s_ = shown.is_late ? there_until : time_s;
+    time_s_ = (shown.is_late ? there_until : time_s) + 0.0;  // one zero
     shown.is_there = there_until > -1e9;
     shown.moment = static_cast<std::uint64_t>(std::llround(time_s_ * 1024.0));
     shown.bounds = bounds(instance, time_s_);
