@@ -112,7 +112,8 @@ set(sinew_public_headers
   runtime/c/plan.h
   runtime/c/playback.h
   runtime/c/scene.h
-  runtime/c/types.h)
+  runtime/c/types.h
+  runtime/c_geometry/sinew_geometry.h)
 if(SINEW_IMPORTER)
   list(APPEND sinew_public_headers
     importer/add_centers_of_rotation.h

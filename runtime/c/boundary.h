@@ -28,6 +28,8 @@ inline constexpr std::size_t kFirstVersionBytes<sinew_needs> = offsetof(sinew_ne
 template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_frame_input> = offsetof(sinew_frame_input, next_layers);
 template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_instance_result> = offsetof(sinew_instance_result, from_cache);
+template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_jobs_options> = offsetof(sinew_jobs_options, own_thread);
 
 /// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in

@@ -12,11 +12,11 @@
 
 using namespace sinew;
 
-/// Lies at the beginning of its own memory; the layers of one input and the frame buffer's block follow.
+/// Lies at the beginning of its own memory; the room for one input and the frame buffer's block follow.
 struct sinew_frame {
   const sinew_plan* plan;
   sinew_allocator allocator;
-  std::span<ClipLayer> layers;
+  c::InputRoom room;
   FrameBuffer buffer;
 };
 
@@ -36,12 +36,22 @@ void release_new(void*, void* block, std::size_t, std::size_t alignment) {
 }
 void keep_block(void*, void*, std::size_t, std::size_t) {}
 
+std::size_t layer_bytes(const sinew_plan& plan) noexcept { return aligned(plan.input_room() * sizeof(ClipLayer)); }
+std::size_t geometry_bytes(const sinew_plan& plan) noexcept {
+  return aligned(plan.geometry_room() * sizeof(GeometryInput));
+}
+
 sinew_frame* make_frame(const sinew_plan& plan, std::byte* block, const sinew_allocator& allocator) {
-  auto* layers = reinterpret_cast<ClipLayer*>(block + aligned(sizeof(sinew_frame)));
+  std::byte* const room = block + aligned(sizeof(sinew_frame));
+  auto* layers = reinterpret_cast<ClipLayer*>(room);
+  auto* geometry = reinterpret_cast<GeometryInput*>(room + layer_bytes(plan));
   std::uninitialized_value_construct_n(layers, plan.input_room());
-  std::byte* own = block + aligned(sizeof(sinew_frame)) + aligned(plan.input_room() * sizeof(ClipLayer));
-  return new (block) sinew_frame{
-      &plan, allocator, {layers, plan.input_room()}, FrameBuffer(plan.plan, {own, plan.plan.frame_bytes()})};
+  std::uninitialized_value_construct_n(geometry, plan.geometry_room());
+  std::byte* own = room + layer_bytes(plan) + geometry_bytes(plan);
+  return new (block) sinew_frame{&plan,
+                                 allocator,
+                                 {{layers, plan.input_room()}, {geometry, plan.geometry_room()}},
+                                 FrameBuffer(plan.plan, {own, plan.plan.frame_bytes()})};
 }
 
 const FrameResult& result_behind(const sinew_result* result) noexcept {
@@ -52,7 +62,7 @@ const FrameResult& result_behind(const sinew_result* result) noexcept {
 
 std::size_t sinew_plan_frame_bytes(const sinew_plan* plan) {
   if (plan == nullptr) return 0;
-  return aligned(sizeof(sinew_frame)) + aligned(plan->input_room() * sizeof(ClipLayer)) + plan->plan.frame_bytes();
+  return aligned(sizeof(sinew_frame)) + layer_bytes(*plan) + geometry_bytes(*plan) + plan->plan.frame_bytes();
 }
 
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out) {
@@ -84,7 +94,7 @@ void sinew_frame_destroy(sinew_frame* frame) {
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input) {
   if (frame == nullptr) return SINEW_NULL_ARGUMENT;
   FrameInput own;
-  if (const sinew_error error = c::read_input(input, *frame->plan, frame->layers, own); error != SINEW_OK) return error;
+  if (const sinew_error error = c::read_input(input, *frame->plan, frame->room, own); error != SINEW_OK) return error;
   return c::error_from(run_plan(frame->plan->plan, own, frame->buffer));
 }
 
@@ -148,6 +158,8 @@ sinew_error sinew_get_instance_result(const sinew_result* result, std::uint32_t 
   own.first_shape = found.first_primitive;
   own.mirrored = found.mirrored;
   own.visible = found.visible;
+  own.from_cache = found.from_cache;
+  own.late = found.late;
   return c::write_struct(own, out);
 }
 

@@ -21,6 +21,20 @@ typedef struct sinew_layer {
   uint32_t kind;  ///< sinew_layer_kind
 } sinew_layer;
 
+/// Where a frame takes vertices of mesh instances from in place of their pose: from sinew_geometry_player_source
+/// (sinew_geometry.h). Valid as long as what it was asked from. This struct never grows.
+typedef struct sinew_vertex_source {
+  uint64_t inside[6];  ///< all zero = none
+} sinew_vertex_source;
+
+/// What plays in one mesh instance. This struct never grows.
+typedef struct sinew_geometry_input {
+  sinew_vertex_source source;
+  double time_s;  ///< on the source's clock; the same for all instances of a source
+  float weight;   ///< [0, 1] 1 = vertices are those of the source, and the mesh is neither morphed nor skinned;
+                  ///< between: blended with the pose in world space
+} sinew_geometry_input;
+
 typedef struct sinew_frame_input {
   size_t struct_size;
   const sinew_layer* layers;         ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
@@ -34,6 +48,8 @@ typedef struct sinew_frame_input {
   size_t next_layer_count;         ///< at most max_layers + max_adding_layers
   float interpolation_factor;      ///< [0, 1] part of the way from the pose of `layers` to that of `next_layers`; needs
                                    ///< SINEW_NEED_BETWEEN_UPDATES, else 0
+  const sinew_geometry_input* geometry;  ///< [sinew_needs.cached_instances] null = nothing plays
+  size_t geometry_count;                 ///< of these, or 0
 } sinew_frame_input;
 
 /// No layers, root identity, interpolation factor 0; struct_size is set.
@@ -52,11 +68,10 @@ void sinew_frame_destroy(sinew_frame* frame);
 
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask), SINEW_SIZE_MISMATCH
-/// (weights, too many
-///      layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; weight below 1 where the plan has one layer;
-///      adding where the plan has none; an interpolation factor outside of [0, 1] or where the plan has none).
-///      Afterwards the last good frame is still there.
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
+///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED
+///      (negative weight; weight below 1 where the plan has one layer; adding where the plan has none; an interpolation
+///      factor outside of [0, 1] or where the plan has none). Afterwards the last good frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Asks for the memory that the next run touches first, without waiting for it: call it for the next character of a
@@ -98,6 +113,8 @@ typedef struct sinew_instance_result {
   uint32_t first_shape;          ///< one shape per primitive of its mesh
   uint32_t mirrored;             ///< 1: front faces wind clockwise
   uint32_t visible;              ///< 0: on a hidden joint, or out of view
+  uint32_t from_cache;           ///< 1: vertices are those of its source, in part or in full
+  uint32_t late;                 ///< 1: the source had not what was asked for; its newest frame is shown, or the pose
 } sinew_instance_result;
 sinew_error sinew_get_instance_result(const sinew_result* result, uint32_t instance, sinew_instance_result* out);
 

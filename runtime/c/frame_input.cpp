@@ -8,6 +8,7 @@
 namespace sinew::c {
 namespace {
 
+static_assert(sizeof(VertexSource) <= sizeof(sinew_vertex_source));
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
 
@@ -36,20 +37,28 @@ sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<C
   return SINEW_OK;
 }
 
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room,
+sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
                        FrameInput& input) noexcept {
   sinew_frame_input own = sinew_default_input();
   if (const sinew_error error = read_struct(given, own); error != SINEW_OK) return error;
   if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
   if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
   const std::size_t layer_room = plan.plan.needs().layer_room();
-  sinew_error error = read_layers(own.layers, own.layer_count, room.first(layer_room), input.layers);
+  sinew_error error = read_layers(own.layers, own.layer_count, room.layers.first(layer_room), input.layers);
   if (error != SINEW_OK) return error;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
     if (!plan.plan.needs().between_updates) return SINEW_UNSUPPORTED;
-    error = read_layers(own.next_layers, own.next_layer_count, room.subspan(layer_room), input.next_layers);
+    error = read_layers(own.next_layers, own.next_layer_count, room.layers.subspan(layer_room), input.next_layers);
     if (error != SINEW_OK) return error;
+  }
+  if (own.geometry_count > 0 && own.geometry == nullptr) return SINEW_NULL_ARGUMENT;
+  if (own.geometry_count > room.geometry.size()) return SINEW_SIZE_MISMATCH;
+  input.geometry = room.geometry.first(own.geometry_count);
+  for (std::size_t i = 0; i < own.geometry_count; ++i) {
+    copy_bits(own.geometry[i].source, room.geometry[i].source);
+    room.geometry[i].time_s = own.geometry[i].time_s;
+    room.geometry[i].weight = own.geometry[i].weight;
   }
   input.interpolation_factor = own.interpolation_factor;
   input.weights = {own.weights.data, own.weights.count};
@@ -60,17 +69,23 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, s
   return SINEW_OK;
 }
 
-sinew_error write_input(const FrameInput& input, std::span<sinew_layer> room, sinew_frame_input* out) noexcept {
+sinew_error write_input(const FrameInput& input, InputRoomOfC room, sinew_frame_input* out) noexcept {
   sinew_frame_input own = sinew_default_input();
-  own.layers = write_layers(input.layers, room);
+  own.layers = write_layers(input.layers, room.layers);
   own.layer_count = input.layers.size();
-  own.next_layers = write_layers(input.next_layers, room);
+  own.next_layers = write_layers(input.next_layers, room.layers);
   own.next_layer_count = input.next_layers.size();
   own.interpolation_factor = input.interpolation_factor;
   own.weights = {input.weights.data(), input.weights.size()};
   copy_bits(input.root, own.root);
   own.out_of_view = input.out_of_view.empty() ? nullptr : input.out_of_view.data();
   own.asleep = input.asleep;
+  own.geometry_count = input.geometry.size();
+  if (own.geometry_count > 0) own.geometry = room.geometry.data();
+  for (std::size_t i = 0; i < own.geometry_count; ++i) {
+    room.geometry[i] = {{}, input.geometry[i].time_s, input.geometry[i].weight};
+    copy_bits(input.geometry[i].source, room.geometry[i].source);
+  }
   return write_struct(own, out);
 }
 
@@ -86,5 +101,7 @@ sinew_frame_input sinew_default_input(void) {
           .asleep = 0,
           .next_layers = nullptr,
           .next_layer_count = 0,
-          .interpolation_factor = 0.0f};
+          .interpolation_factor = 0.0f,
+          .geometry = nullptr,
+          .geometry_count = 0};
 }

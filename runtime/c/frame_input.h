@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
+#include <vector>
 
 #include "runtime/c/frame.h"
 #include "runtime/c/handles.h"
@@ -8,12 +9,33 @@
 
 namespace sinew::c {
 
+/// Room for what an input lists.
+struct InputRoom {
+  std::span<ClipLayer> layers;        ///< [plan.input_room()]
+  std::span<GeometryInput> geometry;  ///< [plan.geometry_room()]
+};
+
+/// The same as C has it.
+struct InputRoomOfC {
+  std::span<sinew_layer> layers;
+  std::span<sinew_geometry_input> geometry;
+};
+
+/// Room that owns its memory.
+struct OwnInputRoom {
+  explicit OwnInputRoom(const sinew_plan& plan) : layers(plan.input_room()), geometry(plan.geometry_room()) {}
+  InputRoom room() noexcept { return {layers, geometry}; }
+
+  std::vector<ClipLayer> layers;
+  std::vector<GeometryInput> geometry;
+};
+
 /// The input of a C caller as the runtime takes it.
-/// in   given  null = the rest pose;   room[plan.input_room()]  for the layers
+/// in   given  null = the rest pose
 /// out  input  views of `room` and of the caller's weights
-/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more layers or weights than room),
-///      SINEW_UNSUPPORTED (unknown kind; interpolation that the plan has no room for)
-sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, std::span<ClipLayer> room,
+/// err  SINEW_WRONG_STRUCT_SIZE, SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more layers, weights or instances that play
+///      than room), SINEW_UNSUPPORTED (unknown kind; interpolation that the plan has no room for)
+sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
                        FrameInput& input) noexcept;
 
 /// Layers of a C caller.    err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more than room), SINEW_UNSUPPORTED (kind)
@@ -21,8 +43,7 @@ sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<C
                         std::span<const ClipLayer>& layers) noexcept;
 
 /// The other way: an input of the runtime for a C caller.
-/// in   room[plan.input_room()]  for the layers
 /// out  out  views of `room` and of what `input` views
-sinew_error write_input(const FrameInput& input, std::span<sinew_layer> room, sinew_frame_input* out) noexcept;
+sinew_error write_input(const FrameInput& input, InputRoomOfC room, sinew_frame_input* out) noexcept;
 
 }  // namespace sinew::c

@@ -30,6 +30,9 @@ struct sinew_plan {
   /// Room for the layers of one input, and for those of a later time after them.
   std::size_t input_room() const noexcept { return plan.needs().layer_room() * (plan.needs().between_updates ? 2 : 1); }
 
+  /// Room for what plays in an input.
+  std::size_t geometry_room() const noexcept { return plan.needs().cached_instances.size(); }
+
   const sinew_scene* scene;
   sinew::Plan plan;
   std::vector<sinew::PlanStage> stages = plan.stages();  // their texts, which C reads through pointers

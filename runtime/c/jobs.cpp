@@ -47,7 +47,7 @@ static_assert(sizeof(JobThread::Task) <= sizeof(sinew_task));
 
 struct Character {
   const sinew_plan* plan;
-  std::vector<ClipLayer> layers;
+  c::OwnInputRoom room;
 };
 
 }  // namespace
@@ -97,7 +97,7 @@ sinew_error sinew_jobs_add_character(sinew_jobs* jobs, const sinew_plan* plan, s
   if (jobs == nullptr || plan == nullptr || character == nullptr) return SINEW_NULL_ARGUMENT;
   return c::guarded([&] {
     jobs->inputs.reserve(jobs->characters.size() + 1);
-    jobs->characters.push_back({plan, std::vector<ClipLayer>(plan->input_room())});
+    jobs->characters.push_back({plan, c::OwnInputRoom(*plan)});
     try {
       *character = jobs->thread.add_character(plan->plan);
     } catch (...) {
@@ -117,7 +117,7 @@ sinew_error sinew_jobs_submit(sinew_jobs* jobs, const sinew_frame_input* inputs,
     Character& character = jobs->characters[c];
     const sinew_frame_input* input = nullptr;
     sinew_error error = c::element_of(inputs, c, input);
-    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.layers, jobs->inputs[c]);
+    if (error == SINEW_OK) error = c::read_input(input, *character.plan, character.room.room(), jobs->inputs[c]);
     if (error != SINEW_OK) return error;
   }
   return c::guarded([&] {

@@ -24,6 +24,10 @@ sinew_error check(const sinew_needs& given, std::size_t joints, std::size_t inst
     if (!std::isfinite(given.masks[i]) || given.masks[i] < 0.0f) return SINEW_NOT_FINITE;
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
     if (given.instance_skinning[i] > SINEW_SKIN_CENTER_OF_ROTATION) return SINEW_UNSUPPORTED;
+  const sinew_indices& cached = given.cached_instances;
+  if (cached.count > 0 && cached.data == nullptr) return SINEW_NULL_ARGUMENT;
+  for (std::size_t i = 0; i < cached.count; ++i)
+    if (cached.data[i] >= instances || (i > 0 && cached.data[i] <= cached.data[i - 1])) return SINEW_INDEX_OUT_OF_RANGE;
   if (given.skeleton_lod == nullptr || given.skeleton_lod->kept.empty()) return SINEW_OK;
   return given.skeleton_lod->kept.size() == joints ? SINEW_OK : SINEW_SIZE_MISMATCH;
 }
@@ -56,6 +60,8 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
     needs.instance_skinning.push_back(static_cast<Skinning>(given.instance_skinning[i]));
   if (given.skeleton_lod != nullptr) needs.skeleton_lod = given.skeleton_lod->lod.detail;
+  needs.cached_instances.assign(given.cached_instances.data,
+                                given.cached_instances.data + given.cached_instances.count);
   return SINEW_OK;
 }
 
@@ -72,5 +78,6 @@ sinew_needs sinew_default_needs(void) {
           .mask_count = 0,
           .masks = nullptr,
           .instance_skinning = nullptr,
-          .skeleton_lod = nullptr};
+          .skeleton_lod = nullptr,
+          .cached_instances = {nullptr, 0}};
 }

@@ -43,6 +43,7 @@ typedef struct sinew_needs {
   const float* masks;                      ///< [mask_count][joints] weights >= 0, one row after another; copied
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
   const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied
+  sinew_indices cached_instances;  ///< rising: mesh instances that sinew_frame_input.geometry may play in; copied
 } sinew_needs;
 
 /// Everything but bounds, palettes, hidden meshes, adding layers and poses between updates; 4 layers of each kind;
@@ -54,6 +55,7 @@ typedef struct sinew_plan sinew_plan;
 
 /// in   scene  must outlive the plan;   needs  null = sinew_default_needs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all),
+///      SINEW_INDEX_OUT_OF_RANGE (cached instances that do not exist, or do not rise),
 ///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD of
 ///      another scene), SINEW_OUT_OF_MEMORY
 /// cost O(size of the scene); memory of operator new, which an engine may replace

@@ -15,12 +15,16 @@ namespace {
 static_assert(static_cast<int>(UpdateLevel::every_second) == SINEW_UPDATE_EVERY_SECOND &&
               static_cast<int>(UpdateLevel::every_fourth) == SINEW_UPDATE_EVERY_FOURTH);
 
-/// Layers of a C caller on their way in, and those of the answer on their way out.
-struct LayerRoom {
-  explicit LayerRoom(const sinew_plan& plan) : in(plan.input_room()), out(plan.input_room()) {}
+/// Room for the input of a C caller on its way in, and for the answer on its way out.
+struct BothRooms {
+  explicit BothRooms(const sinew_plan& plan) : own(plan), layers(plan.input_room()), geometry(plan.geometry_room()) {}
+  c::InputRoom in() noexcept { return own.room(); }
+  c::InputRoomOfC out() noexcept { return {layers, geometry}; }
 
-  std::vector<ClipLayer> in;
-  std::vector<sinew_layer> out;
+ private:
+  c::OwnInputRoom own;
+  std::vector<sinew_layer> layers;
+  std::vector<sinew_geometry_input> geometry;
 };
 
 }  // namespace
@@ -29,7 +33,7 @@ struct sinew_held_input {
   explicit sinew_held_input(const sinew_plan& of) : plan(&of), room(of), held(of.plan) {}
 
   const sinew_plan* plan;
-  LayerRoom room;
+  BothRooms room;
   HeldInput held;
 };
 
@@ -38,7 +42,7 @@ struct sinew_interpolated_input {
       : plan(&of), room(of), ahead(of.plan.needs().layer_room()), interpolated(of.plan) {}
 
   const sinew_plan* plan;
-  LayerRoom room;
+  BothRooms room;
   std::vector<ClipLayer> ahead;
   InterpolatedInput interpolated;
 };
@@ -90,8 +94,9 @@ sinew_error sinew_held_input_next(sinew_held_input* held, const sinew_frame_inpu
   if (level > SINEW_UPDATE_EVERY_FOURTH) return SINEW_UNSUPPORTED;
   return c::guarded([&] {
     FrameInput own;
-    if (const sinew_error error = c::read_input(now, *held->plan, held->room.in, own); error != SINEW_OK) return error;
-    return c::write_input(held->held.next(own, static_cast<UpdateLevel>(level), frame, phase), held->room.out, input);
+    if (const sinew_error error = c::read_input(now, *held->plan, held->room.in(), own); error != SINEW_OK)
+      return error;
+    return c::write_input(held->held.next(own, static_cast<UpdateLevel>(level), frame, phase), held->room.out(), input);
   });
 }
 
@@ -114,11 +119,11 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
   return c::guarded([&] {
     FrameInput own;
     std::span<const ClipLayer> next;
-    sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in, own);
+    sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own);
     if (error == SINEW_OK) error = c::read_layers(ahead, ahead_count, interpolated->ahead, next);
     if (error != SINEW_OK) return error;
     return c::write_input(interpolated->interpolated.next(own, next, static_cast<UpdateLevel>(level), frame, phase),
-                          interpolated->room.out, input);
+                          interpolated->room.out(), input);
   });
 }
 
