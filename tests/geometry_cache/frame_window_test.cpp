@@ -3,58 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <thread>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
+#include "tests/geometry_cache/disk.h"
 #include "tests/geometry_cache/takes.h"
 #include "tests/support/allocation_counter.h"
 
 namespace sinew::test {
 namespace {
-
-/// An engine's reader of some files in memory: at once, or when `deliver` is called.
-struct Disk {
-  struct Waiting {
-    std::uint64_t offset;
-    std::span<std::byte> into;
-    FrameRead* read;
-  };
-  std::vector<std::byte> file;
-  bool at_once = true;
-  int failures = 0;  // of the next reads
-  std::vector<Waiting> waiting = {};
-  std::size_t reads = 0;
-
-  FrameReader reader() {
-    return {[](void* disk, std::uint64_t offset, std::span<std::byte> into, FrameRead& read) noexcept {
-              return static_cast<Disk*>(disk)->start({offset, into, &read});
-            },
-            this};
-  }
-  ReadOutcome start(const Waiting& read) {
-    ++reads;
-    if (failures > 0) {
-      --failures;
-      return ReadOutcome::failed;
-    }
-    if (at_once) {
-      copy(read);
-      return ReadOutcome::done;
-    }
-    waiting.push_back(read);
-    return ReadOutcome::pending;
-  }
-  void copy(const Waiting& read) const { std::memcpy(read.into.data(), file.data() + read.offset, read.into.size()); }
-  void deliver(std::size_t count) {
-    for (std::size_t k = 0; k < count && !waiting.empty(); ++k) {
-      copy(waiting.front());
-      waiting.front().read->finish(true);
-      waiting.erase(waiting.begin());
-    }
-  }
-};
 
 class frame_window : public testing::Test {
  protected:

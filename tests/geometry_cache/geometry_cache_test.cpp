@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "runtime/base/checksum.h"
+#include "runtime/clip/byte_stream.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
+#include "runtime/geometry_cache/geometry_format.h"
 #include "tests/geometry_cache/takes.h"
 
 namespace sinew::test {
@@ -37,6 +39,74 @@ void sign(Bytes& file) {
   if (head < kGeometryFileHead || head > file.size()) return;
   const std::uint64_t sum = checksum(std::span(file).subspan(kGeometryFileHead, head - kGeometryFileHead));
   std::memcpy(file.data() + 32, &sum, sizeof(sum));
+}
+
+/// The table of the corners of parallelograms of the first mesh, in the directory.
+class CornersInFile {
+ public:
+  explicit CornersInFile(Bytes file) : file_(std::move(file)), in_(file_, kGeometryFileHead) {
+    in_.skip(2 * sizeof(double) + 3 * sizeof(std::uint32_t));  // times, frames, frames of a segment, meshes
+    in_.numbers<char>();                                       // name
+    in_.skip(2 * sizeof(std::uint32_t));                       // vertices, corners of triangles
+    skip_table();                                              // triangles
+    in_.skip(sizeof(double) + 6 * sizeof(float) + 1);          // certificate, box, streams
+    in_.skip(1 + sizeof(float) + 2 * sizeof(std::uint32_t) +
+             2 * sizeof(double));  // kind, step, points, largest payload, asked and measured
+    skip_table();                  // points of vertices
+    begin_ = in_.offset();
+    skip_table();
+  }
+
+  /// The file with other corners, stored plainly, and all that counts or sums bytes as it should be.
+  Bytes with(std::span<const std::uint8_t> corners) {
+    ByteWriter table;
+    table.add(static_cast<std::uint32_t>(corners.size()));
+    Bytes out(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    out.insert(out.end(), table.bytes().begin(), table.bytes().end());
+    const auto bytes = std::as_bytes(corners);
+    out.insert(out.end(), bytes.begin(), bytes.end());
+    out.insert(out.end(), file_.begin() + static_cast<std::ptrdiff_t>(in_.offset()), file_.end());
+    const std::uint64_t head = GeometryCache::head_bytes(file_) + out.size() - file_.size(), size = out.size();
+    std::memcpy(out.data() + 16, &head, sizeof(head));
+    std::memcpy(out.data() + 24, &size, sizeof(size));
+    sign(out);
+    return out;
+  }
+
+ private:
+  void skip_table() { in_.skip(in_.number<std::uint32_t>() & ~kStoredByZstd); }
+
+  Bytes file_;
+  ByteReader in_;
+  std::size_t begin_ = 0;
+};
+
+TEST(geometry_cache, corners_of_parallelograms_come_before_their_point) {
+  const Bytes good = *encode_geometry_cache(flag_take(4), {});
+  const std::vector<std::uint8_t> corners = GeometryCache::open(good)->meshes()[0].streams[0].corners;
+  ASSERT_GT(corners.size(), 6 * std::size_t{kBlockPoints});
+  CornersInFile in_file(good);
+  const auto rule_with = [&](std::size_t at, std::uint8_t corner) {
+    std::vector<std::uint8_t> changed = corners;
+    changed[at] = corner;
+    const auto cache = GeometryCache::open(in_file.with(changed));
+    return cache ? std::string() : cache.error().rule;
+  };
+  EXPECT_EQ(rule_with(0, corners[0]), "") << "as it was";
+  for (const std::size_t point :
+       {std::size_t{0}, std::size_t{1}, std::size_t{31}, std::size_t{63}, std::size_t{64}, std::size_t{127}})
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t in_block = point % kBlockPoints, at = 3 * point + k;
+      EXPECT_EQ(rule_with(at, static_cast<std::uint8_t>(in_block)), "cache-value") << "itself, point " << point;
+      if (in_block < kBlockPoints - 1) {
+        EXPECT_EQ(rule_with(at, static_cast<std::uint8_t>(in_block + 1)), "cache-value") << "later, point " << point;
+      }
+      if (in_block > 0) {
+        EXPECT_EQ(rule_with(at, static_cast<std::uint8_t>(in_block - 1)), "") << "point " << point;
+      }
+      EXPECT_EQ(rule_with(at, kNoCorner), "") << "none, point " << point;
+      EXPECT_EQ(rule_with(at, kNoCorner + 1), "cache-value") << "outside of its block, point " << point;
+    }
 }
 
 TEST(geometry_cache, says_what_is_in_the_file) {

@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/geometry_cache/scene_of_cache.h"
 #include "runtime/plan/run_plan.h"
+#include "runtime/threads/job_thread.h"
+#include "tests/geometry_cache/disk.h"
 #include "tests/geometry_cache/takes.h"
 
 namespace sinew::test {
@@ -77,6 +81,189 @@ TEST_F(geometry_player, playing_forward_decodes_each_frame_once) {
     EXPECT_EQ(decoded, f + 1u);
     EXPECT_EQ(play(frame, f * cache_.frame_s()).work, WorkCounters{});
   }
+}
+
+/// The same with frames that come through a window.
+class geometry_player_window : public geometry_player {
+ protected:
+  const FrameResult& play_from(GeometryPlayer& player, FrameBuffer& frame, double time_s,
+                               std::span<const std::uint8_t> out_of_view = {}) {
+    const GeometryInput geometry = player.at(time_s);
+    FrameInput input;
+    input.geometry = {&geometry, 1};
+    input.out_of_view = out_of_view;
+    EXPECT_EQ(run_plan(plan_, input, frame), ErrorCode::ok);
+    return frame.result();
+  }
+  void expect_bits(const FrameResult& shown, std::uint32_t frame) {
+    GeometryDecoder decoder(cache_);
+    ASSERT_EQ(decoder.decode(frame, mapped_), GeometryStatus::ok);
+    std::vector<glm::vec3> expected(cache_.meshes()[0].vertex_count);
+    ASSERT_EQ(decoder.write_vertices(0, expected), GeometryStatus::ok);
+    EXPECT_TRUE(same_bits<glm::vec3>(shown.primitives[0].positions, expected)) << "frame " << frame;
+  }
+  double time_of(std::uint32_t frame) const { return frame * cache_.frame_s(); }
+
+  Disk disk_{file_};
+};
+
+TEST_F(geometry_player_window, a_loop_with_a_slow_reader_does_not_stall_at_its_seam) {
+  disk_.at_once = false;
+  FrameWindow window(cache_, disk_.reader(), 4);
+  GeometryPlayer player(cache_, window, made_.scene, made_.bindings);
+  FrameBuffer frame(plan_);
+  window.prefetch(0);
+  disk_.deliver(100);
+  for (std::uint32_t shown = 0; shown < 50; ++shown) {  // a read takes two frames
+    EXPECT_FALSE(play_from(player, frame, time_of(shown % 20)).instances[0].late) << shown;
+    expect_bits(frame.result(), shown % 20);
+    if (shown % 2 == 1) disk_.deliver(100);
+  }
+  EXPECT_LE(disk_.reads, 50u + 3u) << "each frame is read once";
+  disk_.deliver(100);
+}
+
+TEST_F(geometry_player_window, slow_motion_reads_each_frame_once) {
+  FrameWindow window(cache_, disk_.reader(), 4);
+  GeometryPlayer player(cache_, window, made_.scene, made_.bindings);
+  FrameBuffer frame(plan_);
+  for (int step = 0; step <= 76; ++step) play_from(player, frame, 0.25 * step * cache_.frame_s());
+  EXPECT_EQ(player.decoder().frames_decoded(), 20u);
+  EXPECT_LE(disk_.reads, 20u + 4u) << "each frame, and the window from the first one on";
+}
+
+TEST_F(geometry_player_window, what_is_out_of_view_reads_nothing) {
+  FrameWindow window(cache_, disk_.reader(), 4);
+  GeometryPlayer player(cache_, window, made_.scene, made_.bindings);
+  FrameBuffer frame(plan_);
+  const std::uint8_t unseen[] = {1};
+  for (std::uint32_t f = 0; f < 10; ++f) {
+    play_from(player, frame, time_of(f), unseen);
+    EXPECT_FALSE(player.bounds(0, time_of(f)).empty());
+  }
+  EXPECT_EQ(window.bytes_asked(), 0u);
+  EXPECT_EQ(player.decoder().frames_decoded(), 0u);
+  expect_bits(play_from(player, frame, time_of(10)), 10);
+  const std::uint64_t asked = window.bytes_asked();
+  play_from(player, frame, time_of(10));
+  EXPECT_EQ(window.bytes_asked(), asked) << "paused";
+}
+
+TEST_F(geometry_player_window, a_reader_that_is_late_shows_the_newest_frame_and_says_so) {
+  disk_.at_once = false;
+  FrameWindow window(cache_, disk_.reader(), 6);
+  GeometryPlayer player(cache_, window, made_.scene, made_.bindings);
+  FrameBuffer frame(plan_);
+  EXPECT_TRUE(play_from(player, frame, 0.0).instances[0].late);
+  EXPECT_FALSE(frame.result().instances[0].from_cache);
+  disk_.deliver(3);
+  EXPECT_TRUE(play_from(player, frame, time_of(5)).instances[0].late);
+  expect_bits(frame.result(), 2);
+  const std::uint64_t since = frame.result().primitives[0].since_frame;
+  EXPECT_EQ(play_from(player, frame, time_of(5)).primitives[0].since_frame, since) << "nothing new came";
+  disk_.deliver(100);
+  EXPECT_FALSE(play_from(player, frame, time_of(5)).instances[0].late);
+  expect_bits(frame.result(), 5);
+  disk_.deliver(100);
+}
+
+TEST_F(geometry_player_window, a_damaged_frame_leaves_the_pose_and_the_next_segment_plays) {
+  disk_.file[cache_.frames()[9].offset + 20] ^= std::byte(4);
+  FrameWindow window(cache_, disk_.reader(), 4);
+  GeometryPlayer player(cache_, window, made_.scene, made_.bindings);
+  FrameBuffer frame(plan_);
+  EXPECT_FALSE(play_from(player, frame, time_of(8)).instances[0].late);
+  EXPECT_TRUE(play_from(player, frame, time_of(9)).instances[0].late);
+  EXPECT_FALSE(frame.result().instances[0].from_cache);
+  EXPECT_EQ(player.status(), GeometryStatus::damaged);
+  EXPECT_TRUE(play_from(player, frame, time_of(12)).instances[0].late) << "it follows from the damaged one";
+  EXPECT_FALSE(play_from(player, frame, time_of(16)).instances[0].late);
+  expect_bits(frame.result(), 16);
+}
+
+TEST_F(geometry_player_window, characters_on_threads_share_one_reader) {
+  constexpr std::uint32_t kCharacters = 4;
+  std::deque<FrameWindow> windows;
+  std::deque<GeometryPlayer> players;
+  JobThread jobs({.inline_below_bytes = 0, .part_bytes = 1});
+  for (std::uint32_t c = 0; c < kCharacters; ++c) {
+    windows.emplace_back(cache_, disk_.reader(), 3);
+    players.emplace_back(cache_, windows.back(), made_.scene, made_.bindings);
+    jobs.add_character(plan_);
+  }
+  for (std::uint32_t shown = 0; shown < 30; ++shown) {
+    std::vector<GeometryInput> geometry;
+    for (std::uint32_t c = 0; c < kCharacters; ++c) geometry.push_back(players[c].at(time_of((shown + 7 * c) % 20)));
+    std::vector<FrameInput> inputs(kCharacters);
+    for (std::uint32_t c = 0; c < kCharacters; ++c) inputs[c].geometry = {&geometry[c], 1};
+    const auto ticket = jobs.submit(inputs);
+    ASSERT_TRUE(ticket.has_value());
+    jobs.wait(*ticket);
+    ASSERT_EQ(jobs.last_error(), ErrorCode::ok);
+    for (std::uint32_t c = 0; c < kCharacters; ++c) expect_bits(*jobs.latest(c), (shown + 7 * c) % 20);
+  }
+}
+
+/// A strip of four triangles, with normals and colours of its own.
+GeometryTake strip_take() {
+  GeometryTake take = take_of({}, {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5});
+  TakeMesh& mesh = take.meshes[0];
+  mesh.name = "strip";
+  mesh.vertex_count = 6;
+  mesh.streams.push_back({GeometryKind::normals, {}, 1e-3});
+  mesh.streams.push_back({GeometryKind::colors, {}, 1e-3});
+  for (int f = 0; f < 3; ++f)
+    for (auto& stream : mesh.streams) {
+      auto& values = stream.frames.emplace_back();
+      for (int v = 0; v < 6; ++v) {
+        const auto number = static_cast<float>(v), frame = static_cast<float>(f), turn = 0.4f * (number + frame);
+        switch (stream.kind) {
+          case GeometryKind::positions: values.emplace_back(v / 2, v % 2, 0.1f * frame * number); break;
+          case GeometryKind::normals: values.emplace_back(std::sin(turn), 0.0f, std::cos(turn)); break;
+          case GeometryKind::colors: values.emplace_back(0.125f * number, 0.5f, 1.0f); break;
+        }
+      }
+    }
+  return take;
+}
+
+TEST(geometry_player_streams, normals_of_the_cache_are_unit_and_colours_are_those_of_the_first_frame) {
+  const GeometryTake take = strip_take();
+  const std::vector<std::byte> file = *encode_geometry_cache(take);
+  const GeometryCache cache = *GeometryCache::open(file);
+  MappedFrames frames{cache, file};
+  const CacheScene made = *scene_of(cache, frames);
+  EXPECT_EQ(check(made.scene), ErrorCode::ok);
+  const Primitive& primitive = made.scene.meshes[0].primitives[0];
+  ASSERT_EQ(primitive.colors.size(), 6u);
+  EXPECT_NEAR(primitive.colors[3].x, 0.375f, 1e-3f);
+  GeometryPlayer player(cache, frames, made.scene, made.bindings);
+  const Plan plan = compile_plan(made.scene, {.cached_instances = player.instances()});
+  FrameBuffer frame(plan);
+  const GeometryInput geometry = player.at(0.5 * cache.frame_s());
+  FrameInput input;
+  input.geometry = {&geometry, 1};
+  ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+  EXPECT_EQ(frame.result().work.smooth_triangles, 0u);
+  for (std::size_t v = 0; v < 6; ++v) {
+    const glm::vec3 expected =
+        glm::normalize(take.meshes[0].streams[1].frames[0][v] + take.meshes[0].streams[1].frames[1][v]);
+    EXPECT_NEAR(glm::length(frame.result().primitives[0].normals[v]), 1.0f, 1e-6f);
+    EXPECT_LT(glm::distance(frame.result().primitives[0].normals[v], expected), 3e-3f);
+  }
+}
+
+TEST(geometry_player_streams, a_mesh_without_triangles_is_shown_as_points) {
+  const std::vector<std::byte> file = *encode_geometry_cache(strip_take(), {.keep_triangles = false});
+  const GeometryCache cache = *GeometryCache::open(file);
+  MappedFrames frames{cache, file};
+  const CacheScene made = *scene_of(cache, frames);
+  EXPECT_EQ(check(made.scene), ErrorCode::ok);
+  EXPECT_EQ(made.scene.meshes[0].primitives[0].topology, Topology::points);
+  GeometryPlayer player(cache, frames, made.scene, made.bindings);
+  EXPECT_EQ(player.instances().size(), 1u);
+  FrameSource nothing{[](void*, std::uint32_t) noexcept { return std::span<const std::byte>(); }, nullptr};
+  EXPECT_EQ(scene_of(cache, nothing).error(), GeometryStatus::not_there);
 }
 
 }  // namespace
