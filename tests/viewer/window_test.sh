@@ -183,6 +183,15 @@ press Right Right
 eventually "right steps on" differs_now stepped
 press Left Left
 eventually "left goes back to the very same picture" equals_now stepped
+press l l space
+eventually "the flag flies on" differs_now stepped
+at_the_end() { sleep 1 && still end && ! same end stepped; }
+eventually "played once, it stops at its end" at_the_end
+press Right Right
+eventually "from there the next frame is the second one" differs_now end
+eventually "which stands still, too" still second
+press Left Left
+eventually "and back over the seam, where frames are read again, is the very same picture" equals_now end
 quit
 
 timeout 60 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"
