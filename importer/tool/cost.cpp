@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/bake/decoded_take.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/cost/make_report.h"
 #include "importer/tool/cost/occlusion_group.h"
@@ -54,6 +55,18 @@ std::vector<std::string> study_arguments(const CostOptions& options, const Scene
   return arguments;
 }
 
+ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
+  report.subject = subject;
+  report.command = command_of(options);
+  if (const auto failed = cost::write_report(report, options.folder)) {
+    return fail_with(ExitCode::machine_lacks, fmt::format("{}: {}", options.folder, *failed));
+  }
+  for (const cost::Group& group : report.groups)
+    fmt::print("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
+  fmt::print("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
+  return ExitCode::done;
+}
+
 ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip, const std::string& subject,
                    const CostOptions& options) {
   ProgressLine progress;
@@ -64,15 +77,24 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   show("ambient occlusion", kDoneBefore);
   report.groups.push_back(cost::look_at_occlusion(study_arguments(options, *scenes.moving, clip)));
   progress.wipe();
-  report.subject = subject;
-  report.command = command_of(options);
-  if (const auto failed = cost::write_report(report, options.folder)) {
-    return fail_with(ExitCode::machine_lacks, fmt::format("{}: {}", options.folder, *failed));
-  }
-  for (const cost::Group& group : report.groups)
-    fmt::print("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
-  fmt::print("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
-  return ExitCode::done;
+  return finish(std::move(report), subject, options);
+}
+
+/// The positions of a geometry cache as it decodes them: what else would they cost.
+ExitCode report_on_cache(const CacheFile& file, const CostOptions& options) {
+  if (options.clip) return fail_with(ExitCode::wrong_usage, "--clip: names a clip of a glTF file, and FILE is none");
+  const auto effort = options.quick ? cost::Effort::quick() : cost::Effort{};
+  auto take = decoded_take(file, effort.key_intervals);
+  if (!take) return fail_with(ExitCode::input_at_fault, fmt::format("{}: cache-frame: {}", options.file, take.error()));
+  ProgressLine progress;
+  const auto show = [&](const char* work, double done) { progress.show(work, done); };
+  const double asked_m = file.cache.meshes().empty() ? 1e-4 : file.cache.meshes()[0].certificate.asked_m;
+  cost::Report report = cost::make_geometry_report(std::move(*take), asked_m, effort, show);
+  progress.wipe();
+  const std::string subject =
+      fmt::format("{}: {} of {}", std::filesystem::path(options.file).filename().string(),
+                  counted(file.cache.frame_count(), "frame"), counted(file.cache.meshes().size(), "primitive"));
+  return finish(std::move(report), subject, options);
 }
 
 ExitCode report_on_showcase(const CostOptions& options) {
@@ -86,6 +108,8 @@ ExitCode report_cost(const CostOptions& options) {
   if (const std::string why = cost::objection_to(options.folder); !why.empty())
     return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
   if (options.file.empty()) return report_on_showcase(options);
+  if (const auto cache = read_cache(options.file, true))
+    return *cache ? report_on_cache(**cache, options) : cache->error();
   ImportOptions import;
   import.decode_images = false;
   const auto file = load_file(options.file, import);
@@ -108,11 +132,13 @@ void add_cost(CLI::App& program, ExitCode& outcome) {
       "cost",
       "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, "
       "to\n"
-      "calculate, and to compute ambient occlusion. Each has its error against double precision (or rays) and its "
+      "calculate, to keep every vertex of every frame, and to compute ambient occlusion. Each has its error against "
+      "double precision (or rays) and its "
       "time\n"
       "on this machine. DIR gets report.html (open it in a browser), report.json and report.csv, and appears complete\n"
       "or not at all.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file; without it the built-in showcase");
+  command->add_option("FILE", options->file,
+                      "A .gltf or .glb file, or a geometry cache; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
   command->add_option("--clip", options->clip,
                       "Index or name of the clip to look at, or none (default: the clip that moves most joints)");

@@ -67,7 +67,7 @@ bool sees(const std::string& from, const std::string& to) {
 const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"tiny_gltf", {"importer", "tests"}},
     {"OpenMesh/", {"importer", "tests"}},
-    {"meshoptimizer", {"importer", "tests"}},
+    {"meshoptimizer", {"importer", "importer/tool", "tests"}},
     {"draco/", {"importer", "tests"}},
     {"embree", {"importer", "viewer/study", "tests"}},
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
@@ -78,7 +78,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/geometry_cache", "importer/tool",
       "tests"}},
-    {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "tests"}},
+    {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
     {"tbb/", {"runtime/threads", "importer", "tests"}},
     {"oneapi/", {"runtime/threads", "importer", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -365,7 +366,29 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
   }
   EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
   EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing",
-                                            "arithmetic", "occlusion"}));
+                                            "arithmetic", "geometry_cache", "occlusion"}));
+}
+
+TEST(cost_command, takes_a_geometry_cache_and_compares_the_ways_to_keep_its_frames) {
+  const ToolModelFile model;
+  const std::string cache = model.beside("out.sgeo");
+  ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "0", "--normals", "-o", cache}).status, 0);
+  const fs::path out = model.beside("costs");
+  const CommandOutcome outcome = run_tool({"cost", cache, "--quick", "-o", out.string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json report = Json::parse(text_of(out / "report.json"));
+  ASSERT_EQ(report["groups"].size(), 1u);
+  std::map<std::string, Json> points;
+  for (const Json& point : report["groups"][0]["points"]) points[point["name"]] = point;
+  EXPECT_EQ(points.size(), 9u);
+  EXPECT_EQ(points.at("floats")["size"].get<double>(), 12.0);
+  EXPECT_EQ(points.at("floats")["error"].get<double>(), 0.0);
+  EXPECT_EQ(points.at("halves")["size"].get<double>(), 6.0);
+  EXPECT_LE(points.at("sinew 0.1 mm")["error"].get<double>(), 0.1);
+  EXPECT_TRUE(points.at("sinew 0.1 mm")["default"].get<bool>());
+  for (const char* exact : {"zstd -19", "meshopt", "zstd -19, residuals", "meshopt, residuals"})
+    EXPECT_LE(points.at(exact)["error"].get<double>(), 0.1) << exact << " has the numbers of the cache";
+  EXPECT_EQ(run_tool({"cost", cache, "--quick", "--clip", "0", "-o", out.string()}).status, 2);
 }
 
 TEST(cost_command, refuses_a_folder_that_holds_other_things) {

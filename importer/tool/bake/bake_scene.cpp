@@ -16,8 +16,6 @@
 namespace sinew::tool {
 namespace {
 
-constexpr double kMostFrames = 1e6;  // so that a typing error in --fps does not fill the memory
-
 /// One mesh of the take: a primitive of a mesh instance.
 struct Source {
   std::uint32_t instance = 0, primitive = 0;
@@ -111,11 +109,11 @@ class SceneBaker {
 }  // namespace
 
 tl::expected<BakedScene, std::string> bake_scene(const Scene& scene, std::uint32_t clip, double fps,
-                                                 const TakeBudgets& budgets) {
+                                                 const TakeBudgets& budgets, std::size_t most_frames) {
   const double duration_s = clip == kNone ? 0.0 : scene.animations[clip].duration_s;
-  if (duration_s * fps > kMostFrames)
-    return tl::unexpected(fmt::format("--fps {}: more than {} frames", fps, kMostFrames));
-  const auto frames = static_cast<std::size_t>(std::floor(duration_s * fps + 1e-6)) + 1;
+  if (duration_s * fps > static_cast<double>(kMostBakedFrames))
+    return tl::unexpected(fmt::format("--fps {}: more than {} frames", fps, kMostBakedFrames));
+  const std::size_t frames = std::min(most_frames, static_cast<std::size_t>(std::floor(duration_s * fps + 1e-6)) + 1);
   BakedScene out;
   out.take.frame_s = 1.0 / fps;
   SceneBaker baker(scene, clip, budgets);

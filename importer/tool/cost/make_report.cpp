@@ -68,6 +68,14 @@ std::vector<std::pair<std::string, std::string>> describe_machine() {
           {"measured on", date_now()}};
 }
 
+Report measured(std::vector<Study> studies, const Effort& effort, const Progress& progress) {
+  measure(studies, effort, [&](double done) { progress("times", kShareOfErrors + (1.0 - kShareOfErrors) * done); });
+  Report report;
+  report.machine = describe_machine();
+  for (Study& study : studies) report.groups.push_back(std::move(study.group));
+  return report;
+}
+
 }  // namespace
 
 Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, const Effort& effort,
@@ -81,19 +89,22 @@ Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, cons
     Study (*study)(const Subject&);
     const Subject& subject;
   };
-  const Look looks[] = {{study_rotation, moving},   {study_storage, moving},          {study_influences, skinned},
-                        {study_skinning, skinned},  {study_skinned_normals, skinned}, {study_morphing, morphed},
-                        {study_arithmetic, skinned}};
+  const Look looks[] = {{study_rotation, moving},    {study_storage, moving},          {study_influences, skinned},
+                        {study_skinning, skinned},   {study_skinned_normals, skinned}, {study_morphing, morphed},
+                        {study_arithmetic, skinned}, {study_geometry, moving}};
   std::vector<Study> studies;
   for (const Look& look : looks) {
     progress("errors", kShareOfErrors * static_cast<double>(studies.size()) / static_cast<double>(std::size(looks)));
     studies.push_back(look.study(look.subject));
   }
-  measure(studies, effort, [&](double done) { progress("times", kShareOfErrors + (1.0 - kShareOfErrors) * done); });
-  Report report;
-  report.machine = describe_machine();
-  for (Study& study : studies) report.groups.push_back(std::move(study.group));
-  return report;
+  return measured(std::move(studies), effort, progress);
+}
+
+Report make_geometry_report(GeometryTake take, double budget_m, const Effort& effort, const Progress& progress) {
+  progress("errors", 0.0);
+  std::vector<Study> studies;
+  studies.push_back(study_geometry(std::move(take), budget_m, effort));
+  return measured(std::move(studies), effort, progress);
 }
 
 }  // namespace sinew::cost

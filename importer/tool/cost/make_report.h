@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "importer/geometry_cache/geometry_take.h"
 #include "importer/tool/cost/report.h"
 #include "importer/tool/cost/study.h"
 #include "runtime/model/scene.h"
@@ -24,5 +25,8 @@ struct Scenes {
 /// cost  about one second (quick) or twenty, on the calling thread
 Report make_report(const Scenes& scenes, std::optional<std::uint32_t> clip, const Effort& effort,
                    const Progress& progress);
+
+/// The study of geometry caches alone, on positions that are known for every frame.
+Report make_geometry_report(GeometryTake take, double budget_m, const Effort& effort, const Progress& progress);
 
 }  // namespace sinew::cost

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "importer/geometry_cache/geometry_take.h"
 #include "importer/tool/cost/study.h"
 #include "importer/tool/cost/subject.h"
 
@@ -14,5 +15,10 @@ Study study_skinning(const Subject& subject);
 Study study_skinned_normals(const Subject& subject);
 Study study_morphing(const Subject& subject);
 Study study_arithmetic(const Subject& subject);
+Study study_geometry(const Subject& subject);
+
+/// The positions of a take, as many frames as `effort` has key intervals.
+/// in   budget_m  of the cache that the others are compared with
+Study study_geometry(GeometryTake take, double budget_m, const Effort& effort);
 
 }  // namespace sinew::cost

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sinew::cost {
+
+using PointFrames = std::vector<std::vector<glm::vec3>>;  ///< [frames][points]
+
+/// Frames of points, kept in one of the ways that a geometry cache is compared with.
+class StoredFrames {
+ public:
+  virtual ~StoredFrames() = default;
+  virtual std::size_t bytes() const = 0;
+
+  /// Writes the points of a frame. Ways that follow from the frames before are called in the order of frames.
+  virtual void decode(std::size_t frame, std::span<glm::vec3> out) = 0;
+};
+
+struct NamedFrames {
+  std::string name, note;
+  std::unique_ptr<StoredFrames> frames;
+};
+
+/// Floats and halves; and whole numbers of a step, packed by zstd at level 19 and by the vertex codec of meshoptimizer:
+/// whole frames, and residuals of each point from going on at the velocity of the frame before.
+/// in   frames  at least one;   step  metres
+std::vector<NamedFrames> stored_ways(const PointFrames& frames, double step);
+
+}  // namespace sinew::cost
