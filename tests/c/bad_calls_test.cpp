@@ -151,6 +151,30 @@ TEST(c_bad_calls, needs_are_checked_from_the_first_number_to_the_last) {
   EXPECT_EQ(plan, nullptr);
 }
 
+TEST(c_bad_calls, frames_take_as_many_adding_layers_as_were_asked_for) {
+  const sinew_scene scene{arm_scene()};
+  sinew_needs needs = sinew_default_needs();
+  needs.flags |= SINEW_NEED_ADDITIVE;
+  needs.max_layers = needs.max_adding_layers = 1;
+  sinew_plan* plan = nullptr;
+  sinew_frame* frame = nullptr;
+  ASSERT_EQ(sinew_plan_create(&scene, &needs, &plan), SINEW_OK);
+  ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
+  const sinew_layer adds{0.5, 0, SINEW_NONE, 1.0f, SINEW_LAYER_ADD_TO_REST};
+  const sinew_layer layers[] = {adds, adds, adds};
+  sinew_frame_input input = sinew_default_input();
+  input.layers = layers;
+  input.layer_count = 1;
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_OK);
+  sinew_instance_result placed{.struct_size = sizeof(placed)};
+  EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 0, &placed), SINEW_OK);
+  EXPECT_EQ(sinew_get_instance_result(sinew_frame_result(frame), 1, &placed), SINEW_INDEX_OUT_OF_RANGE);
+  input.layer_count = 3;
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_SIZE_MISMATCH);
+  sinew_frame_destroy(frame);
+  sinew_plan_destroy(plan);
+}
+
 TEST(c_bad_calls, root_motion_refuses_what_does_not_exist) {
   const sinew_scene scene{arm_scene()};
   sinew_dual_quat out;

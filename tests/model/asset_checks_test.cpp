@@ -164,6 +164,14 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"animated instance", [](Scene& s) { s.animations[0].weights[0].instance = 2; }, ErrorCode::index_out_of_range},
       {"animated targets", [](Scene& s) { s.animations[0].weights[0].weights.target_count = 2; },
        ErrorCode::size_mismatch},
+      {"clip of other weights",
+       [](Scene& s) {
+         Scene other = good_scene();
+         other.instances.push_back({0, 0, kNone, {0.25f}});
+         finish_scene(other);
+         s.clips = std::move(other.clips);
+       },
+       ErrorCode::size_mismatch},
       {"clip missing", [](Scene& s) { s.clips.clear(); }, ErrorCode::size_mismatch},
       {"weight offsets", [](Scene& s) { s.first_weight.push_back(1); }, ErrorCode::size_mismatch},
       {"texture index", [](Scene& s) { s.materials[0].normal_texture.texture = 0; }, ErrorCode::index_out_of_range},

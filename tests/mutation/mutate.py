@@ -160,6 +160,9 @@ class Session:
         with concurrent.futures.ThreadPoolExecutor(max(1, self.options.jobs)) as pool:
             tasks = [pool.submit(self.one, programs, number, m) for number, m in numbered.items() if m in todo]
             for task in concurrent.futures.as_completed(tasks):
+                if task.exception() is not None:  # the others go on, and the next run tries this one again
+                    report.note(f'not tried: {task.exception()!r}')
+                    continue
                 number, m, verdict, by, seconds = task.result()
                 done += 1
                 self.note(m, verdict, by, seconds)

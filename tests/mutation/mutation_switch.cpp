@@ -2,6 +2,7 @@
 #include "tests/mutation/mutation_switch.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <bitset>
 #include <cstdint>
@@ -12,6 +13,11 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace hwy {
+// Not linked by programs without kernels.
+[[gnu::weak]] void DisableTargets(decltype(SupportedTargets()) targets);
+}  // namespace hwy
 
 extern "C" {
 int sinew_mutant = 0;
@@ -25,6 +31,8 @@ std::bitset<kMutantLimit> reached;
 // Before other static objects are made, which may already run mutated code.
 [[gnu::constructor(101)]] void read_environment() {
   if (const char* number = std::getenv("SINEW_MUTANT")) sinew_mutant = std::atoi(number);
+  // Mutated kernels are compiled for AVX2 and the plainest set only (mutated_build.py); the others keep to the same.
+  if (hwy::DisableTargets != nullptr) hwy::DisableTargets(HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL);
 }
 
 /// Writes one line a test: its name, its milliseconds, and the numbers of the mutants that it reached.
