@@ -85,18 +85,19 @@ void make_tables(PackedRows& rows, std::span<const PackedTrack> tracks) {
 
 /// Makes `first_byte`: that of the slot before, where sixteen bytes from there have the numbers of both.
 void share_bytes(PackedRows& rows, std::size_t lanes, std::span<const std::size_t> bits) {
+  const std::size_t count = fours(lanes);
   for (std::size_t slot = 0; slot < rows.slot_count; ++slot) {
-    std::uint16_t* first_byte = rows.first_byte.data() + slot * fours(lanes);
+    const auto first_byte = std::span(rows.first_byte).subspan(slot * count, count);
+    const auto before = std::span(rows.first_byte).subspan(slot > 0 ? (slot - 1) * count : 0, count);
     bool shares = slot > 0;
     for (std::size_t lane = 0; lane < lanes && shares; ++lane) {
       // the four bytes from that of the first bit on
       const std::size_t end = bits[slot * lanes + lane] / 8 + 4;
-      shares = end <= std::size_t{first_byte[lane / kFour - fours(lanes)]} + 16;
+      shares = end <= std::size_t{before[lane / kFour]} + 16;
     }
     rows.shares_bytes[slot] = shares;
-    for (std::size_t four = 0; four < fours(lanes); ++four)
-      first_byte[four] =
-          shares ? first_byte[four - fours(lanes)] : static_cast<std::uint16_t>(bits[slot * lanes + four * kFour] / 8);
+    for (std::size_t four = 0; four < count; ++four)
+      first_byte[four] = shares ? before[four] : static_cast<std::uint16_t>(bits[slot * lanes + four * kFour] / 8);
   }
 }
 
