@@ -2,6 +2,7 @@
 #include "importer/import_gltf.h"
 
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "importer/decode/decode_meshopt.h"
 #include "importer/file/check_capabilities.h"
 #include "importer/file/check_references.h"
+#include "importer/file/data_uri.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/gltf_shape.h"
 #include "importer/file/load_buffers.h"
@@ -32,6 +34,7 @@
 #include "importer/read/memory_budget.h"
 #include "importer/read/textures.h"
 #include "importer/read/variants.h"
+#include "importer/rewrite/carried_document.h"
 
 namespace sinew {
 namespace {
@@ -45,6 +48,12 @@ class Import {
  public:
   Import(SandboxedFiles& files, const ImportOptions& options, IssueLog& log)
       : files_(files), options_(options), log_(log) {}
+
+  /// Takes the bytes of the file, which then live as long as what points into them.
+  Bytes own(std::vector<std::byte> file) {
+    carried_->file = std::move(file);
+    return carried_->file;
+  }
 
   std::optional<ImportedFile> run(Bytes file) {
     progress("parse", 0.0);
@@ -62,6 +71,7 @@ class Import {
     }
     fill_facts(out.facts);
     out.warnings = log_.take_warnings();
+    if (options_.carry_document) out.carried = carry();
     progress("done", 1.0);
     return out;
   }
@@ -77,6 +87,7 @@ class Import {
     bin_ = parts.bin;
     const auto json = parse_json(parts.json, log_);
     if (json == nullptr || !check_major_version(json->root, log_)) return false;
+    if (options_.carry_document) carried_->json = to_json(json->root);
     check_shape(json->root, gltf_shape(), "", log_);
     if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
     check_capabilities(json->root, options_.max_nodes, log_);
@@ -106,7 +117,8 @@ class Import {
     check_memory_budget(document_, files_.bytes_read(), options_.max_unpacked_bytes, log_);
     if (!go_on()) return false;
     if (options_.check_bounds) check_bounds(document_, log_);
-    if (options_.decode_images || options_.probe_images) load_images(document_, files_, log_);
+    if (options_.decode_images || options_.probe_images || options_.carry_document)
+      load_images(document_, files_, log_);
     return true;
   }
 
@@ -153,6 +165,16 @@ class Import {
     facts.file_bytes = files_.bytes_read();
   }
 
+  std::shared_ptr<const CarriedDocument> carry() {
+    for (const char* list : {"buffers", "images"})
+      if (const auto found = carried_->json.find(list); found != carried_->json.end())
+        for (auto& entry : *found)
+          if (const auto uri = entry.find("uri"); uri != entry.end() && is_data_uri(uri->get_ref<const std::string&>()))
+            *uri = "data:";  // as long as the data, which are decoded
+    carried_->document = std::move(document_);
+    return carried_;
+  }
+
   void progress(const char* stage, double done) const {
     if (options_.progress) options_.progress(stage, done);
   }
@@ -163,9 +185,9 @@ class Import {
   Document document_;
   Quarantine quarantine_;
   std::optional<Bytes> bin_;
+  const std::shared_ptr<CarriedDocument> carried_ = std::make_shared<CarriedDocument>();
 };
 
-/// Runs an import so that nothing but a result leaves: what a library throws becomes an error like any other.
 template <class Run>
 /// Runs an import and turns every exception of a library into an error, so that only a result leaves.
 ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run run) {
@@ -186,13 +208,14 @@ ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const 
   const std::string name = file.string();
   return guarded(name, log, [&]() -> std::optional<ImportedFile> {
     SandboxedFiles files(file.parent_path(), options.max_file_bytes);
-    const auto bytes = files.read_path(file);
+    auto bytes = files.read_path(file);
     if (!bytes) {
       const bool large = bytes.error().kind == FileFault::Kind::too_large;
       log.report(large ? Rule::file_too_large : Rule::file_unreadable, "", bytes.error().detail);
       return std::nullopt;
     }
-    return Import(files, options, log).run(*bytes);
+    Import import(files, options, log);
+    return import.run(import.own(*std::move(bytes)));
   });
 }
 
@@ -205,7 +228,8 @@ ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const s
       log.report(Rule::file_too_large, "", std::to_string(bytes.size()) + " bytes are more than allowed");
       return std::nullopt;
     }
-    return Import(files, options, log).run(bytes);
+    Import import(files, options, log);
+    return import.run(options.carry_document ? import.own({bytes.begin(), bytes.end()}) : bytes);
   });
 }
 

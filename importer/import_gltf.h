@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct ImportOptions {
   bool check_bounds = false;              ///< compare min and max of accessors with the data; nothing else uses them
   bool animate_default_weights = true;    ///< a channel that animates mesh.weights animates each node that shows the
                                           ///< mesh and has no weights; false: such channels are ignored
+  bool carry_document = false;  ///< fill ImportedFile::carried, so that rewrite_gltf() can write the file again
   std::uint64_t max_file_bytes = std::uint64_t{4} << 30;  ///< the file with all buffers and images it names
   /// Limit of decompressed data, and again of vertices and keys in memory. Neither goes above 64 MiB + 64 x file.
   std::uint64_t max_unpacked_bytes = std::uint64_t{16} << 30;
@@ -35,6 +37,8 @@ struct ImportOptions {
   /// Called on the thread that imports; may be empty.
   std::function<void(const char* stage, double done_0_to_1)> progress;
 };
+
+struct CarriedDocument;
 
 /// The scene of a file as the runtime uses it, with what was odd about the file. The file's own vertex and node numbers
 /// are in Primitive::source_vertex and Skeleton::node_of_joint.
@@ -46,6 +50,7 @@ struct ImportedFile {
     std::vector<std::string> extensions_used, extensions_required;
     std::uint64_t file_bytes = 0;  ///< including all buffers and images that were read
   } facts;
+  std::shared_ptr<const CarriedDocument> carried;  ///< the whole file, where the options ask for it
 };
 
 /// How the importer handles a glTF extension.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "importer/decode/draco_stream.h"
+#include "importer/decode/mend_decoded.h"
 #include "importer/file/json_pointer.h"
 #include "importer/file/json_shape.h"
 #include "importer/read/accessor.h"
@@ -189,8 +190,12 @@ void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log)
   for (std::size_t m = 0; m < document.meshes.size(); ++m)
     for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
       auto& primitive = document.meshes[m].primitives[p];
-      if (primitive.extensions.is_object() && primitive.extensions.contains(kName))
-        decoder.decode(primitive, pointer("meshes", m, "primitives", p));
+      if (!primitive.extensions.is_object() || !primitive.extensions.contains(kName)) continue;
+      const std::size_t errors = log.error_count();
+      const std::string place = pointer("meshes", m, "primitives", p);
+      decoder.decode(primitive, place);
+      if (log.error_count() == errors)
+        mend_decoded(document, primitive, primitive.extensions[kName]["attributes"], place, log);
     }
 }
 

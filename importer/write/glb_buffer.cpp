@@ -122,10 +122,23 @@ int GlbBuffer::add_matrices(std::span<const Affine> values) {
                       TINYGLTF_COMPONENT_TYPE_FLOAT, ViewUse::other);
 }
 
+/// An accessor without a view: its elements are 0 (glTF 2.0, "Accessors").
+template <class V>
+int GlbBuffer::add_zeros(std::size_t count, bool with_bounds) {
+  tinygltf::Accessor accessor;
+  accessor.count = count;
+  accessor.type = kType<V>;
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  if (with_bounds) accessor.minValues = accessor.maxValues = std::vector<double>(sizeof(V) / sizeof(float), 0.0);
+  model_.accessors.push_back(std::move(accessor));
+  return static_cast<int>(model_.accessors.size() - 1);
+}
+
 template <class V>
 int GlbBuffer::add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t vertex_count, bool with_bounds) {
   const std::size_t moved = deltas.vertices.size();
-  const bool sparse = moved > 0 && moved * (sizeof(V) + sizeof(std::uint32_t)) < vertex_count * sizeof(V);
+  if (moved == 0) return add_zeros<V>(vertex_count, with_bounds);
+  const bool sparse = moved * (sizeof(V) + sizeof(std::uint32_t)) < vertex_count * sizeof(V);
   std::vector<V> dense;
   if (!sparse) {
     dense.resize(vertex_count, V(0.0f));

@@ -34,12 +34,15 @@ class GlbBuffer {
   int add_joints(std::span<const std::uint16_t> four_per_vertex);
   int add_matrices(std::span<const Affine> values);
 
-  /// Displacements of `vertex_count` vertices: sparse where that takes fewer bytes than one value per vertex.
+  /// Displacements of `vertex_count` vertices: sparse where that takes fewer bytes than one value per vertex, and
+  /// without bytes where nothing moves.
   int add_deltas(const SparseDeltas<glm::vec2>& deltas, std::size_t vertex_count);
   int add_deltas(const SparseDeltas<glm::vec3>& deltas, std::size_t vertex_count, bool with_bounds = false);
   int add_deltas(const SparseDeltas<glm::vec4>& deltas, std::size_t vertex_count);
 
  private:
+  template <class V>
+  int add_zeros(std::size_t count, bool with_bounds);
   template <class V>
   int add_sparse_or_dense(const SparseDeltas<V>& deltas, std::size_t vertex_count, bool with_bounds);
   int add_accessor(std::span<const std::byte> bytes, std::size_t count, int type, int component, ViewUse use);

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "importer/write/glb_file.h"
 
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
+
+#include "importer/write/glb_bytes.h"
 
 namespace sinew::write {
 namespace {
 
 using Json = nlohmann::json;
-constexpr std::uint64_t kLargestGlb = 0xffffffffu;
 
 /// Calls `change` for each entry of the list `list`, if the object has it.
 template <class Change>
@@ -51,27 +49,6 @@ std::string json_text(const tinygltf::Model& model, std::size_t bin_bytes) {
   return root.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-constexpr std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
-
-class Bytes {
- public:
-  explicit Bytes(std::size_t size) { out.reserve(size); }
-
-  void add_u32(std::size_t value) {
-    for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<std::byte>(value >> shift & 0xffu));
-  }
-
-  void add_chunk(std::string_view type, std::span<const std::byte> data, std::byte filler) {
-    add_u32(padded(data.size()));
-    const auto letters = std::as_bytes(std::span(type));
-    out.insert(out.end(), letters.begin(), letters.end());
-    out.insert(out.end(), data.begin(), data.end());
-    out.resize(padded(out.size()), filler);
-  }
-
-  std::vector<std::byte> out;
-};
-
 }  // namespace
 
 std::optional<std::vector<std::byte>> glb_file(tinygltf::Model& model) {
@@ -79,16 +56,7 @@ std::optional<std::vector<std::byte>> glb_file(tinygltf::Model& model) {
   if (!model.buffers.empty()) bin = std::move(model.buffers[0].data);
   model.buffers.clear();
   const std::string json = json_text(model, bin.size());
-  const std::uint64_t length = 12 + 8 + padded(json.size()) + (bin.empty() ? 0 : 8 + padded(bin.size()));
-  if (length > kLargestGlb) return std::nullopt;
-  Bytes file(static_cast<std::size_t>(length));
-  file.out.resize(4);
-  std::memcpy(file.out.data(), "glTF", 4);
-  file.add_u32(2);
-  file.add_u32(static_cast<std::size_t>(length));
-  file.add_chunk("JSON", std::as_bytes(std::span(json)), std::byte{' '});
-  if (!bin.empty()) file.add_chunk(std::string_view("BIN\0", 4), std::as_bytes(std::span(bin)), std::byte{0});
-  return std::move(file.out);
+  return glb_bytes(json, std::as_bytes(std::span(bin)));
 }
 
 }  // namespace sinew::write

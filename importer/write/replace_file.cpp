@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
+#include <vector>
 
 namespace sinew::write {
 namespace fs = std::filesystem;
@@ -48,17 +50,37 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
+/// The file that is replaced: the one behind a symbolic link.
+fs::path target_of(const fs::path& file, std::string& fault) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return file;
+  if (!fs::is_regular_file(file, error)) fault = "exists and is not a regular file";
+  const fs::path target = fs::canonical(file, error);
+  if (fault.empty() && error) fault = error.message();
+  return target;
+}
+
 }  // namespace
 
+std::optional<std::string> replace_files(std::span<const FileContent> files) {
+  std::vector<fs::path> targets;
+  std::deque<TemporaryFile> written;
+  for (const FileContent& content : files) {
+    std::string fault;
+    targets.push_back(target_of(content.file, fault));
+    if (!fault.empty()) return fault;
+    if (const TemporaryFile& temporary = written.emplace_back(targets.back());
+        !temporary.opened() || !temporary.write(content.bytes))
+      return std::strerror(errno);
+  }
+  for (std::size_t i = 0; i < written.size(); ++i)
+    if (!written[i].rename_to(targets[i])) return std::strerror(errno);
+  return std::nullopt;
+}
+
 std::optional<std::string> replace_file(const fs::path& file, std::span<const std::byte> bytes) {
-  std::error_code error;
-  const bool exists = fs::exists(file, error);
-  if (exists && !fs::is_regular_file(file, error)) return "exists and is not a regular file";
-  const fs::path target = exists ? fs::canonical(file, error) : file;
-  if (error) return error.message();
-  TemporaryFile temporary(target);
-  if (temporary.opened() && temporary.write(bytes) && temporary.rename_to(target)) return std::nullopt;
-  return std::strerror(errno);
+  const FileContent content{file, bytes};
+  return replace_files({&content, 1});
 }
 
 }  // namespace sinew::write

@@ -209,7 +209,7 @@ void write_cameras_and_lights(const Scene& scene, tinygltf::Model& model) {
     out.orthographic.xmag = camera.half_width;
     out.orthographic.ymag = camera.half_height;
     out.orthographic.znear = camera.near_m;
-    out.orthographic.zfar = camera.far_m;
+    out.orthographic.zfar = camera.far_m > 0.0f ? camera.far_m : camera.near_m + kFarPlane_m;
     model.cameras.push_back(std::move(out));
   }
   for (const auto& light : scene.lights) {

@@ -91,7 +91,8 @@ void write_skins(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer) 
     out.name = skin.name;
     for (const std::uint32_t joint : skin.joints)
       out.joints.push_back(static_cast<int>(scene.skeleton.node_of_joint[joint]));
-    out.inverseBindMatrices = buffer.add_matrices(skin.inverse_bind);
+    if (skin.joints.empty()) out.joints.push_back(0);  // glTF demands one; no vertex follows it
+    if (!skin.inverse_bind.empty()) out.inverseBindMatrices = buffer.add_matrices(skin.inverse_bind);
     if (skin.skeleton_root != kNone) out.skeleton = static_cast<int>(scene.skeleton.node_of_joint[skin.skeleton_root]);
     model.skins.push_back(std::move(out));
   }

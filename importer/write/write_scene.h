@@ -9,6 +9,9 @@
 
 namespace sinew::write {
 
+/// How far behind the near plane an orthographic camera sees when nothing says how far: glTF demands a number.
+inline constexpr double kFarPlane_m = 10'000.0;
+
 /// Adds a name to extensionsUsed, unless it is there.
 void declare_extension(tinygltf::Model& model, const char* name);
 

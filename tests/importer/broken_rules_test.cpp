@@ -11,6 +11,7 @@
 #include <set>
 
 #include "importer/rules.h"
+#include "tests/importer/tiny_draco.h"
 #include "tests/importer/tiny_gltf.h"
 
 namespace sinew::test {
@@ -90,11 +91,14 @@ std::multimap<std::string_view, std::vector<ImportIssue>> cases_in_code() {
   cases.emplace("buffer-longer",
                 text(container({{"JSON", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )"},
                                 {kBin, "12345678"}})));
+  const TriangleValues too_bright{{"POSITION", {0, 0, 0, 1, 0, 0, 0, 1, 0}},
+                                  {"COLOR_0", {1.001f, 0, 0, 0, 1, 0, 0, 0, 1}}};
+  cases.emplace("draco-range", issues_of(draco_document(too_bright).import()));
   return cases;
 }
 
-const std::map<std::string_view, std::string> kPlaceInCode{{"too-many", "/nodes"},
-                                                           {"buffer-longer", "/buffers/0/byteLength"}};
+const std::map<std::string_view, std::string> kPlaceInCode{
+    {"too-many", "/nodes"}, {"buffer-longer", "/buffers/0/byteLength"}, {"draco-range", "/meshes/0/primitives/0"}};
 
 fs::path broken_folder() { return fs::path(SINEW_SOURCE_DIR) / "tests" / "importer" / "broken"; }
 

@@ -187,5 +187,37 @@ TEST(export_glb, G24_writes_few_displacements_sparse) {
   EXPECT_NE(text.find("\"sparse\""), std::string_view::npos);
 }
 
+TEST(export_glb, G24_targets_that_move_nothing_take_no_bytes) {
+  auto scenes = showcase::showcase();
+  Scene& scene = scenes[0].scene;
+  const auto bare = export_glb(scene);
+  Mesh& mesh = scene.meshes[0];
+  mesh.default_weights.resize(100, 0.0f);
+  for (Primitive& primitive : mesh.primitives) primitive.morphs.targets.resize(100);
+  for (MeshInstance& instance : scene.instances)
+    if (instance.mesh == 0) instance.rest_weights.resize(100, 0.0f);
+  finish_scene(scene);
+  const auto bytes = export_glb(scene);
+  ASSERT_TRUE(bare && bytes);
+  EXPECT_LT(bytes->size() - bare->size(), 100 * mesh.primitives.size() * 160u) << "an entry of JSON for each";
+  test::expect_equal(scene, round_trip(scene).scene);
+}
+
+TEST(export_glb, writes_what_gltf_demands_of_skins_and_cameras) {
+  auto scenes = showcase::showcase();
+  Scene& scene = scenes[0].scene;
+  scene.skins.emplace_back();
+  Camera flat;
+  flat.perspective = false;
+  flat.near_m = 1.0f;
+  scene.cameras.push_back(flat);
+  const auto after = round_trip(scene).scene;
+  EXPECT_EQ(after.skins.back().joints.size(), 1u);
+  const auto bytes = export_glb(scene);
+  ASSERT_TRUE(bytes);
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  EXPECT_NE(text.find("\"zfar\":10001.0"), std::string_view::npos);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "importer/rewrite/quantize_streams.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "importer/rewrite/take_decoded.h"
+
+namespace sinew::rewrite {
+namespace {
+
+constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kFloat = 5126;
+
+std::vector<float> floats_of(const Stream& stream, std::size_t components) {
+  std::vector<float> out(stream.count * components);
+  for (std::size_t i = 0; i < stream.count; ++i)
+    std::memcpy(out.data() + i * components, stream.bytes.data() + i * stream.stride, components * sizeof(float));
+  return out;
+}
+
+/// Stores whole numbers as T, `stride` bytes an element.
+template <class T>
+void store(const std::vector<double>& values, std::size_t components, std::size_t stride, Stream& stream) {
+  stream.stride = stride;
+  stream.bytes.assign(stream.count * stride, std::byte{0});
+  for (std::size_t i = 0; i < stream.count; ++i)
+    for (std::size_t c = 0; c < components; ++c) {
+      const T value = static_cast<T>(values[i * components + c]);
+      std::memcpy(stream.bytes.data() + i * stride + c * sizeof(T), &value, sizeof(T));
+    }
+}
+
+bool within_unit(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0.0f && v <= 1.0f; });
+}
+
+/// Values of [-1, 1] or [0, 1] as multiples of 1 / `most`.
+std::vector<double> scaled(const std::vector<float>& values, double most) {
+  std::vector<double> out;
+  out.reserve(values.size());
+  for (const float v : values) out.push_back(std::round(static_cast<double>(v) * most));
+  return out;
+}
+
+class Quantizer {
+ public:
+  Quantizer(const QuantizeBits& bits, bool filters, Draft& draft) : bits_(bits), filters_(filters), draft_(draft) {}
+
+  void vertex(Stream& stream, Json& accessor) {
+    const std::size_t n = component_count(accessor);
+    const std::string& what = stream.semantic;
+    if (what.starts_with("JOINTS_") && accessor["componentType"] == kUnsignedShort) return joints(stream, accessor);
+    if (accessor["componentType"] != kFloat) return;
+    if ((what == "NORMAL" && n == 3) || (what == "TANGENT" && n == 4)) return directions(stream, accessor, n);
+    if (what.starts_with("TEXCOORD_") && n == 2) return texcoords(stream, accessor);
+    if (what.starts_with("COLOR_")) return colors(stream, accessor, n);
+    if (what == "POSITION" || what.starts_with("target ")) round_floats(stream, accessor, n, bits_.positions);
+  }
+
+  void weights(Stream& stream, Json& accessor) {
+    if (accessor["componentType"] != kFloat || component_count(accessor) != 4) return;
+    const std::vector<float> values = floats_of(stream, 4);
+    if (!within_unit(values)) return;
+    std::vector<double> bytes = scaled(values, 255.0);
+    for (std::size_t v = 0; v < stream.count; ++v) {
+      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(4 * v), last = first + 4;
+      const double sum = first[0] + first[1] + first[2] + first[3];
+      if (sum > 0.0) *std::max_element(first, last) += 255.0 - sum;
+    }
+    store<std::uint8_t>(bytes, 4, 4, stream);
+    set_type(accessor, "VEC4", kUnsignedByte, true);
+  }
+
+  /// in   interpolated   by anything but CUBICSPLINE, whose tangents have no unit length
+  void keys(Stream& stream, Json& accessor, bool rotation, bool interpolated) {
+    if (accessor["componentType"] != kFloat) return;
+    const std::size_t n = component_count(accessor);
+    if (n == 3 && interpolated) return round_floats(stream, accessor, 3, bits_.key_vectors);
+    if (!rotation || !interpolated || n != 4) return;
+    const std::vector<float> values = floats_of(stream, 4);
+    const bool unit = std::all_of(values.begin(), values.end(), [](float v) { return std::abs(v) <= 1.0f; });
+    if (!unit) return;
+    if (filters_) {
+      filter(Filter::quaternion, 8, stream,
+             [&] { meshopt_encodeFilterQuat(stream.bytes.data(), stream.count, 8, bits_.rotations, values.data()); });
+    } else {
+      store<std::int16_t>(scaled(values, 32767.0), 4, 8, stream);
+    }
+    set_type(accessor, "VEC4", kShort, true);
+  }
+
+ private:
+  template <class Encode>
+  void filter(Filter kind, std::size_t stride, Stream& stream, Encode encode) {
+    stream.stride = stride;
+    stream.filter = kind;
+    stream.bytes.assign(stream.count * stride, std::byte{0});
+    encode();
+  }
+
+  void directions(Stream& stream, Json& accessor, std::size_t n) {
+    const std::vector<float> values = floats_of(stream, n);
+    if (filters_) {
+      std::vector<float> four(4 * stream.count, 0.0f);
+      for (std::size_t i = 0; i < stream.count; ++i)
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * n), n,
+                    four.begin() + static_cast<std::ptrdiff_t>(4 * i));
+      filter(Filter::octahedral, 4, stream,
+             [&] { meshopt_encodeFilterOct(stream.bytes.data(), stream.count, 4, bits_.normals, four.data()); });
+    } else {
+      const bool unit = std::all_of(values.begin(), values.end(), [](float v) { return std::abs(v) <= 1.0f; });
+      if (!unit) return;
+      store<std::int8_t>(scaled(values, 127.0), n, 4, stream);
+    }
+    set_type(accessor, n == 3 ? "VEC3" : "VEC4", kByte, true);
+    declare(draft_, "KHR_mesh_quantization", true);
+  }
+
+  void texcoords(Stream& stream, Json& accessor) {
+    const std::vector<float> values = floats_of(stream, 2);
+    if (!within_unit(values)) return round_floats(stream, accessor, 2, bits_.positions);
+    const double steps = std::exp2(bits_.texcoords) - 1.0;
+    std::vector<double> shorts = scaled(values, steps);
+    for (double& value : shorts) value = std::round(value / steps * 65535.0);
+    store<std::uint16_t>(shorts, 2, 4, stream);
+    set_type(accessor, "VEC2", kUnsignedShort, true);
+  }
+
+  void colors(Stream& stream, Json& accessor, std::size_t n) {
+    const std::vector<float> values = floats_of(stream, n);
+    if (!within_unit(values)) return;
+    store<std::uint8_t>(scaled(values, 255.0), n, 4, stream);
+    set_type(accessor, n == 3 ? "VEC3" : "VEC4", kUnsignedByte, true);
+  }
+
+  void joints(Stream& stream, Json& accessor) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < stream.count; ++i)
+      for (std::size_t c = 0; c < 4; ++c) values.push_back(stream.at<std::uint16_t>(i, c));
+    if (std::any_of(values.begin(), values.end(), [](double joint) { return joint > 255.0; })) return;
+    store<std::uint8_t>(values, 4, 4, stream);
+    accessor["componentType"] = kUnsignedByte;
+  }
+
+  /// Fewer bits of each float, which only the codec turns into fewer bytes. Bounds are those of the rounded elements.
+  void round_floats(Stream& stream, Json& accessor, std::size_t n, int bits) {
+    if (!filters_) return;
+    const std::vector<float> values = floats_of(stream, n);
+    filter(Filter::exponential, 4 * n, stream,
+           [&] { meshopt_encodeFilterExp(stream.bytes.data(), stream.count, 4 * n, bits, values.data()); });
+    if (!accessor.contains("min")) return;
+    Stream decoded = stream;
+    meshopt_decodeFilterExp(decoded.bytes.data(), decoded.count, 4 * n);
+    const std::vector<float> rounded = floats_of(decoded, n);
+    set_bounds(accessor, std::vector<double>(rounded.begin(), rounded.end()), n);
+  }
+
+  const QuantizeBits& bits_;
+  bool filters_;
+  Draft& draft_;
+};
+
+std::uint32_t index_of(const Json& number) { return static_cast<std::uint32_t>(number.get<double>()); }
+
+/// WEIGHTS_0 of primitives that have no other set: the sum of several sets cannot be kept set by set.
+std::set<std::uint32_t> single_weights(Draft& draft) {
+  std::set<std::uint32_t> single, others;
+  for (const Json& mesh : list_of(draft, "meshes"))
+    for (const Json& primitive : mesh["primitives"]) {
+      const Json& attributes = primitive["attributes"];
+      for (const auto& [semantic, accessor] : attributes.items())
+        if (semantic.starts_with("WEIGHTS_"))
+          (attributes.contains("WEIGHTS_1") ? others : single).insert(index_of(accessor));
+    }
+  for (const std::uint32_t accessor : others) single.erase(accessor);
+  return single;
+}
+
+/// What the outputs of all animation samplers hold.
+struct KeyKinds {
+  std::set<std::uint32_t> rotations, others, cubic;
+};
+
+KeyKinds find_keys(Draft& draft) {
+  KeyKinds kinds;
+  for (const Json& animation : list_of(draft, "animations")) {
+    for (const Json& sampler : animation["samplers"])
+      if (sampler.value("interpolation", "") == "CUBICSPLINE") kinds.cubic.insert(index_of(sampler["output"]));
+    for (const Json& channel : animation["channels"]) {
+      const Json& sampler = animation["samplers"][index_of(channel["sampler"])];
+      const bool rotation = channel["target"].value("path", "") == "rotation";
+      (rotation ? kinds.rotations : kinds.others).insert(index_of(sampler["output"]));
+    }
+  }
+  return kinds;
+}
+
+/// Bounds of the elements as they are now. Filtered vectors, which need none, lose them.
+void renew_bounds(const Stream& stream, Json& accessor) {
+  if (!accessor.contains("min") && !accessor.contains("max")) return;
+  if (stream.filter == Filter::none) {
+    set_bounds(accessor, stored_values(stream, accessor), component_count(accessor));
+  } else if (stream.filter != Filter::exponential) {
+    for (const char* bound : {"min", "max"}) accessor.erase(bound);
+  }
+}
+
+}  // namespace
+
+void quantize_streams(const QuantizeBits& bits, bool filters, Streams& streams, Draft& draft) {
+  Quantizer quantizer(bits, filters, draft);
+  const std::set<std::uint32_t> weights = single_weights(draft);
+  const KeyKinds keys = find_keys(draft);
+  for (auto& [index, stream] : streams) {
+    Json& accessor = draft.json["accessors"][index];
+    if (weights.contains(index) && stream.semantic == "WEIGHTS_0")
+      quantizer.weights(stream, accessor);
+    else if (stream.use == StreamUse::vertex)
+      quantizer.vertex(stream, accessor);
+    else if (stream.use == StreamUse::key_values)
+      quantizer.keys(stream, accessor, keys.rotations.contains(index) && !keys.others.contains(index),
+                     !keys.cubic.contains(index));
+    renew_bounds(stream, accessor);
+  }
+}
+
+}  // namespace sinew::rewrite

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "importer/rewrite/replace_keys.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "importer/read/animations.h"
+#include "importer/rewrite/take_decoded.h"
+
+namespace sinew::rewrite {
+namespace {
+
+/// Keys as glTF stores them.
+struct Keys {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times_s, values;
+  std::size_t components = 1;  ///< of an accessor's element
+
+  friend bool operator==(const Keys&, const Keys&) = default;
+};
+
+template <class Track>
+std::optional<Keys> keys_of(const Track& track) {
+  if (track.empty() || track.interpolation == Interpolation::squad) return std::nullopt;
+  Keys keys{track.interpolation, track.times_s, {}, 1};
+  if constexpr (std::is_same_v<Track, WeightTrack>) {
+    keys.values = track.values;
+  } else if constexpr (std::is_same_v<Track, QuatTrack>) {
+    keys.components = 4;
+    for (const auto& q : track.values) keys.values.insert(keys.values.end(), {q.x, q.y, q.z, q.w});
+  } else {
+    keys.components = 3;
+    for (const auto& v : track.values) keys.values.insert(keys.values.end(), {v.x, v.y, v.z});
+  }
+  return keys;
+}
+
+/// The keys of an animation for one target; nothing where it has none.
+std::optional<Keys> find_keys(const Scene& scene, const Animation& animation, const ChannelTarget& target) {
+  const std::uint32_t joint = scene.skeleton.joint_of_node[target.node];
+  if (target.moves_joint()) {
+    for (const BoneAnimation& bone : animation.bones) {
+      if (bone.joint != joint) continue;
+      if (target.property == AnimatedProperty::translation) return keys_of(bone.translation);
+      if (target.property == AnimatedProperty::rotation) return keys_of(bone.rotation);
+      return keys_of(bone.scale);
+    }
+  }
+  if (target.property != AnimatedProperty::weights) return std::nullopt;
+  for (const WeightAnimation& animated : animation.weights) {
+    const MeshInstance& instance = scene.instances[animated.instance];
+    const bool whole = animated.weights.target_count == instance.rest_weights.size();
+    const bool same_part = target.element == kNone ? whole : !whole && animated.first_target == target.element;
+    if (instance.joint == joint && same_part) return keys_of(animated.weights);
+  }
+  return std::nullopt;
+}
+
+/// Writes keys of one animation. Key times that several channels share are written once.
+class KeyWriter {
+ public:
+  explicit KeyWriter(Draft& draft) : draft_(draft) {}
+
+  void write(const Keys& keys, Json& sampler) {
+    static const char* const kNames[] = {"STEP", "LINEAR", "CUBICSPLINE"};
+    auto [times, is_new] = times_.try_emplace(keys.times_s, 0);
+    if (is_new) {
+      times->second = add(keys.times_s, 1);
+      Json& accessor = draft_.json["accessors"][times->second];
+      set_bounds(accessor, std::vector<double>(keys.times_s.begin(), keys.times_s.end()), 1);
+    }
+    sampler["input"] = times->second;
+    sampler["output"] = add(keys.values, keys.components);
+    sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
+  }
+
+  /// Puts what was written into a view.
+  void finish() {
+    if (accessors_.empty()) return;
+    std::vector<std::byte> bytes(floats_.size() * sizeof(float));
+    std::memcpy(bytes.data(), floats_.data(), bytes.size());
+    const std::uint32_t view = draft_.add_view(std::move(bytes));
+    for (const std::uint32_t accessor : accessors_) draft_.json["accessors"][accessor]["bufferView"] = view;
+  }
+
+ private:
+  std::uint32_t add(const std::vector<float>& values, std::size_t components) {
+    static const char* const kTypes[] = {"SCALAR", "SCALAR", "VEC2", "VEC3", "VEC4"};
+    Json accessor{{"componentType", 5126}, {"count", values.size() / components}, {"type", kTypes[components]}};
+    if (!floats_.empty()) accessor["byteOffset"] = floats_.size() * sizeof(float);
+    floats_.insert(floats_.end(), values.begin(), values.end());
+    draft_.json["accessors"].push_back(std::move(accessor));
+    accessors_.push_back(static_cast<std::uint32_t>(draft_.json["accessors"].size() - 1));
+    return accessors_.back();
+  }
+
+  Draft& draft_;
+  std::vector<float> floats_;
+  std::vector<std::uint32_t> accessors_;
+  std::map<std::vector<float>, std::uint32_t> times_;
+};
+
+/// The channels of an animation that get new keys.
+std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, const Scene& scene, std::uint32_t index,
+                                               const Animation& after) {
+  IssueLog unheard;  // the import has reported these channels
+  std::set<ChannelTarget> seen;
+  std::map<std::uint32_t, Keys> changed;
+  for (std::uint32_t c = 0; c < document.animations[index].channels.size(); ++c) {
+    const auto target = read_channel_target(document, index, c, unheard);
+    if (!target || !seen.insert(*target).second) continue;
+    if (!target->moves_joint() && target->property != AnimatedProperty::weights) continue;
+    auto keys = find_keys(scene, after, *target);
+    if (keys && keys != find_keys(scene, scene.animations[index], *target)) changed.emplace(c, *std::move(keys));
+  }
+  return changed;
+}
+
+/// Removes samplers that lost their last channel.
+void drop_samplers(Json& animation, const std::set<std::uint32_t>& candidates) {
+  std::set<std::uint32_t> used;
+  for (const Json& channel : animation["channels"]) used.insert(channel["sampler"].get<std::uint32_t>());
+  Json kept = Json::array();
+  std::vector<std::uint32_t> to;
+  for (std::uint32_t s = 0; s < animation["samplers"].size(); ++s) {
+    to.push_back(static_cast<std::uint32_t>(kept.size()));
+    if (used.contains(s) || !candidates.contains(s)) kept.push_back(std::move(animation["samplers"][s]));
+  }
+  for (Json& channel : animation["channels"]) channel["sampler"] = to[channel["sampler"].get<std::uint32_t>()];
+  animation["samplers"] = std::move(kept);
+}
+
+}  // namespace
+
+void replace_keys(const gltf::Document& document, const Scene& scene, std::span<const Animation> animations,
+                  Draft& draft) {
+  for (std::uint32_t a = 0; a < animations.size(); ++a) {
+    Json& animation = list_of(draft, "animations")[a];
+    KeyWriter writer(draft);
+    std::set<std::uint32_t> left;
+    for (auto& [channel, keys] : changed_channels(document, scene, a, animations[a])) {
+      const std::uint32_t sampler = document.animations[a].channels[channel].sampler;
+      Json own = animation["samplers"][sampler];
+      for (const char* end : {"input", "output"})
+        draft.spare_accessors.insert(static_cast<std::uint32_t>(own[end].get<double>()));
+      writer.write(keys, own);
+      animation["channels"][channel]["sampler"] = animation["samplers"].size();
+      animation["samplers"].push_back(std::move(own));
+      left.insert(sampler);
+    }
+    drop_samplers(animation, left);
+    writer.finish();
+  }
+}
+
+}  // namespace sinew::rewrite

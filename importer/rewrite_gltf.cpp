@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "importer/rewrite_gltf.h"
+
+#include <exception>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "importer/file/data_uri.h"
+#include "importer/file/sandboxed_files.h"
+#include "importer/rewrite/embed_images.h"
+#include "importer/rewrite/mend.h"
+#include "importer/rewrite/pack_buffer.h"
+#include "importer/rewrite/quantize_streams.h"
+#include "importer/rewrite/references.h"
+#include "importer/rewrite/remove_unused.h"
+#include "importer/rewrite/reorder_vertices.h"
+#include "importer/rewrite/replace_keys.h"
+#include "importer/rewrite/streams.h"
+#include "importer/rewrite/take_decoded.h"
+#include "importer/write/glb_bytes.h"
+#include "runtime/base/contract.h"
+
+namespace sinew {
+namespace {
+
+using rewrite::Draft;
+using rewrite::Json;
+using rewrite::Loss;
+
+/// Parts of the file that are no part of its document.
+void find_losses_outside(const ImportedFile& file, Draft& draft) {
+  for (const ImportIssue& warning : file.warnings)
+    if (warning.rule == "glb-extra-data" || warning.rule == "json-duplicate")
+      draft.losses.push_back({warning.rule, warning.json_pointer, warning.detail});
+}
+
+/// Extensions that name bytes of a buffer, which is about to be packed.
+void find_unknown_offsets(Draft& draft) {
+  rewrite::for_each_extension(draft.json, [&](const std::string& name, const std::string& place, Json& extension) {
+    if (extension.is_object() && extension.contains("buffer"))
+      draft.losses.push_back({name, place, "names bytes of a buffer by their offset"});
+  });
+}
+
+ImportIssue issue_of(const Loss& loss) {
+  return {Severity::error, "not-carried", loss.json_pointer, loss.name + ": " + loss.detail};
+}
+
+/// Splits the losses into those that are allowed and an error of the others.
+std::optional<ImportError> settle(const std::vector<Loss>& losses, const std::set<std::string>& drop,
+                                  std::vector<ImportIssue>& drops) {
+  std::vector<ImportIssue> refused;
+  for (const Loss& loss : losses)
+    (drop.contains("all") || drop.contains(loss.name) ? drops : refused).push_back(issue_of(loss));
+  for (ImportIssue& issue : drops) issue.severity = Severity::warning;
+  if (refused.empty()) return std::nullopt;
+  ImportError error;
+  error.issue = std::move(refused.front());
+  error.more_errors.assign(std::make_move_iterator(refused.begin() + 1), std::make_move_iterator(refused.end()));
+  return error;
+}
+
+ImportError failure(const char* rule, const char* place, std::string detail) {
+  return {"", {Severity::error, rule, place, std::move(detail)}, {}, {}};
+}
+
+/// Stores vertices, indices and keys in another form.
+void recode(const gltf::Document& document, const RewriteOptions& options, Draft& draft) {
+  if (!options.quantize && !options.meshopt) return;
+  rewrite::Streams streams = rewrite::take_streams(document, draft, options.meshopt);
+  if (options.meshopt) rewrite::reorder_vertices(streams, draft);
+  rewrite::narrow_indices(streams, draft);
+  if (options.quantize) rewrite::quantize_streams({}, options.meshopt, streams, draft);
+  rewrite::put_streams(streams, options.meshopt, draft);
+}
+
+ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOptions& options) {
+  const gltf::Document& document = file.carried->document;
+  Draft draft = rewrite::make_draft(*file.carried);
+  find_losses_outside(file, draft);
+  rewrite::take_decoded(document, draft);
+  find_unknown_offsets(draft);
+  if (!options.animations.empty()) rewrite::replace_keys(document, file.scene, options.animations, draft);
+  recode(document, options, draft);
+  rewrite::embed_images(document, draft);
+  rewrite::remove_unused(draft);
+  rewrite::mend(draft);
+  RewrittenFile out;
+  std::vector<std::byte> buffer = rewrite::pack_buffer(draft);
+  if (auto error = settle(draft.losses, options.drop, out.drops)) return tl::unexpected(*std::move(error));
+  if (!options.buffer_uri.empty()) {
+    if (!buffer.empty()) draft.json["buffers"][0]["uri"] = options.buffer_uri;
+    const std::string text = draft.json.dump();
+    const auto bytes = std::as_bytes(std::span(text));
+    out.file.assign(bytes.begin(), bytes.end());
+    out.buffer = std::move(buffer);
+    return out;
+  }
+  auto glb = write::glb_bytes(draft.json.dump(), buffer);
+  if (!glb) return tl::unexpected(failure("glb-size", "/buffers/0", "the document does not fit into a GLB of 4 GiB"));
+  out.file = *std::move(glb);
+  return out;
+}
+
+}  // namespace
+
+ImportResult<RewrittenFile> rewrite_gltf(const ImportedFile& file, const RewriteOptions& options) {
+  CONTRACT(file.carried != nullptr);
+  try {
+    return rewritten(file, options);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(failure("memory-budget", "", "out of memory"));
+  } catch (const std::exception& error) {
+    return tl::unexpected(failure("internal", "", error.what()));
+  }
+}
+
+std::vector<std::string> files_read_by(const ImportedFile& file) {
+  CONTRACT(file.carried != nullptr);
+  std::vector<std::string> files;
+  for (const char* list : {"buffers", "images"})
+    for (const Json& entry : file.carried->json.value(list, Json::array()))
+      if (const std::string uri = entry.value("uri", ""); !uri.empty() && !is_data_uri(uri))
+        if (auto path = percent_decode(uri)) files.push_back(*std::move(path));
+  return files;
+}
+
+}  // namespace sinew

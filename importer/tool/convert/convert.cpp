@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "importer/rewrite_gltf.h"
+#include "importer/tool/commands.h"
+#include "importer/tool/convert/fit_keys.h"
+#include "importer/tool/convert/output_files.h"
+#include "importer/tool/convert/resample_clips.h"
+#include "importer/tool/length_text.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+
+namespace sinew::tool {
+namespace {
+
+struct ConvertOptions {
+  std::string in, out;
+  std::optional<std::string> budget;
+  std::optional<double> fps;
+  bool quantize = false, meshopt = false;
+  std::vector<std::string> drop;
+};
+
+/// Names what the output cannot hold, one line each, and how to go on without it.
+ExitCode refuse(const std::string& in, const ImportError& error) {
+  say_issue(in, error.issue);
+  for (const ImportIssue& more : error.more_errors) say_issue(in, more);
+  const std::size_t count = 1 + error.more_errors.size();
+  if (error.issue.rule == "not-carried")
+    say_error(
+        fmt::format("{}: {} cannot be carried; --drop NAME[,NAME...] writes the file without, --drop all without any",
+                    in, counted(count, "thing")));
+  return ExitCode::input_at_fault;
+}
+
+std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t before) {
+  return fmt::format("{}: {} bytes, {} before ({:.1f} %)\n", out, bytes, before,
+                     100.0 * static_cast<double>(bytes) / static_cast<double>(before));
+}
+
+ExitCode convert_file(const ConvertOptions& options) {
+  std::string why;
+  const OutputFiles outputs = output_files(options.in, options.out, why);
+  if (!why.empty()) return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.out, why));
+  const auto budget_m = parse_length(options.budget.value_or("0"));
+  if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
+  ImportOptions import;
+  import.decode_images = import.make_tangents = false;
+  import.carry_document = true;
+  const auto model = load_file(options.in, import);
+  if (!model) return ExitCode::input_at_fault;
+  if (const std::string file = overwritten_input(options.in, *model, outputs); !file.empty())
+    return fail_with(ExitCode::wrong_usage, fmt::format("{}: is a file that is read; it is left as it is", file));
+
+  RewriteOptions rewrite;
+  rewrite.drop.insert(options.drop.begin(), options.drop.end());
+  rewrite.buffer_uri = outputs.buffer.filename().string();
+  std::vector<Animation> animations;
+  if (options.budget) animations = fit_keys(model->scene, *budget_m);
+  if (options.fps) animations = resample_clips(model->scene, *options.fps);
+  rewrite.animations = animations;
+  rewrite.quantize = options.quantize;
+  rewrite.meshopt = options.meshopt;
+  const auto written = rewrite_gltf(*model, rewrite);
+  if (!written) return refuse(options.in, written.error());
+  for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
+  if (const auto fault = write_files(outputs, *written))
+    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
+  if (options.budget || options.fps)
+    if (const auto error = print_certificates(model->scene, outputs.file, *budget_m))
+      return refuse(options.out, *error);
+  fmt::print("{}", size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = program.add_subcommand(
+      "convert",
+      "Write a file again as one .glb, or as a .gltf with a .bin beside it. Everything that the file says is carried:\n"
+      "extras, extensions, attributes and names that sinew does not know, cameras and lights that nothing uses, "
+      "images\n"
+      "of any kind. Compressed data are decoded; bytes that nothing names are left out. Reading OUT gives the same\n"
+      "scene, bit for bit, and converting OUT again the same file.\n"
+      "What cannot be carried is listed, one line each, and nothing is written unless --drop names it. OUT appears\n"
+      "complete or not at all, and never replaces a file that is read.\n"
+      "With a budget, keys are left out of clips as long as no vertex of the model ever moves farther than the budget\n"
+      "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
+      "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
+  command->add_option("IN", options->in, "A .gltf or .glb file")->required();
+  command->add_option("OUT", options->out, "The .glb or .gltf file to write")->required();
+  command->add_option("--budget", options->budget,
+                      "Largest distance by which leaving out keys may move anything: 0.1mm, 1e-4");
+  command
+      ->add_option("--fps", options->fps,
+                   "Linear keys that many times a second, in place of the keys of tracks that are not STEP")
+      ->check(CLI::Range(0.001, 1e6))
+      ->excludes("--budget");
+  command->add_flag("--quantize", options->quantize,
+                    "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
+                    "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");
+  command->add_flag("--meshopt", options->meshopt, "Compress with EXT_meshopt_compression; vertices get another order");
+  command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
+      ->delimiter(',')
+      ->type_name("NAME[,NAME...]");
+  command->callback([options, &outcome] { outcome = convert_file(*options); });
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/convert/fit_keys.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "importer/import_gltf.h"
+#include "importer/tool/certificate_table.h"
+#include "importer/tool/progress_line.h"
+#include "runtime/base/contract.h"
+#include "runtime/compress/compile_clip_within.h"
+#include "runtime/compress/virtual_vertices.h"
+
+namespace sinew::tool {
+namespace {
+
+/// The clips of animations that were reduced, written and read again, each measured against its original animation.
+std::vector<Clip> certify_clips(const Scene& scene, const std::vector<Animation>& written, double budget_m) {
+  CONTRACT(written.size() == scene.animations.size());
+  const VirtualVertices vertices = virtual_vertices(scene);
+  std::vector<Clip> clips;
+  for (std::size_t i = 0; i < written.size(); ++i)
+    clips.push_back(compile_and_measure(scene, written[i], scene.animations[i], vertices, budget_m));
+  return clips;
+}
+
+}  // namespace
+
+std::vector<Animation> fit_keys(const Scene& scene, double budget_m) {
+  const VirtualVertices vertices = virtual_vertices(scene);
+  ProgressLine progress;
+  std::vector<Animation> reduced;
+  for (const Animation& truth : scene.animations) {
+    progress.show("fitting clips", static_cast<double>(reduced.size()) / static_cast<double>(scene.animations.size()));
+    reduced.push_back(compile_clip_within(scene, truth, vertices, budget_m).keys);
+  }
+  return reduced;
+}
+
+std::optional<ImportError> print_certificates(const Scene& scene, const std::filesystem::path& file, double budget_m) {
+  ImportOptions plain;
+  plain.decode_images = plain.make_tangents = false;
+  const auto again = import_gltf(file, plain);
+  if (!again) return again.error();
+  fmt::print("{}", certificate_table(certify_clips(scene, again->scene.animations, budget_m), scene.skeleton.names));
+  return std::nullopt;
+}
+
+}  // namespace sinew::tool

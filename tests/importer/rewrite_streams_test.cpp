@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// Files written with `quantize` and `meshopt`: what is drawn, to the bit or within the bits that are kept.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/importer/rewritten.h"
+#include "tests/support/corpus.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+constexpr std::size_t kSide = 24;
+
+/// A bumpy grid of squares, each corner stored once for every triangle that has it; skinned, coloured, with one target
+/// that moves a few vertices, one that moves none, and one stored dense.
+TinyGltf grid() {
+  TinyGltf gltf;
+  FixedRandom random(7);
+  std::vector<float> positions, normals, texcoords, colors, weights, dense;
+  std::vector<std::uint16_t> joints;
+  const auto add = [&](std::size_t x, std::size_t y) {
+    const float u = static_cast<float>(x) / kSide, v = static_cast<float>(y) / kSide;
+    positions.insert(positions.end(), {u, v, 0.25f * std::sin(6.0f * u) * std::cos(5.0f * v)});
+    const float length = std::sqrt(u * u + v * v + 1.0f);
+    normals.insert(normals.end(), {u / length, v / length, 1.0f / length});
+    texcoords.insert(texcoords.end(), {u, 1.0f - v});
+    colors.insert(colors.end(), {u, v, 0.5f, 1.0f});
+    joints.insert(joints.end(), {0, 1, 0, 0});
+    weights.insert(weights.end(), {1.0f - u, u, 0.0f, 0.0f});
+    dense.insert(dense.end(), {0.1f * v, 0.0f, 0.1f * u});
+  };
+  for (std::size_t y = 0; y < kSide; ++y)
+    for (std::size_t x = 0; x < kSide; ++x)
+      for (const auto& [i, j] :
+           std::array<std::array<std::size_t, 2>, 6>{{{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}})
+        add(x + i, y + j);
+  const std::size_t count = positions.size() / 3;
+  Json attributes{{"POSITION", gltf.vec3(positions)},
+                  {"NORMAL", gltf.vec3(normals)},
+                  {"TEXCOORD_0", gltf.add(texcoords, "VEC2", 5126, 2)},
+                  {"COLOR_0", gltf.vec4(colors)},
+                  {"JOINTS_0", gltf.add(joints, "VEC4", 5123, 4)},
+                  {"WEIGHTS_0", gltf.vec4(weights)}};
+  Json& accessors = gltf.root["accessors"];
+  accessors[0]["min"] = {0, 0, -1};
+  accessors[0]["max"] = {1, 1, 1};
+  accessors.push_back({{"componentType", 5126}, {"count", count}, {"type", "VEC3"}});
+  const std::size_t zeros = accessors.size() - 1;
+  accessors.push_back(
+      {{"componentType", 5126},
+       {"count", count},
+       {"type", "VEC3"},
+       {"sparse",
+        {{"count", 2},
+         {"indices", {{"bufferView", gltf.add_view(std::vector<std::uint16_t>{3, 700})}, {"componentType", 5123}}},
+         {"values", {{"bufferView", gltf.add_view(std::vector<float>{1, 2, 3, 4, 5, 6})}}}}}});
+  const std::size_t sparse = accessors.size() - 1;
+  const Json targets{{{"POSITION", zeros}}, {{"POSITION", sparse}}, {{"POSITION", gltf.vec3(dense)}}};
+  gltf.root["meshes"] =
+      Json::array({{{"primitives", Json::array({{{"attributes", attributes}, {"targets", targets}}})}}});
+  gltf.root["nodes"] = Json::array({{{"mesh", 0}, {"skin", 0}}, {{"children", {2}}}, Json::object()});
+  gltf.root["skins"] = Json::array({{{"joints", {1, 2}}}});
+  std::vector<float> times, rotations, translations;
+  for (int k = 0; k < 40; ++k) {
+    const float angle = 0.05f * static_cast<float>(k);
+    times.push_back(static_cast<float>(k) / 30.0f);
+    rotations.insert(rotations.end(), {0.0f, std::sin(angle), 0.0f, std::cos(angle)});
+    translations.insert(translations.end(), {angle, static_cast<float>(random.in(-1.0, 1.0)), 2.0f});
+  }
+  const std::size_t input = gltf.times(times);
+  gltf.animate("rotation", input, gltf.vec4(rotations));
+  gltf.root["animations"][0]["samplers"].push_back({{"input", input}, {"output", gltf.vec3(translations)}});
+  gltf.root["animations"][0]["channels"].push_back(
+      {{"sampler", 1}, {"target", {{"node", 1}, {"path", "translation"}}}});
+  gltf.root["animations"][0]["channels"][0]["target"]["node"] = 2;
+  return gltf;
+}
+
+RewriteOptions how(bool quantize, bool meshopt) {
+  RewriteOptions options;
+  options.quantize = quantize;
+  options.meshopt = meshopt;
+  return options;
+}
+
+/// Everything of one corner of a triangle, in numbers.
+using Corner = std::vector<float>;
+
+/// The triangles of a primitive, in an order that does not depend on how vertices are numbered.
+std::vector<std::array<Corner, 3>> triangles(const Primitive& p) {
+  std::vector<Corner> corners(p.vertex_count());
+  const auto add = [&](const auto& values) {
+    for (std::size_t v = 0; v < values.size(); ++v)
+      for (int c = 0; c < values[v].length(); ++c) corners[v].push_back(values[v][c]);
+  };
+  add(p.positions);
+  add(p.normals);
+  for (const auto& set : p.texcoords) add(set);
+  add(p.colors);
+  for (const MorphTarget& target : p.morphs.targets) {
+    std::vector<glm::vec3> deltas(p.vertex_count(), glm::vec3(0.0f));
+    for (std::size_t i = 0; i < target.positions.vertices.size(); ++i)
+      deltas[target.positions.vertices[i]] = target.positions.deltas[i];
+    add(deltas);
+  }
+  for (const InfluenceGroup& group : p.influences.groups)
+    for (std::uint32_t v = 0; v < group.vertex_count; ++v) {
+      std::array<float, 8> weights{};
+      for (std::uint32_t i = 0; i < group.influence_count; ++i) {
+        const std::size_t at = group.first_influence + std::size_t{v} * group.influence_count + i;
+        weights.at(p.influences.joints[at]) = p.influences.weights[at];
+      }
+      corners[group.first_vertex + v].insert(corners[group.first_vertex + v].end(), weights.begin(), weights.end());
+    }
+  std::vector<std::array<Corner, 3>> out;
+  for (std::size_t i = 0; i + 2 < p.indices.size(); i += 3) {
+    std::array<Corner, 3> t{corners[p.indices[i]], corners[p.indices[i + 1]], corners[p.indices[i + 2]]};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    out.push_back(std::move(t));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+struct Both {
+  ImportedFile before, after;
+  GlbParts parts;
+  std::size_t bytes = 0;
+};
+
+Both recoded(const TinyGltf& gltf, const RewriteOptions& options) {
+  auto before = gltf.import(carrying());
+  if (!before) throw std::runtime_error(before.error().issue.detail);
+  const auto out = rewrite_gltf(*before, options);
+  if (!out) throw std::runtime_error(out.error().issue.detail);
+  auto after = import_gltf(out->file, "recoded.glb");
+  if (!after) throw std::runtime_error(describe("recoded.glb", after.error().issue));
+  return {*std::move(before), *std::move(after), split_glb(out->file), out->file.size()};
+}
+
+const Primitive& first(const ImportedFile& file) { return file.scene.meshes[0].primitives[0]; }
+
+TEST(rewrite_streams, meshopt_alone_draws_the_same_bits_from_fewer_vertices) {
+  const Both out = recoded(grid(), how(false, true));
+  EXPECT_TRUE(triangles(first(out.before)) == triangles(first(out.after)));
+  EXPECT_LE(first(out.after).vertex_count(), (kSide + 1) * (kSide + 1) + 2) << "two are moved by the sparse target";
+  const Animation &a = out.before.scene.animations[0], &b = out.after.scene.animations[0];
+  EXPECT_EQ(a.bones[1].rotation.values, b.bones[1].rotation.values);
+  EXPECT_EQ(a.bones[0].translation.values, b.bones[0].translation.values);
+  EXPECT_EQ(out.parts.json["extensionsRequired"], Json::array({"EXT_meshopt_compression"}));
+  EXPECT_EQ(out.parts.json["buffers"].size(), 2u);
+  EXPECT_LT(out.bytes, rewrite(grid())->file.size() / 4);
+}
+
+float angle(const glm::vec3& a, const glm::vec3& b) { return glm::length(glm::normalize(a) - glm::normalize(b)); }
+
+/// The largest difference of a kind over all corners, found by the order of triangles in space.
+void expect_close(const Primitive& a, const Primitive& b, float position) {
+  ASSERT_EQ(a.indices.size(), b.indices.size());
+  for (std::size_t i = 0; i < a.vertex_count(); ++i) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < b.vertex_count(); ++k)
+      if (glm::distance(b.positions[k], a.positions[i]) < glm::distance(b.positions[nearest], a.positions[i]))
+        nearest = k;
+    EXPECT_LE(glm::distance(b.positions[nearest], a.positions[i]), position);
+    EXPECT_LE(angle(a.normals[i], b.normals[nearest]), 0.02f);
+    EXPECT_LE(glm::distance(a.texcoords[0][i], b.texcoords[0][nearest]), 1.6f / 8190.0f);
+    EXPECT_LE(glm::distance(a.colors[i], b.colors[nearest]), 1.0f / 255.0f);
+  }
+}
+
+TEST(rewrite_streams, G17_quantised_numbers_stay_within_half_a_step) {
+  for (const bool meshopt : {false, true}) {
+    SCOPED_TRACE(meshopt);
+    const Both out = recoded(grid(), how(true, meshopt));
+    expect_close(first(out.before), first(out.after), meshopt ? 1e-4f : 0.0f);
+    for (const ImportIssue& warning : out.after.warnings) EXPECT_NE(warning.rule, "weights-sum") << warning.detail;
+    const auto& a = out.before.scene.animations[0].bones[1].rotation.values;
+    const auto& b = out.after.scene.animations[0].bones[1].rotation.values;
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_GT(std::abs(glm::dot(a[k], b[k])), 1.0f - 1e-6f);
+    EXPECT_LT(out.bytes, rewrite(grid())->file.size());
+  }
+}
+
+TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
+  const Both out = recoded(grid(), how(true, true));
+  ImportOptions careful;
+  careful.check_bounds = true;
+  const auto again = import_gltf(rewrite(grid(), how(true, true))->file, "again.glb", careful);
+  ASSERT_TRUE(again);
+  for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
+}
+
+TEST(rewrite_streams, vertices_that_an_extension_may_name_keep_their_order) {
+  TinyGltf gltf = grid();
+  gltf.root["meshes"][0]["primitives"][0]["extensions"]["NOT_A_selection"] = {{"share", 0.5}};
+  const Both out = recoded(gltf, how(false, true));
+  EXPECT_EQ(first(out.before).positions, first(out.after).positions);
+  EXPECT_EQ(first(out.before).source_vertex, first(out.after).source_vertex);
+}
+
+TEST(rewrite_streams, primitives_that_share_a_part_of_their_vertices_keep_the_order) {
+  TinyGltf gltf = grid();
+  Json second = gltf.root["meshes"][0]["primitives"][0];
+  second["attributes"].erase("COLOR_0");
+  gltf.root["meshes"][0]["primitives"].push_back(second);
+  const Both out = recoded(gltf, how(false, true));
+  for (std::size_t p = 0; p < 2; ++p)
+    EXPECT_EQ(out.before.scene.meshes[0].primitives[p].positions, out.after.scene.meshes[0].primitives[p].positions);
+}
+
+TEST(rewrite_streams, G37_two_sets_of_weights_stay_floats_and_far_joints_stay_wide) {
+  TinyGltf gltf = grid();
+  Json& attributes = gltf.root["meshes"][0]["primitives"][0]["attributes"];
+  const std::size_t count = gltf.root["accessors"][0]["count"];
+  attributes["JOINTS_1"] = attributes["JOINTS_0"];
+  attributes["WEIGHTS_1"] = gltf.vec4(std::vector<float>(4 * count, 0.0f));
+  std::vector<float> times{0, 1};
+  const Both out = recoded(gltf, how(true, false));
+  const Json& json = out.parts.json;
+  const Json& written = json["meshes"][0]["primitives"][0]["attributes"];
+  EXPECT_EQ(json["accessors"][written["WEIGHTS_0"].get<std::size_t>()]["componentType"], 5126);
+  EXPECT_EQ(first(out.before).influences.weights, first(out.after).influences.weights);
+}
+
+TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  RewriteOptions options = how(true, true);
+  options.drop = {"image-missing"};
+  for (const auto& path : corpus_files("models", {".gltf", ".glb"})) {
+    SCOPED_TRACE(path.string());
+    const auto file = import_gltf(path, carrying());
+    if (!file) continue;
+    RewriteOptions plain;
+    plain.drop = options.drop;
+    const auto out = rewrite_gltf(*file, options), whole = rewrite_gltf(*file, plain);
+    ASSERT_TRUE(out && whole) << (out ? "" : out.error().issue.detail);
+    const auto after = import_gltf(out->file, "recoded.glb", carrying());
+    ASSERT_TRUE(after) << describe("recoded.glb", after.error().issue);
+    ASSERT_EQ(after->scene.meshes.size(), file->scene.meshes.size());
+    for (std::size_t m = 0; m < file->scene.meshes.size(); ++m)
+      for (std::size_t p = 0; p < file->scene.meshes[m].primitives.size(); ++p)
+        EXPECT_EQ(after->scene.meshes[m].primitives[p].indices.size(),
+                  file->scene.meshes[m].primitives[p].indices.size());
+    EXPECT_EQ(after->scene.skeleton.rest, file->scene.skeleton.rest);
+    if (whole->file.size() > 20'000) {
+      EXPECT_LT(out->file.size(), whole->file.size());
+    }
+    const auto decoded = rewrite_gltf(*after, plain);
+    ASSERT_TRUE(decoded) << decoded.error().issue.detail;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "tests/importer/tiny_draco.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#pragma GCC diagnostic pop
+
+#include <cstdint>
+#include <cstring>
+
+namespace sinew::test {
+namespace {
+
+bool is_joints(const std::string& semantic) { return semantic.starts_with("JOINTS_"); }
+
+/// The three values of an attribute, in the type of the attribute.
+template <class T>
+void set_values(draco::TriangleSoupMeshBuilder& builder, int attribute, const std::vector<float>& values) {
+  const std::vector<T> v(values.begin(), values.end());
+  const std::size_t n = v.size() / 3;
+  builder.SetAttributeValuesForFace(attribute, draco::FaceIndex(0), v.data(), v.data() + n, v.data() + 2 * n);
+}
+
+}  // namespace
+
+std::vector<std::byte> draco_triangle(const TriangleValues& values, std::map<std::string, int>& ids) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  for (const auto& [semantic, list] : values) {
+    const auto type = semantic == "POSITION" ? draco::GeometryAttribute::POSITION : draco::GeometryAttribute::GENERIC;
+    const auto components = static_cast<std::int8_t>(list.size() / 3);
+    ids[semantic] = builder.AddAttribute(type, components, is_joints(semantic) ? draco::DT_UINT8 : draco::DT_FLOAT32);
+  }
+  for (const auto& [semantic, list] : values) {
+    if (is_joints(semantic))
+      set_values<std::uint8_t>(builder, ids[semantic], list);
+    else
+      set_values<float>(builder, ids[semantic], list);
+  }
+  const auto mesh = builder.Finalize();
+  draco::Encoder encoder;
+  draco::EncoderBuffer buffer;
+  if (!encoder.EncodeMeshToBuffer(*mesh, &buffer).ok()) return {};
+  std::vector<std::byte> out(buffer.size());
+  std::memcpy(out.data(), buffer.data(), buffer.size());
+  return out;
+}
+
+TinyGltf draco_document(const TriangleValues& values) {
+  static const char* const kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  std::map<std::string, int> ids;
+  const std::vector<std::byte> stream = draco_triangle(values, ids);
+  TinyGltf gltf;
+  const std::size_t view = gltf.add_view(stream);
+  Json attributes;
+  for (const auto& [semantic, list] : values) {
+    gltf.root["accessors"].push_back(
+        {{"componentType", is_joints(semantic) ? 5121 : 5126}, {"count", 3}, {"type", kTypes[list.size() / 3]}});
+    attributes[semantic] = gltf.root["accessors"].size() - 1;
+  }
+  gltf.root["accessors"].push_back({{"componentType", 5123}, {"count", 3}, {"type", "SCALAR"}});
+  const Json extension{{"bufferView", view}, {"attributes", ids}};
+  const Json primitive{{"attributes", attributes},
+                       {"indices", gltf.root["accessors"].size() - 1},
+                       {"extensions", {{"KHR_draco_mesh_compression", extension}}}};
+  gltf.root["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+  gltf.root["nodes"] = Json::array({{{"mesh", 0}}});
+  gltf.root["extensionsUsed"] = gltf.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  return gltf;
+}
+
+}  // namespace sinew::test
