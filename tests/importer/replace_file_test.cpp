@@ -8,6 +8,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <iterator>
 
 #include "importer/file/sandboxed_files.h"
 
