@@ -51,26 +51,40 @@ void write_source(const CompiledPlan& plan, std::size_t p, const VertexSource& s
   if (derives_normals || !out.tangents.empty()) work.smooth_triangles += faces->count();
 }
 
+/// Moves vertices to where they are blended.
+struct Mover {
+  explicit Mover(const Affine& m)
+      : matrix(m), cofactors(cofactor(Mat3<double>(linear_part(m))) * (determinant_sign(m) < 0 ? -1.0 : 1.0)) {}
+
+  glm::vec3 position(const glm::vec3& x) const noexcept { return transform_point(matrix, x); }
+  /// As transform_normal_outward.
+  glm::vec3 normal(const glm::vec3& n) const noexcept {
+    const Vec3<double> exact(n);
+    return glm::vec3(normalised_or(cofactors * exact, exact));
+  }
+  glm::vec3 tangent(const glm::vec4& t) const noexcept {
+    return normalised_or(transform_vector(matrix, glm::vec3(t)), glm::vec3(t));
+  }
+
+  const Affine& matrix;
+  const Mat3<double> cofactors;  ///< with the sign of the determinant
+};
+
 /// Blends vertices of a pose and of a source.
 struct GeometryBlend {
   float weight;
-  const Affine& to_from_pose;
-  const Affine& to_from_source;
+  Mover pose, source;
 
   /// eq   (1 - w) A x + w B y
   glm::vec3 position(const glm::vec3& x, const glm::vec3& y) const noexcept {
-    return (1.0f - weight) * transform_point(to_from_pose, x) + weight * transform_point(to_from_source, y);
+    return (1.0f - weight) * pose.position(x) + weight * source.position(y);
   }
-  /// eq   normalise((1 - w) a + w b), a and b the moved unit normals
+  /// eq   normalise((1 - w) a + w b), a and b unit
   glm::vec3 normal(const glm::vec3& x, const glm::vec3& y) const noexcept {
-    const glm::vec3 a = transform_normal_outward(linear_part(to_from_pose), x);
-    return mix(a, transform_normal_outward(linear_part(to_from_source), y));
+    return mix(pose.normal(x), source.normal(y));
   }
   glm::vec4 tangent(const glm::vec4& x, const glm::vec4& y) const noexcept {
-    const auto moved = [](const Affine& m, const glm::vec4& t) {
-      return normalised_or(transform_vector(m, glm::vec3(t)), glm::vec3(t));
-    };
-    return glm::vec4(mix(moved(to_from_pose, x), moved(to_from_source, y)), x.w);
+    return glm::vec4(mix(pose.tangent(x), source.tangent(y)), x.w);
   }
 
  private:
@@ -154,7 +168,7 @@ DeformedPrimitive play_primitive(const CompiledPlan& plan, std::size_t p, const 
     shape = deform_primitive(plan, p, pose, false, memory, work);
     const VertexOutput from = output_at(memory, planned.cached, plan.layout.cached, primitive.vertex_count());
     write_source(plan, p, source, turned, from, memory, work);
-    blend({played.weight, played.world_from_pose, played.world_from_source}, shape, from, out);
+    blend({played.weight, Mover(played.world_from_pose), Mover(played.world_from_source)}, shape, from, out);
     work.vertices_blended += primitive.vertex_count();
     turned = pose.mirrored && !blends_in_mesh_space(plan, planned.instance, played.space);
   }
