@@ -19,7 +19,7 @@ std::uint32_t frames_to_update(UpdateLevel level, std::uint64_t frame, std::uint
 /// jerks.
 ///
 /// Another clip, weight or speed shows from the next update on, up to 2^k - 1 frames late and without a jump. The root,
-/// given morph weights and what is out of view are always of this frame.
+/// given morph weights, sources of vertices and what is out of view are always of this frame.
 /// err  of second order: under an acceleration a the pose is off by at most a h^2 / 8, h the time between updates.
 ///      Under an even turn by an angle x per interval it is off by less than 0.0041 x^3 rad (rotations are
 ///      interpolated on the chord). A step between two updates is smeared

@@ -217,11 +217,44 @@ TEST_F(play_geometry, bad_inputs_answer_codes_and_leave_the_last_frame) {
   EXPECT_EQ(refused([](FrameInput&) {}), ErrorCode::index_out_of_range);
 }
 
+TEST_F(play_geometry, instances_with_copies_play_in_their_own_space_only) {
+  std::uint32_t i = 0;
+  while (scene_.instances[i].skin != kNone) ++i;
+  scene_.instances[i].copies.resize(2);
+  scene_.instances[i].copies[1].translation = {50.0f, 0.0f, 0.0f};
+  needs_.bounds = true;
+  compile();
+  EXPECT_EQ(run_plan(plan_, input_at(0.5, 1.0f), *frame_), ErrorCode::unsupported);
+  waves_.space = VertexSpace::mesh;
+  for (const float weight : {1.0f, 0.5f}) {
+    const FrameResult& shown = play(0.5, weight);
+    const Affine& world_from_joint = shown.model[scene_.instances[i].joint];
+    EXPECT_TRUE(same_bits(shown.instances[i].world_from_mesh, world_from_joint));
+    Aabb box;
+    const DeformedPrimitive& shape = shown.primitives[shown.instances[i].first_primitive];
+    for (const glm::vec3& x : shape.positions) {
+      box.add(transform_point(world_from_joint, x));
+      box.add(transform_point(world_from_joint, x + glm::vec3(50.0f, 0.0f, 0.0f)));
+    }
+    const Aabb& found = shown.instances[i].bounds;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_LE(found.lower[axis], box.lower[axis] + 1e-4f);
+      EXPECT_GE(found.upper[axis], box.upper[axis] - 1e-4f);
+    }
+  }
+}
+
 TEST_F(play_geometry, a_plan_without_it_has_no_stage_and_no_memory) {
   const Plan without = compile_plan(scene_, Needs{});
   EXPECT_FALSE(without.runs(Stage::geometry_cache));
   EXPECT_EQ(stage(without, "geometry_cache").reason, "no mesh instance is asked to play from a cache");
   EXPECT_TRUE(plan_.runs(Stage::geometry_cache));
+  EXPECT_EQ(
+      stage(plan_, "geometry_cache").reason,
+      std::to_string(plan_.primitives().size()) +
+          " primitives may play from a cache, in place of morph and skin; normals that it lacks follow the triangles");
+  needs_ = {.joints = true, .positions = false, .normals = false, .tangents = false, .cached_instances = {0}};
+  EXPECT_EQ(stage(compile_plan(scene_, needs_), "geometry_cache").reason, "no attribute that is asked for can play");
   EXPECT_LT(without.frame_bytes(), plan_.frame_bytes());
   std::uint64_t vertices = 0;
   for (const DeformedPrimitive& shape : play(0.5, 1.0f).primitives)
