@@ -4,6 +4,7 @@
 
 speed     the table of `./run bench` in tests/bench/README.md, and its few rows in README.md (`headlines`)
 budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models, in runtime/compress/README.md
+caches    sizes and speed of geometry caches, in runtime/geometry_cache/README.md
 cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
 showcase  showcase.png and flag.png in samples/showcase
 
@@ -24,12 +25,27 @@ TABLES = {  # where each marked table stands
     "headlines": ROOT / "README.md",
     "speed": ROOT / "tests/bench/README.md",
     "budgets": ROOT / "runtime/compress/README.md",
+    "cache_sizes": ROOT / "runtime/geometry_cache/README.md",
+    "cache_speed": ROOT / "runtime/geometry_cache/README.md",
 }
 sys.path.append(str(ROOT / "tests/support"))
 from browser import browser, run
 
 BUDGET_MODELS = ("CesiumMan", "Fox", "Knight", "InfiniteSkinnedTentacle")
 COST_MODEL = "CesiumMan"
+CACHE_MODELS = (("CesiumMan", "0.1mm"), ("Knight", "0.1mm"), ("Fox", "0.1mm"), ("Fox", "10mm"), ("enemy", "0.1mm"), ("InfiniteSkinnedTentacle", "0.1mm"))
+CACHE_TARGETS = (("avx3", "AVX-512"), ("avx2", "AVX2"), ("sse4", "SSE4"))
+CACHE_WORK = (  # benchmark, words, counter, factor, unit
+    ("sinew/cloth30k/forward", "forward, into floats", "items_per_second", 1e-6, "M points/s"),
+    ("sinew/lively_cloth30k/forward", "the same in a livelier wind", "items_per_second", 1e-6, "M points/s"),
+    ("sinew/cloth30k/vertices", "forward, into the order of the mesh", "items_per_second", 1e-6, "M vertices/s"),
+    ("sinew/cloth30k/farthest_seek", "farthest seek in a segment of 32 frames", "cpu_time", 1e-6, "ms"),
+    ("sinew/cloth30k/open_and_first_frame", "opening the file and the first frame", "cpu_time", 1e-6, "ms"),
+    ("zstd/cloth30k/forward", "zstd, frames of the same 16-bit numbers", "items_per_second", 1e-6, "M points/s"),
+    ("copy/cloth30k/forward", "a copy of the floats", "items_per_second", 1e-6, "M points/s"),
+    ("copy/cloth30k/forward", "a copy of the floats", "bytes_per_second", 1e-9, "GB/s"),
+    ("sinew/cloth30k/forward", "forward, floats that are written", "bytes_per_second", 1e-9, "GB/s"),
+)
 WIDTH = 988  # of the picture, pixels
 
 # The rows of the speed table that a user compares, in their order: (job, case), words, unit.
@@ -110,6 +126,75 @@ def budgets(build, corpus):
     write_table("budgets", "\n".join(head + rows))
 
 
+def tool(build, *arguments):
+    return subprocess.run([build / "bin/sinew", *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True).stdout
+
+
+def bench_caches(build, target):
+    command = [build / "bin/sinew-bench", f"--target={target}", "--benchmark_filter=geometry_cache/", "--benchmark_format=json"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    rows = json.loads(done.stdout)["benchmarks"] if done.returncode == 0 and done.stdout else []
+    return {row["name"].removeprefix("geometry_cache/"): row for row in rows}
+
+
+def beside_zstd(build, cache, folder):
+    """Bytes of zstd -19 on the numbers of the first 64 frames, and of the cache, of the floats of points."""
+    tool(build, "cost", cache, "-o", folder)
+    group = json.loads((folder / "report.json").read_text())["groups"][0]
+    sizes = {point["name"]: point["size"] for point in group["points"]}
+    ours = next(point["size"] for point in group["points"] if point["default"])
+    return ours / sizes["zstd -19"]
+
+
+def cache_row(build, name, file, budget, folder):
+    clips = [(i, clip) for i, clip in enumerate(json.loads(tool(build, "info", "--json", file))["clips"]) if clip["duration_s"] > 0]
+    shares, total, raw, frames = {}, 0, 0, 0
+    longest = max(clips, key=lambda c: c[1]["duration_s"])[0]
+    for i, clip in clips:
+        out = folder / ("longest.sgeo" if i == longest else "clip.sgeo")
+        tool(build, "bake", file, "--clip", str(i), "--budget", budget, "-o", out)
+        cache = json.loads(tool(build, "info", "--json", out))["geometry_cache"]
+        shares[clip["name"]] = cache["bytes"] / cache["raw_bytes"]
+        total, raw, frames = total + cache["bytes"], raw + cache["raw_bytes"], frames + cache["frames"]
+    vertices = sum(mesh["vertices"] for mesh in cache["meshes"])
+    points = sum(mesh["points"] for mesh in cache["meshes"])
+    zstd = beside_zstd(build, folder / "longest.sgeo", folder / f"cost{budget}{name}")
+    return (f"| {name}, {len(clips)} clip{'s' if len(clips) > 1 else ''} | {budget} | {vertices:,} | {points:,} | {frames:,} | {total:,} | "
+            f"{100 * total / raw:.1f} % | {100 * min(shares.values()):.1f} to {100 * max(shares.values()):.1f} % | {zstd:.2f} |")
+
+
+def cloth_row(words, row):
+    raw = 12 * 29949 * 128
+    return (f"| {words} | 0.1mm | 29,949 | 29,949 | 128 | {round(raw * row['of_raw']):,} | {100 * row['of_raw']:.1f} % | | "
+            f"{row['of_raw'] / row['zstd_of_raw']:.2f} |")
+
+
+def point_cache_row(build, obj, folder):
+    out = folder / "points.sgeo"
+    tool(build, "bake", obj, "--points", obj.with_suffix(".mdd"), "--up", "z", "-o", out)
+    cache = json.loads(tool(build, "info", "--json", out))["geometry_cache"]
+    mesh, share = cache["meshes"][0], 100 * cache["bytes"] / cache["raw_bytes"]
+    return (f"| {obj.stem}.mdd of Blender | 0.1mm | {mesh['vertices']:,} | {mesh['points']:,} | {cache['frames']} | {cache['bytes']:,} | "
+            f"{share:.1f} % | | {beside_zstd(build, out, folder / obj.stem):.2f} |")
+
+
+def caches(build, corpus):
+    by_target = {words: rows for target, words in CACHE_TARGETS if (rows := bench_caches(build, target))}
+    head = [f"| work | unit | {' | '.join(by_target)} |", "|---|---|" + "---|" * len(by_target)]
+    write_table("cache_speed", "\n".join(head + [
+        f"| {words} | {unit} | {' | '.join(f'{factor * rows[name][counter]:.3g}' for rows in by_target.values())} |"
+        for name, words, counter, factor, unit in CACHE_WORK]))
+    best = next(iter(by_target.values()))
+    head = ["| cache | within | vertices | points | frames at 30 Hz | bytes | of raw floats | least and most of a clip | of zstd -19 |", "|---|---|---|---|---|---|---|---|---|"]
+    rows = [cloth_row("cloth of 201 x 149 in a calm wind", best["sinew/cloth30k/forward"]),
+            cloth_row("the same cloth in a livelier wind", best["sinew/lively_cloth30k/forward"])]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        rows += [cache_row(build, name, model(corpus, name), budget, folder) for name, budget in CACHE_MODELS if model(corpus, name)]
+        rows += [point_cache_row(build, obj, folder) for obj in sorted((corpus / "cache").glob("*.obj"))]
+    write_table("cache_sizes", "\n".join(head + rows))
+
+
 def cost(build, corpus):
     file = model(corpus, COST_MODEL)
     if file is None or browser() is None:
@@ -135,7 +220,7 @@ def showcase(build, corpus):
 
 def main():
     build, corpus, names = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3:]
-    figures = {"showcase": showcase, "budgets": budgets, "cost": cost, "speed": speed}
+    figures = {"showcase": showcase, "budgets": budgets, "caches": caches, "cost": cost, "speed": speed}
     if unknown := [name for name in names if name not in figures]:
         sys.exit(f"figures: there is no {unknown[0]}; there are {', '.join(figures)}")
     for name in names or figures:

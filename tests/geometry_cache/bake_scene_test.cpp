@@ -55,6 +55,20 @@ TEST(bake_scene, normals_and_colours_are_streams_where_they_are_asked_for_and_th
   EXPECT_EQ(coloured, 1u);
 }
 
+TEST(bake_scene, normals_turn_with_the_node_of_their_mesh) {
+  Scene scene = coloured_scene(1.0f);
+  for (const MeshInstance& instance : scene.instances)
+    if (instance.skin == kNone) scene.skeleton.rest[instance.joint].rotation = quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
+  const auto baked = bake_scene(scene, kNone, 10.0, {.normals_rad = 0.01});
+  ASSERT_TRUE(baked.has_value());
+  for (const TakeMesh& mesh : baked->take.meshes)
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
+      const auto at = [&](std::size_t k) { return mesh.streams[0].frames[0][mesh.triangles[corner + k]]; };
+      const glm::vec3 across = glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
+      EXPECT_NEAR(glm::dot(across, mesh.streams[1].frames[0][mesh.triangles[corner]]), 1.0f, 1e-5f) << mesh.name;
+    }
+}
+
 TEST(bake_scene, decoded_normals_stay_within_their_angle) {
   const double angle_rad = 0.02;
   const auto baked = bake_scene(coloured_scene(1.0f), 0, 30.0, {.normals_rad = angle_rad});

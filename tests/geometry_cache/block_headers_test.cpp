@@ -31,7 +31,7 @@ std::vector<BlockMotion> any_motions(FixedRandom& random, FramePlace place, unsi
 
 bool is_same(const BlockMotion& a, const BlockMotion& b) {
   return a.base == b.base && a.turns == b.turns && a.spreads == b.spreads && a.width == b.width &&
-         a.offset == b.offset && (a.turns ? a.shift == b.shift && a.matrix == b.matrix : b.shift == 0);
+         a.offset == b.offset && (a.turns ? a.shift == b.shift && a.matrix == b.matrix : a.shift == 0);
 }
 
 TEST(block_headers, what_was_written_is_read_again) {
