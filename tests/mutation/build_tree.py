@@ -41,8 +41,7 @@ class Tree:
                 target = line.split(':')[0]
             elif line.startswith('    ') and target in self.commands:
                 path = os.path.relpath(os.path.normpath(os.path.join(self.build, line.strip())), self.root)
-                if path.startswith('build/release/include/sinew/'):
-                    path = path[len('build/release/include/sinew/'):]
+                path = path.removeprefix(f'{os.path.relpath(self.build, self.root)}/include/sinew/')
                 if not path.startswith('..') and not path.startswith('build/'):
                     self.users[path].add(target)
 

@@ -79,7 +79,8 @@ class MutatedBuild:
         os.makedirs(os.path.dirname(out), exist_ok=True)
         command = self.tree.commands[target]
         command = re.sub(r'\(HWY_SSSE3\)', f'({TARGETS})', command)
-        command = re.sub(r' -Werror\b| -W[a-z][\w-]*| -O3', '', command).replace('/usr/bin/c++ ', f'/usr/bin/c++ -I{self.overlay} ', 1)
+        compiler, rest = re.sub(r' -Werror\b| -W[a-z][\w-]*| -O3', '', command).split(' ', 1)
+        command = f'{compiler} -I{self.overlay} {rest}'
         command = command.replace(' -o ' + target, f' -O1 -w -fmax-errors=200 -include {HERE}/mutation_switch.h -o {out}')
         if source in self.files:
             command = command.replace(f' -c {self.tree.root}/{source}', f' -c {self.overlay}/{source}')
