@@ -196,6 +196,8 @@ class Session:
             verdict = programs.verdict_alone(m)
         except RuntimeError:
             pass
+        if build.stillborn:
+            verdict = 'stillborn', ''
         self.note(m, *verdict, time.monotonic() - started)
 
 
