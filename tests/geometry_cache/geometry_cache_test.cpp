@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -212,6 +213,23 @@ TEST(geometry_cache, each_rule_has_its_name) {
   file[kGeometryFileHead + 15] = std::byte(0xff);  // the sign of the time between frames
   sign(file);
   EXPECT_EQ(rule_of(file), "cache-value");
+}
+
+TEST(geometry_cache, a_mesh_has_one_stream_of_each_kind_in_their_order) {
+  GeometryTake take = noise_take(70, 2, 1e-2);
+  take.meshes[0].streams.push_back({GeometryKind::normals, take.meshes[0].streams[0].frames, 0.5});
+  Bytes file = *encode_geometry_cache(take);
+  const GeometryStream normals = GeometryCache::open(file)->meshes()[0].streams[1];
+  Bytes head(1 + sizeof(float), std::byte(1));  // as the directory describes a stream: its kind, its step, ...
+  std::memcpy(&head[1], &normals.step, sizeof(float));
+  const auto found = std::search(file.begin(), file.end(), head.begin(), head.end());
+  ASSERT_NE(found, file.end());
+  *found = std::byte(0);  // positions a second time
+  sign(file);
+  const auto cache = GeometryCache::open(file);
+  ASSERT_FALSE(cache.has_value());
+  EXPECT_EQ(cache.error().rule, "cache-value");
+  EXPECT_THAT(cache.error().detail, testing::HasSubstr("kinds"));
 }
 
 }  // namespace

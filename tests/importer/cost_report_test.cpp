@@ -372,7 +372,7 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
 TEST(cost_command, takes_a_geometry_cache_and_compares_the_ways_to_keep_its_frames) {
   const ToolModelFile model;
   const std::string cache = model.beside("out.sgeo");
-  ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "0", "--normals", "-o", cache}).status, 0);
+  ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "talk", "--normals", "-o", cache}).status, 0);
   const fs::path out = model.beside("costs");
   const CommandOutcome outcome = run_tool({"cost", cache, "--quick", "-o", out.string()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
