@@ -76,7 +76,8 @@ def find_places(tree, files, state, jobs):
     """All mutants of the files; those of files that have not changed come from the last time."""
     path = f'{state}/places.json'
     known = load(path)
-    digests = {f: digest(f'{tree.root}/{f}') for f in files}
+    finders = digest(f'{HERE}/places_cpp.py') + digest(f'{HERE}/places_glsl.py')  # other finders find other places
+    digests = {f: digest(f'{tree.root}/{f}') + finders for f in files}
     new = [f for f in files if known.get(f, {}).get('digest') != digests[f]]
     units = {}
     for file in new:
