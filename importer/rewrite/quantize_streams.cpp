@@ -57,6 +57,8 @@ class Quantizer {
     if ((what == "NORMAL" && n == 3) || (what == "TANGENT" && n == 4)) return directions(stream, accessor, n);
     if (what.starts_with("TEXCOORD_") && n == 2) return texcoords(stream, accessor);
     if (what.starts_with("COLOR_")) return colors(stream, accessor, n);
+    if ((what == "target NORMAL" || what == "target TANGENT") && n == 3 && within(stream, 3))
+      return small_vectors(stream, accessor);
     if (what == "POSITION" || what.starts_with("target ")) round_floats(stream, accessor, n, bits_.positions);
   }
 
@@ -116,6 +118,18 @@ class Quantizer {
       store<std::int8_t>(scaled(values, 127.0), n, 4, stream);
     }
     set_type(accessor, n == 3 ? "VEC3" : "VEC4", kByte, true);
+    declare(draft_, "KHR_mesh_quantization", true);
+  }
+
+  static bool within(const Stream& stream, std::size_t n) {
+    const std::vector<float> values = floats_of(stream, n);
+    return std::all_of(values.begin(), values.end(), [](float v) { return std::abs(v) <= 1.0f; });
+  }
+
+  /// Displacements of directions.
+  void small_vectors(Stream& stream, Json& accessor) {
+    store<std::int8_t>(scaled(floats_of(stream, 3), 127.0), 3, 4, stream);
+    set_type(accessor, "VEC3", kByte, true);
     declare(draft_, "KHR_mesh_quantization", true);
   }
 

@@ -75,7 +75,9 @@ class KeyWriter {
     }
     sampler["input"] = times->second;
     sampler["output"] = add(keys.values, keys.components);
-    sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
+    sampler.erase("interpolation");  // LINEAR is what glTF takes without it
+    if (keys.interpolation != Interpolation::linear)
+      sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
   }
 
   /// Puts what was written into a view.
