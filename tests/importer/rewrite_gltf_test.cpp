@@ -235,6 +235,16 @@ TEST(rewrite_gltf, G62_draco_becomes_plain_accessors_within_the_limits_of_gltf) 
     for (int c = 0; c < 4; ++c) EXPECT_TRUE(color[c] >= 0.0f && color[c] <= 1.0f) << color[c];
 }
 
+TEST(rewrite_gltf, G15_bounds_are_those_of_the_decoded_elements) {
+  TinyGltf gltf = draco_document(kRounded);
+  const std::size_t positions = gltf.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  gltf.root["accessors"][positions]["min"] = {-9, -9, -9};
+  gltf.root["accessors"][positions]["max"] = {9, 9, 9};
+  const Json out = rewritten(gltf).json;
+  EXPECT_EQ(out["accessors"][positions]["min"], Json::array({0.0, 0.0, 0.0}));
+  EXPECT_EQ(out["accessors"][positions]["max"], Json::array({1.0, 1.0, 0.0}));
+}
+
 TEST(rewrite_gltf, G62_draco_moves_entries_and_refuses_numbers_that_may_name_them) {
   TinyGltf gltf = draco_document(kRounded);
   gltf.root["images"] = {

@@ -197,6 +197,16 @@ TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
 }
 
+TEST(rewrite_streams, streams_too_short_to_compress_are_plain_floats) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const Both out = recoded(gltf, how(true, true));
+  EXPECT_FALSE(out.parts.json.contains("extensionsRequired"));
+  ASSERT_EQ(first(out.after).vertex_count(), 3u);
+  for (const glm::vec3& p : first(out.after).positions) EXPECT_LE(glm::length(p), 1.001f);
+  EXPECT_EQ(first(out.after).bounds.upper, glm::vec3(1, 1, 0));
+}
+
 TEST(rewrite_streams, vertices_that_an_extension_may_name_keep_their_order) {
   TinyGltf gltf = grid();
   gltf.root["meshes"][0]["primitives"][0]["extensions"]["NOT_A_selection"] = {{"share", 0.5}};

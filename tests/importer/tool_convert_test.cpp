@@ -125,6 +125,23 @@ TEST(convert, lists_what_cannot_be_carried_and_writes_nothing_unless_it_may_be_d
   EXPECT_TRUE(fs::exists(out));
 }
 
+TEST(convert, G23_resamples_clips_on_request_and_measures_what_that_moved) {
+  const ToolModelFile model;
+  const std::string out = model.beside("out.glb"), golden = model.beside("golden.json");
+  const CommandOutcome outcome = run_tool({"convert", model.path(), out, "--fps", "10"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("measured"));
+  const auto before = import_gltf(fs::path(model.path())), after = import_gltf(fs::path(out));
+  ASSERT_TRUE(before && after);
+  for (std::size_t a = 0; a < before->scene.animations.size(); ++a)
+    EXPECT_EQ(before->scene.animations[a].duration_s, after->scene.animations[a].duration_s);
+  EXPECT_EQ(after->scene.animations[0].bones[0].rotation.times_s.size(), 11u);
+  ASSERT_EQ(run_tool({"sample", model.path(), "--vertices", "all", "-o", golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", out, golden, "--tolerance", "1e-5"}).status, 0);
+  EXPECT_EQ(run_tool({"convert", model.path(), out, "--fps", "10", "--budget", "1mm"}).status, 2);
+  EXPECT_EQ(run_tool({"convert", model.path(), out, "--fps", "0"}).status, 2);
+}
+
 TEST(convert, says_why_the_output_cannot_be_written) {
   const ToolModelFile model;
   const std::string folder = model.beside("folder.glb");
