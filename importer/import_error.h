@@ -30,7 +30,8 @@ struct ImportError {
 template <class T>
 using ImportResult = tl::expected<T, ImportError>;
 
-/// One line as programs print it: "FILE: /accessors/3/count: error: accessor-fit: ...".
+/// One line as programs print it: "FILE: /accessors/3/count: error: accessor-fit: ...". Control characters from the
+/// file are escaped.
 std::string describe(std::string_view file, const ImportIssue& issue);
 
 }  // namespace sinew

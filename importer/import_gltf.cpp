@@ -14,9 +14,11 @@
 #include "importer/build/build_placements.h"
 #include "importer/build/build_skeleton.h"
 #include "importer/build/build_skins.h"
+#include "importer/build/build_vrm.h"
 #include "importer/decode/decode_draco.h"
 #include "importer/decode/decode_meshopt.h"
 #include "importer/file/check_capabilities.h"
+#include "importer/file/check_declarations.h"
 #include "importer/file/check_references.h"
 #include "importer/file/data_uri.h"
 #include "importer/file/glb_container.h"
@@ -29,6 +31,7 @@
 #include "importer/issue_log.h"
 #include "importer/read/check_accessors.h"
 #include "importer/read/check_bounds.h"
+#include "importer/read/check_unused.h"
 #include "importer/read/images.h"
 #include "importer/read/materials.h"
 #include "importer/read/memory_budget.h"
@@ -71,6 +74,7 @@ class Import {
     }
     fill_facts(out.facts);
     out.warnings = log_.take_warnings();
+    out.vrm = std::move(vrm_);
     if (options_.carry_document) out.carried = carry();
     progress("done", 1.0);
     return out;
@@ -92,9 +96,11 @@ class Import {
     if (!log_.ok() && !quarantine_.isolate(*json, log_)) return false;
     check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
+    if (options_.thorough) check_declarations(json->root, log_);
     document_ = read_document(json->root);
     check_references(document_, log_);
     if (!go_on()) return false;
+    if (options_.thorough) check_position_bounds(document_, log_);
     check_accessor_layout(document_, log_);
     return go_on();
   }
@@ -116,10 +122,15 @@ class Import {
     if (!go_on()) return false;
     check_memory_budget(document_, files_.bytes_read(), options_.max_unpacked_bytes, log_);
     if (!go_on()) return false;
-    if (options_.check_bounds) check_bounds(document_, log_);
+    if (options_.thorough) check_spare_parts();
     if (options_.decode_images || options_.probe_images || options_.carry_document)
       load_images(document_, files_, log_);
     return true;
+  }
+
+  void check_spare_parts() {
+    check_bounds(document_, log_);
+    check_unused_accessors(document_, log_);
   }
 
   bool build(Scene& scene) {
@@ -142,9 +153,10 @@ class Import {
     Instances instances = build_instances(document_, order, scene.meshes, log_);
     const Placements placements = build_placements(document_, order, scene, log_);
     scene.animations = build_clips(document_, order, instances, placements, options_, log_);
+    vrm_ = build_vrm(document_, order, instances.of_node, log_);
     scene.instances = std::move(instances.list);
     progress("images", 0.7);
-    scene.images = read_images(document_, options_, log_);
+    scene.images = read_images(document_, options_, scene.textures, log_);
     if (options_.make_centers_of_rotation && log_.error_count() == 0) add_centers(scene);
     return true;
   }
@@ -163,6 +175,9 @@ class Import {
     facts.extensions_used = document_.extensions_used;
     facts.extensions_required = document_.extensions_required;
     facts.file_bytes = files_.bytes_read();
+    for (const auto& image : document_.images)
+      if (!image.uri.empty() && !is_data_uri(image.uri)) files_.note(image.uri);
+    facts.files.assign(files_.paths().begin(), files_.paths().end());
   }
 
   std::shared_ptr<const CarriedDocument> carry() {
@@ -184,6 +199,7 @@ class Import {
   IssueLog& log_;
   Document document_;
   Quarantine quarantine_;
+  std::shared_ptr<const VrmCharacter> vrm_;
   std::optional<Bytes> bin_;
   const std::shared_ptr<CarriedDocument> carried_ = std::make_shared<CarriedDocument>();
 };

@@ -24,7 +24,7 @@ struct ImportOptions {
   bool make_tangents = true;              ///< where a normal map needs tangents and the file has none
   bool make_centers_of_rotation = false;  ///< for skinned meshes (Skinning::center_of_rotation); may take long
   std::filesystem::path centers_cache;    ///< folder that caches centers of rotation; empty = no cache
-  bool check_bounds = false;              ///< compare min and max of accessors with the data; nothing else uses them
+  bool thorough = false;                  ///< also check what nothing uses: min and max, spare accessors, declarations
   bool animate_default_weights = true;    ///< a channel that animates mesh.weights animates each node that shows the
                                           ///< mesh and has no weights; false: such channels are ignored
   bool carry_document = false;  ///< fill ImportedFile::carried, so that rewrite_gltf() can write the file again
@@ -39,16 +39,20 @@ struct ImportOptions {
 };
 
 struct CarriedDocument;
+struct VrmCharacter;
 
 /// The scene of a file as the runtime uses it, with what was odd about the file. The file's own vertex and node numbers
 /// are in Primitive::source_vertex and Skeleton::node_of_joint.
 struct ImportedFile {
   Scene scene;
   std::vector<ImportIssue> warnings;
+  std::shared_ptr<const VrmCharacter> vrm;  ///< what VRM says about the file (vrm.h); null where it says nothing
   struct Facts {
     std::string generator, copyright, version;
     std::vector<std::string> extensions_used, extensions_required;
     std::uint64_t file_bytes = 0;  ///< including all buffers and images that were read
+    /// The file, and those beside it that it names and that exist. A program that writes must leave all of them alone.
+    std::vector<std::filesystem::path> files;
   } facts;
   std::shared_ptr<const CarriedDocument> carried;  ///< the whole file, where the options ask for it
 };

@@ -14,9 +14,16 @@ std::string in_quotes(std::string_view text) {
 }
 
 void IssueLog::report(Rule rule, std::string json_pointer, std::string detail) {
-  const RuleText& text = describe(rule);
+  add(describe(rule).severity, rule, std::move(json_pointer), std::move(detail));
+}
+
+void IssueLog::report_as_warning(Rule rule, std::string json_pointer, std::string detail) {
+  add(Severity::warning, rule, std::move(json_pointer), std::move(detail));
+}
+
+void IssueLog::add(Severity severity, Rule rule, std::string json_pointer, std::string detail) {
   const bool muted = is_muted(json_pointer);
-  if (text.severity == Severity::error) {
+  if (severity == Severity::error) {
     ++error_count_;
     if (fresh_places_.size() < kMaxPlaces)
       fresh_places_.push_back(json_pointer);
@@ -28,7 +35,7 @@ void IssueLog::report(Rule rule, std::string json_pointer, std::string detail) {
   const std::size_t seen = ++seen_[static_cast<std::size_t>(rule)];
   if (seen > kMaxPerRule) return;
   if (seen == kMaxPerRule) detail += " (further cases of this rule are not listed)";
-  issues_.push_back({text.severity, std::string(text.id), std::move(json_pointer), std::move(detail)});
+  issues_.push_back({severity, std::string(describe(rule).id), std::move(json_pointer), std::move(detail)});
 }
 
 bool IssueLog::is_muted(std::string_view json_pointer) const {

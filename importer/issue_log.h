@@ -23,6 +23,9 @@ class IssueLog {
   ///       detail         what is wrong here, with its numbers
   void report(Rule rule, std::string json_pointer, std::string detail);
 
+  /// The same as a warning, where a rule is broken by something that the scene can do without.
+  void report_as_warning(Rule rule, std::string json_pointer, std::string detail);
+
   /// True while there is no error since the last settle().
   bool ok() const noexcept { return error_count_ == settled_; }
 
@@ -47,6 +50,7 @@ class IssueLog {
  private:
   std::vector<ImportIssue> issues_;
   std::vector<std::size_t> seen_;
+  void add(Severity severity, Rule rule, std::string json_pointer, std::string detail);
   bool is_muted(std::string_view json_pointer) const;
 
   std::set<std::string, std::less<>> muted_;

@@ -122,7 +122,8 @@ if(SINEW_IMPORTER)
     importer/import_error.h
     importer/import_gltf.h
     importer/c/sinew_import.h
-    importer/topology/centers_of_rotation.h)
+    importer/topology/centers_of_rotation.h
+    importer/vrm.h)
 endif()
 
 set(sinew_public_headers ${sinew_public_headers} CACHE INTERNAL "")

@@ -2,11 +2,13 @@
 #include "importer/build/build_placements.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/extension_fields.h"
 #include "importer/read/json_member.h"
+#include "importer/read/lights.h"
 
 namespace sinew {
 namespace {
@@ -42,48 +44,23 @@ Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& l
   return camera;
 }
 
-float number_or(const Json& object, const char* name, float fallback) {
-  const Json* value = member(&object, name);
-  return value != nullptr && value->is_number() && std::isfinite(value->get<float>()) ? value->get<float>() : fallback;
-}
-
-Light build_light(const Json& json) {
-  Light light;
-  const Json* type = member(&json, "type");
-  const Json* name = member(&json, "name");
-  if (name != nullptr && name->is_string()) light.name = name->get<std::string>();
-  const std::string kind = type != nullptr && type->is_string() ? type->get<std::string>() : "";
-  light.kind = kind == "spot" ? Light::Kind::spot : kind == "point" ? Light::Kind::point : Light::Kind::directional;
-  if (const Json* color = member(&json, "color"); color != nullptr && color->is_array() && color->size() == 3)
-    for (int c = 0; c < 3; ++c)
-      if (const auto& value = (*color)[static_cast<std::size_t>(c)]; value.is_number())
-        light.color[c] = value.get<float>();
-  light.intensity = number_or(json, "intensity", light.intensity);
-  light.range_m = number_or(json, "range", light.range_m);
-  if (const Json* spot = member(&json, "spot")) {
-    light.inner_cone_rad = number_or(*spot, "innerConeAngle", light.inner_cone_rad);
-    light.outer_cone_rad = number_or(*spot, "outerConeAngle", light.outer_cone_rad);
-  }
-  return light;
-}
-
 void build_lights(const gltf::Document& document, const JointOrder& order, Scene& scene, Placements& placements,
                   IssueLog& log) {
   constexpr const char* kLights = "KHR_lights_punctual";
-  const Json* list = member(member(&document.extensions, kLights), "lights");
-  const std::size_t light_count = list != nullptr && list->is_array() ? list->size() : 0;
-  placements.of_light.resize(light_count);
+  const std::vector<std::optional<Light>> lights = read_lights(document, log);
+  placements.of_light.resize(lights.size());
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
     const Json* use = member(member(&document.nodes[n].extensions, kLights), "light");
     if (use == nullptr) continue;
-    const std::uint32_t light = index_below(use, light_count);
+    const std::uint32_t light = index_below(use, lights.size());
     if (light == kNone) {
       log.report(Rule::light_values, pointer("nodes", n, "extensions", kLights, "light"),
                  "there is no such light; ignored");
       continue;
     }
+    if (!lights[light]) continue;
     placements.of_light[light].push_back(static_cast<std::uint32_t>(scene.lights.size()));
-    scene.lights.push_back(build_light((*list)[light]));
+    scene.lights.push_back(*lights[light]);
     scene.lights.back().joint = order.joint_of_node[n];
   }
 }

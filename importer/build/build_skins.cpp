@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "importer/build/check_skeletons.h"
 #include "importer/read/skins.h"
 
 namespace sinew {
@@ -20,6 +21,7 @@ std::vector<Skin> build_skins(const gltf::Document& document, const JointOrder& 
     check_common_root(document, s, order.root_of_node, log);
     skins.push_back(std::move(skin));
   }
+  check_skeletons(document, order, log);
   return skins;
 }
 

@@ -7,9 +7,11 @@
 #include <draco/mesh/mesh.h>
 #pragma GCC diagnostic pop
 
+#include <array>
 #include <cstring>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,18 +72,19 @@ class DracoDecoder {
     if (!strip && primitive.mode != gltf::PrimitiveMode::triangles)
       return fail("only triangles and strips can be compressed");
     if (primitive.indices == kNone) return fail("the primitive has no indices");
-    const auto mesh = mesh_of(static_cast<std::uint32_t>(extension["bufferView"].get<double>()));
+    const auto view = static_cast<std::uint32_t>(extension["bufferView"].get<double>());
+    const auto mesh = mesh_of(view);
     if (mesh == nullptr) return;
 
-    auto& indices = document_.accessors[primitive.indices];
     primitive.mode = gltf::PrimitiveMode::triangles;  // the decoder's result, even for strips
-    if (strip) indices.count = 3 * std::uint64_t{mesh->num_faces()};
-    fill_indices(*mesh, indices);
+    if (claim(primitive.indices, view, kNone)) fill_indices(*mesh, document_.accessors[primitive.indices], strip);
     for (const auto& [semantic, id] : extension["attributes"].items()) {
       if (log_.error_count() != errors) return;
       const auto found = primitive.attributes.find(semantic);
       if (found == primitive.attributes.end()) return fail(semantic + " is no attribute of the primitive");
-      fill_attribute(*mesh, static_cast<std::uint32_t>(id.get<double>()), semantic, document_.accessors[found->second]);
+      const auto attribute = static_cast<std::uint32_t>(id.get<double>());
+      if (claim(found->second, view, attribute))
+        fill_attribute(*mesh, attribute, semantic, document_.accessors[found->second]);
     }
   }
 
@@ -114,10 +117,35 @@ class DracoDecoder {
     return known = *mesh;
   }
 
-  void fill_indices(const draco::Mesh& mesh, gltf::Accessor& accessor) {
-    if (accessor.count != 3 * std::uint64_t{mesh.num_faces()})
-      return fail(std::to_string(mesh.num_faces()) + " faces are not the " + std::to_string(accessor.count) +
-                  " indices of the accessor");
+  /// Finds the accessor for an attribute of a stream, or for its faces. Several primitives may name one accessor
+  /// although each has a stream of its own: the first stream fills it, each other one gets a copy. in,out  accessor the
+  /// one that the primitive names, then the one to fill out     false where it holds these elements already
+  bool claim(std::uint32_t& accessor, std::uint32_t view, std::uint32_t attribute) {
+    const auto [known, is_new] = filled_.try_emplace({accessor, view, attribute}, accessor);
+    if (is_new && !taken_.insert(accessor).second) {
+      known->second = static_cast<std::uint32_t>(document_.accessors.size());
+      document_.accessors.push_back(gltf::Accessor(document_.accessors[accessor]));
+    }
+    accessor = known->second;
+    return is_new;
+  }
+
+  /// The stream knows how many elements there are. Encoders drop degenerate faces and merge vertices, and some write
+  /// the counts of before into the accessors.
+  void take_count(std::uint64_t count, const char* what, gltf::Accessor& accessor) {
+    if (accessor.count == count) return;
+    log_.report(Rule::draco_count, place_,
+                "the stream has " + std::to_string(count) + " " + what + ", the accessor says " +
+                    std::to_string(accessor.count) + "; those of the stream are used");
+    accessor.count = count;
+  }
+
+  void fill_indices(const draco::Mesh& mesh, gltf::Accessor& accessor, bool strip) {
+    const std::uint64_t count = 3 * std::uint64_t{mesh.num_faces()};
+    if (strip)
+      accessor.count = count;
+    else
+      take_count(count, "indices", accessor);
     std::vector<std::byte> bytes;
     if (!allocate(4 * accessor.count, bytes)) return;
     std::byte* to = bytes.data();
@@ -142,9 +170,7 @@ class DracoDecoder {
     const ElementLayout layout = element_layout(accessor);
     if (layout.columns != 1 || attribute->num_components() != layout.rows)
       return fail(semantic + " has " + std::to_string(attribute->num_components()) + " components in the Draco stream");
-    if (accessor.count != mesh.num_points())
-      return fail(std::to_string(mesh.num_points()) + " vertices are not the " + std::to_string(accessor.count) +
-                  " of " + semantic);
+    take_count(mesh.num_points(), ("vertices for " + semantic).c_str(), accessor);
     std::vector<std::byte> bytes;
     if (!allocate(accessor.count * layout.element_bytes, bytes)) return;
     if (!copy_values(accessor.component_type, mesh, *attribute, bytes))
@@ -181,7 +207,21 @@ class DracoDecoder {
   IssueLog& log_;
   std::string place_;
   std::map<std::uint32_t, std::shared_ptr<const draco::Mesh>> meshes_;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t>
+      filled_;                     ///< {accessor named, view, attribute} -> accessor filled
+  std::set<std::uint32_t> taken_;  ///< accessors named so far
 };
+
+/// Elements that could not be decoded have no bounds to compare with.
+void forget_bounds(gltf::Document& document, const gltf::Primitive& primitive) {
+  const auto forget = [&](std::uint32_t accessor) {
+    if (accessor == kNone || document.accessors[accessor].buffer_view != kNone) return;
+    document.accessors[accessor].min.clear();
+    document.accessors[accessor].max.clear();
+  };
+  forget(primitive.indices);
+  for (const auto& [semantic, accessor] : primitive.attributes) forget(accessor);
+}
 
 }  // namespace
 
@@ -196,6 +236,7 @@ void decode_draco(gltf::Document& document, DecodeBudget& budget, IssueLog& log)
       decoder.decode(primitive, place);
       if (log.error_count() == errors)
         mend_decoded(document, primitive, primitive.extensions[kName]["attributes"], place, log);
+      forget_bounds(document, primitive);
     }
 }
 

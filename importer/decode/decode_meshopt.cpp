@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "importer/decode/attribute_stream.h"
 #include "importer/file/json_pointer.h"
 #include "importer/file/json_shape.h"
 #include "importer/file/meshopt_extension.h"
@@ -32,9 +33,9 @@ constexpr JsonProperty kProperties[] = {{"buffer", kIndex, true},
 constexpr JsonObjectShape kObject{kProperties};
 constexpr JsonValueShape kShape{.kind = JsonKind::object, .object = &kObject};
 
-/// Upper bound of decoded bytes per encoded byte: the vertex codec spends 2 bits on 16 equal bytes; other modes are far
-/// from that.
-constexpr std::uint64_t kMaxRatio = 64;
+/// Upper bound of decoded bytes per encoded byte: version 1 of the attribute codec spends 2 bits on 256 equal bytes;
+/// the others are far from that.
+constexpr std::uint64_t kMaxRatio = 1024;
 
 struct Stream {
   std::uint64_t offset = 0, length = 0, count = 0, stride = 0;
@@ -67,21 +68,18 @@ std::string fault(const Stream& s, const gltf::BufferView& view) {
   if (s.mode == "TRIANGLES" && s.count % 3 != 0) return "the count is no multiple of 3";
   if (!attributes && s.filter != "NONE") return "only attributes have filters";
   if (s.filter == "OCTAHEDRAL" && s.stride != 4 && s.stride != 8) return "octahedral filters work on 4 or 8 bytes";
+  if (s.filter == "COLOR" && s.stride != 4 && s.stride != 8) return "color filters work on 4 or 8 bytes";
   if (s.filter == "QUATERNION" && s.stride != 8) return "quaternion filters work on 8 bytes";
   if (s.decoded_bytes() > kMaxRatio * s.length)
     return std::to_string(s.length) + " bytes cannot hold " + std::to_string(s.decoded_bytes());
   return {};
 }
 
-/// What the linked library cannot decode although the extension allows it; empty = nothing. The low half of the first
-/// byte is the version of the codec.
-std::string unknown_to_decoder(const Stream& s, gltf::Bytes encoded) {
-  if (s.filter == "COLOR") return "the filter COLOR";
-  if (s.mode != "ATTRIBUTES" || encoded.empty()) return {};
+/// The version of the attribute codec, which is the low half of the first byte; 0 for other streams.
+unsigned attribute_version(const Stream& s, gltf::Bytes encoded) {
+  if (s.mode != "ATTRIBUTES" || encoded.empty()) return 0;
   const auto first = std::to_integer<unsigned>(encoded.front());
-  return (first & 0xf0u) == 0xa0u && (first & 0x0fu) > 0
-             ? "version " + std::to_string(first & 0x0fu) + " of the attribute codec"
-             : "";
+  return (first & 0xf0u) == 0xa0u ? first & 0x0fu : 0;
 }
 
 bool decode(const Stream& s, gltf::Bytes encoded, std::vector<std::byte>& out) {
@@ -89,7 +87,11 @@ bool decode(const Stream& s, gltf::Bytes encoded, std::vector<std::byte>& out) {
   const auto count = static_cast<std::size_t>(s.count), stride = static_cast<std::size_t>(s.stride);
   if (s.mode == "TRIANGLES") return meshopt_decodeIndexBuffer(out.data(), count, stride, data, encoded.size()) == 0;
   if (s.mode == "INDICES") return meshopt_decodeIndexSequence(out.data(), count, stride, data, encoded.size()) == 0;
-  if (meshopt_decodeVertexBuffer(out.data(), count, stride, data, encoded.size()) != 0) return false;
+  const bool whole = attribute_version(s, encoded) == 1
+                         ? decode_attribute_stream(encoded, stride, out)
+                         : meshopt_decodeVertexBuffer(out.data(), count, stride, data, encoded.size()) == 0;
+  if (!whole) return false;
+  if (s.filter == "COLOR") decode_color_filter(out, stride / 4);
   if (s.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(out.data(), count, stride);
   if (s.filter == "QUATERNION") meshopt_decodeFilterQuat(out.data(), count, stride);
   if (s.filter == "EXPONENTIAL") meshopt_decodeFilterExp(out.data(), count, stride);
@@ -117,10 +119,11 @@ void decode_view(gltf::Document& document, std::size_t index, DecodeBudget& budg
   if (const std::string broken = fault(stream, view); !broken.empty())
     return log.report(Rule::decode_failed, place, broken);
   const auto encoded = source.subspan(static_cast<std::size_t>(stream.offset), static_cast<std::size_t>(stream.length));
-  if (const std::string unknown = unknown_to_decoder(stream, encoded); !unknown.empty()) {
+  if (const unsigned version = attribute_version(stream, encoded); version > 1) {
     const bool has_copy = !view.bytes.empty();
     return log.report(has_copy ? Rule::meshopt_fallback : Rule::meshopt_version, place,
-                      unknown + " is not supported" + (has_copy ? "; the uncompressed copy is read" : ""));
+                      "version " + std::to_string(version) + " of the attribute codec is not supported" +
+                          (has_copy ? "; the uncompressed copy is read" : ""));
   }
   if (!budget.take(stream.decoded_bytes()))
     return log.report(Rule::memory_budget, place, "decoding would take more memory than a file of this size may");

@@ -21,15 +21,23 @@ constexpr std::string_view kRead[] = {
     "EXT_mesh_gpu_instancing", "KHR_materials_variants",
 };
 
-/// These only refine how a surface reflects light, or describe the file.
+/// These only refine how a surface reflects light, give a texture another image, or describe the file and what an
+/// application does with its nodes. No pose needs them.
 constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",  "KHR_materials_clearcoat",
     "KHR_materials_dispersion",  "KHR_materials_ior",
     "KHR_materials_iridescence", "KHR_materials_sheen",
     "KHR_materials_specular",    "KHR_materials_transmission",
     "KHR_materials_volume",      "KHR_materials_diffuse_transmission",
-    "KHR_xmp_json_ld",
+    "KHR_texture_basisu",        "EXT_texture_avif",
+    "MSFT_texture_dds",          "KHR_interactivity",
+    "KHR_node_hoverability",     "KHR_node_selectability",
+    "KHR_xmp_json_ld",           "KHR_xmp",
+    "KHR_virtual_joints",        "VRM",
 };
+
+/// Families of extensions that describe characters: what they play lies beside the nodes, meshes and clips.
+constexpr std::string_view kReadPastFamilies[] = {"KHR_character", "KHR_avatar", "VRMC_"};
 
 struct Version {
   int major = 0, minor = 0;
@@ -76,6 +84,8 @@ ExtensionSupport extension_support(std::string_view name) noexcept {
   if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) return ExtensionSupport::read;
   if (std::find(std::begin(kReadPast), std::end(kReadPast), name) != std::end(kReadPast))
     return ExtensionSupport::read_past;
+  for (const std::string_view family : kReadPastFamilies)
+    if (name.starts_with(family)) return ExtensionSupport::read_past;
   return ExtensionSupport::unknown;
 }
 

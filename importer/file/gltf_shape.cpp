@@ -15,7 +15,6 @@ constexpr JsonValueShape kNumber{.kind = Kind::number, .lower = -kMaxFloat, .upp
 constexpr JsonValueShape kDouble{.kind = Kind::number};
 constexpr JsonValueShape kIndex{.kind = Kind::integer, .lower = 0, .upper = kMaxIndex};
 constexpr JsonValueShape kSize{.kind = Kind::integer, .lower = 0, .upper = kMaxSize};
-constexpr JsonValueShape kObject{.kind = Kind::object};
 constexpr JsonValueShape kNumbers{.kind = Kind::array, .element = &kNumber};
 constexpr JsonValueShape kDoubles{.kind = Kind::array, .element = &kDouble};
 constexpr JsonValueShape kIndices{.kind = Kind::array, .element = &kIndex};
@@ -26,11 +25,11 @@ constexpr JsonValueShape kMat4{.kind = Kind::array, .element = &kNumber, .length
 constexpr JsonValueShape kIndexMap{.kind = Kind::index_map, .element = &kIndex};
 constexpr JsonValueShape kIndexMaps{.kind = Kind::array, .element = &kIndexMap};
 
-constexpr JsonProperty kExtensions{"extensions", kObject};
+constexpr JsonProperty kExtensions{"extensions", {.kind = Kind::extensions}};
 constexpr JsonProperty kName{"name", kText};
 
 constexpr JsonProperty kAssetProperties[] = {
-    {"version", kText, true}, {"minVersion", kText}, {"generator", kText}, {"copyright", kText}};
+    {"version", kText, true}, {"minVersion", kText}, {"generator", kText}, {"copyright", kText}, kExtensions};
 constexpr JsonObjectShape kAsset{kAssetProperties};
 
 constexpr std::int64_t kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126};
@@ -86,33 +85,32 @@ constexpr JsonProperty kNodeProperties[] = {
     kExtensions};
 constexpr JsonObjectShape kNode{kNodeProperties};
 constexpr JsonProperty kSkinProperties[] = {
-    {"inverseBindMatrices", kIndex}, {"skeleton", kIndex}, {"joints", kIndices, true}, kName};
+    {"inverseBindMatrices", kIndex}, {"skeleton", kIndex}, {"joints", kIndices, true}, kName, kExtensions};
 constexpr JsonObjectShape kSkin{kSkinProperties};
 
 constexpr JsonProperty kTargetProperties[] = {{"node", kIndex}, {"path", kText, true}, kExtensions};
 constexpr JsonObjectShape kTarget{kTargetProperties};
-constexpr JsonProperty kChannelProperties[] = {{"sampler", kIndex, true},
-                                               {"target", {.kind = Kind::object, .object = &kTarget}, true}};
+constexpr JsonProperty kChannelProperties[] = {
+    {"sampler", kIndex, true}, {"target", {.kind = Kind::object, .object = &kTarget}, true}, kExtensions};
 constexpr JsonObjectShape kChannel{kChannelProperties};
 constexpr JsonValueShape kChannelValue{.kind = Kind::object, .object = &kChannel};
 constexpr JsonProperty kSamplerProperties[] = {
-    {"input", kIndex, true}, {"interpolation", kText}, {"output", kIndex, true}};
+    {"input", kIndex, true}, {"interpolation", kText}, {"output", kIndex, true}, kExtensions};
 constexpr JsonObjectShape kSampler{kSamplerProperties};
 constexpr JsonValueShape kSamplerValue{.kind = Kind::object, .object = &kSampler};
 constexpr JsonProperty kAnimationProperties[] = {{"channels", {.kind = Kind::array, .element = &kChannelValue}, true},
                                                  {"samplers", {.kind = Kind::array, .element = &kSamplerValue}, true},
-                                                 kName};
+                                                 kName,
+                                                 kExtensions};
 constexpr JsonObjectShape kAnimation{kAnimationProperties};
 
 constexpr JsonProperty kTextureInfoProperties[] = {
     {"index", kIndex, true}, {"texCoord", kIndex}, {"scale", kNumber}, {"strength", kNumber}, kExtensions};
 constexpr JsonObjectShape kTextureInfo{kTextureInfoProperties};
 constexpr JsonValueShape kTextureUse{.kind = Kind::object, .object = &kTextureInfo};
-constexpr JsonProperty kRoughnessProperties[] = {{"baseColorFactor", kVec4},
-                                                 {"baseColorTexture", kTextureUse},
-                                                 {"metallicFactor", kNumber},
-                                                 {"roughnessFactor", kNumber},
-                                                 {"metallicRoughnessTexture", kTextureUse}};
+constexpr JsonProperty kRoughnessProperties[] = {
+    {"baseColorFactor", kVec4},   {"baseColorTexture", kTextureUse},         {"metallicFactor", kNumber},
+    {"roughnessFactor", kNumber}, {"metallicRoughnessTexture", kTextureUse}, kExtensions};
 constexpr JsonObjectShape kRoughness{kRoughnessProperties};
 constexpr JsonProperty kMaterialProperties[] = {{"pbrMetallicRoughness", {.kind = Kind::object, .object = &kRoughness}},
                                                 {"normalTexture", kTextureUse},
@@ -127,10 +125,11 @@ constexpr JsonProperty kMaterialProperties[] = {{"pbrMetallicRoughness", {.kind 
 constexpr JsonObjectShape kMaterial{kMaterialProperties};
 constexpr JsonProperty kTextureProperties[] = {{"sampler", kIndex}, {"source", kIndex}, kName, kExtensions};
 constexpr JsonObjectShape kTexture{kTextureProperties};
-constexpr JsonProperty kImageProperties[] = {{"uri", kText}, {"mimeType", kText}, {"bufferView", kIndex}, kName};
+constexpr JsonProperty kImageProperties[] = {
+    {"uri", kText}, {"mimeType", kText}, {"bufferView", kIndex}, kName, kExtensions};
 constexpr JsonObjectShape kImage{kImageProperties};
 constexpr JsonProperty kTextureSamplerProperties[] = {
-    {"magFilter", kIndex}, {"minFilter", kIndex}, {"wrapS", kIndex}, {"wrapT", kIndex}};
+    {"magFilter", kIndex}, {"minFilter", kIndex}, {"wrapS", kIndex}, {"wrapT", kIndex}, kExtensions};
 constexpr JsonObjectShape kTextureSampler{kTextureSamplerProperties};
 
 constexpr JsonProperty kPerspectiveProperties[] = {
@@ -143,9 +142,10 @@ constexpr std::string_view kCameraTypes[] = {"perspective", "orthographic"};
 constexpr JsonProperty kCameraProperties[] = {{"type", {.kind = Kind::string, .words = kCameraTypes}, true},
                                               {"perspective", {.kind = Kind::object, .object = &kPerspective}},
                                               {"orthographic", {.kind = Kind::object, .object = &kOrthographic}},
-                                              kName};
+                                              kName,
+                                              kExtensions};
 constexpr JsonObjectShape kCamera{kCameraProperties};
-constexpr JsonProperty kSceneProperties[] = {{"nodes", kIndices}, kName};
+constexpr JsonProperty kSceneProperties[] = {{"nodes", kIndices}, kName, kExtensions};
 constexpr JsonObjectShape kScene{kSceneProperties};
 
 constexpr JsonValueShape kAccessorValue{.kind = Kind::object, .object = &kAccessor};

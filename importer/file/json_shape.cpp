@@ -5,14 +5,15 @@
 #include <cmath>
 #include <vector>
 
-#include "importer/file/json_pointer.h"
+#include "importer/file/json_place.h"
 
 namespace sinew {
 namespace {
 
 std::string_view name_of(JsonKind kind) {
   constexpr std::string_view names[] = {"anything", "true or false", "a number", "an integer",
-                                        "a string", "an object",     "an array", "an object of indices"};
+                                        "a string", "an object",     "an array", "an object of indices",
+                                        "an object"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -29,29 +30,18 @@ bool has_kind(const JsonNode& value, JsonKind kind) {
     case JsonKind::integer: return is_integer(value);
     case JsonKind::string: return value.IsString();
     case JsonKind::object:
-    case JsonKind::index_map: return value.IsObject();
+    case JsonKind::index_map:
+    case JsonKind::extensions: return value.IsObject();
     case JsonKind::array: return value.IsArray();
   }
   return false;
 }
 
-/// A place in the document as a chain of frames, so that its text is made only for reports.
-struct Place {
-  const Place* parent = nullptr;
-  std::string_view name;  ///< of a property; for an array entry empty
-  std::size_t index = 0;
-
-  std::string text() const {
-    if (parent == nullptr) return std::string(name);
-    return parent->text() + (name.data() != nullptr ? pointer(pointer_token(name)) : pointer(index));
-  }
-};
-
 class Checker {
  public:
   explicit Checker(IssueLog& log) : log_(log) {}
 
-  void check(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     if (!has_kind(value, shape.kind))
       return log_.report(Rule::json_type, place.text(),
                          "must be " + std::string(name_of(shape.kind)) + ", is " + to_json(value).type_name());
@@ -62,13 +52,14 @@ class Checker {
       case JsonKind::array: return check_array(value, shape, place);
       case JsonKind::object: return check_object(value, shape, place);
       case JsonKind::index_map: return check_map(value, shape, place);
+      case JsonKind::extensions: return check_extensions(value, place);
       case JsonKind::any:
       case JsonKind::boolean: return;
     }
   }
 
  private:
-  void check_number(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check_number(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     const double number = value.GetDouble();
     if (!(number >= shape.lower && number <= shape.upper))
       return log_.report(Rule::json_type, place.text(), to_json(value).dump() + " is out of range");
@@ -77,13 +68,13 @@ class Checker {
       log_.report(Rule::json_type, place.text(), to_json(value).dump() + " is none of the values that glTF defines");
   }
 
-  void check_word(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check_word(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     const std::string_view text = text_of(value);
     if (!shape.words.empty() && std::find(shape.words.begin(), shape.words.end(), text) == shape.words.end())
       log_.report(Rule::json_type, place.text(), in_quotes(text) + " is none of the words that glTF defines");
   }
 
-  void check_array(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check_array(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     if (shape.length != 0 && value.Size() != shape.length)
       return log_.report(Rule::json_type, place.text(),
                          "has " + std::to_string(value.Size()) + " entries instead of " + std::to_string(shape.length));
@@ -92,7 +83,7 @@ class Checker {
     for (rapidjson::SizeType i = 0; i < value.Size(); ++i) check(value[i], *shape.element, {&place, {}, i});
   }
 
-  void check_object(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check_object(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     if (shape.object == nullptr) return;
     check_names(value, place);
     for (const auto& property : shape.object->properties) {
@@ -104,13 +95,21 @@ class Checker {
     }
   }
 
-  void check_map(const JsonNode& value, const JsonValueShape& shape, const Place& place) {
+  void check_map(const JsonNode& value, const JsonValueShape& shape, const JsonPlace& place) {
     check_names(value, place);
     for (const auto& [name, entry] : value.GetObject()) check(entry, *shape.element, {&place, text_of(name)});
   }
 
+  /// What is inside an extension is checked where it is read.
+  void check_extensions(const JsonNode& value, const JsonPlace& place) {
+    check_names(value, place);
+    for (const auto& [name, entry] : value.GetObject())
+      if (!entry.IsObject())
+        log_.report(Rule::extension_value, JsonPlace{&place, text_of(name)}.text(), "is no object; ignored");
+  }
+
   /// Most objects have a few members and are compared pair by pair; large ones are sorted.
-  void check_names(const JsonNode& value, const Place& place) {
+  void check_names(const JsonNode& value, const JsonPlace& place) {
     constexpr rapidjson::SizeType kMany = 24;
     const auto report = [&](std::string_view name) {
       log_.report(Rule::json_duplicate, place.text(), "has " + in_quotes(name) + " more than once");

@@ -13,7 +13,7 @@
 namespace sinew {
 
 /// What a JSON property must look like. Tables of JsonProperty describe a document (gltf_shape.cpp).
-enum class JsonKind : std::uint8_t { any, boolean, number, integer, string, object, array, index_map };
+enum class JsonKind : std::uint8_t { any, boolean, number, integer, string, object, array, index_map, extensions };
 
 struct JsonObjectShape;
 
@@ -40,7 +40,7 @@ struct JsonObjectShape {
 
 /// Compares a value with its description and reports every difference with its place.
 /// err      json-type, json-missing
-/// warning  empty-array, json-duplicate
+/// warning  empty-array, json-duplicate, extension-value (an entry of `extensions` that is no object)
 /// cost     O(value)
 void check_shape(const JsonNode& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);
 void check_shape(const nlohmann::json& value, const JsonValueShape& shape, const std::string& place, IssueLog& log);

@@ -20,14 +20,15 @@ Bytes keep(Document& document, std::vector<std::byte> bytes) {
   return document.storage.back();
 }
 
-tl::expected<std::vector<std::byte>, FileFault> fetch(const std::string& uri, SandboxedFiles& files,
-                                                      std::string* mime_type) {
+/// The bytes behind a URI, owned by the document.
+tl::expected<Bytes, FileFault> fetch(Document& document, const std::string& uri, SandboxedFiles& files,
+                                     std::string* mime_type) {
   using Kind = FileFault::Kind;
-  if (!is_data_uri(uri)) return files.read(uri);
+  if (!is_data_uri(uri)) return files.read(uri, document.storage);
   auto data = decode_data_uri(uri);
   if (!data) return tl::make_unexpected(FileFault{Kind::missing, "the data URI is not base64"});
   if (mime_type != nullptr && mime_type->empty()) *mime_type = data->mime_type;
-  return std::move(data->bytes);
+  return keep(document, std::move(data->bytes));
 }
 
 /// How views and accessors use a buffer.
@@ -74,14 +75,14 @@ void load_buffer(Document& document, std::uint32_t index, const BufferUse& use, 
     return;
   }
   if (!buffer.uri.empty()) {
-    auto read = fetch(buffer.uri, files, nullptr);
+    const auto read = fetch(document, buffer.uri, files, nullptr);
     if (!read && read.error().kind == FileFault::Kind::missing)
       return report_missing(buffer, use, pointer(place, "uri"), read.error().detail, log);
     if (!read) {
       const bool large = read.error().kind == FileFault::Kind::too_large;
       return log.report(large ? Rule::file_too_large : Rule::uri_forbidden, pointer(place, "uri"), read.error().detail);
     }
-    bytes = keep(document, std::move(*read));
+    bytes = *read;
     std::string().swap(buffer.uri);  // as long as the data, if these are in it
   } else if (in_chunk) {
     bytes = *bin;
@@ -139,10 +140,15 @@ void load_images(Document& document, SandboxedFiles& files, IssueLog& log) {
       image.encoded = document.buffer_views[image.buffer_view].bytes;
     } else if (image.uri.empty()) {
       image.missing_reason = "the image has neither uri nor bufferView";
-    } else if (auto read = fetch(image.uri, files, &image.mime_type)) {
-      image.encoded = keep(document, std::move(*read));
+    } else if (const auto read = fetch(document, image.uri, files, &image.mime_type)) {
+      image.encoded = *read;
     } else {
       image.missing_reason = read.error().detail;
+      if (read.error().kind == FileFault::Kind::forbidden) {
+        log.report_as_warning(Rule::uri_forbidden, pointer("images", i, "uri"),
+                              image.missing_reason + "; a placeholder is shown");
+        continue;
+      }
     }
     if (image.encoded.empty() && image.missing_reason.empty()) image.missing_reason = "the image has no bytes";
     if (!image.missing_reason.empty())

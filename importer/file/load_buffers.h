@@ -22,7 +22,7 @@ void point_views(gltf::Document& document, IssueLog& log);
 
 /// Reads the encoded bytes of every image. An image that cannot be read gets a reason and a warning (G66).
 /// in       views with their bytes
-/// warning  image-missing
+/// warning  image-missing, uri-forbidden
 void load_images(gltf::Document& document, SandboxedFiles& files, IssueLog& log);
 
 }  // namespace sinew

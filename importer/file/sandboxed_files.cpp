@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "importer/file/sandboxed_files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <span>
 #include <system_error>
 
 namespace sinew {
@@ -40,40 +35,6 @@ bool lies_below(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end();
 }
-
-/// A file that is opened before its type is asked for, so that it cannot be swapped for another one in between. Opening
-/// does not wait for the other end of a pipe and does not take over a terminal.
-class OpenFile {
- public:
-  explicit OpenFile(const fs::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
-  ~OpenFile() {
-    if (opened()) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  bool opened() const noexcept { return descriptor_ >= 0; }
-
-  std::optional<std::uint64_t> regular_size() const {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-    return static_cast<std::uint64_t>(status.st_size);
-  }
-
-  bool read(std::span<std::byte> out) const {
-    while (!out.empty()) {
-      const ssize_t count = ::read(descriptor_, out.data(), out.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      out = out.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-  }
-
- private:
-  int descriptor_ = -1;
-};
 
 }  // namespace
 
@@ -125,11 +86,9 @@ bool SandboxedFiles::take(std::uint64_t bytes) noexcept {
   return true;
 }
 
-tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_path(const fs::path& path) {
+tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_all(const RegularFile& file) {
   using Kind = FileFault::Kind;
-  const OpenFile file(path);
-  if (!file.opened()) return fault(Kind::missing, std::strerror(errno));
-  const auto size = file.regular_size();
+  const auto size = file.size();
   if (!size) return fault(Kind::missing, "not a regular file");
   if (!take(*size)) return fault(Kind::too_large, std::to_string(*size) + " bytes are more than allowed");
   std::vector<std::byte> bytes(static_cast<std::size_t>(*size));
@@ -137,10 +96,31 @@ tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_path(const 
   return bytes;
 }
 
-tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read(std::string_view uri) {
+tl::expected<std::vector<std::byte>, FileFault> SandboxedFiles::read_path(const fs::path& path) {
+  const RegularFile file(path);
+  if (!file.opened()) return fault(FileFault::Kind::missing, std::strerror(errno));
+  paths_.insert(path);
+  return read_all(file);
+}
+
+tl::expected<std::span<const std::byte>, FileFault> SandboxedFiles::read(std::string_view uri,
+                                                                         std::deque<std::vector<std::byte>>& storage) {
   const auto path = resolve(uri);
   if (!path) return tl::make_unexpected(path.error());
-  return read_path(*path);
+  const RegularFile file(*path);
+  if (!file.opened()) return fault(FileFault::Kind::missing, std::strerror(errno));
+  const auto known = contents_.find(file.identity());
+  if (known != contents_.end()) return known->second;
+  auto bytes = read_all(file);
+  if (!bytes) return tl::make_unexpected(std::move(bytes.error()));
+  paths_.insert(*path);
+  const std::span<const std::byte> kept = storage.emplace_back(std::move(*bytes));
+  contents_.emplace(file.identity(), kept);
+  return kept;
+}
+
+void SandboxedFiles::note(std::string_view uri) {
+  if (auto path = resolve(uri)) paths_.insert(std::move(*path));
 }
 
 }  // namespace sinew

@@ -2,13 +2,19 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
+
+#include "importer/file/regular_file.h"
 
 namespace sinew {
 
@@ -31,8 +37,10 @@ class SandboxedFiles {
 
   /// Reads a relative URI, percent-decoded and taken as UTF-8. Schemes, absolute paths, and paths that leave the folder
   /// by
-  /// ".." or by symbolic links are refused. Only regular files are opened.
-  tl::expected<std::vector<std::byte>, FileFault> read(std::string_view uri);
+  /// ".." or by symbolic links are refused. Only regular files are opened. A file that several URIs name is read once.
+  /// in,out  storage   gets the bytes of a file that was not read before; the same one in every call
+  tl::expected<std::span<const std::byte>, FileFault> read(std::string_view uri,
+                                                           std::deque<std::vector<std::byte>>& storage);
 
   /// Reads any regular file. It is for the document itself.
   tl::expected<std::vector<std::byte>, FileFault> read_path(const std::filesystem::path& path);
@@ -43,12 +51,22 @@ class SandboxedFiles {
 
   std::uint64_t bytes_read() const noexcept { return read_; }
 
+  /// Adds a file that the document names, but that is not read. A URI that is not allowed or leads nowhere adds
+  /// nothing.
+  void note(std::string_view uri);
+
+  /// The files that were read or noted.
+  const std::set<std::filesystem::path>& paths() const noexcept { return paths_; }
+
  private:
+  tl::expected<std::vector<std::byte>, FileFault> read_all(const RegularFile& file);
   tl::expected<std::filesystem::path, FileFault> resolve(std::string_view uri) const;
 
   std::optional<std::filesystem::path> folder_;
   std::uint64_t left_ = 0;
   std::uint64_t read_ = 0;
+  std::map<RegularFile::Identity, std::span<const std::byte>> contents_;
+  std::set<std::filesystem::path> paths_;
 };
 
 }  // namespace sinew

@@ -98,6 +98,7 @@ class SamplerReader {
                   "holds NaN or infinity; channels that use it are left out");
       return std::nullopt;
     }
+    if (data.interpolation == Interpolation::cubic_spline && data.times_s.size() == 1) hold_single_key(data);
     if (flag)
       for (float& value : data.values) value = value != 0.0f ? 1.0f : 0.0f;
     return data;
@@ -112,6 +113,15 @@ class SamplerReader {
         in_quotes(sampler_.interpolation) + (usable ? "; STEP is used" : "; channels that use it are left out"));
     interpolation = Interpolation::step;
     return usable;
+  }
+
+  /// A curve needs two keys. The value of a single one holds at all times; its tangents shape nothing (G08).
+  void hold_single_key(SamplerData& data) {
+    log_.report(Rule::animation_cubic_keys, pointer(place_, "input"),
+                "one key for CUBICSPLINE; its value is a constant");
+    const auto third = static_cast<std::ptrdiff_t>(data.values.size() / 3);
+    data.values = {data.values.begin() + third, data.values.begin() + 2 * third};
+    data.interpolation = Interpolation::step;
   }
 
   bool check_shape(const ChannelTarget& target, std::uint32_t components, Interpolation interpolation) {
@@ -130,11 +140,6 @@ class SamplerReader {
       return false;
     }
     const bool cubic = interpolation == Interpolation::cubic_spline;
-    if (cubic && input.count < 2) {
-      log_.report(Rule::animation_cubic_keys, pointer(place_, "input"),
-                  "one key for CUBICSPLINE; channels that use it are left out");
-      return false;
-    }
     const std::uint64_t per_key = std::uint64_t{cubic ? 3u : 1u} * (target.moves_weights() ? components : 1u);
     if (output.count == input.count * per_key) return true;
     log_.report(Rule::animation_output, pointer(place_, "output"),

@@ -49,7 +49,9 @@ struct SamplerData {
 
 /// Reads the sampler of a channel and checks that it has the shape of the animated property.
 /// in       components   3, 4, the number of morph targets (G16), or those of a pointed property
-/// out      nothing where the channel must be left out; the rest of the animation stays (G08, G09, G13, G14)
+/// out      nothing where the channel must be left out; the rest of the animation stays (G09, G13, G14). A single key
+/// of
+///          a cubic spline becomes a step (G08)
 /// err      animation-input, animation-output
 /// warning  animation-interpolation, animation-no-keys, animation-cubic-keys, animation-times, animation-time-repeated,
 ///          animation-values, animation-flag, animation-stride, animation-bounds

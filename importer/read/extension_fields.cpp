@@ -25,10 +25,10 @@ std::string range_text(double lower, double upper) {
 }  // namespace
 
 ExtensionFields::ExtensionFields(const Json& extensions, const std::string& place, const char* name, IssueLog& log)
-    : object_(member(&extensions, name)), place_(pointer(place, "extensions", name)), log_(log) {
-  if (object_ == nullptr || object_->is_object()) return;
-  log_.report(Rule::extension_value, place_, "is no object; ignored");
-  object_ = nullptr;
+    : object_(member(&extensions, name)),
+      place_(place.empty() ? pointer("extensions", name) : pointer(place, "extensions", name)),
+      log_(log) {
+  if (object_ != nullptr && !object_->is_object()) object_ = nullptr;  // reported by check_shape()
 }
 
 const Json* ExtensionFields::find(const char* field) const { return member(object_, field); }
@@ -46,6 +46,57 @@ ExtensionFields ExtensionFields::object(const char* field) const {
     value = nullptr;
   }
   return {value, pointer(place_, field), log_};
+}
+
+std::vector<ExtensionFields> ExtensionFields::list(const char* field) const {
+  std::vector<ExtensionFields> out;
+  const Json* value = find(field);
+  if (value == nullptr) return out;
+  if (!value->is_array()) complain(field, "array");
+  for (std::size_t i = 0; value->is_array() && i < value->size(); ++i) {
+    const std::string place = pointer(place_, field, i);
+    if ((*value)[i].is_object())
+      out.push_back(ExtensionFields(&(*value)[i], place, log_));
+    else
+      log_.report(Rule::extension_value, place, "is no object; ignored");
+  }
+  return out;
+}
+
+std::vector<std::pair<std::string, ExtensionFields>> ExtensionFields::members() const {
+  std::vector<std::pair<std::string, ExtensionFields>> out;
+  if (object_ == nullptr) return out;
+  constexpr std::size_t kLongestName = 256;  // it becomes a part of many places
+  for (const auto& [name, value] : object_->items())
+    if (name.size() > kLongestName)
+      log_.report(Rule::extension_value, place_, in_quotes(name) + " is too long a name; ignored");
+    else if (value.is_object())
+      out.emplace_back(name, ExtensionFields(&value, pointer(place_, pointer_token(name)), log_));
+  return out;
+}
+
+std::string ExtensionFields::text(const char* field) const {
+  const Json* value = find(field);
+  if (value == nullptr) return {};
+  if (value->is_string()) return value->get<std::string>();
+  complain(field, "string");
+  return {};
+}
+
+std::vector<std::uint32_t> ExtensionFields::indices(const char* field, std::size_t limit) const {
+  std::vector<std::uint32_t> out;
+  const Json* value = find(field);
+  if (value == nullptr) return out;
+  if (!value->is_array()) complain(field, "array");
+  for (std::size_t i = 0; value->is_array() && i < value->size(); ++i) {
+    const std::uint32_t index = index_below(&(*value)[i], limit);
+    if (index != kNone)
+      out.push_back(index);
+    else
+      log_.report(Rule::extension_value, pointer(place_, field, i),
+                  "is no index below " + std::to_string(limit) + "; ignored");
+  }
+  return out;
 }
 
 bool ExtensionFields::boolean(const char* field, bool fallback) const {

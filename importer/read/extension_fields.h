@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "importer/file/document_materials.h"
 #include "importer/issue_log.h"
@@ -22,6 +24,18 @@ class ExtensionFields {
   /// An object inside this one, for example a texture.
   ExtensionFields object(const char* field) const;
 
+  /// The objects of an array inside this one; empty where it is absent. Entries that are no objects are reported.
+  std::vector<ExtensionFields> list(const char* field) const;
+
+  /// The members of this object that are objects, with their names.
+  std::vector<std::pair<std::string, ExtensionFields>> members() const;
+
+  /// A string; empty where it is absent or of another type.
+  std::string text(const char* field) const;
+
+  /// Indices below `limit` in an array; others are reported and left out.
+  std::vector<std::uint32_t> indices(const char* field, std::size_t limit) const;
+
   bool boolean(const char* field, bool fallback) const;
 
   double number(const char* field, double fallback, double lower = -kAny, double upper = kAny) const;
@@ -34,6 +48,7 @@ class ExtensionFields {
 
   const gltf::Json& extensions() const;
   const std::string& place() const noexcept { return place_; }
+  IssueLog& log() const noexcept { return log_; }
 
   static constexpr double kAny = std::numeric_limits<float>::max();
 

@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 
+#include "importer/read/undecoded_images.h"
+
 // The only file that includes stb_image, with a private copy of its functions. It decodes PNG only: its JPEG decoder
 // writes past its tables when a file has wrong lengths.
 #define STB_IMAGE_IMPLEMENTATION
@@ -92,6 +94,7 @@ tl::expected<ImageHeader, std::string> probe_image(Bytes encoded) {
   auto size = png_size(encoded);
   if (!size) size = Jpeg(encoded).size();
   if (!size) size = webp_size(encoded);
+  if (!size) size = probe_undecoded_image(encoded);
   if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
   if (size->pixels() == 0) return tl::make_unexpected("has no pixels");
   return *size;

@@ -4,7 +4,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/image_codec.h"
@@ -18,14 +20,15 @@ constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
 
 /// Takes the pixels of an image out of the allowance; returns why not, or an empty string.
-std::string admit(gltf::Bytes encoded, std::uint64_t& pixels_left, Image& image) {
+std::string admit(gltf::Bytes encoded, bool decode, std::uint64_t& pixels_left, Image& image) {
   const auto size = probe_image(encoded);
   if (!size) return size.error();
+  if (decode && !size->is_decoded) return std::string("is ") + size->mime_type + ", which is not decoded";
   const std::string dimensions = std::to_string(size->width) + " x " + std::to_string(size->height) + " pixels";
   if (size->pixels() > std::max(kAlwaysPlausible, kMaxPixelsPerByte * encoded.size()))
     return "claims " + dimensions + " in " + std::to_string(encoded.size()) + " bytes";
-  if (size->pixels() > pixels_left) return dimensions + " exceed the pixels allowed for all images";
-  pixels_left -= size->pixels();
+  if (decode && size->pixels() > pixels_left) return dimensions + " exceed the pixels allowed for all images";
+  if (decode) pixels_left -= size->pixels();
   image.width = size->width;
   image.height = size->height;
   image.mime_type = size->mime_type;
@@ -45,19 +48,39 @@ void decode(gltf::Bytes encoded, Image& image) {
   image.missing_reason = pixels.error();
 }
 
+/// For each image the first one with the same bytes, which may be the image itself.
+std::vector<std::uint32_t> first_of_equals(const gltf::Document& document) {
+  std::map<std::pair<const std::byte*, std::size_t>, std::uint32_t> known;
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t i = 0; i < document.images.size(); ++i) {
+    const gltf::Bytes encoded = document.images[i].encoded;
+    first.push_back(encoded.empty() ? i : known.try_emplace({encoded.data(), encoded.size()}, i).first->second);
+  }
+  return first;
+}
+
 }  // namespace
 
-std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options, IssueLog& log) {
+std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options,
+                               std::vector<Texture>& textures, IssueLog& log) {
   const std::size_t count = document.images.size();
   std::vector<Image> images(count);
   for (std::size_t i = 0; i < count; ++i) images[i].name = document.images[i].name;
   if (!options.decode_images && !options.probe_images) return images;
 
+  const std::vector<std::uint32_t> first = first_of_equals(document);
+  for (Texture& texture : textures)
+    if (texture.image < count) texture.image = first[texture.image];
   std::uint64_t pixels_left = options.max_image_pixels;
   for (std::size_t i = 0; i < count; ++i) {
     const gltf::Image& source = document.images[i];
-    images[i].missing_reason =
-        source.encoded.empty() ? source.missing_reason : admit(source.encoded, pixels_left, images[i]);
+    if (first[i] != i) {
+      images[i].missing_reason = "has the bytes of image " + std::to_string(first[i]) + ", which textures use instead";
+      continue;
+    }
+    images[i].missing_reason = source.encoded.empty()
+                                   ? source.missing_reason
+                                   : admit(source.encoded, options.decode_images, pixels_left, images[i]);
   }
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const gltf::Bytes encoded = document.images[i].encoded;
@@ -67,7 +90,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
   });
   // Images whose bytes could not be read have been reported by load_images().
   for (std::size_t i = 0; i < count; ++i)
-    if (!images[i].missing_reason.empty() && document.images[i].missing_reason.empty())
+    if (first[i] == i && !images[i].missing_reason.empty() && document.images[i].missing_reason.empty())
       log.report(Rule::image_missing, pointer("images", i), images[i].missing_reason + "; a placeholder is shown");
   return images;
 }

@@ -16,6 +16,10 @@ namespace sinew {
 /// out      one entry for each of document.images, in their order
 /// warning  image-missing
 /// cost     O(pixels), spread over all cores
-std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options, IssueLog& log);
+/// Images with the same bytes, such as many entries on one view, are decoded once: textures use the first of them, and
+/// the others stay empty with that reason.
+/// in,out   textures   of the document; their images count in document.images
+std::vector<Image> read_images(const gltf::Document& document, const ImportOptions& options,
+                               std::vector<Texture>& textures, IssueLog& log);
 
 }  // namespace sinew

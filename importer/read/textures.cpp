@@ -67,17 +67,35 @@ Sampler read_sampler(const gltf::Document& document, std::uint32_t index, IssueL
   return sampler;
 }
 
+/// The image of a texture. Of the images that extensions name, one that the importer decodes is preferred to `source`,
+/// and `source` to one that it cannot decode.
+std::uint32_t image_of(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
+  constexpr struct {
+    const char* name;
+    bool decoded;
+  } kExtensions[] = {{"EXT_texture_webp", true},
+                     {"EXT_texture_avif", false},
+                     {"KHR_texture_basisu", false},
+                     {"MSFT_texture_dds", false}};
+  const gltf::Texture& source = document.textures[index];
+  std::uint32_t last_resort = kNone;
+  for (const auto& [name, decoded] : kExtensions) {
+    const ExtensionFields extension(source.extensions, pointer("textures", index), name, log);
+    const std::uint32_t image = extension.index("source", document.images.size());
+    if (image == kNone) continue;
+    if (decoded) return image;
+    if (last_resort == kNone) last_resort = image;
+  }
+  return source.source != kNone ? source.source : last_resort;
+}
+
 }  // namespace
 
 std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log) {
   std::vector<Texture> textures;
   textures.reserve(document.textures.size());
-  for (std::size_t t = 0; t < document.textures.size(); ++t) {
-    const gltf::Texture& source = document.textures[t];
-    const ExtensionFields webp(source.extensions, pointer("textures", t), "EXT_texture_webp", log);
-    const std::uint32_t webp_image = webp.index("source", document.images.size());
-    textures.push_back({webp_image != kNone ? webp_image : source.source, read_sampler(document, source.sampler, log)});
-  }
+  for (std::uint32_t t = 0; t < document.textures.size(); ++t)
+    textures.push_back({image_of(document, t, log), read_sampler(document, document.textures[t].sampler, log)});
   return textures;
 }
 

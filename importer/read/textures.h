@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-/// Reads every texture with its sampler. An image named by EXT_texture_webp is preferred to `source`.
+/// Reads every texture with its sampler. An image named by EXT_texture_webp is preferred to `source`, and
+/// `source` to an image of a kind that is not decoded (AVIF, KTX2, DDS).
 /// in       references in range
 /// out      one entry for each of document.textures, in their order
 /// warning  sampler-values, extension-value

@@ -12,6 +12,7 @@
 #include "importer/import_gltf.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
+#include "importer/visible_text.h"
 
 namespace sinew::tool {
 namespace {
@@ -24,7 +25,7 @@ struct CheckOptions {
 std::vector<ImportIssue> broken_rules(const std::string& file) {
   ProgressLine progress;
   ImportOptions options;
-  options.check_bounds = true;
+  options.thorough = true;
   options.progress = [&](const char* stage, double done) { progress.show(stage, done); };
   auto imported = import_gltf(file, options);
   if (imported) return std::move(imported->warnings);
@@ -57,8 +58,8 @@ ExitCode check_file(const CheckOptions& options) {
     print_json(options.file, issues, errors);
   } else {
     for (const ImportIssue& issue : issues)
-      fmt::print("{}: {}{}{}: {}: {}\n", options.file, issue.json_pointer, issue.json_pointer.empty() ? "" : ": ",
-                 issue.rule, severity_name(issue), issue.detail);
+      fmt::print("{}: {}{}{}: {}: {}\n", options.file, visible_text(issue.json_pointer),
+                 issue.json_pointer.empty() ? "" : ": ", issue.rule, severity_name(issue), visible_text(issue.detail));
     const std::size_t warnings = issues.size() - errors;
     fmt::print("{}: {}, {}\n", options.file, counted(errors, "error"), counted(warnings, "warning"));
   }

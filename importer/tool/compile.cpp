@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/certificate_table.h"
+#include "importer/tool/files/output_check.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -38,15 +38,12 @@ std::vector<Clip> compile_clips(const Scene& scene, double budget_m) {
 ExitCode compile_file(const CompileOptions& options) {
   const auto budget_m = parse_length(options.budget);
   if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
-  std::error_code error;
-  if (std::filesystem::equivalent(options.in, options.out, error)) {
-    say_error(fmt::format("{}: OUT is the file that is read; it is left as it is", options.out));
-    return ExitCode::wrong_usage;
-  }
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(options.in, import);
   if (!file) return ExitCode::input_at_fault;
+  if (const auto why = objection_to_output(options.out, file->facts.files))
+    return fail_with(ExitCode::wrong_usage, *why);
   const std::vector<Clip> clips = compile_clips(file->scene, *budget_m);
   std::vector<const Clip*> saved;
   for (const Clip& clip : clips) saved.push_back(&clip);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "importer/file/regular_file.h"
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/read_cache.h"
 #include "importer/tool/certificate_table.h"
@@ -28,15 +28,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The whole file, or only its head where that shows that it holds something else.
-std::vector<std::byte> read_clips(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::vector<char> bytes(kClipFileHead);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  const auto in_bytes = [&] { return std::as_bytes(std::span(bytes)); };
-  if (looks_like_clips(in_bytes())) bytes.insert(bytes.end(), std::istreambuf_iterator<char>(stream), {});
-  return {in_bytes().begin(), in_bytes().end()};
+/// The first bytes of a file, at most `size`; none where it is no regular file.
+std::vector<std::byte> read_head(const std::string& path, std::uint64_t size) {
+  const RegularFile file(path);
+  const auto whole = file.opened() ? file.size() : std::nullopt;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(std::min(size, whole.value_or(0))));
+  if (!file.read(bytes)) bytes.clear();
+  return bytes;
 }
 
 Json json_of(const Clip& clip) {
@@ -65,8 +63,8 @@ Json json_of(const Clip& clip) {
 
 /// Prints what a file of compiled clips holds; nothing when the file is none.
 std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
-  const std::vector<std::byte> bytes = read_clips(file);
-  if (!looks_like_clips(bytes)) return std::nullopt;
+  if (!looks_like_clips(read_head(file, kClipFileHead))) return std::nullopt;
+  const std::vector<std::byte> bytes = read_head(file, std::numeric_limits<std::uint64_t>::max());
   const auto clips = load_clips(bytes);
   if (!clips) {
     return fail_with(ExitCode::input_at_fault, fmt::format("{}: byte {}: {}: {}", file, clips.error().offset,

@@ -7,6 +7,7 @@
 
 #include "importer/read/property_pointer.h"
 #include "importer/tool/skin_statistics.h"
+#include "importer/tool/vrm/vrm_info.h"
 
 namespace sinew::tool {
 namespace {
@@ -240,6 +241,7 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
   out["images"] = array_of(scene.images, image_json);
   out["cameras"] = array_of(scene.cameras, [&](const Camera& c) { return camera_json(scene, c); });
   out["lights"] = array_of(scene.lights, [&](const Light& l) { return light_json(scene, l); });
+  if (file.vrm) out["vrm"] = vrm_json(*file.vrm, scene);
   out["warnings"] = array_of(file.warnings, [](const ImportIssue& issue) {
     return Json{{"rule", issue.rule}, {"pointer", issue.json_pointer}, {"message", issue.detail}};
   });

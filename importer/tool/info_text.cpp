@@ -12,6 +12,8 @@
 
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
+#include "importer/tool/vrm/vrm_info.h"
+#include "importer/visible_text.h"
 
 namespace sinew::tool {
 namespace {
@@ -19,6 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string text_of(const Json& value) { return value.get<std::string>(); }
+
+/// The same from the file, outside of quotes.
+std::string shown(const Json& value) { return visible_text(text_of(value)); }
 
 /// "a: 1, b: 2" for an object with numbers.
 std::string pairs(const Json& object, const char* separator) {
@@ -71,9 +76,10 @@ class InfoText {
     images();
     cameras();
     lights();
+    if (info_.contains("vrm")) text_ += vrm_text(info_["vrm"]);
     line("warnings: {}", info_["warnings"].size());
     for (const Json& w : info_["warnings"])
-      line("  {}: {}: {}", text_of(w["pointer"]), text_of(w["rule"]), text_of(w["message"]));
+      line("  {}: {}: {}", shown(w["pointer"]), text_of(w["rule"]), shown(w["message"]));
     return std::move(text_);
   }
 
@@ -85,10 +91,10 @@ class InfoText {
   }
 
   void head() {
-    line("{}", text_of(info_["file"]));
-    line("glTF {}, {} with all that it refers to", text_of(info_["version"]), size_text(info_["bytes"]));
-    if (!text_of(info_["generator"]).empty()) line("made with: {}", text_of(info_["generator"]));
-    if (!text_of(info_["copyright"]).empty()) line("copyright: {}", text_of(info_["copyright"]));
+    line("{}", shown(info_["file"]));
+    line("glTF {}, {} with all that it refers to", shown(info_["version"]), size_text(info_["bytes"]));
+    if (!text_of(info_["generator"]).empty()) line("made with: {}", shown(info_["generator"]));
+    if (!text_of(info_["copyright"]).empty()) line("copyright: {}", shown(info_["copyright"]));
     const Json& nodes = info_["nodes"];
     line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(),
          nodes["depth"].dump(), info_["scenes"].dump());
@@ -170,7 +176,7 @@ class InfoText {
   void images() {
     table("images", info_["images"], {"format", "width", "height", "in the file", "decoded", "missing because"},
           [](const Json& i) {
-            if (!i["missing"].is_null()) return std::vector<std::string>{"", "", "", "", "", text_of(i["missing"])};
+            if (!i["missing"].is_null()) return std::vector<std::string>{"", "", "", "", "", shown(i["missing"])};
             return std::vector<std::string>{i["format"].is_null() ? "" : text_of(i["format"]),
                                             i["width"].dump(),
                                             i["height"].dump(),

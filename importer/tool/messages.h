@@ -11,7 +11,8 @@
 
 namespace sinew::tool {
 
-/// Prints "sinew: TEXT" to stderr. Messages go to stderr and results to stdout, so that results can be piped.
+/// Prints "sinew: TEXT" to stderr, control characters escaped. Messages go to stderr and results to stdout, so that
+/// results can be piped.
 void say_error(std::string_view text);
 
 /// "1 clip", "2 clips".
@@ -28,7 +29,7 @@ ExitCode fail_with(ExitCode code, std::string_view file, const ImportIssue& issu
 /// A name from a file in quotes, with quotes and control characters escaped: terminals obey what they are shown.
 std::string in_quotes(std::string_view name);
 
-/// A result as indented JSON. Bytes of a file that are not UTF-8 are replaced.
+/// A result as indented JSON, control characters escaped. Bytes of a file that are not UTF-8 are replaced.
 std::string json_text(const nlohmann::ordered_json& result);
 
 }  // namespace sinew::tool

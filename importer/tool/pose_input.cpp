@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/pose_input.h"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "importer/file/regular_file.h"
 
 namespace sinew::tool {
 namespace {
@@ -189,13 +191,14 @@ tl::expected<PoseFile, ImportIssue> parse_poses(const std::string& text) {
 }
 
 tl::expected<PoseFile, ImportIssue> read_poses(const std::string& file) {
-  std::error_code error;
-  const std::uintmax_t packed_bytes = std::filesystem::file_size(file, error);
-  if (error) return tl::unexpected(file_issue(error.message()));
-  const gzFile in = gzopen(file.c_str(), "rb");
+  const RegularFile opened(file);
+  if (!opened.opened()) return tl::unexpected(file_issue(std::strerror(errno)));
+  const auto packed_bytes = opened.size();
+  if (!packed_bytes) return tl::unexpected(file_issue("is not a regular file"));
+  const gzFile in = gzdopen(dup(opened.descriptor()), "rb");
   if (!in) return tl::unexpected(file_issue(std::strerror(errno)));
   constexpr std::size_t kBlock = std::size_t{1} << 20;
-  const std::uintmax_t limit = 256 * packed_bytes + kBlock;
+  const std::uint64_t limit = 256 * *packed_bytes + kBlock;
   std::string text;
   int got = 0;
   do {

@@ -5,8 +5,10 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <span>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -35,13 +37,21 @@ void put_vector(Text& text, std::span<const double> numbers) {
 }  // namespace
 
 PoseOutput::PoseOutput(const std::string& file_or_empty) {
-  const bool compress = file_or_empty.ends_with(".gz");
-  const char* mode = compress ? "wb6" : "wbT";
-  file_ = file_or_empty.empty() ? gzdopen(dup(STDOUT_FILENO), mode) : gzopen(file_or_empty.c_str(), mode);
+  if (file_or_empty.empty()) {
+    file_ = gzdopen(dup(STDOUT_FILENO), "wbT");
+    return;
+  }
+  std::error_code error;
+  target_ = std::filesystem::canonical(file_or_empty, error);
+  if (error) target_ = file_or_empty;  // a new file
+  unfinished_ = fmt::format("{}.{}.tmp", target_.string(), getpid());
+  file_ = gzopen(unfinished_.c_str(), file_or_empty.ends_with(".gz") ? "wbx6" : "wbxT");
 }
 
 PoseOutput::~PoseOutput() {
-  if (file_) gzclose(static_cast<gzFile>(file_));
+  if (!file_) return;
+  gzclose(static_cast<gzFile>(file_));
+  if (!unfinished_.empty()) unlink(unfinished_.c_str());
 }
 
 void PoseOutput::begin(std::string_view model, double extent) {
@@ -115,7 +125,11 @@ bool PoseOutput::end() {
   flush();
   const int closed = gzclose(static_cast<gzFile>(file_));
   file_ = nullptr;
-  return closed == Z_OK && !failed_;
+  const bool written = closed == Z_OK && !failed_;
+  if (unfinished_.empty()) return written;
+  if (written && rename(unfinished_.c_str(), target_.c_str()) == 0) return true;
+  unlink(unfinished_.c_str());
+  return false;
 }
 
 void PoseOutput::flush() {

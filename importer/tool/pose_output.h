@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,8 +15,9 @@ namespace sinew::tool {
 
 /// Writes a pose file while poses are made, so that memory does not grow with their number. Besides the format's own
 /// keys each sample has "bits": hashes of all joints and weights ("pose") and of all vertices for each skinning method.
-/// A file name that ends in .gz is compressed; an empty name means stdout.
-/// err   end() returns false when something could not be written; errno has the reason of the first failure
+/// A file name that ends in .gz is compressed; an empty name means stdout. The file is written beside its place and
+/// takes it in end(), so that it appears complete or not at all; behind a symbolic link the file that it names is
+/// replaced. err   end() returns false when something could not be written; errno has the reason of the first failure
 class PoseOutput {
  public:
   explicit PoseOutput(const std::string& file_or_empty);
@@ -36,7 +38,8 @@ class PoseOutput {
   void add_nodes(const Pose& pose);
   void flush();
 
-  void* file_ = nullptr;  // gzFile
+  std::filesystem::path target_, unfinished_;  // empty for stdout
+  void* file_ = nullptr;                       // gzFile
   fmt::memory_buffer text_;
   bool first_clip_ = true, first_sample_ = true, first_primitive_ = true, failed_ = false;
 };

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/files/output_check.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
@@ -118,6 +119,9 @@ ExitCode sample_file(const SampleOptions& options) {
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
+  if (!options.output.empty())
+    if (const auto why = objection_to_output(options.output, file->facts.files))
+      return fail_with(ExitCode::wrong_usage, *why);
   const auto tasks = tasks_for(file->scene, options);
   if (!tasks) return fail_with(ExitCode::wrong_usage, tasks.error());
   return write_poses(file->scene, *tasks, options, content);

@@ -75,8 +75,10 @@ void draco(InputReader in) {
   if (!log.ok()) return;
   check_accessors(document, log);
   require(log.ok(), "decoded accessors fit their views");
+  const auto& filled = document.meshes[0].primitives[0].attributes;
   for (const std::uint32_t index : read_unsigned(document, 0))
-    require(index < vertices || attributes.empty(), "decoded indices name vertices");
+    for (const auto& [semantic, accessor] : filled)
+      require(index < document.accessors[accessor].count, "decoded indices name vertices");
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ fs::path broken_folder() { return fs::path(SINEW_SOURCE_DIR) / "tests" / "import
 
 TEST(broken_rules, T1_G26_G36_each_file_of_a_few_lines_names_its_rule_and_place) {
   ImportOptions thorough;
-  thorough.check_bounds = true;
+  thorough.thorough = true;
   for (const auto& entry : fs::directory_iterator(broken_folder())) {
     SCOPED_TRACE(entry.path().filename().string());
     const RuleText* rule = find_rule(entry.path().stem().string());

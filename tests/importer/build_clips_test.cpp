@@ -96,12 +96,36 @@ TEST(build_clips, G52_cubic_rotations_without_a_length_that_float_can_square_bec
   EXPECT_TRUE(warns(result, "rotation-zero", "/animations/0/channels/0/sampler"));
 }
 
-TEST(build_clips, G08_one_key_is_constant_but_too_few_for_a_cubic) {
-  EXPECT_THAT(moving({0.5f}).import()->scene.animations[0].bones, SizeIs(1));
-  EXPECT_THAT(moving({0.5f}, "STEP").import()->scene.animations[0].bones, SizeIs(1));
-  const auto cubic = moving({0.5f}, "CUBICSPLINE").import();
+TEST(build_clips, G08_one_key_is_a_constant_in_every_mode) {
+  for (const char* mode : {"LINEAR", "STEP"}) {
+    const auto result = moving({0.5f}, mode).import();
+    ASSERT_THAT(result->scene.animations[0].bones, SizeIs(1)) << mode;
+    EXPECT_THAT(result->warnings, IsEmpty()) << mode;
+  }
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object()});
+  const std::size_t input = file.times({0.5f});
+  file.animate("translation", input, file.vec3({9, 9, 9, 1, 2, 3, 7, 7, 7}), "CUBICSPLINE");
+  const auto cubic = file.import();
   EXPECT_TRUE(warns(cubic, "animation-cubic-keys", std::string(kSampler) + "input"));
-  EXPECT_THAT(cubic->scene.animations[0].bones, IsEmpty());
+  ASSERT_THAT(cubic->scene.animations[0].bones, SizeIs(1));
+  const auto& track = cubic->scene.animations[0].bones[0].translation;
+  EXPECT_EQ(track.interpolation, Interpolation::step);
+  EXPECT_THAT(track.values, ElementsAre(glm::vec3(1, 2, 3)));
+  EXPECT_EQ(cubic->scene.animations[0].duration_s, 0.5);
+}
+
+TEST(build_clips, G08_a_single_cubic_key_of_weights_keeps_all_of_its_values) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  const std::size_t moved = file.vec3({1, 0, 0, 0, 0, 0, 0, 0, 0});
+  primitive["targets"] = Json::array({{{"POSITION", moved}}, {{"POSITION", moved}}});
+  const std::size_t input = file.times({0});
+  file.animate("weights", input, file.scalars({9, 9, 0.25f, 0.5f, 7, 7}), "CUBICSPLINE");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_THAT(result->scene.animations[0].weights, SizeIs(1));
+  EXPECT_THAT(result->scene.animations[0].weights[0].weights.values, ElementsAre(0.25f, 0.5f));
 }
 
 TEST(build_clips, G09_a_sampler_without_keys_leaves_the_rest) {

@@ -175,8 +175,11 @@ TEST(document_rules, G66_a_missing_buffer_fails_only_who_reads_it) {
 }
 
 TEST(document_rules, G66_a_missing_image_is_a_warning) {
-  const std::string text = R"({"asset":{"version":"2.0"},"images":[{"uri":"gone.png"}]})";
-  EXPECT_TRUE(warns(import_gltf(bytes_of(text), "x"), "image-missing", "/images/0"));
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"images":[{"uri":"data:image/png;base64,"},{"uri":"gone.png"}]})";
+  const auto result = import_gltf(bytes_of(text), "x");
+  EXPECT_TRUE(warns(result, "image-missing", "/images/0"));
+  EXPECT_TRUE(warns(result, "uri-forbidden", "/images/1/uri")) << "a document in memory has no folder";
 }
 
 TEST(document_rules, T5_an_odd_stride_is_only_a_warning) {

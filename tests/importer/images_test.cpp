@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
 #include "importer/export_glb.h"
 #include "importer/read/image_codec.h"
 #include "tests/importer/encoded_images.h"
@@ -32,9 +37,14 @@ gltf::Document document_of(const std::vector<std::vector<std::byte>>& files) {
   return document;
 }
 
+std::vector<Image> read_decoded(const gltf::Document& document, const ImportOptions& options, IssueLog& log) {
+  std::vector<Texture> textures;
+  return read_images(document, options, textures, log);
+}
+
 void expect_missing(const std::vector<std::byte>& file, const std::string& reason, const ImportOptions& options = {}) {
   IssueLog log;
-  const auto images = read_images(document_of({file}), options, log);
+  const auto images = read_decoded(document_of({file}), options, log);
   ASSERT_THAT(images, SizeIs(1));
   EXPECT_THAT(images[0].missing_reason, HasSubstr(reason));
   EXPECT_THAT(images[0].rgba, IsEmpty());
@@ -48,7 +58,7 @@ void expect_missing(const std::vector<std::byte>& file, const std::string& reaso
 
 TEST(read_images, give_the_pixels_of_a_png) {
   IssueLog log;
-  const auto images = read_images(document_of({test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
+  const auto images = read_decoded(document_of({test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
   ASSERT_THAT(images, SizeIs(1));
   EXPECT_EQ(images[0].width, 2u);
   EXPECT_EQ(images[0].height, 2u);
@@ -102,7 +112,7 @@ TEST(read_images, probing_takes_kind_and_size_from_the_header_alone) {
   options.probe_images = true;
   IssueLog log;
   const auto images =
-      read_images(document_of({cut, test::encode_webp(2, 2, kFourPixels), {std::byte{1}}}), options, log);
+      read_decoded(document_of({cut, test::encode_webp(2, 2, kFourPixels), {std::byte{1}}}), options, log);
   EXPECT_EQ(images[0].width, 2u);
   EXPECT_EQ(images[0].height, 2u);
   EXPECT_EQ(images[0].mime_type, "image/png");
@@ -117,20 +127,20 @@ TEST(read_images, give_the_pixels_of_a_lossless_webp) {
   IssueLog log;
   std::vector<std::uint8_t> opaque = kFourPixels;
   for (std::size_t i = 3; i < opaque.size(); i += 4) opaque[i] = 255;
-  const auto images = read_images(document_of({test::encode_webp(2, 2, opaque)}), {}, log);
+  const auto images = read_decoded(document_of({test::encode_webp(2, 2, opaque)}), {}, log);
   EXPECT_EQ(images[0].rgba, opaque);
 }
 
 TEST(read_images, spread_grey_over_colours_and_make_it_opaque) {
   IssueLog log;
-  const auto images = read_images(document_of({test::encode_png(2, 1, 1, {7, 200})}), {}, log);
+  const auto images = read_decoded(document_of({test::encode_png(2, 1, 1, {7, 200})}), {}, log);
   EXPECT_EQ(images[0].rgba, (std::vector<std::uint8_t>{7, 7, 7, 255, 200, 200, 200, 255}));
 }
 
 TEST(read_images, decode_jpeg_close_to_its_source) {
   IssueLog log;
   const std::vector<std::uint8_t> flat(16 * 16 * 3, 100);
-  const auto images = read_images(document_of({test::encode_jpeg(16, 16, 3, flat)}), {}, log);
+  const auto images = read_decoded(document_of({test::encode_jpeg(16, 16, 3, flat)}), {}, log);
   ASSERT_THAT(images[0].rgba, SizeIs(4 * 16 * 16));
   for (std::size_t i = 0; i < images[0].rgba.size(); ++i)
     EXPECT_NEAR(images[0].rgba[i], i % 4 == 3 ? 255 : 100, i % 4 == 3 ? 0 : 2);
@@ -138,7 +148,7 @@ TEST(read_images, decode_jpeg_close_to_its_source) {
 
 TEST(read_images, G66_an_image_that_was_not_found_keeps_its_reason_and_the_others_load) {
   IssueLog log;
-  const auto images = read_images(document_of({{}, test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
+  const auto images = read_decoded(document_of({{}, test::encode_png(2, 2, 4, kFourPixels)}), {}, log);
   EXPECT_EQ(images[0].missing_reason, "not there");
   EXPECT_EQ(images[1].rgba, kFourPixels);
   EXPECT_THAT(log.take_warnings(), IsEmpty()) << "who looked for it has warned";
@@ -163,6 +173,70 @@ TEST(read_images, G66_a_truncated_webp_is_missing) {
   expect_missing(file, "WebP");
 }
 
+std::vector<std::byte> bytes_of_text(std::string_view text, std::size_t size) {
+  std::vector<std::byte> bytes(size);
+  std::transform(text.begin(), text.end(), bytes.begin(), [](char c) { return static_cast<std::byte>(c); });
+  return bytes;
+}
+
+/// Headers only, of 640 x 480 pixels.
+std::map<std::string, std::vector<std::byte>> undecoded_images() {
+  auto ktx2 = bytes_of_text("\xabKTX 20\xbb\r\n\x1a\n", 120);
+  ktx2[20] = ktx2[25] = std::byte{0x80};
+  ktx2[21] = std::byte{0x02};
+  ktx2[24] = std::byte{0xe0};
+  ktx2[25] = std::byte{0x01};
+  auto dds = bytes_of_text("DDS ", 128);
+  dds[12] = std::byte{0xe0};
+  dds[13] = std::byte{0x01};
+  dds[16] = std::byte{0x80};
+  dds[17] = std::byte{0x02};
+  using namespace std::literals;
+  const auto avif = bytes_of_text(
+      "\0\0\0\x1c"
+      "ftypavif\0\0\0\0mif1miaf\0\0\0\x14ispe\0\0\0\0\0\0\x02\x80\0\0\x01\xe0"sv,
+      64);
+  return {{"image/ktx2", ktx2}, {"image/vnd-ms.dds", dds}, {"image/avif", avif}};
+}
+
+TEST(read_images, kinds_that_are_not_decoded_are_placeholders_whose_bytes_a_converter_keeps) {
+  for (const auto& [type, file] : undecoded_images()) {
+    expect_missing(file, "is " + type + ", which is not decoded");
+    ImportOptions keep;
+    keep.decode_images = false;
+    keep.probe_images = keep.keep_encoded_images = true;
+    keep.max_image_pixels = 100;  // nothing is decoded, so nothing counts
+    IssueLog log;
+    const auto images = read_decoded(document_of({file}), keep, log);
+    EXPECT_EQ(images[0].mime_type, type);
+    EXPECT_EQ(images[0].width, 640u);
+    EXPECT_EQ(images[0].height, 480u);
+    EXPECT_EQ(images[0].encoded, file);
+    EXPECT_THAT(log.take_warnings(), IsEmpty());
+    for (std::size_t size = 0; size < file.size(); ++size) probe_image(std::span(file).first(size));
+  }
+}
+
+TEST(read_images, an_extension_that_only_names_images_blocks_no_pose) {
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds", "EXT_texture_webp"}) {
+    test::TinyGltf file;
+    file.add_triangle()["material"] = 0;
+    file.root["extensionsUsed"] = file.root["extensionsRequired"] = {name};
+    file.root["images"] = {{{"uri", "missing.bin"}}, {{"uri", "missing.png"}}};
+    file.root["textures"] = {{{"extensions", {{name, {{"source", 0}}}}}},
+                             {{"source", 1}, {"extensions", {{name, {{"source", 0}}}}}}};
+    file.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    ImportOptions no_images;
+    no_images.decode_images = false;
+    const auto result = file.import(no_images);
+    ASSERT_EQ(test::outcome(result), "ok") << name;
+    EXPECT_THAT(result->warnings, SizeIs(1)) << "texture coordinates are missing, nothing else";
+    EXPECT_EQ(result->scene.textures[0].image, 0u) << name;
+    const bool decoded = std::string_view(name) == "EXT_texture_webp";
+    EXPECT_EQ(result->scene.textures[1].image, decoded ? 0u : 1u) << "what can be shown is preferred: " << name;
+  }
+}
+
 TEST(read_images, G68_few_bytes_cannot_claim_a_huge_picture) {
   auto file = test::encode_png(2, 2, 4, kFourPixels);
   file[17] = std::byte{0x01};  // width 2 + 65536
@@ -178,7 +252,7 @@ TEST(read_images, G68_all_images_together_stay_below_the_pixels_allowed) {
   const auto file = test::encode_png(2, 2, 4, kFourPixels);
   ImportOptions options;
   options.max_image_pixels = 9;
-  const auto images = read_images(document_of({file, file, file}), options, log);
+  const auto images = read_decoded(document_of({file, file, file}), options, log);
   EXPECT_THAT(images[0].missing_reason, IsEmpty());
   EXPECT_THAT(images[1].missing_reason, IsEmpty());
   EXPECT_THAT(images[2].missing_reason, HasSubstr("exceed the pixels allowed"));
@@ -189,7 +263,7 @@ TEST(read_images, are_empty_without_a_reason_when_not_asked_for) {
   IssueLog log;
   ImportOptions options;
   options.decode_images = false;
-  const auto images = read_images(document_of({test::encode_png(2, 2, 4, kFourPixels)}), options, log);
+  const auto images = read_decoded(document_of({test::encode_png(2, 2, 4, kFourPixels)}), options, log);
   ASSERT_THAT(images, SizeIs(1));
   EXPECT_THAT(images[0].rgba, IsEmpty());
   EXPECT_THAT(images[0].missing_reason, IsEmpty());

@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <deque>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "importer/file/sandboxed_files.h"
 
@@ -96,8 +98,9 @@ TEST_F(replace_file, files_that_are_read_or_written_are_closed_again) {
   ASSERT_EQ(replace(file_, "text"), std::nullopt);
   EXPECT_EQ(open_descriptors(), before);
   SandboxedFiles sandbox(folder_, 100);
-  ASSERT_TRUE(sandbox.read("pose.json"));
-  EXPECT_FALSE(sandbox.read("missing.json"));
+  std::deque<std::vector<std::byte>> storage;
+  ASSERT_TRUE(sandbox.read("pose.json", storage));
+  EXPECT_FALSE(sandbox.read("missing.json", storage));
   EXPECT_EQ(open_descriptors(), before);
 }
 

@@ -191,7 +191,7 @@ TEST(rewrite_streams, G17_quantised_numbers_stay_within_half_a_step) {
 TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   const Both out = recoded(grid(), how(true, true));
   ImportOptions careful;
-  careful.check_bounds = true;
+  careful.thorough = true;
   const auto again = import_gltf(rewrite(grid(), how(true, true))->file, "again.glb", careful);
   ASSERT_TRUE(again);
   for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;

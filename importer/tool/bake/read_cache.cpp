@@ -2,25 +2,25 @@
 #include "importer/tool/bake/read_cache.h"
 
 #include <algorithm>
-#include <fstream>
-#include <ios>
+#include <cstdint>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "importer/file/regular_file.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
 
 std::optional<tl::expected<CacheFile, ExitCode>> read_cache(const std::string& file, bool whole) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const auto size = stream ? static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0)) : 0;
+  const RegularFile opened(file);
+  const std::uint64_t size = opened.opened() ? opened.size().value_or(0) : 0;
   CacheFile out;
   const auto read = [&](std::uint64_t count) {
-    out.bytes.resize(std::min(size, count));
-    stream.seekg(0);
-    stream.read(reinterpret_cast<char*>(out.bytes.data()), static_cast<std::streamsize>(out.bytes.size()));
+    const std::size_t before = out.bytes.size();
+    out.bytes.resize(std::max<std::size_t>(before, std::min(size, count)));
+    if (!opened.read(std::span(out.bytes).subspan(before))) out.bytes.clear();
   };
   read(kGeometryFileHead);
   if (!looks_like_geometry_cache(out.bytes)) return std::nullopt;

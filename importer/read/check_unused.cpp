@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "importer/read/check_unused.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "importer/file/json_pointer.h"
+#include "importer/read/accessor.h"
+#include "importer/read/mesh_copies.h"
+#include "importer/read/vertex_formats.h"
+
+namespace sinew {
+namespace {
+
+/// Limit of the components that are looked at, because many accessors may share bytes.
+constexpr std::uint64_t kMaxTotal = std::uint64_t{1} << 28;
+
+class Uses {
+ public:
+  explicit Uses(const gltf::Document& document) : used_(document.accessors.size(), false) {
+    for (const auto& mesh : document.meshes)
+      for (const auto& primitive : mesh.primitives) {
+        mark(primitive.indices);
+        mark_attributes(primitive.attributes);
+        for (const auto& target : primitive.targets) mark_attributes(target.attributes);
+      }
+    for (const auto& skin : document.skins) mark(skin.inverse_bind_matrices);
+    for (const auto& animation : document.animations)
+      for (const auto& sampler : animation.samplers) {
+        mark(sampler.input);
+        mark(sampler.output);
+      }
+    IssueLog unheard;
+    for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
+      for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) mark(accessor);
+  }
+
+  bool is_used(std::size_t accessor) const { return used_[accessor]; }
+
+ private:
+  void mark(std::uint32_t accessor) {
+    if (accessor < used_.size()) used_[accessor] = true;
+  }
+
+  /// Attributes of an application are not read.
+  void mark_attributes(const std::map<std::string, std::uint32_t>& attributes) {
+    for (const auto& [name, accessor] : attributes)
+      if (parse_semantic(name)) mark(accessor);
+  }
+
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+void check_unused_accessors(const gltf::Document& document, IssueLog& log) {
+  const Uses uses(document);
+  std::uint64_t total = 0;
+  for (std::uint32_t i = 0; i < document.accessors.size(); ++i) {
+    const gltf::Accessor& accessor = document.accessors[i];
+    const bool has_bytes = accessor.buffer_view != kNone || accessor.sparse.count > 0;
+    if (uses.is_used(i) || !has_bytes || accessor.component_type != gltf::ComponentType::f32) continue;
+    const std::uint64_t components = element_layout(accessor).components();
+    total += accessor.count * components;
+    if (total > kMaxTotal) return;
+    const std::vector<float> values = read_floats(document, i);
+    const auto bad = std::find_if(values.begin(), values.end(), [](float f) { return !std::isfinite(f); });
+    if (bad == values.end()) continue;
+    const auto element = static_cast<std::uint64_t>(bad - values.begin()) / components;
+    log.report_as_warning(Rule::not_finite, pointer("accessors", i),
+                          "element " + std::to_string(element) + " holds NaN or infinity; nothing uses the accessor");
+  }
+}
+
+void check_position_bounds(const gltf::Document& document, IssueLog& log) {
+  for (std::size_t m = 0; m < document.meshes.size(); ++m)
+    for (std::size_t p = 0; p < document.meshes[m].primitives.size(); ++p) {
+      const auto& attributes = document.meshes[m].primitives[p].attributes;
+      const auto position = attributes.find("POSITION");
+      if (position == attributes.end()) continue;
+      const gltf::Accessor& accessor = document.accessors[position->second];
+      if (accessor.min.empty() || accessor.max.empty())
+        log.report(Rule::mesh_position_bounds, pointer("meshes", m, "primitives", p, "attributes", "POSITION"),
+                   "positions without min and max; taken from the data");
+    }
+}
+
+}  // namespace sinew

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "importer/file/document.h"
+#include "importer/issue_log.h"
+#include "runtime/model/scene.h"
+
+namespace sinew {
+
+/// Reads the lights of KHR_lights_punctual, which nodes then place.
+/// out      one entry for each light of the file, in its order; nothing for a light without a type that the extension
+///          defines. Each other wrong value takes the default
+/// warning  light-values
+std::vector<std::optional<Light>> read_lights(const gltf::Document& document, IssueLog& log);
+
+}  // namespace sinew

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What a command must never do to the files and the terminal of its user, whatever it is given.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "importer/visible_text.h"
+#include "tests/importer/tool_model.h"
+
+namespace sinew::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string read(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Everything in the folder of the model, by name.
+std::vector<std::string> names_beside(const ToolModelFile& model) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(model.path()).parent_path()))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(tool_safety, an_output_never_takes_the_place_of_an_input) {
+  const ToolModelFile model;
+  const std::string before = read(model.path());
+  fs::create_symlink("model.gltf", model.beside("symbolic.json"));
+  fs::create_hard_link(model.path(), model.beside("hard.json"));
+  for (const std::string& out :
+       {model.path(), model.beside("./model.gltf"), model.beside("symbolic.json"), model.beside("hard.json")})
+    for (const char* command : {"sample", "compile"}) {
+      const CommandOutcome outcome = run_tool({command, model.path(), "-o", out});
+      EXPECT_EQ(outcome.status, 2) << command << ' ' << out;
+      EXPECT_THAT(outcome.err, HasSubstr("is read; it is left as it is"));
+      EXPECT_EQ(read(model.path()), before);
+    }
+  EXPECT_THAT(names_beside(model), testing::ElementsAre("hard.json", "model.gltf", "symbolic.json"));
+}
+
+TEST(tool_safety, buffers_and_images_of_a_file_are_inputs_too) {
+  const ToolModelFile model;
+  std::ofstream(model.beside("data.bin")) << std::string(36, '\0');
+  std::ofstream(model.beside("picture.png")) << "no picture";
+  std::ofstream(model.beside("other.gltf"))
+      << R"({"asset": {"version": "2.0"}, "nodes": [{}], "images": [{"uri": "picture.png"}],
+             "buffers": [{"byteLength": 36, "uri": "data.bin"}]})";
+  for (const char* out : {"data.bin", "picture.png"}) {
+    const std::string before = read(model.beside(out));
+    EXPECT_EQ(run_tool({"sample", model.beside("other.gltf"), "-o", model.beside(out)}).status, 2) << out;
+    EXPECT_EQ(read(model.beside(out)), before);
+  }
+}
+
+TEST(tool_safety, an_output_appears_complete_or_not_at_all) {
+  const ToolModelFile model;
+  std::ofstream(model.beside("old.json")) << "old";
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", model.beside("new.json.gz")}).status, 0);
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", model.beside("old.json")}).status, 0);
+  EXPECT_TRUE(nlohmann::json::accept(read(model.beside("old.json"))));
+  fs::create_directory(model.beside("folder"));
+  EXPECT_EQ(run_tool({"sample", model.path(), "-o", model.beside("folder")}).status, 2);
+  EXPECT_EQ(run_tool({"sample", model.path(), "--clip", "none", "-o", model.beside("no folder/x.json")}).status, 2);
+  EXPECT_THAT(names_beside(model), testing::ElementsAre("folder", "model.gltf", "new.json.gz", "old.json"));
+
+  fs::create_symlink("old.json", model.beside("link.json"));
+  ASSERT_EQ(run_tool({"sample", model.path(), "--clip", "none", "-o", model.beside("link.json")}).status, 0);
+  EXPECT_TRUE(fs::is_symlink(model.beside("link.json"))) << "the file behind a link is replaced";
+  EXPECT_EQ(nlohmann::json::parse(read(model.beside("old.json")))["clips"].size(), 1u);
+}
+
+TEST(tool_safety, pipes_and_devices_are_not_opened) {
+  const ToolModelFile model;
+  const std::string pipe = model.beside("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const char* command : {"info", "check", "sample", "plan"})
+    for (const std::string& file : {pipe, std::string("/dev/zero")}) {
+      EXPECT_EQ(run_tool({command, file}).status, 1) << command << ' ' << file;
+    }
+  const CommandOutcome verify = run_tool({"verify", model.path(), pipe});
+  EXPECT_EQ(verify.status, 1);
+  EXPECT_THAT(verify.err, HasSubstr("not a regular file"));
+  EXPECT_EQ(run_tool({"sample", model.path(), "-o", pipe}).status, 2);
+}
+
+/// No byte that a terminal obeys, besides line ends.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c == '\n' || static_cast<unsigned char>(c) >= 32; }) &&
+         text.find('\x7f') == text.npos && text.find("\xc2\x9b") == text.npos && text.find("\xe2\x80\xae") == text.npos;
+}
+
+TEST(tool_safety, control_characters_of_a_file_reach_no_terminal) {
+  const ToolModelFile model;
+  const std::string odd = R"(\u001b[2J\u009b2J\u007f\u202e\n\r)";
+  const std::string file = model.beside("odd.gltf");
+  std::ofstream(file) << R"({"asset": {"version": "2.0", "generator": ")" + odd + R"(", "copyright": ")" + odd + R"("},
+    "extensionsUsed": [")" + odd +
+                             R"("], "nodes": [{"name": ")" + odd + R"(", "mesh": 0}, {"skin": 7}],
+    "meshes": [{"name": ")" + odd +
+                             R"(", "primitives": [{"attributes": {")" + odd + R"(": 9}}]}],
+    "animations": [{"name": ")" +
+                             odd + R"(", "samplers": [], "channels": []}],
+    "images": [{"uri": ")" + odd +
+                             R"("}], "buffers": [{"byteLength": 1, "uri": ")" + odd + R"("}]})";
+  const std::string fine = model.beside("fine.gltf");
+  std::ofstream(fine) << R"({"asset": {"version": "2.0", "generator": ")" + odd + R"(", "copyright": ")" + odd + R"("},
+    "extensionsUsed": [")" + odd +
+                             R"("], "nodes": [{"name": ")" + odd + R"("}], "materials": [{"name": ")" + odd + R"("}],
+    "extensions": {"VRMC_vrm": {"specVersion": ")" +
+                             odd + R"(", "meta": {"name": ")" + odd + R"("}}}})";
+  for (const std::string& path : {file, fine})
+    for (const auto& arguments : std::vector<std::vector<std::string>>{{"info", path},
+                                                                       {"info", path, "--json"},
+                                                                       {"check", path},
+                                                                       {"check", path, "--json"},
+                                                                       {"sample", path},
+                                                                       {"plan", path},
+                                                                       {"plan", path, "--json"}}) {
+      const CommandOutcome outcome = run_tool(arguments);
+      EXPECT_TRUE(is_plain(outcome.out)) << testing::PrintToString(arguments) << outcome.out;
+      EXPECT_TRUE(is_plain(outcome.err)) << testing::PrintToString(arguments) << outcome.err;
+    }
+  const auto info = nlohmann::json::parse(run_tool({"info", fine, "--json"}).out);
+  EXPECT_EQ(info["copyright"],
+            "\x1b[2J\xc2\x9b"
+            "2J\x7f\xe2\x80\xae\n\r")
+      << "escaped in the text, whole in the value";
+  EXPECT_THAT(run_tool({"info", fine}).out, HasSubstr(R"(copyright: \x1b[2J\u009b2J\x7f\u202e\x0a\x0d)"));
+}
+
+}  // namespace
+}  // namespace sinew::test
