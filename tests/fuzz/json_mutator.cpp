@@ -3,6 +3,8 @@
 
 #include <array>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -77,7 +79,55 @@ void change_array(Json& value, test::FixedRandom& random) {
   }
 }
 
+/// Members that glTF and its extensions know, each with a value of the right shape. Small indices point at something in
+/// most files, so that what is added is read and not only refused.
+const std::vector<std::pair<std::string, Json>>& known_members() {
+  static const std::vector<std::pair<std::string, Json>> known = [] {
+    constexpr const char* kMembers = R"({"mesh": 0, "skin": 0, "camera": 0, "children": [1], "weights": [0.5],
+      "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 1,2,3,1], "rotation": [0,0,0,1], "scale": [1,2,1], "translation": [1,0,0],
+      "byteStride": 12, "byteOffset": 4, "target": 34963, "normalized": true, "min": [0], "max": [1], "count": 3,
+      "sparse": {"count": 1, "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 0}},
+      "componentType": 5123, "type": "VEC4", "mode": 5, "indices": 0, "material": 0, "targets": [{"POSITION": 0}],
+      "attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}, "NORMAL": 0, "TANGENT": 0, "TEXCOORD_0": 0,
+      "COLOR_0": 0, "JOINTS_1": 0, "WEIGHTS_1": 0, "skeleton": 0, "joints": [0, 1], "inverseBindMatrices": 0,
+      "interpolation": "CUBICSPLINE", "path": "weights", "node": 0, "sampler": 0, "input": 0, "output": 1,
+      "animations": [{"samplers": [{"input": 0, "output": 1}], "channels": [{"sampler": 0, "target":
+        {"node": 0, "path": "rotation"}}]}], "skins": [{"joints": [0]}], "nodes": [{}], "scenes": [{"nodes": [0]}],
+      "uri": "data:application/octet-stream;base64,AAAA", "bufferView": 0, "mimeType": "image/png",
+      "extensionsRequired": ["KHR_texture_basisu"], "extras": {"targetNames": ["a"]}})";
+    constexpr const char* kExtensions = R"([{"KHR_animation_pointer": {"pointer": "/nodes/0/weights/0"}},
+      {"KHR_lights_punctual": {"light": 0, "lights": [{"type": "spot", "spot": {"outerConeAngle": 0.5}}]}},
+      {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0, "ROTATION": 1}}}, {"KHR_node_visibility":
+      {"visible": false}}, {"KHR_meshopt_compression": {"buffer": 0, "byteLength": 64, "byteStride": 4, "count": 4,
+      "mode": "ATTRIBUTES", "filter": "COLOR"}}, {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes":
+      {"POSITION": 0}}}, {"KHR_materials_variants": {"variants": [{"name": "a"}], "mappings": [{"material": 0,
+      "variants": [0]}]}}, {"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.5}},
+      {"KHR_texture_transform": {"scale": [2, 2], "texCoord": 1}}, {"EXT_texture_webp": {"source": 0}},
+      {"VRMC_vrm": {"humanoid": {"humanBones": {"hips": {"node": 0}}}, "expressions": {"preset": {"aa":
+      {"morphTargetBinds": [{"node": 0, "index": 0}]}}}}}, {"VRMC_springBone": {"colliders": [{"node": 0, "shape":
+      {"sphere": {"radius": 1}}}], "colliderGroups": [{"colliders": [0]}], "springs": [{"joints": [{"node": 0}],
+      "colliderGroups": [0]}]}}, {"VRMC_node_constraint": {"constraint": {"roll": {"source": 0, "rollAxis": "X"}}}},
+      {"VRM": {"blendShapeMaster": {"blendShapeGroups": [{"presetName": "joy", "binds": [{"mesh": 0}]}]},
+      "secondaryAnimation": {"boneGroups": [{"bones": [0], "colliderGroups": [0]}], "colliderGroups": [{"node": 0,
+      "colliders": [{"radius": 1}]}]}}}])";
+    std::vector<std::pair<std::string, Json>> out;
+    for (const auto& [name, value] : Json::parse(kMembers).items()) out.emplace_back(name, value);
+    for (const Json& extension : Json::parse(kExtensions)) out.emplace_back("extensions", extension);
+    return out;
+  }();
+  return known;
+}
+
 void change_object(Json& value, test::FixedRandom& random) {
+  if (random.below(2) == 0) {
+    const auto& known = known_members();
+    const auto& [name, added] = known[random.below(static_cast<std::uint32_t>(known.size()))];
+    if (added.is_object() && value.contains(name) && value[name].is_object())
+      value[name].update(added);
+    else
+      value[name] = added;
+    return;
+  }
   if (value.empty()) return;
   const auto at = [&] { return std::next(value.begin(), random.below(static_cast<std::uint32_t>(value.size()))); };
   if (random.below(2) == 0)
