@@ -51,6 +51,7 @@ set(sinew_public_headers
   runtime/model/pose_samples.h
   runtime/model/scene.h
   runtime/model/scene_look.h
+  runtime/model/show_scene.h
   runtime/model/skin.h
   runtime/pose/add_pose.h
   runtime/pose/blend_poses.h

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string_view>
@@ -26,7 +27,11 @@ constexpr Rows kMustBeCovered[] = {
     {'N', 1, 36},
     {'G', 1, 68},
     {'T', 1, 11},
+    {'P', 1, 19},
 };
+
+/// Rows that only the references know yet: no shader interpolates quaternions.
+constexpr std::string_view kOnlyReferences[] = {"N35"};
 
 bool must_be_covered(std::string_view id) {
   const int number = std::atoi(id.data() + 1);
@@ -35,16 +40,23 @@ bool must_be_covered(std::string_view id) {
   });
 }
 
-/// "suite.name" of every enabled test that a source defines.
+/// "suite.name" of every enabled test that a source defines and that runs wherever the project is built: tests that
+/// skip themselves prove nothing there.
 std::vector<std::string> tests_of(const std::string& source) {
   static const std::regex definition(
       R"re(\b(?:TEST|TEST_F|TEST_P|TYPED_TEST|TYPED_TEST_P|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\s*\(\s*(\w+)\s*,\s*(\w+))re");
   std::vector<std::string> names;
   const std::string code = without_comments(source);
-  for (std::sregex_iterator m(code.begin(), code.end(), definition), end; m != end; ++m)
-    if (const std::string suite = (*m)[1], name = (*m)[2];
-        !suite.starts_with("DISABLED_") && !name.starts_with("DISABLED_"))
-      names.push_back(suite + "." + name);
+  for (std::sregex_iterator m(code.begin(), code.end(), definition), end; m != end; ++m) {
+    const std::string suite = (*m)[1], name = (*m)[2];
+    const auto next = std::next(m);
+    const auto body_end = next == end ? code.size() : static_cast<std::size_t>(next->position());
+    const std::string body =
+        code.substr(static_cast<std::size_t>(m->position()), body_end - static_cast<std::size_t>(m->position()));
+    if (suite.starts_with("DISABLED_") || name.starts_with("DISABLED_") || body.find("GTEST_SKIP") != body.npos)
+      continue;
+    names.push_back(suite + "." + name);
+  }
   return names;
 }
 
@@ -65,7 +77,9 @@ std::multimap<std::string, std::string> tests_by_id() {
   for (const SourceFile& file : source_tree())
     if (file.path.ends_with("_test.cpp"))
       for (const std::string& test : tests_of(file.text))
-        for (const std::string& id : ids_in(test)) found.emplace(id, test);
+        for (const std::string& id : ids_in(test))
+          if (!file.path.starts_with("tests/reference/") || std::ranges::count(kOnlyReferences, id) > 0)
+            found.emplace(id, test);
   return found;
 }
 
@@ -103,7 +117,8 @@ TEST(hard_cases, only_enabled_tests_and_whole_words_count) {
   const std::string source =
       "TEST(a, G06_x) {}\n// TEST(a, G07_x)\nTEST_F(b,\n  y_N12_G13) {}\nTEST(a, DISABLED_G08_x) {}\nTEST(a, "
       "G09x_XG10) {}\n"
-      "RC_GTEST_PROP(p, T10_z, (int i)) {}\nEXPECT_EQ(TESTS(a, G11_x), 1);\n";
+      "RC_GTEST_PROP(p, T10_z, (int i)) {}\nEXPECT_EQ(TESTS(a, G11_x), 1);\n"
+      "TEST(a, G14_x) { if (!corpus()) GTEST_SKIP() << 1; }\n";
   EXPECT_THAT(tests_of(source), testing::ElementsAre("a.G06_x", "b.y_N12_G13", "a.G09x_XG10", "p.T10_z"));
   EXPECT_THAT(ids_in("b.y_N12_G13"), testing::ElementsAre("N12", "G13"));
   EXPECT_THAT(ids_in("a.G09x_XG10"), testing::IsEmpty());

@@ -77,7 +77,7 @@ TEST(clip, P02_equal_weights_with_a_tangent_between_them_are_not_constant) {
     }
 }
 
-TEST(clip, G11_duration_is_that_of_the_animation) {
+TEST(clip, duration_is_that_of_the_animation) {
   BoneAnimation bone = bone_of(0, {}, {Interpolation::linear, {3, 7}, {{0, 0, 0}, {1, 0, 0}}});
   const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(2));
   EXPECT_EQ(clip.duration_s(), 7.0);

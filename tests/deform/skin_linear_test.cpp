@@ -54,7 +54,7 @@ TEST(skin_linear, no_vertices_is_no_work) {
   run(job_of(s));
 }
 
-TEST(skin_linear, N23_random_vertices_agree_with_double_for_every_influence_count) {
+TEST(skin_linear, random_vertices_agree_with_double_for_every_influence_count) {
   test::FixedRandom random(2);
   auto s = test::random_skinned_vertices(random, kCounts, 50, 24, true);
   run(job_of(s));
@@ -125,7 +125,7 @@ TEST(skin_linear, rigid_motion_commutes_with_skinning) {
     EXPECT_TRUE(test::is_near(s.out_positions[v], transform_point(motion, before[v]), 1e-5)) << v;
 }
 
-TEST(skin_linear, P13_attributes_that_are_not_wanted_are_not_written) {
+TEST(skin_linear, attributes_that_are_not_wanted_are_not_written) {
   test::FixedRandom random(7);
   auto s = test::random_skinned_vertices(random, kCounts, 4, 16, true);
   auto job = job_of(s);

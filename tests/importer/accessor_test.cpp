@@ -107,7 +107,7 @@ TEST(accessor, G25_a_stride_below_the_element_is_refused) {
   EXPECT_EQ(fixture.checked(), "accessor-stride");
 }
 
-TEST(accessor, G26_offsets_and_counts_do_not_wrap) {
+TEST(accessor, G26_G67_offsets_and_counts_do_not_wrap) {
   Fixture fixture(std::vector<float>(4), ComponentType::f32, ElementType::scalar, 4);
   EXPECT_EQ(fixture.checked(), "ok");
   fixture.accessor().byte_offset = (std::uint64_t{1} << 53) - 1;

@@ -142,6 +142,16 @@ TEST(build_meshes, G41_repeated_joints_are_added_up_and_negative_weights_are_zer
   EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, .75f, .25f));
 }
 
+TEST(build_meshes, G41_a_vertex_with_only_negative_weights_hangs_on_the_first_joint_of_the_skin) {
+  TinyGltf file;
+  file.add_skinned_triangle({1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {-1, -.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  const auto result = file.import();
+  EXPECT_TRUE(warns(result, "weights-negative", kAttributes));
+  EXPECT_TRUE(warns(result, "weights-zero", kAttributes));
+  EXPECT_THAT(only(result).influences.joints, ElementsAre(0, 0, 0));
+  EXPECT_THAT(only(result).influences.weights, ElementsAre(1, 1, 1));
+}
+
 TEST(build_meshes, G40_all_joint_sets_count) {
   TinyGltf file;
   Json& primitive =

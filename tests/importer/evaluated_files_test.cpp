@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small files from bytes to the vertices of a frame: rules of glTF that need several parts of the importer.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
@@ -264,6 +265,128 @@ TEST(evaluated_file, G51_joints_may_shrink_to_nothing_and_come_back) {
     }
   EXPECT_EQ(Shown(file, 0, 1.0).primitive().positions[1], glm::vec3(0));
   EXPECT_EQ(Shown(file, 0, 4.0).primitive().positions[1], glm::vec3(1, 0, 0));
+}
+
+TEST(evaluated_file, G11_a_clip_whose_first_key_is_late_starts_at_zero_and_lasts_until_the_last_key_of_all) {
+  TinyGltf file;
+  file.root["nodes"] = Json::array({Json::object(), Json::object()});
+  file.animate("translation", file.times({3, 7}), file.vec3({1, 0, 0, 5, 0, 0}));
+  Json& animation = file.root["animations"][0];
+  animation["samplers"].push_back({{"input", file.times({1, 5})}, {"output", file.vec3({0, 2, 0, 0, 4, 0})}});
+  animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 1}, {"path", "translation"}}}});
+  EXPECT_EQ(Shown(file).scene().clips[0].duration_s(), 7.0);
+  for (const double t : {0.0, 0.5, 3.0, 5.0, 7.0}) {
+    const Shown shown(file, 0, t);
+    const auto x = static_cast<float>(std::max(t, 3.0) - 2.0);
+    const auto y = static_cast<float>(2.0 + std::clamp(t - 1.0, 0.0, 4.0) / 2.0);
+    EXPECT_EQ(translation_of(shown.world_of_node(0)), glm::vec3(x, 0, 0)) << t;
+    EXPECT_EQ(translation_of(shown.world_of_node(1)), glm::vec3(0, y, 0)) << t;
+  }
+}
+
+TEST(evaluated_file, G29_neither_the_node_of_a_skinned_mesh_nor_its_parents_move_it) {
+  TinyGltf file;
+  file.add_skinned_triangle(kAllOnSlot0, kFull);
+  for (const char* node : {R"({"mesh":0,"skin":0})", R"({"mesh":0,"skin":0,"translation":[50,1,2]})",
+                           R"({"mesh":0,"skin":0,"scale":[0,0,0]})", R"({"mesh":0,"skin":0,"scale":[-1,1,1]})"}) {
+    file.root["nodes"] =
+        Json::array({Json::parse(node), Json::parse(R"({"translation":[0,7,0]})"), Json::object(),
+                     Json::parse(R"({"children":[0],"rotation":[0,0,0.6,0.8],"translation":[9,9,9]})")});
+    const Shown shown(file);
+    EXPECT_TRUE(is_near(shown.primitive().positions[1], glm::vec3(1, 7, 0), kTight)) << node;
+    EXPECT_TRUE(is_near(shown.primitive().positions[2], glm::vec3(0, 8, 0), kTight)) << node;
+  }
+}
+
+TEST(evaluated_file, G31_without_inverse_bind_matrices_vertices_are_those_of_the_joint) {
+  TinyGltf file;
+  file.add_skinned_triangle({1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, kFull);
+  file.root["nodes"] = Json::parse(R"([{"mesh":0,"skin":0},{"children":[2],"translation":[0,0,3]},{"scale":[2,2,2]}])");
+  const Shown shown(file);
+  EXPECT_TRUE(is_near(shown.primitive().positions[0], glm::vec3(0, 0, 3), kTight));
+  EXPECT_TRUE(is_near(shown.primitive().positions[1], glm::vec3(1, 0, 3), kTight));
+  EXPECT_TRUE(is_near(shown.primitive().positions[2], glm::vec3(0, 2, 3), kTight));
+}
+
+TEST(evaluated_file, G35_a_joint_above_its_own_mesh_moves_the_vertices_once) {
+  TinyGltf file;
+  file.add_skinned_triangle(kAllOnSlot0, kFull);
+  file.root["nodes"] = Json::parse(R"([{"mesh":0,"skin":0},{"children":[0],"translation":[0,7,0]},{}])");
+  EXPECT_TRUE(is_near(Shown(file).primitive().positions[1], glm::vec3(1, 7, 0), kTight));
+}
+
+TEST(evaluated_file, G53_channels_find_their_nodes_by_index_whatever_the_names_are) {
+  for (const char* nodes : {R"([{"name":"arm"},{"name":"arm"},{"name":"arm"}])", R"([{},{},{}])",
+                            R"([{"name":"2"},{"name":"0"},{"name":"1"}])"}) {
+    TinyGltf file;
+    file.root["nodes"] = Json::parse(nodes);
+    file.animate("translation", file.times({0, 1}), file.vec3({1, 0, 0, 5, 0, 0}));
+    file.root["animations"][0]["channels"][0]["target"]["node"] = 1;
+    const Shown shown(file, 0, 1.0);
+    EXPECT_EQ(translation_of(shown.world_of_node(0)), glm::vec3(0)) << nodes;
+    EXPECT_EQ(translation_of(shown.world_of_node(1)), glm::vec3(5, 0, 0)) << nodes;
+    EXPECT_EQ(translation_of(shown.world_of_node(2)), glm::vec3(0)) << nodes;
+  }
+}
+
+/// A skinned triangle whose positions are 16-bit fractions of 100 m; the bind matrix of its joint undoes that.
+TinyGltf quantised_triangle() {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle(kAllOnSlot0, kFull);
+  primitive["attributes"]["POSITION"] =
+      file.add(std::vector<std::int16_t>{32767, 0, 0, 0, 0, -32767, 0, 0, 0, 16384, 0, 0}, "VEC3", 5122, 4, true);
+  Json& view = file.root["bufferViews"].back();
+  view["byteStride"] = 8;
+  file.root["accessors"].back()["count"] = 3;
+  primitive["targets"] =
+      Json::array({{{"POSITION", file.add(std::vector<std::int8_t>{0, 127, 0, 0, 0, 0, 0, 0, 0, 0, -127, 0}, "VEC3",
+                                          5120, 4, true)}}});
+  file.root["bufferViews"].back()["byteStride"] = 4;
+  file.root["accessors"].back()["count"] = 3;
+  file.root["meshes"][0]["weights"] = {0.5};
+  file.root["skins"][0]["inverseBindMatrices"] =
+      file.add(std::vector<float>{100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 1,
+                                  100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 1},
+               "MAT4", 5126, 16);
+  file.root["nodes"] =
+      Json::parse(R"([{"mesh":0,"skin":0},{"children":[2],"rotation":[0,0,0.70710678,0.70710678]},{}])");
+  file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  return file;
+}
+
+TEST(evaluated_file,
+     G59_quantised_positions_and_displacements_are_scaled_by_the_bind_matrix_in_every_kind_of_skinning) {
+  const auto file = quantised_triangle().import();
+  ASSERT_EQ(outcome(file), "ok");
+  for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion}) {
+    Needs needs;
+    needs.skinning = skinning;
+    needs.bounds = true;
+    const Plan plan = compile_plan(file->scene, needs);
+    FrameBuffer frame(plan);
+    ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+    const auto positions = frame.result().primitives[0].positions;
+    const double half = 100.0 * 16384.0 / 32767.0;
+    EXPECT_TRUE(is_near(Vec3<double>(positions[0]), Vec3<double>(-50, 100, 0), 1e-4));
+    EXPECT_TRUE(is_near(Vec3<double>(positions[1]), Vec3<double>(100, 0, 0), 1e-4));
+    EXPECT_TRUE(is_near(Vec3<double>(positions[2]), Vec3<double>(-half, 0, -50), 1e-4));
+    const Aabb box = frame.result().instances[0].bounds;
+    EXPECT_TRUE(is_near(Vec3<double>(box.lower), Vec3<double>(-half, 0, -50), 1e-4));
+    EXPECT_TRUE(is_near(Vec3<double>(box.upper), Vec3<double>(100, 100, 0), 1e-4));
+  }
+}
+
+TEST(evaluated_file, N23_weights_that_sum_to_less_than_one_do_not_pull_a_vertex_towards_the_origin) {
+  TinyGltf file;
+  Json& primitive = file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, kFull);
+  primitive["attributes"]["POSITION"] = file.vec3({24, 0, 0, 0, 24, 0, 0, 0, 24});
+  primitive["attributes"]["WEIGHTS_0"] =
+      file.add(std::vector<std::uint8_t>{127, 127, 0, 0, 200, 54, 0, 0, 85, 85, 0, 0}, "VEC4", 5121, 4, true);
+  const Shown shown(file);
+  EXPECT_TRUE(warns(shown.file, "weights-sum", "/meshes/0/primitives/0/attributes"));
+  EXPECT_TRUE(is_near(shown.primitive().positions[0], glm::vec3(24, 0, 0), 4e-6)) << "2 of 255 are 19 cm here";
+  EXPECT_TRUE(is_near(shown.primitive().positions[1], glm::vec3(0, 24, 0), 4e-6));
+  EXPECT_TRUE(is_near(shown.primitive().positions[2], glm::vec3(0, 0, 24), 4e-6));
 }
 
 }  // namespace

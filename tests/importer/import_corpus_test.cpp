@@ -150,13 +150,19 @@ std::string entry_of(const std::string& place) {
   return place.substr(0, third);
 }
 
-/// True when our issue is at the place of the fault, inside it or around it. Our error may refuse the whole list entry
-/// or the whole file. Of two channels with one target either may be named, and a node with two parents hides one of two
-/// cycles.
+/// Rules after which there is no document to look further into.
+bool ends_reading(const std::string& rule) {
+  return rule.starts_with("json-") || rule.starts_with("glb-") || rule.starts_with("asset-");
+}
+
+/// True when our issue is at the place of the fault, inside it or around it. Our error may refuse the whole list entry,
+/// or end the reading. Of two channels with one target either may be named, and a node with two parents hides one of
+/// two cycles.
 bool answers(const ImportIssue& issue, const Fault& fault) {
   const std::string& ours = issue.json_pointer;
   if (ours == fault.place || is_below(fault.place, ours) || is_below(ours, fault.place)) return true;
-  if (issue.severity == Severity::error && (ours.empty() || entry_of(ours) == entry_of(fault.place))) return true;
+  if (issue.severity == Severity::error && !ours.empty() && entry_of(ours) == entry_of(fault.place)) return true;
+  if (ours.empty() && ends_reading(issue.rule)) return true;
   if (fault.code == "ANIMATION_DUPLICATE_TARGETS")
     return issue.rule == "animation-duplicate" && entry_of(ours) == entry_of(fault.place);
   return fault.code == "NODE_LOOP" && issue.rule == "node-parents";

@@ -228,7 +228,7 @@ TEST(compile_plan, frames_of_one_clip_touch_only_the_front_of_their_memory_befor
   }
 }
 
-TEST(compile_plan, P04_P05_tracks_are_told_by_the_way_they_take_between_keys) {
+TEST(compile_plan, P05_tracks_are_told_by_the_way_they_take_between_keys) {
   Scene scene = arm_scene();
   Animation& bend = scene.animations[0];
   ASSERT_EQ(bend.bones.size(), 1u);

@@ -116,7 +116,7 @@ TEST(local_to_model, G49_non_uniform_scale_above_a_rotation_shears) {
   EXPECT_NEAR(rig.model[1].row[1].y, h, 1e-6f);
 }
 
-TEST(local_to_model, N25_random_trees_agree_with_double_within_a_few_roundings_per_level) {
+TEST(local_to_model, random_trees_agree_with_double_within_a_few_roundings_per_level) {
   test::FixedRandom random(7);
   for (int repeat = 0; repeat < 20; ++repeat) {
     const std::uint32_t count = 1 + random.below(300);

@@ -359,7 +359,10 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
         options.show = show;
         options.ao.on = occlusion;
         options.ao.blur = blur;
-        render_float(built, 33, 17, look_at({3, 3, 5}, {0, 0, 0}, 0.8, 0.05), options);
+        const FloatPicture picture = render_float(built, 33, 17, look_at({3, 3, 5}, {0, 0, 0}, 0.8, 0.05), options);
+        const auto [least, most] = std::ranges::minmax(picture.pixels, {}, [](const glm::vec4& p) { return p.g; });
+        EXPECT_TRUE(std::isfinite(least.g) && std::isfinite(most.g));
+        EXPECT_GT(most.g - least.g, 0.05f) << "a picture in every mode";
       }
 }
 

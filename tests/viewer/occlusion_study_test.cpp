@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "samples/showcase/shapes.h"
 #include "tests/reference/ray_cast.h"
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
@@ -73,6 +74,43 @@ TEST(ray_caster, sees_back_faces_only_where_the_material_has_two_sides) {
       EXPECT_LT(below ? below->normal.y : -1.0, -0.99) << "on the side that is looked at";
       EXPECT_EQ(rays.open_share(*above, 1.0, 64), 1.0) << "a plane does not darken itself";
     }
+}
+
+TEST(ray_caster, N36_rays_leave_their_own_triangle_a_kilometre_and_ten_from_the_origin) {
+  for (const float out_m : {0.0f, 1024.0f, 16384.0f}) {
+    BuiltScene built;
+    Affine placed;
+    placed.row[0].w = placed.row[2].w = out_m;
+    placed.row[0].y = 0.3f;  // sheared and tilted: heights are no round numbers
+    placed.row[1].x = 0.7f;
+    built.add(square(2.0f), built.add_material(matte({1, 1, 1})), placed);
+    const RayCaster rays(built.scene, built.frame());
+    for (const double x : {-0.61, 0.13, 0.77}) {
+      const glm::dvec3 above(out_m + x, 0.7 * x + 0.5, out_m + 0.2);
+      const auto seen = rays.seen(above, {0, -1, 0});
+      ASSERT_TRUE(seen) << out_m;
+      EXPECT_EQ(rays.open_share(*seen, 5.0, 256), 1.0) << "a plane does not darken itself, " << out_m << " m out";
+    }
+  }
+}
+
+TEST(ray_caster, N36_no_ray_slips_through_edges_and_corners_and_slivers_stop_none) {
+  BuiltScene built;
+  Material both_sides = matte({1, 1, 1});
+  both_sides.double_sided = true;
+  Primitive ball = showcase::sphere({0, 0, 0}, 1.0f, 12, 6);
+  ball.indices.insert(ball.indices.end(), {0, 0, 1, 2, 2, 2});  // without area
+  built.add(ball, built.add_material(both_sides));
+  const RayCaster rays(built.scene, built.frame());
+  for (const glm::vec3& corner : ball.positions) {
+    const auto seen = rays.seen({0, 0, 0}, glm::dvec3(corner));
+    ASSERT_TRUE(seen) << corner.x << ' ' << corner.y << ' ' << corner.z;
+    EXPECT_TRUE(std::isfinite(seen->normal.x) && glm::length(seen->point) > 0.5);
+  }
+  for (std::size_t i = 0; i + 2 < ball.indices.size(); ++i) {
+    const glm::dvec3 a(ball.positions[ball.indices[i]]), b(ball.positions[ball.indices[i + 1]]);
+    EXPECT_TRUE(glm::length(a + b) < 0.1 || rays.seen({0, 0, 0}, a + b)) << i;
+  }
 }
 
 class occlusion_study : public DeviceTest {};

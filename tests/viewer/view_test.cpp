@@ -100,13 +100,6 @@ TEST(view, of_an_empty_or_flat_box_is_finite) {
   }
 }
 
-TEST(view, N30_reversed_depth_resolves_a_tenth_of_a_millimetre_at_a_kilometre) {
-  const auto depth = [](double distance) { return 0.1f / static_cast<float>(distance); };  // stored = near / distance
-  EXPECT_NE(depth(1000.0), depth(1000.00015));
-  const auto back = 0.1 / static_cast<double>(depth(1000.0));
-  EXPECT_NEAR(back, 1000.0, 1e-4);
-}
-
 /// A box around a point, seen along -z from the origin.
 bool is_out(const View& view, const glm::vec3& middle, float half = 0.1f) {
   return is_out_of_view(view, 2.0, view.view_from_world, Aabb{middle - half, middle + half});
