@@ -68,7 +68,8 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 }  // namespace
 
 PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
-    : plan(compile_plan(scene, Needs{.properties = false,
+    : plan(compile_plan(scene, Needs{.tangents_of_all = true,
+                                     .properties = false,
                                      .hidden_meshes = true,
                                      .max_layers = 1,
                                      .skinning = skinning,

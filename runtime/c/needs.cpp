@@ -8,7 +8,7 @@
 namespace sinew::c {
 namespace {
 
-constexpr std::uint32_t kAllFlags = (SINEW_NEED_BETWEEN_UPDATES << 1) - 1;
+constexpr std::uint32_t kAllFlags = (SINEW_NEED_TANGENTS_OF_ALL << 1) - 1;
 
 static_assert(static_cast<int>(Skinning::linear) == SINEW_SKIN_LINEAR &&
               static_cast<int>(Skinning::dual_quaternion) == SINEW_SKIN_DUAL_QUATERNION &&
@@ -44,6 +44,7 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   needs.positions = asked(SINEW_NEED_POSITIONS);
   needs.normals = asked(SINEW_NEED_NORMALS);
   needs.tangents = asked(SINEW_NEED_TANGENTS);
+  needs.tangents_of_all = asked(SINEW_NEED_TANGENTS_OF_ALL);
   needs.weights = asked(SINEW_NEED_WEIGHTS);
   needs.bounds = asked(SINEW_NEED_BOUNDS);
   needs.properties = asked(SINEW_NEED_PROPERTIES);

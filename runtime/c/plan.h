@@ -11,14 +11,16 @@ enum {
   SINEW_NEED_JOINTS = 1u << 0,     ///< model matrices of all joints
   SINEW_NEED_POSITIONS = 1u << 1,  ///< deformed vertices
   SINEW_NEED_NORMALS = 1u << 2,
-  SINEW_NEED_TANGENTS = 1u << 3,
-  SINEW_NEED_WEIGHTS = 1u << 4,  ///< morph weights with the correctives
+  SINEW_NEED_TANGENTS = 1u << 3,  ///< of primitives that have a normal map in some variant, or no material
+  SINEW_NEED_WEIGHTS = 1u << 4,   ///< morph weights with the correctives
   SINEW_NEED_BOUNDS = 1u << 5,
-  SINEW_NEED_PROPERTIES = 1u << 6,       ///< animated numbers of materials, lights and cameras
-  SINEW_NEED_HIDDEN_MESHES = 1u << 7,    ///< deform meshes on hidden joints as well
-  SINEW_NEED_ADDITIVE = 1u << 8,         ///< layers may add to the pose
-  SINEW_NEED_PALETTES = 1u << 9,         ///< skinning matrices, for engines that skin vertices themselves
-  SINEW_NEED_BETWEEN_UPDATES = 1u << 10  ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
+  SINEW_NEED_PROPERTIES = 1u << 6,     ///< animated numbers of materials, lights and cameras
+  SINEW_NEED_HIDDEN_MESHES = 1u << 7,  ///< deform meshes on hidden joints as well
+  SINEW_NEED_ADDITIVE = 1u << 8,       ///< layers may add to the pose
+  SINEW_NEED_PALETTES = 1u << 9,       ///< skinning matrices, for engines that skin vertices themselves
+  SINEW_NEED_BETWEEN_UPDATES =
+      1u << 10,                          ///< some frames lie between two poses (sinew_frame_input.interpolation_factor)
+  SINEW_NEED_TANGENTS_OF_ALL = 1u << 11  ///< of the other primitives as well, for engines with materials of their own
 };
 
 typedef enum sinew_skinning {

@@ -32,7 +32,8 @@ struct Needs {
   bool joints = true;     ///< world matrices of the joints that `skeleton_lod` keeps
   bool positions = true;  ///< deformed vertex positions
   bool normals = true;
-  bool tangents = true;
+  bool tangents = true;          ///< of primitives that have a normal map in some variant, or no material
+  bool tangents_of_all = false;  ///< of the others as well, for consumers with materials of their own
   bool weights = true;           ///< morph weights with the correctives, for consumers that morph vertices themselves
   bool palettes = false;         ///< skinning matrices of the skins in use, for consumers that skin vertices themselves
   bool bounds = false;           ///< boxes of the mesh instances

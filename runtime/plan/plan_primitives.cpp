@@ -30,9 +30,21 @@ MorphedAttributes morphed_by(const MorphSet& morphs) noexcept {
   return moved;
 }
 
+/// Whether anything that the scene says looks at the tangents of a primitive: a normal map, in its own material or in
+/// that of a variant. What has no material is the consumer's to light.
+bool shows_tangents(const Scene& scene, const Primitive& primitive) noexcept {
+  const auto has_normal_map = [&](std::uint32_t material) {
+    return material != kNone && scene.materials[material].normal_texture.used();
+  };
+  const auto& others = primitive.variant_materials;
+  return (primitive.material == kNone && others.empty()) || has_normal_map(primitive.material) ||
+         std::any_of(others.begin(), others.end(),
+                     [&](const VariantMaterial& v) { return has_normal_map(v.material); });
+}
+
 /// Morph and skin touch an attribute only where the primitive has it, the needs ask for it, and something moves it.
-PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, bool may_play, Skinning skinning,
-                             const Needs& needs) {
+PrimitivePlan plan_primitive(const Scene& scene, const Primitive& primitive, bool has_skin, bool may_play,
+                             Skinning skinning, const Needs& needs) {
   PrimitivePlan plan;
   plan.lacks_centers = skinning == Skinning::center_of_rotation && primitive.centers_of_rotation.empty();
   plan.skinning = plan.lacks_centers ? Skinning::linear : skinning;
@@ -40,9 +52,10 @@ PrimitivePlan plan_primitive(const Primitive& primitive, bool has_skin, bool may
   const bool skinned = has_skin && !primitive.influences.empty();
   plan.flat_normals = needs.normals && primitive.flat_normals && !primitive.normals.empty() &&
                       primitive.topology == Topology::triangles && (skinned || moved.set.positions || may_play);
-  const AttributeSet wanted = {needs.positions || needs.bounds || plan.flat_normals,
-                               needs.normals && !primitive.normals.empty() && !plan.flat_normals,
-                               needs.tangents && !primitive.tangents.empty()};
+  const AttributeSet wanted = {
+      needs.positions || needs.bounds || plan.flat_normals,
+      needs.normals && !primitive.normals.empty() && !plan.flat_normals,
+      needs.tangents && !primitive.tangents.empty() && (needs.tangents_of_all || shows_tangents(scene, primitive))};
   plan.morph = {wanted.positions && moved.set.positions, wanted.normals && moved.set.normals,
                 wanted.tangents && moved.set.tangents};
   plan.morph.positions |= plan.morph.any();  // jobs always write positions
@@ -184,8 +197,9 @@ void plan_primitives(CompiledPlan& plan) {
     const bool may_play = slot != plan.needs.cached_instances.end() && *slot == i;
     bool skinned = false, plays = false;
     for (std::uint32_t p = 0; p < primitives.size(); ++p) {
-      PrimitivePlan planned = plan_primitive(primitives[p], instance.skin != kNone, may_play, plan.needs.skinning_of(i),
-                                             never_shown[instance.joint] ? nothing : plan.needs);
+      PrimitivePlan planned =
+          plan_primitive(scene, primitives[p], instance.skin != kNone, may_play, plan.needs.skinning_of(i),
+                         never_shown[instance.joint] ? nothing : plan.needs);
       planned.instance = i;
       planned.primitive = p;
       skinned |= instance.skin != kNone && !primitives[p].influences.empty();

@@ -173,6 +173,29 @@ TEST(compile_plan, P10_attributes_that_nobody_asks_for_are_left_out) {
     EXPECT_FALSE(p.skin.normals || p.skin.tangents || p.morph.normals);
 }
 
+TEST(compile_plan, P13_tangents_are_deformed_only_where_a_normal_map_looks_at_them) {
+  Scene scene = random_scene(3);
+  const auto with_tangents = [&](const Needs& needs = {}) {
+    const Plan plan = compile_plan(scene, needs);
+    return std::ranges::count_if(plan.primitives(),
+                                 [](const PrimitivePlan& p) { return p.skin.tangents || p.morph.tangents; });
+  };
+  const auto without_material = with_tangents();
+  ASSERT_GT(without_material, 0) << "what has no material is the consumer's to light";
+  scene.materials.assign(2, {});
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives) primitive.material = 0;
+  EXPECT_EQ(with_tangents(), 0);
+  EXPECT_EQ(with_tangents({.tangents_of_all = true}), without_material);
+  scene.materials[1].normal_texture.texture = 0;
+  EXPECT_EQ(with_tangents(), 0) << "no primitive has that material";
+  scene.meshes[0].primitives[0].variant_materials = {{0, 1}};
+  EXPECT_GT(with_tangents(), 0) << "a variant has it";
+  scene.meshes[0].primitives[0].variant_materials.clear();
+  scene.materials[0].normal_texture.texture = 0;
+  EXPECT_EQ(with_tangents(), without_material);
+}
+
 TEST(compile_plan, P14_boxes_are_made_only_when_asked_for) {
   const Scene scene = random_scene(7);
   Needs needs;
