@@ -27,7 +27,7 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   const Options options = accepted({});
   EXPECT_EQ(options.file, "");
   EXPECT_EQ(options.headless, "");
-  EXPECT_EQ(options.showcase_scene, 0u);
+  EXPECT_EQ(options.first_exhibit(), 0u);
   EXPECT_EQ(options.width, 1280u);
   EXPECT_EQ(options.height, 720u);
   EXPECT_TRUE(options.ambient_occlusion);
@@ -77,7 +77,9 @@ TEST(options, read_a_geometry_cache_and_its_weight) {
 
 TEST(options, read_a_range_of_pictures) {
   const Options options = accepted({"--scene", "2", "--headless", "out/", "--frames", "3:16", "--fps", "2.5"});
-  EXPECT_EQ(options.showcase_scene, 2u);
+  EXPECT_EQ(options.first_exhibit(), 2u);
+  EXPECT_EQ(accepted({"a.glb", "--scene", "1"}).scene, 1u);
+  EXPECT_EQ(accepted({"a.glb", "--scene", "1"}).first_exhibit(), 0u) << "a file is one exhibit";
   ASSERT_TRUE(options.frames);
   EXPECT_EQ(options.frames->first, 3u);
   EXPECT_EQ(options.frames->last, 16u);
@@ -112,7 +114,6 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
   const WrongUsage cases[] = {
       {{"--bogus"}, "--bogus"},
       {{"a.glb", "b.glb"}, "b.glb"},
-      {{"a.glb", "--scene", "1"}, "--scene"},
       {{"--scene", "-1"}, "--scene"},
       {{"--cache", "b.sgeo"}, "--cache"},
       {{"--cache-weight", "1.5"}, "1.5"},

@@ -86,6 +86,18 @@ ends 0 '' --headless clear.png --size 320x180 --time 1 --transparent
 holds "--transparent leaves the background clear" 'minima.a==0&&maxima.a==1' clear.png
 ends 0 '' --headless sky.png --size 64x64 --transparent --eye 0,50,0 --target 0,60,0
 holds "a camera that looks away sees nothing" 'maxima.a==0' sky.png
+# A file with several scenes shows one of them.
+printf '%s' '{"asset":{"version":"2.0"},"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}],"nodes":[{"mesh":0},{"mesh":0,"scale":[1,3,1]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+"min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}' > scenes.gltf
+ends 0 '2 scenes; scene 1 is shown' scenes.gltf --headless default.png --size 64x64
+ends 0 '' scenes.gltf --scene 1 --headless second.png --size 64x64
+ends 0 '' scenes.gltf --scene 0 --headless first.png --size 64x64
+cmp -s default.png second.png || complain "the file's default scene is shown"
+! cmp -s first.png second.png || complain "--scene shows another scene of a file"
+ends 2 'scenes 0 to 1' scenes.gltf --scene 2 --headless a.png
+ends 2 'has no scenes' empty.gltf --scene 0 --headless a.png
 ends 0 '' --scene 1 --headless lbs.png --size 320x180 --time 3 --skinning linear
 
 ends 0 '' --headless planned.png --size 320x180 --time 1 --plan

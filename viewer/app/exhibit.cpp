@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "importer/add_centers_of_rotation.h"
 #include "importer/import_gltf.h"
 #include "runtime/base/contract.h"
+#include "runtime/model/show_scene.h"
 #include "samples/showcase/showcase.h"
 #include "viewer/passes/frame_uniforms.h"
 
@@ -49,6 +52,20 @@ void say_what_is_left_out(const std::string& file, const Scene& scene, const Say
 
 tl::unexpected<LoadError> fails(std::string why) { return tl::unexpected(LoadError{1, std::move(why)}); }
 
+/// Shows one scene of a file, as glTF says: the one that is asked for, else the file's default, else all of it.
+tl::expected<void, LoadError> choose_scene(const std::string& file, std::optional<std::uint32_t> asked, Scene& scene,
+                                           const Say& say) {
+  const std::size_t count = scene.scenes.size();
+  if (asked && *asked >= count)
+    return tl::unexpected(LoadError{2, "--scene " + std::to_string(*asked) + ": " + file + " has " +
+                                           (count == 0 ? "no scenes" : "scenes 0 to " + std::to_string(count - 1))});
+  const std::uint32_t shown = asked.value_or(scene.default_scene);
+  if (!asked && count > 1)
+    say(file + ": " + std::to_string(count) + " scenes; scene " + std::to_string(shown) + " is shown (--scene)");
+  show_scene(scene, shown);
+  return {};
+}
+
 tl::expected<Exhibit, LoadError> from_cache(const std::string& path) {
   auto file = open_cache_file(path);
   if (!file) return fails(std::move(file.error()));
@@ -61,8 +78,9 @@ tl::expected<Exhibit, LoadError> from_cache(const std::string& path) {
   return exhibit;
 }
 
-tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::string& cache, const Say& say,
+tl::expected<Exhibit, LoadError> from_file(const Options& options, const Say& say,
                                            const std::function<void(double)>& progress) {
+  const std::string &file = options.file, &cache = options.cache;
   ImportOptions how;
   if (progress) how.progress = [&](const char*, double done) { progress(done); };
   auto imported = import_gltf(std::filesystem::path(file), how);
@@ -70,6 +88,8 @@ tl::expected<Exhibit, LoadError> from_file(const std::string& file, const std::s
   for (const auto& warning : warnings) say(describe(file, warning));
   if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
   say_what_is_left_out(file, imported->scene, say);
+  if (auto chosen = choose_scene(file, options.scene, imported->scene, say); !chosen)
+    return tl::unexpected(std::move(chosen.error()));
   Exhibit exhibit;
   exhibit.name = std::filesystem::path(file).filename().string();
   exhibit.scene = std::move(imported->scene);
@@ -103,14 +123,16 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
   std::vector<Exhibit> exhibits;
   if (options.file.empty()) {
     exhibits = built_in(say);
-    if (options.showcase_scene >= exhibits.size())
-      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.showcase_scene) +
+    if (options.first_exhibit() >= exhibits.size())
+      return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.first_exhibit()) +
                                              ": the built-in scenes are 0 to " + std::to_string(exhibits.size() - 1)});
   } else {
     const bool alone = is_cache_file(options.file);
     if (alone && !options.cache.empty())
       return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
-    auto exhibit = alone ? from_cache(options.file) : from_file(options.file, options.cache, say, progress);
+    if (alone && options.scene)
+      return tl::unexpected(LoadError{2, "--scene: " + options.file + " is a geometry cache, which has no scenes"});
+    auto exhibit = alone ? from_cache(options.file) : from_file(options, say, progress);
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
     exhibits.push_back(std::move(*exhibit));
   }

@@ -37,7 +37,7 @@ int show(const Options& options) {
     say(exhibits.error().message);
     return exhibits.error().exit_code;
   }
-  const Scene& scene = (*exhibits)[options.showcase_scene].scene;
+  const Scene& scene = (*exhibits)[options.first_exhibit()].scene;
   std::uint32_t clip = scene.animations.empty() ? kNone : 0;
   if (options.clip) {
     const auto chosen = choose_clip(scene, *options.clip);
@@ -56,7 +56,7 @@ int show(const Options& options) {
     return 2;
   }
   if (options.headless.empty()) return run_window(options, *exhibits, clip);
-  Exhibit& exhibit = (*exhibits)[options.showcase_scene];
+  Exhibit& exhibit = (*exhibits)[options.first_exhibit()];
   add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
   return write_pictures(options, exhibit, clip);
 }

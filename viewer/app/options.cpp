@@ -230,7 +230,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   app.formatter(std::make_shared<ShortFormatter>());
   app.set_version_flag("--version", "sinew-viewer " SINEW_VERSION);
   auto* file = app.add_option("FILE", options.file, "a .gltf or .glb file, or a geometry cache (.sgeo)")->type_name("");
-  app.add_option("--scene", options.showcase_scene, "which built-in scene (0)")->type_name("N")->excludes("FILE");
+  app.add_option("--scene", options.scene, "which scene of FILE (its default), or which built-in one (0)")
+      ->type_name("N");
   add_cache_options(app, options, file);
   add_picture_options(app, options);
   add_time_options(app, options);

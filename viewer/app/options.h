@@ -25,8 +25,11 @@ struct PlacedCamera {
 
 /// The command line of sinew-viewer, checked.
 struct Options {
-  std::string file;  ///< a glTF file or a geometry cache; empty = the built-in showcase
-  std::uint32_t showcase_scene = 0;
+  std::string file;                    ///< a glTF file or a geometry cache; empty = the built-in showcase
+  std::optional<std::uint32_t> scene;  ///< of the built-in ones, or of FILE
+
+  /// The exhibit to begin with: a file is the only one.
+  std::uint32_t first_exhibit() const noexcept { return file.empty() ? scene.value_or(0) : 0; }
   std::string cache;             ///< a geometry cache that plays over the meshes of the file; empty = none
   float cache_weight = 1.0f;     ///< [0, 1] 0 = the pose, 1 = the cache
   std::string headless;          ///< OUT.png, or a folder together with `frames`; empty = window

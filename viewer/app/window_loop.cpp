@@ -47,10 +47,10 @@ class WindowLoop {
         swapchain_(device_, window_.framebuffer_size()),
         panel_(device_, swapchain_, window_.handle()),
         frame_(device_, swapchain_, panel_),
-        exhibit_(options.showcase_scene),
-        settings_(settings_from(options, exhibits[options.showcase_scene].scene)) {
+        exhibit_(options.first_exhibit()),
+        settings_(settings_from(options, exhibits[options.first_exhibit()].scene)) {
     for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
-    show_exhibit(options.showcase_scene, clip);
+    show_exhibit(options.first_exhibit(), clip);
     if (options.time_s) shown_->playback().seek(*options.time_s);
   }
 
