@@ -23,15 +23,15 @@ struct ExportOptions {
 /// - Normals that the importer made for flat shading are left out: in glTF a missing NORMAL means flat.
 /// - Vertices keep the numbers of the file that they came from where that is possible.
 /// - glTF forbids some empty entries. A clip without tracks gets one channel without a node, and a missing image
-/// becomes
-///   one visible pixel.
+///   becomes one visible pixel.
 /// - Not written: centers of rotation, which an import computes again on request, and pose correctives, which glTF has
 ///   no place for.
 /// The overload that takes a path writes the file completely or not at all, and returns the number of bytes.
 /// in    scene   has passed check(Scene)
 /// out   the bytes of the file, owned by the caller
 /// err   "squad-in-gltf" (glTF has no squad interpolation), "glb-size" (the file would have 4 GiB or more),
-/// "write-file" cost  O(scene); holds the binary part twice while writing
+///       "write-file"
+/// cost  O(scene); holds the binary part twice while writing
 ImportResult<std::vector<std::byte>> export_glb(const Scene& scene, const ExportOptions& options = {});
 ImportResult<std::size_t> export_glb(const Scene& scene, const std::filesystem::path& file,
                                      const ExportOptions& options = {});

@@ -16,7 +16,8 @@ struct PointOrder {
 
 /// Splits the points along their widest axis, of some frames, until blocks are left. In a block they are walked over
 /// the surface from triangle to triangle, so that each completes a parallelogram where it can, else follows a
-/// neighbour. in   frames     [any][points]
+/// neighbour.
+/// in   frames     [any][points]
 ///      triangles  [3F] of points; may be empty
 PointOrder order_points(std::span<const std::vector<glm::vec3>> frames, std::span<const std::uint32_t> triangles);
 

@@ -8,7 +8,9 @@ namespace sinew {
 /// "client implementations MUST calculate flat normals and the provided tangents (if present) MUST be ignored"). Each
 /// corner becomes a vertex of its own. Tangents and the morph deltas of normals and tangents are removed, and
 /// flat_normals is set, because a morphed shape needs its normals computed again (G46). Points and lines are left
-/// alone. eq    n = (p1 - p0) x (p2 - p0) / |...|, in double; a face without area gets +Z cost  O(V + 3 F)
+/// alone.
+/// eq   n = (p1 - p0) x (p2 - p0) / |...|, in double; a face without area gets +Z
+/// cost O(V + 3 F)
 void make_flat_normals(Primitive& primitive);
 
 /// Makes the normals of a rounded surface: at each vertex the normals of the faces around it, weighted by their angle

@@ -41,7 +41,8 @@ struct FileVertices {
 
 /// Chooses the vertices. Copies that the importer made for flat normals are written once, because flat normals are not
 /// written. The order of the scene is kept where `source_vertex` is empty or has gaps, or where copies differ
-/// otherwise. cost  O(V)
+/// otherwise.
+/// cost O(V)
 FileVertices file_vertices(const Primitive& primitive);
 
 }  // namespace sinew::write

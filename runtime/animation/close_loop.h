@@ -12,9 +12,10 @@ namespace sinew {
 /// of cubic tracks take the quaternion on the side of the last key, tangents included; all others keep the bits. The
 /// gap is interpolated as the track is: step holds the last key, linear takes the short arc, a cubic spline keeps its
 /// speeds on both sides of the seam. A track that ends before the animation holds its last value until then; one that
-/// starts after 0 arrives at its first value at rest. in   gap_s  time from the last pose to the first, usually one
-/// frame of the clip err  not_finite;  unsupported (a gap of 0 or less, or one that vanishes in float next to the
-/// duration) cost O(keys), allocates
+/// starts after 0 arrives at its first value at rest.
+/// in   gap_s  time from the last pose to the first, usually one frame of the clip
+/// err  not_finite;  unsupported (a gap of 0 or less, or one that vanishes in float next to the duration)
+/// cost O(keys), allocates
 Result<Animation> close_loop(const Animation& animation, double gap_s);
 
 }  // namespace sinew

@@ -11,7 +11,8 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;  ///< "no index": no parent,
 
 /// Whether every index is below `count`. Looks at all indices without a branch, so that compilers vectorise the loop,
 /// also for targets without unsigned comparisons: the top bit of (i - count) & ~i is set exactly when i < count <=
-/// 2^31. cost O(n), memory-bound
+/// 2^31.
+/// cost O(n), memory-bound
 template <class Index>
 bool all_below(const std::vector<Index>& indices, std::size_t count) noexcept {
   if (count > std::size_t{1} << 31)

@@ -62,7 +62,8 @@ typedef struct sinew_frame sinew_frame;
 /// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
 sinew_error sinew_frame_create(const sinew_plan* plan, const sinew_allocator* allocator, sinew_frame** out);
 /// The same in the caller's block, of at least sinew_plan_frame_bytes at a multiple of SINEW_FRAME_ALIGNMENT, which
-/// must outlive the frame. err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
+/// must outlive the frame.
+/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (too short, or not aligned)
 sinew_error sinew_frame_create_in(const sinew_plan* plan, void* block, size_t byte_count, sinew_frame** out);
 void sinew_frame_destroy(sinew_frame* frame);
 

@@ -10,7 +10,8 @@ namespace sinew {
 ///
 /// Poses on keys are those of `clip`, with rotations normalised. Between keys they differ from those of `clip` by less
 /// than its rounding, because slerp of packed keys does not normalise them first. The certificate is kept: its error
-/// was measured on both forms. cost O(keys), allocates
+/// was measured on both forms.
+/// cost O(keys), allocates
 Clip unpacked(const Clip& clip);
 
 }  // namespace sinew

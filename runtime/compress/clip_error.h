@@ -27,8 +27,11 @@ inline constexpr std::size_t kMostJointTimes = 10'000'000;
 
 /// Samples a clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate. The hierarchy
 /// is evaluated in double on both sides, so that only the clip's own error counts. Of several forms of a clip each
-/// error is the largest. eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c;  weights = max sum |w' -
-/// w| metres_per_weight stretch in   forms  of the clip, compiled for this scene cost O(times x J x forms), allocates
+/// error is the largest.
+/// eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c
+///      weights = max sum |w' - w| metres_per_weight stretch
+/// in   forms  of the clip, compiled for this scene
+/// cost O(times x J x forms), allocates
 ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                        std::span<const Clip* const> forms, std::span<const double> times_s);
 

@@ -13,9 +13,9 @@ namespace sinew {
 ///
 /// Every key interval is cut in pieces. A piece has the box of each joint's vertices at its middle, grown by how far
 /// they can stray within the piece (pose_drift.h). Linear blending stays within the boxes of the joints. The other
-/// kinds of skinning bulge: their boxes get half the diagonal more on each side. in   scene  finished, passed its
-/// checks;   needs  for their kinds of skinning and their skeleton LOD out  [instances] in the space below
-/// FrameInput::root: transform them by it (grow_bounds.h). An empty box says that
+/// kinds of skinning bulge: their boxes get half the diagonal more on each side.
+/// in   scene  finished, passed its checks;   needs  for their kinds of skinning and their skeleton LOD
+/// out  [instances] in the space below FrameInput::root: transform them by it (grow_bounds.h). An empty box says that
 ///      nothing is known, so take the instance for in view: meshes that correctives morph, skinned meshes with parts
 ///      that are not skinned, clips of more than kMaxBoundsPoses poses of joints
 /// cost O(key times * J + V), allocates

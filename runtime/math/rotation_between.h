@@ -5,8 +5,8 @@
 namespace sinew {
 
 /// Shortest rotation that turns the direction of s into that of t. For opposite vectors it is a half turn about some
-/// axis perpendicular to s; for a vector without direction it is the identity. eq   q = (axis |s - t| / 2, |s + t| / 2)
-/// for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58):
+/// axis perpendicular to s; for a vector without direction it is the identity.
+/// eq   q = (axis |s - t| / 2, |s + t| / 2) for unit s, t   (half-angle form of Real-Time Rendering, eqs. 4.56-4.58):
 ///      both differences are exact where they are small, so neither end cancels (N14). The axis is s x t made
 ///      perpendicular to s - t: then even a poor axis turns s into t.
 template <class T>

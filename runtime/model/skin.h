@@ -9,9 +9,9 @@
 namespace sinew {
 
 /// The joints that deform a mesh. Joint indices of vertices are indices into `joints`, not joints of the skeleton
-/// (G36). eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the transform of the mesh's node
-/// is ignored,
-///      G29)
+/// (G36).
+/// eq   palette[i] = world(joints[i]) * inverse_bind[i]   (glTF 2.0, "Skins"; the transform of the mesh's node is
+///      ignored, G29)
 struct Skin {
   std::string name;
   std::vector<std::uint32_t> joints;    ///< [N] skeleton joints, in any order

@@ -94,8 +94,7 @@ Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t j
 
 /// in   scene   must have passed check(Scene)
 ///      needs   max_layers >= 1; instance_skinning empty or one per instance; masks of one finite weight >= 0 per
-///      joint;
-///              skeleton_lod empty or for all joints; cached_instances rising indices of instances
+///              joint; skeleton_lod empty or for all joints; cached_instances rising indices of instances
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
 Plan compile_plan(const Scene& scene, const Needs& needs);

@@ -8,7 +8,8 @@
 namespace sinew {
 
 /// Hash of a pose: the bits of the world matrices of all joints and of all morph weights. The same for every thread
-/// count and on every instruction set. cost O(J + W), no allocation
+/// count and on every instruction set.
+/// cost O(J + W), no allocation
 inline std::uint64_t hash_pose(const FrameResult& frame) noexcept {
   return BitHash().add(frame.model).add(frame.weights).value();
 }

@@ -7,8 +7,9 @@
 namespace sinew {
 
 /// Stages palette, split_palette and combinations, with the frames since which palettes hold. A palette with the bits
-/// of the frame before is neither written nor split nor combined again. in   model[joints of poses];   wanted[skins]
-/// needed by this frame; empty = all that are planned cost O(joints of the skins), no allocation. Internal to plan/
+/// of the frame before is neither written nor split nor combined again.
+/// in   model[joints of poses];   wanted[skins]  needed by this frame; empty = all that are planned
+/// cost O(joints of the skins), no allocation. Internal to plan/
 void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std::span<const bool> wanted,
                    const FrameStep& step, FrameWork& work) noexcept;
 

@@ -21,8 +21,10 @@ struct BlendLayer {
 /// The order of layers changes no more than rounding and the sign of the quaternion, except where three or more
 /// rotations count, the first two weights are equal, and some rotation is more than 90 degrees from the pivot: then
 /// another order may align hemispheres in another way. Equal weights at 0, 170 and -170 degrees give 0 or +-127
-/// degrees. in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count out  pose may
-/// be one of the inputs err  size_mismatch, not_finite     cost O(J * L), no allocation
+/// degrees.
+/// in   layers[L]  poses of equal joint count, weights finite and >= 0;   rest  same joint count
+/// out  pose  may be one of the inputs
+/// err  size_mismatch, not_finite;   cost O(J * L), no allocation
 struct BlendPosesJob {
   std::span<const BlendLayer> layers;
   PoseSpan rest;

@@ -37,7 +37,8 @@ struct FlagOptions {
 /// Unit masses on a grid with springs along edges and diagonals and, for bending, to the second neighbour.
 /// Position-based dynamics (Mueller et al. 2007) with fixed steps in double precision: v += h a; x += h v; the springs
 /// are relaxed from the pole to the far end and back; v = (x - x before) / h. The wind pushes each vertex along its
-/// normal. The same bits on every machine. cost  O(columns * rows * substeps * frames)
+/// normal. The same bits on every machine.
+/// cost  O(columns * rows * substeps * frames)
 ClothFrames fly_flag(const FlagOptions& options = {});
 
 /// The last `loop_frames` intervals of a flight as a loop: its last frame is its first one.

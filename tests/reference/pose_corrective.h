@@ -64,7 +64,8 @@ inline Row axis_of(const PoseDriver& driver) {
 }
 
 /// Twist: the signed angle about the axis that is left of a rotation after removing its swing, the shortest rotation
-/// that carries the axis to its new place. eq   R = Swing(a -> R a) Twist; Rodrigues for the swing
+/// that carries the axis to its new place.
+/// eq   R = Swing(a -> R a) Twist; Rodrigues for the swing
 inline Real twist_of(const Rotation& r, const Row& a) {
   const Row b = turned(r, a), v = cross(a, b);
   const Real c = dot(a, b);

@@ -26,8 +26,8 @@ std::optional<RayHit> cast(const std::vector<RayTriangle>& triangles, const glm:
                            const glm::dvec3& direction, double limit = 1e300);
 
 /// Start of rays that leave a surface: the point, moved along the surface's normal by more than its rounding error, so
-/// that it lies in front of the triangle it came from. in   normal    geometric, unit;   roundoff  relative error of
-/// the point's coordinates (2^-24 when they were floats)
+/// that it lies in front of the triangle it came from.
+/// in   normal    geometric, unit;   roundoff  relative error of the point's coordinates (2^-24 when they were floats)
 glm::dvec3 leave_surface(const glm::dvec3& point, const glm::dvec3& normal, double roundoff);
 
 /// Share of the cosine-weighted hemisphere over `normal` from which light reaches `from`; only blockers nearer than

@@ -50,7 +50,8 @@ struct LoadError {
 
 /// Reads the file, or makes the built-in scenes when no file is named.
 /// in   say  receives each warning as one line;   progress  receives the finished part of the work, 0 to 1; may be
-/// empty err  what is wrong with the file, and where
+///      empty
+/// err  what is wrong with the file, and where
 tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress);

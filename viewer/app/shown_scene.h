@@ -48,7 +48,8 @@ class ShownScene {
 
   /// Requests the pose at the current time, without meshes that are out of view. Does nothing if that pose was
   /// requested already, or while another request waits for the worker. Waits for the pose only if a mesh comes into
-  /// view that the requested poses leave out. in   view            of the next picture
+  /// view that the requested poses leave out.
+  /// in   view            of the next picture
   ///      view_is_moved   the clip moves the camera: then every frame is evaluated
   void submit(const View& view, bool view_is_moved, double aspect, bool joints_watched);
 

@@ -26,8 +26,8 @@ struct MemoryPiece {
 };
 
 /// The memory types of the device for a use, best first. If the best is full, the next is tried: the memory of a
-/// graphics card that the CPU can write may be as small as 256 MB; system memory works too, but is slower. in   allowed
-/// one bit per type, as in VkMemoryRequirements
+/// graphics card that the CPU can write may be as small as 256 MB; system memory works too, but is slower.
+/// in   allowed  one bit per type, as in VkMemoryRequirements
 std::vector<std::uint32_t> memory_types_for(const VkPhysicalDeviceMemoryProperties& properties, std::uint32_t allowed,
                                             MemoryUse use);
 

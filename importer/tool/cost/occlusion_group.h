@@ -9,7 +9,8 @@ namespace sinew::cost {
 
 /// Measures the viewer's ambient occlusion on the Vulkan device of this machine, each variant with its error against
 /// ray casting. A separate program (viewer/study) does it, so that this program needs no Vulkan. Where that fails, the
-/// group says why. in    arguments   of sinew-occlusion-study: FILE, --clip, --quick
+/// group says why.
+/// in   arguments  of sinew-occlusion-study: FILE, --clip, --quick
 Group look_at_occlusion(const std::vector<std::string>& arguments);
 
 /// Makes the group from the output of that program: JSON as viewer/study/main.cpp writes it.
