@@ -17,7 +17,8 @@ namespace sinew::tool {
 /// keys each sample has "bits": hashes of all joints and weights ("pose") and of all vertices for each skinning method.
 /// A file name that ends in .gz is compressed; an empty name means stdout. The file is written beside its place and
 /// takes it in end(), so that it appears complete or not at all; behind a symbolic link the file that it names is
-/// replaced. err   end() returns false when something could not be written; errno has the reason of the first failure
+/// replaced.
+/// err   end() returns false when something could not be written; errno has the reason of the first failure
 class PoseOutput {
  public:
   explicit PoseOutput(const std::string& file_or_empty);

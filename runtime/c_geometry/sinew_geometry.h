@@ -107,7 +107,8 @@ sinew_indices sinew_geometry_player_instances(const sinew_geometry_player* playe
 sinew_vertex_source sinew_geometry_player_source(sinew_geometry_player* player);
 
 /// Holds the vertices of an instance at a time, in the space of the cache. Nothing is decoded, so it serves for
-/// culling. err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_INDEX_OUT_OF_RANGE
+/// culling.
+/// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE, SINEW_INDEX_OUT_OF_RANGE
 sinew_error sinew_geometry_player_bounds(const sinew_geometry_player* player, uint32_t instance, double time_s,
                                          sinew_box* out);
 

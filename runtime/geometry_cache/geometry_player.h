@@ -42,7 +42,8 @@ class GeometryPlayer {
   VertexSource source() noexcept;  ///< valid as long as this
 
   /// Holds the vertices of an instance at a time, in the space of the cache. Nothing is decoded: an instance that is
-  /// culled by it stays out of view. in  instance  one of instances()
+  /// culled by it stays out of view.
+  /// in   instance  one of instances()
   Aabb bounds(std::uint32_t instance, double time_s) const noexcept;
 
   const GeometryCache& cache() const noexcept { return cache_; }

@@ -32,8 +32,8 @@ UpdateLevel limited_level(UpdateLevel level, double frame_s, const UpdateRates& 
 /// nothing (P19), neither for joints nor for vertices, and nothing is uploaded. Poses are not interpolated in between:
 /// skinning interpolated poses would cost what is saved. Everything that decides the pose is held together: layers, the
 /// layers of a later time with their interpolation factor, morph weights, the root, sources of vertices and their
-/// times. What is out of view or asleep is always of this frame. err  what is shown is up to 2^k - 1 frames old: a
-/// vertex is off by at most its speed times (2^k - 1) frame times.
+/// times. What is out of view or asleep is always of this frame.
+/// err  what is shown is up to 2^k - 1 frames old: a vertex is off by at most its speed times (2^k - 1) frame times.
 ///      The root lags as well; to hide that, draw the character with root_now * inverse(input.root) on top
 class HeldInput {
  public:

@@ -18,9 +18,10 @@ struct EvaluatedPose {
 };
 
 /// Stages winding, morph, skin, geometry_cache, flat normals and bounds: the results of all mesh instances, with the
-/// frames since which they hold. Vertices that are in the memory already stay. in   step   its palettes are those of
-/// this frame out  step   tables of instances and primitives cost the sum of the instances that are seen, no
-/// allocation. Internal to plan/
+/// frames since which they hold. Vertices that are in the memory already stay.
+/// in   step  its palettes are those of this frame
+/// out  step  tables of instances and primitives
+/// cost the sum of the instances that are seen, no allocation. Internal to plan/
 void show_instances(const CompiledPlan& plan, const EvaluatedPose& pose, const FrameStep& step,
                     FrameWork& work) noexcept;
 

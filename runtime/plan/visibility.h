@@ -32,8 +32,9 @@ struct Visibility {
 };
 
 /// Skins that some instance of this frame needs. One that shows vertices of a source in full needs none, unless
-/// palettes are asked for. in   geometry  FrameInput::geometry;   shown[cached instances]  by its sources out  [skins]
-/// in the frame's memory
+/// palettes are asked for.
+/// in   geometry  FrameInput::geometry;   shown[cached instances]  by its sources
+/// out  [skins] in the frame's memory
 std::span<const bool> wanted_palettes(const CompiledPlan& plan, const Visibility& visibility,
                                       std::span<const GeometryInput> geometry, std::span<const ShownVertices> shown,
                                       FrameMemory memory) noexcept;

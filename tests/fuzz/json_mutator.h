@@ -12,7 +12,8 @@ namespace sinew::fuzz {
 using MutateBytes = std::function<std::size_t(std::uint8_t* data, std::size_t size, std::size_t max_size)>;
 
 /// One to three changes that keep the text JSON: a number, word or name replaced by another, values swapped, copied,
-/// repeated or dropped, a string's bytes changed, a member of glTF or of an extension added. Text that is not JSON is returned unchanged.
+/// repeated or dropped, a string's bytes changed, a member of glTF or of an extension added. Text that is not JSON is
+/// returned unchanged.
 std::string mutate_json(const std::string& text, std::uint64_t seed, const MutateBytes& mutate_bytes);
 
 }  // namespace sinew::fuzz

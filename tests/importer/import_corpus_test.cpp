@@ -47,8 +47,8 @@ TEST(import_corpus, poses_do_not_depend_on_images_or_made_vectors) {
   }
 }
 
-/// Codes of the validator for faults in data that the importer reads, and for those that a thorough import names. Faults
-/// elsewhere (targets that two uses of a view need, naming, alignment for GPUs) are not among them.
+/// Codes of the validator for faults in data that the importer reads, and for those that a thorough import names.
+/// Faults elsewhere (targets that two uses of a view need, naming, alignment for GPUs) are not among them.
 const std::set<std::string> kTouchesData{"ACCESSOR_TOO_LONG",
                                          "ACCESSOR_SMALL_BYTESTRIDE",
                                          "ACCESSOR_OFFSET_ALIGNMENT",

@@ -15,7 +15,8 @@ double picture_time_s(std::uint32_t picture, double fps, double duration_s) noex
 /// Writes the picture that the options ask for, or numbered pictures DIR/00000.png ... Needs no display.
 /// in   clip  kNone = rest pose
 /// out  exit code of the program: 0, 1 when a geometry cache is damaged, or 3 when a file cannot be written or the
-/// validation layer reported something err  DeviceError when there is no device
+///      validation layer reported something
+/// err  DeviceError when there is no device
 int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip);
 
 }  // namespace sinew::viewer
