@@ -2,7 +2,7 @@
 // What `sinew info` says of a document that has something in every table, word for word.
 #include <gtest/gtest.h>
 
-#include "importer/tool/info_text.h"
+#include "importer/tool/info/info_text.h"
 
 namespace sinew::test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "runtime/model/scene.h"
 #include "tests/geometry_cache/takes.h"
-#include "viewer/app/cache_on_scene.h"
+#include "viewer/app/cache/cache_on_scene.h"
 
 namespace sinew::viewer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_on_scene.h"
+#include "viewer/app/cache/cache_on_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "samples/showcase/showcase.h"
 #include "tests/viewer/cache_files.h"
 #include "tests/viewer/reference_picture.h"
-#include "viewer/app/cache_playback.h"
+#include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/headless.h"
 
 namespace sinew::viewer {

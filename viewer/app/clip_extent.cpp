@@ -7,7 +7,7 @@
 
 #include "runtime/model/mesh_copies.h"
 #include "runtime/plan/run_plan.h"
-#include "viewer/app/cache_playback.h"
+#include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/skeleton_lines.h"
 
 namespace sinew::viewer {

@@ -4,7 +4,7 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
-#include "viewer/app/cache_on_scene.h"
+#include "viewer/app/cache/cache_on_scene.h"
 #include "viewer/app/outline.h"
 
 namespace sinew::viewer {

@@ -10,7 +10,7 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/needs.h"
-#include "viewer/app/cache_on_scene.h"
+#include "viewer/app/cache/cache_on_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"
 

@@ -13,7 +13,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/plan/run_plan.h"
-#include "viewer/app/cache_playback.h"
+#include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/frustum_culling.h"
 #include "viewer/app/headless.h"

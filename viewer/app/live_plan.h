@@ -6,7 +6,7 @@
 
 #include "runtime/plan/compile_plan.h"
 #include "runtime/plan/frame_result.h"
-#include "viewer/app/cache_facts.h"
+#include "viewer/app/cache/cache_facts.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/passes/frame_renderer.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "runtime/plan/needs.h"
-#include "viewer/app/cache_facts.h"
+#include "viewer/app/cache/cache_facts.h"
 #include "viewer/app/live_plan.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/settings.h"

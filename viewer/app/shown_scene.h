@@ -7,7 +7,7 @@
 
 #include "runtime/model/scene_look.h"
 #include "runtime/threads/job_thread.h"
-#include "viewer/app/cache_playback.h"
+#include "viewer/app/cache/cache_playback.h"
 #include "viewer/app/camera_pose.h"
 #include "viewer/app/clip_extent.h"
 #include "viewer/app/exhibit.h"

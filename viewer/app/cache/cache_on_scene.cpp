@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_on_scene.h"
+#include "viewer/app/cache/cache_on_scene.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "runtime/geometry_cache/scene_of_cache.h"
-#include "viewer/app/cache_reader.h"
+#include "viewer/app/cache/cache_reader.h"
 
 namespace sinew::viewer {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/geometry_cache/frame_window.h"
-#include "viewer/app/cache_file.h"
+#include "viewer/app/cache/cache_file.h"
 
 namespace sinew::viewer {
 

@@ -10,7 +10,7 @@
 
 #include "runtime/geometry_cache/bind_geometry.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
-#include "viewer/app/cache_file.h"
+#include "viewer/app/cache/cache_file.h"
 
 namespace sinew::viewer {
 

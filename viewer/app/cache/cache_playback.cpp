@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_playback.h"
+#include "viewer/app/cache/cache_playback.h"
 
 #include <algorithm>
 #include <thread>

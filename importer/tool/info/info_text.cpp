@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/info_text.h"
+#include "importer/tool/info/info_text.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_reader.h"
+#include "viewer/app/cache/cache_reader.h"
 
 #include <cstring>
 

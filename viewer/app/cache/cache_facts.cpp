@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_facts.h"
+#include "viewer/app/cache/cache_facts.h"
 
 #include <cstdio>
 

@@ -9,9 +9,9 @@
 
 #include "runtime/geometry_cache/geometry_player.h"
 #include "runtime/plan/frame_result.h"
-#include "viewer/app/cache_facts.h"
-#include "viewer/app/cache_on_scene.h"
-#include "viewer/app/cache_reader.h"
+#include "viewer/app/cache/cache_facts.h"
+#include "viewer/app/cache/cache_on_scene.h"
+#include "viewer/app/cache/cache_reader.h"
 
 namespace sinew::viewer {
 

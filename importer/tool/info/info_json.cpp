@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/info_json.h"
+#include "importer/tool/info/info_json.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 
 #include "importer/read/property_pointer.h"
-#include "importer/tool/skin_statistics.h"
+#include "importer/tool/info/skin_statistics.h"
 #include "importer/tool/vrm/vrm_info.h"
 
 namespace sinew::tool {

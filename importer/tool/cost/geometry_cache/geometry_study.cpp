@@ -9,7 +9,7 @@
 
 #include "importer/geometry_cache/encode_geometry_cache.h"
 #include "importer/tool/bake/bake_scene.h"
-#include "importer/tool/cost/stored_frames.h"
+#include "importer/tool/cost/geometry_cache/stored_frames.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "importer/tool/length_text.h"

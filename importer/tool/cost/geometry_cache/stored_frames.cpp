@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/cost/stored_frames.h"
+#include "importer/tool/cost/geometry_cache/stored_frames.h"
 
 #include <meshoptimizer.h>
 #include <zstd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/skin_statistics.h"
+#include "importer/tool/info/skin_statistics.h"
 
 #include <algorithm>
 #include <set>

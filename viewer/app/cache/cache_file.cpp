@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "viewer/app/cache_file.h"
+#include "viewer/app/cache/cache_file.h"
 
 #include <algorithm>
 #include <cerrno>
