@@ -111,8 +111,9 @@ const std::vector<std::pair<std::string, Json>>& known_members() {
       "secondaryAnimation": {"boneGroups": [{"bones": [0], "colliderGroups": [0]}], "colliderGroups": [{"node": 0,
       "colliders": [{"radius": 1}]}]}}}])";
     std::vector<std::pair<std::string, Json>> out;
-    for (const auto& [name, value] : Json::parse(kMembers).items()) out.emplace_back(name, value);
-    for (const Json& extension : Json::parse(kExtensions)) out.emplace_back("extensions", extension);
+    const Json members = Json::parse(kMembers), extensions = Json::parse(kExtensions);
+    for (const auto& [name, value] : members.items()) out.emplace_back(name, value);
+    for (const Json& extension : extensions) out.emplace_back("extensions", extension);
     return out;
   }();
   return known;

@@ -145,7 +145,8 @@ TEST(attribute_stream, gives_back_what_a_plain_encoder_wrote_in_every_mode) {
   for (const std::size_t stride : {4u, 8u, 12u, 64u, 256u})
     for (const std::size_t count : {1u, 15u, 16u, 33u, 300u})
       for (const unsigned control : {0u, 1u, 2u, 3u})
-        for (const std::uint8_t mode : {0x00, 0x01, 0x02, 0x72, 0xf2}) {
+        for (const int mode_bits : {0x00, 0x01, 0x02, 0x72, 0xf2}) {
+          const auto mode = static_cast<std::uint8_t>(mode_bits);
           SCOPED_TRACE(testing::Message() << stride << ' ' << count << ' ' << control << ' ' << int(mode));
           std::vector<std::uint8_t> modes(stride / 4, 0);
           for (std::size_t c = 0; c < modes.size(); c += 2) modes[c] = mode;

@@ -32,7 +32,7 @@ TEST(command_line, wrong_usage_names_what_is_wrong_and_the_help_that_has_it_righ
   using testing::HasSubstr;
   EXPECT_THAT(run_tool({"infoo", "x.glb"}).err, HasSubstr("there is no command infoo (see `sinew --help`)"));
   EXPECT_THAT(run_tool({"--infoo"}).err, HasSubstr("there is no option --infoo (see `sinew --help`)"));
-  EXPECT_THAT(run_tool({"convert", "x.glb"}).err, HasSubstr("OUT.glb is required (see `sinew convert --help`)"));
+  EXPECT_THAT(run_tool({"convert", "x.glb"}).err, HasSubstr("OUT is required (see `sinew convert --help`)"));
   EXPECT_THAT(run_tool({"info", "x.glb", "--foo"}).err,
               AllOf(HasSubstr("--foo"), HasSubstr("(see `sinew info --help`)")));
   EXPECT_THAT(run_tool({}).err, HasSubstr("A subcommand is required (see `sinew --help`)"));

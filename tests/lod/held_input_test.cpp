@@ -19,14 +19,24 @@ bool same_layer(const ClipLayer& a, const ClipLayer& b) {
 
 /// Compares all fields. A field that FrameInput gains does not compile here until it is compared as well.
 void expect_same_input(const FrameInput& a, const FrameInput& b) {
-  const auto& [layers, weights, root, next_layers, interpolation_factor, out_of_view, asleep] = a;
+  const auto& [layers, weights, root, next_layers, interpolation_factor, out_of_view, geometry, asleep] = a;
   EXPECT_TRUE(std::ranges::equal(layers, b.layers, same_layer));
   EXPECT_TRUE(std::ranges::equal(weights, b.weights));
   EXPECT_EQ(root, b.root);
   EXPECT_TRUE(std::ranges::equal(next_layers, b.next_layers, same_layer));
   EXPECT_EQ(interpolation_factor, b.interpolation_factor);
   EXPECT_TRUE(std::ranges::equal(out_of_view, b.out_of_view));
+  EXPECT_TRUE(std::ranges::equal(geometry, b.geometry, same_geometry));
   EXPECT_EQ(asleep, b.asleep);
+}
+
+/// A source that plays and never has anything yet.
+GeometryInput late_geometry(float number) {
+  VertexSource source;
+  source.has = [](const void*, std::uint32_t) noexcept { return true; };
+  source.show = [](void*, std::uint32_t, double) noexcept { return ShownVertices{}; };
+  source.content = 7;
+  return {.source = source, .time_s = number, .weight = number};
 }
 
 /// An input in which no field has its default, and the arrays that it views.
@@ -35,11 +45,13 @@ struct FullInput {
       : layers{{0, number, 0.5f}, {1, 0.5, number}},
         next_layers{{1, number, 0.25f}},
         weights(scene.weight_count(), number),
-        out_of_view(scene.instances.size(), 1) {
+        out_of_view(scene.instances.size(), 1),
+        geometry{late_geometry(number)} {
     input.layers = layers;
     input.next_layers = next_layers;
     input.weights = weights;
     input.out_of_view = out_of_view;
+    input.geometry = geometry;
     input.root.row[0].w = number;
     input.interpolation_factor = number;
   }
@@ -49,6 +61,7 @@ struct FullInput {
   std::vector<ClipLayer> layers, next_layers;
   std::vector<float> weights;
   std::vector<std::uint8_t> out_of_view;
+  std::vector<GeometryInput> geometry;
   FrameInput input;
 };
 
@@ -56,6 +69,7 @@ struct HeldInputTest : testing::Test {
   HeldInputTest() : scene(random_scene(3)) {
     Needs needs;
     needs.between_updates = true;
+    needs.cached_instances = {0};
     plan = compile_plan(scene, needs);
   }
   Scene scene;
@@ -77,6 +91,7 @@ TEST_F(held_input, a_copy_has_every_field_and_views_nothing_of_the_caller) {
     std::fill(given.weights.begin(), given.weights.end(), -1.0f);
     given.layers[0].clip = given.next_layers[0].clip = 77;
     given.out_of_view[0] = 0;
+    given.geometry[0].time_s = 99.0;
   }
   FrameInput asleep = expected.input;
   asleep.asleep = true;
