@@ -14,11 +14,26 @@ namespace sinew {
 namespace {
 
 constexpr std::string_view kRead[] = {
-    "EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_meshopt_compression",
-    "EXT_texture_webp",        "KHR_animation_pointer",      "KHR_lights_punctual",
-    "KHR_mesh_quantization",   "KHR_texture_transform",      "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",     "KHR_node_visibility",        "KHR_materials_pbrSpecularGlossiness",
-    "EXT_mesh_gpu_instancing", "KHR_materials_variants",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_animation_pointer",
+    "KHR_lights_punctual",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",
+    "KHR_node_visibility",
+    "KHR_materials_pbrSpecularGlossiness",
+    "EXT_mesh_gpu_instancing",
+    "KHR_materials_variants",
+    "VRM",
+    "VRMC_vrm",
+    "VRMC_vrm_animation",
+    "VRMC_node_constraint",
+    "VRMC_springBone",
+    "VRMC_springBone_extended_collider",
 };
 
 /// These only refine how a surface reflects light, give a texture another image, or describe the file and what an
@@ -33,7 +48,7 @@ constexpr std::string_view kReadPast[] = {
     "MSFT_texture_dds",          "KHR_interactivity",
     "KHR_node_hoverability",     "KHR_node_selectability",
     "KHR_xmp_json_ld",           "KHR_xmp",
-    "KHR_virtual_joints",        "VRM",
+    "KHR_virtual_joints",
 };
 
 /// Families of extensions that describe characters: what they play lies beside the nodes, meshes and clips.

@@ -12,6 +12,7 @@
 #include "importer/geometry_cache/encode_stream.h"
 #include "runtime/base/checksum.h"
 #include "runtime/base/contract.h"
+#include "runtime/base/index.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/geometry_cache/geometry_decoder.h"
 #include "runtime/geometry_cache/geometry_format.h"
@@ -28,6 +29,8 @@ std::optional<ImportError> check_mesh(const TakeMesh& mesh, std::size_t frame_co
   const std::string where = "mesh \"" + mesh.name + "\"";
   CONTRACT(!mesh.streams.empty() && mesh.streams[0].kind == GeometryKind::positions);
   for (std::size_t s = 1; s < mesh.streams.size(); ++s) CONTRACT(mesh.streams[s - 1].kind < mesh.streams[s].kind);
+  if (mesh.triangles.size() % 3 != 0 || !all_below(mesh.triangles, mesh.vertex_count))
+    return refuse("cache-triangles", where + " has a corner that is cut off, or of a vertex that is not there").value();
   for (const TakeStream& stream : mesh.streams) {
     if (stream.frames.empty() || stream.frames.size() != frame_count || mesh.vertex_count > kMostPoints)
       return refuse("cache-frames", where + " has " + std::to_string(stream.frames.size()) + " frames of " +

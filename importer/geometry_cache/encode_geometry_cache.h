@@ -19,6 +19,7 @@ struct EncodeGeometryOptions {
 /// Decodes all frames again and stores what was measured; the asked budget holds for every vertex of every frame.
 /// err  cache-frames  frames that differ in their number of vertices, or no frames
 ///      cache-values  a value that is not finite
+///      cache-triangles  a triangle that is cut off, or names a vertex that is not there
 ///      cache-budget  a budget that float positions of this size cannot hold
 /// cost O(values), some microseconds per point; allocates some copies of one stream
 ImportResult<std::vector<std::byte>> encode_geometry_cache(const GeometryTake& take,

@@ -56,11 +56,15 @@ std::string certificate_table(std::span<const Clip> clips, std::span<const std::
   for (std::size_t i = 0; i < clips.size(); ++i) {
     if (!clips[i].certificate()) continue;
     const ClipCertificate& c = *clips[i].certificate();
+    const bool asked = std::isfinite(c.asked_m);
     table.add(
-        {std::to_string(i), clips[i].name().empty() ? "" : in_quotes(clips[i].name()), length_text(c.asked_m),
-         length_text(c.measured_m), c.is_met() ? "yes" : "NO", joint_text(c.worst_joint, joint_names),
-         fmt::format("{:.4g} s", c.worst_time_s), std::to_string(c.kept_keys), std::to_string(c.source_keys),
-         std::to_string(c.bytes), std::to_string(c.source_bytes),
+        {std::to_string(i), clips[i].name().empty() ? "" : in_quotes(clips[i].name()),
+         asked ? length_text(c.asked_m) : "-", length_text(c.measured_m),
+         !asked       ? "-"
+         : c.is_met() ? "yes"
+                      : "NO",
+         joint_text(c.worst_joint, joint_names), fmt::format("{:.4g} s", c.worst_time_s), std::to_string(c.kept_keys),
+         std::to_string(c.source_keys), std::to_string(c.bytes), std::to_string(c.source_bytes),
          clips[i].duration_s() > 0.0 ? fmt::format("{:.1f}", c.bytes_per_joint_second(clips[i].duration_s())) : "",
          fmt::format("{:.2g}", sampling_ns_per_joint(clips[i])),
          fmt::format("{:.2g}", sampling_ns_per_joint(unpacked(clips[i])))});

@@ -204,7 +204,8 @@ GeometryTake any_take(std::uint32_t points, bool is_stiff, std::uint32_t frames)
   GeometryTake take;
   TakeMesh& mesh = take.meshes.emplace_back();
   mesh.vertex_count = points;
-  mesh.triangles = {0, 1, 2, 2, 1, 3};
+  mesh.triangles = {0, 1, 2};
+  if (points > 3) mesh.triangles.insert(mesh.triangles.end(), {2, 1, 3});
   mesh.streams.emplace_back().budget = 0.01;
   std::vector<glm::vec3> rest;
   while (rest.size() < points) rest.push_back(random.vec3(-1.0, 1.0));

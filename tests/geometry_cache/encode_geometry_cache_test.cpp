@@ -164,6 +164,11 @@ TEST(encode_geometry_cache, what_cannot_be_baked_is_refused_by_rule) {
   take.meshes.push_back(flag_take(3).meshes[0]);
   EXPECT_EQ(rule_of(take), "cache-frames");
   EXPECT_EQ(rule_of({}), "cache-frames");
+  take = flag_take(4);
+  take.meshes[0].triangles.push_back(0);
+  EXPECT_EQ(rule_of(take), "cache-triangles");
+  take.meshes[0].triangles = {0, 1, take.meshes[0].vertex_count};
+  EXPECT_EQ(rule_of(take), "cache-triangles");
   EXPECT_EQ(rule_of(flag_take(4, 1e-9)), "cache-budget");
   EXPECT_EQ(rule_of(flag_take(4, 0.0)), "cache-budget");
 }

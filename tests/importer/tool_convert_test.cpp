@@ -23,6 +23,7 @@ namespace sinew::test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -131,6 +132,7 @@ TEST(convert, G23_resamples_clips_on_request_and_measures_what_that_moved) {
   const CommandOutcome outcome = run_tool({"convert", model.path(), out, "--fps", "10"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("measured"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("NO"))) << "no budget was asked for";
   const auto before = import_gltf(fs::path(model.path())), after = import_gltf(fs::path(out));
   ASSERT_TRUE(before && after);
   for (std::size_t a = 0; a < before->scene.animations.size(); ++a)

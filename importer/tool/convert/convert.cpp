@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@
 
 namespace sinew::tool {
 namespace {
+
+constexpr double kNoBudget = std::numeric_limits<double>::infinity();
 
 struct ConvertOptions {
   std::string in, out;
@@ -73,7 +76,7 @@ ExitCode convert_file(const ConvertOptions& options) {
   if (const auto fault = write_files(outputs, *written))
     return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
   if (options.budget || options.fps)
-    if (const auto error = print_certificates(model->scene, outputs.file, *budget_m))
+    if (const auto error = print_certificates(model->scene, outputs.file, options.budget ? *budget_m : kNoBudget))
       return refuse(options.out, *error);
   fmt::print("{}", size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes));
   return ExitCode::done;
