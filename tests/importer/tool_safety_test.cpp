@@ -43,7 +43,7 @@ TEST(tool_safety, an_output_never_takes_the_place_of_an_input) {
   fs::create_hard_link(model.path(), model.beside("hard.json"));
   for (const std::string& out :
        {model.path(), model.beside("./model.gltf"), model.beside("symbolic.json"), model.beside("hard.json")})
-    for (const char* command : {"sample", "compile"}) {
+    for (const char* command : {"sample", "compile", "bake"}) {
       const CommandOutcome outcome = run_tool({command, model.path(), "-o", out});
       EXPECT_EQ(outcome.status, 2) << command << ' ' << out;
       EXPECT_THAT(outcome.err, HasSubstr("is read; it is left as it is"));
@@ -61,7 +61,8 @@ TEST(tool_safety, buffers_and_images_of_a_file_are_inputs_too) {
              "buffers": [{"byteLength": 36, "uri": "data.bin"}]})";
   for (const char* out : {"data.bin", "picture.png"}) {
     const std::string before = read(model.beside(out));
-    EXPECT_EQ(run_tool({"sample", model.beside("other.gltf"), "-o", model.beside(out)}).status, 2) << out;
+    for (const char* command : {"sample", "compile", "bake"})
+      EXPECT_EQ(run_tool({command, model.beside("other.gltf"), "-o", model.beside(out)}).status, 2) << command << out;
     EXPECT_EQ(read(model.beside(out)), before);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
+#include "importer/tool/files/output_check.h"
 
 #include <charconv>
 #include <cmath>
@@ -65,11 +66,9 @@ ExitCode bake_file(BakeOptions& options) {
   const auto budgets = budgets_of(options);
   if (!budgets) return fail_with(ExitCode::wrong_usage, budgets.error());
   options.source.budgets = *budgets;
-  std::error_code error;
-  for (const std::string& read : {options.source.file, options.source.points.value_or(options.source.file)})
-    if (std::filesystem::equivalent(read, options.out, error))
-      return fail_with(ExitCode::wrong_usage,
-                       fmt::format("{}: OUT is a file that is read; it is left as it is", options.out));
+  options.source.output = options.out;
+  const std::filesystem::path named[] = {options.source.file, options.source.points.value_or(options.source.file)};
+  if (const auto why = objection_to_output(options.out, named)) return fail_with(ExitCode::wrong_usage, *why);
   const auto take = read_take(options.source);
   if (!take) return take.error();
   const auto bytes =

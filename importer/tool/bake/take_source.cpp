@@ -9,6 +9,7 @@
 #include "importer/tool/bake/bake_points.h"
 #include "importer/tool/bake/bake_scene.h"
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/files/output_check.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 
@@ -74,6 +75,8 @@ tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source) {
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(source.file, import);
   if (!file) return tl::unexpected(ExitCode::input_at_fault);
+  if (!source.output.empty())
+    if (const auto why = objection_to_output(source.output, file->facts.files)) return wrong_usage(*why);
   if (source.points) return told(bake_points(file->scene, points));
   return take_of_scene(file->scene, source);
 }

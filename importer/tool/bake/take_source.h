@@ -22,6 +22,7 @@ struct TakeBudgets {
 struct TakeSource {
   std::string file;  ///< .gltf, .glb or .obj
   std::optional<std::string> clip, points, up;
+  std::string output;  ///< refused where it is a file that is read; empty = nothing is written
   double fps = 30.0;
   TakeBudgets budgets;
 };
