@@ -137,7 +137,7 @@ TEST(bake_command, says_what_is_wrong_and_writes_nothing) {
   fails({model.path(), "--clip", "0", "--budget", "0", "-o", out}, 1, "cache-budget");
   fails({model.path(), "-o", out}, 2, "--clip");
   fails({model.path(), "--up", "y", "-o", out}, 2, "--points");
-  fails({model.path(), "--clip", "0", "-o", model.path()}, 2, "OUT");
+  fails({model.path(), "--clip", "0", "-o", model.path()}, 2, "is read; it is left as it is");
 }
 
 TEST(bake_command, info_refuses_a_damaged_cache) {
