@@ -46,7 +46,7 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.roughness = std::clamp(static_cast<double>(material.roughness) * texel.g, kLeastRoughness, 1.0);
   shaded.normal = mapped_normal(scene, point);
   shaded.to_viewer = point.to_viewer;
-  glm::dvec3 sum = ambient(shaded, around.up, around.sky, around.ground) * around.access * baked_access(scene, point);
+  glm::dvec3 sum = ambient(shaded, around.ambient) * around.access * baked_access(scene, point);
   for (const ArrivingLight& light : around.lights) sum += direct(shaded, light.to_light, light.irradiance);
   return sum;
 }

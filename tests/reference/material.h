@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "tests/reference/ambient.h"
 #include "tests/reference/light.h"
 #include "tests/reference/surface_point.h"
 
@@ -10,7 +11,7 @@ namespace sinew::reference {
 /// Light around a scene.
 struct Surroundings {
   std::span<const ArrivingLight> lights;  ///< at the point
-  glm::dvec3 up{0.0, 1.0, 0.0}, sky{0.0}, ground{0.0};
+  AmbientGradient ambient;
   double access = 1.0;  ///< share of the ambient light that other surfaces let through
 };
 

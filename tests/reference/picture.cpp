@@ -71,12 +71,12 @@ double access_of(const PictureOf& picture, const SurfacePoint& point, double x, 
 glm::dvec3 radiance_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
   const Lighting& lighting = picture.options.lighting;
   const std::vector<ArrivingLight> lights = lights_at(picture, point.position);
-  return radiance(picture.scene, point,
-                  {lights,
-                   {0.0, 1.0, 0.0},
-                   glm::dvec3(lighting.sky),
-                   glm::dvec3(lighting.ground),
-                   access_of(picture, point, x, y)});
+  const double ambient = lighting.ambient() ? static_cast<double>(lighting.environment_intensity) : 0.0;
+  return radiance(
+      picture.scene, point,
+      {lights,
+       {{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky) * ambient, glm::dvec3(picture.ambient.ground) * ambient},
+       access_of(picture, point, x, y)});
 }
 
 template <class Function>

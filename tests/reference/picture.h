@@ -16,6 +16,7 @@ struct PictureOf {
   viewer::View view;
   viewer::RenderOptions options;
   int width = 0, height = 0;
+  viewer::Gradient ambient;             ///< what the environment of the options is made of
   std::span<const double> access = {};  ///< [width * height] ambient access of opaque surfaces; empty = 1
 };
 

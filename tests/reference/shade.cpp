@@ -27,19 +27,6 @@ glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::d
   return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * n_l * irradiance;
 }
 
-glm::dvec3 ambient(const ShadedPoint& s, const glm::dvec3& up, const glm::dvec3& sky, const glm::dvec3& ground) {
-  const auto from = [&](const glm::dvec3& d) {
-    const double t = 0.5 + 0.5 * glm::dot(d, up);
-    return ground * (1.0 - t) + sky * t;
-  };
-  const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0), r = s.roughness;
-  const double a004 = std::min((1.0 - r) * (1.0 - r), std::exp2(-9.28 * n_v)) * (1.0 - r) + (0.0425 - 0.0275 * r);
-  const double scale = -1.04 * a004 + (1.04 - 0.572 * r), bias = 1.04 * a004 + (-0.04 + 0.022 * r);
-  const glm::dvec3 f0 = glm::dvec3(0.04) * (1.0 - s.metallic) + s.base_color * s.metallic;
-  const glm::dvec3 mirrored = 2.0 * glm::dot(s.normal, s.to_viewer) * s.normal - s.to_viewer;
-  return from(s.normal) * s.base_color * (1.0 - s.metallic) * 0.96 + from(mirrored) * (f0 * scale + glm::dvec3(bias));
-}
-
 glm::dvec3 tone_mapped(const glm::dvec3& color) {
   const double x = std::min({color.r, color.g, color.b});
   const glm::dvec3 shifted = color - glm::dvec3(x < 0.08 ? x - 6.25 * x * x : 0.04);

@@ -16,9 +16,6 @@ struct ShadedPoint {
 ///      height-correlated Smith visibility
 glm::dvec3 direct(const ShadedPoint& point, const glm::dvec3& to_light, const glm::dvec3& irradiance);
 
-/// Ambient light of a sky above and a ground below; Karis' fit of the environment term.
-glm::dvec3 ambient(const ShadedPoint& point, const glm::dvec3& up, const glm::dvec3& sky, const glm::dvec3& ground);
-
 /// Khronos PBR Neutral tone mapping.
 glm::dvec3 tone_mapped(const glm::dvec3& color);
 

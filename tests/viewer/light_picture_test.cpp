@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "samples/showcase/shapes.h"
+#include "tests/reference/shade.h"
 #include "tests/viewer/reference_picture.h"
+#include "viewer/app/headless.h"
 
 namespace sinew::viewer {
 namespace {
@@ -105,7 +107,7 @@ TEST_F(light_picture, key_light_shines_where_the_scene_has_no_light_or_none_is_w
   BuiltScene built = ball(0.0f, 0.5f);
   RenderOptions options;
   options.ao.on = false;
-  options.lighting.sky = options.lighting.ground = glm::vec3(0.0f);
+  options.lighting.environment = nullptr;
   options.lighting.to_key = {0.9f, 0.9f, -0.3f};
   for (const bool follows : {false, true}) {
     options.lighting.key_follows_camera = follows;
@@ -142,10 +144,95 @@ TEST_F(light_picture, ambient_light_comes_from_sky_and_ground) {
   for (const float metallic : {0.0f, 1.0f})
     for (const float roughness : {0.1f, 0.9f}) {
       RenderOptions options = only_ambient_light();
-      options.lighting.sky = {0.2f, 0.5f, 0.9f};
-      options.lighting.ground = {0.7f, 0.2f, 0.05f};
-      expect_reference_picture(ball(metallic, roughness), view_of_ball(), options);
+      const Gradient light{.sky = {0.2f, 0.5f, 0.9f}, .ground = {0.7f, 0.2f, 0.05f}};
+      options.lighting.environment = gradient_environment(light);
+      options.lighting.environment_intensity = 0.8f;
+      // Rough levels of the environment have few texels, and roughness between two levels is interpolated.
+      expect_reference_picture(ball(metallic, roughness), view_of_ball(), options, {.bound = 0.004}, {}, light);
     }
+}
+
+TEST_F(light_picture, white_surfaces_in_white_light_return_all_of_it) {
+  constexpr float radiance = 0.5f;
+  RenderOptions options = only_ambient_light();
+  options.transparent_background = true;
+  options.lighting.environment = gradient_environment({.sky = glm::vec3(radiance), .ground = glm::vec3(radiance)});
+  const double white = reference::srgb_encoded(reference::tone_mapped(glm::dvec3(radiance)).r);
+  for (const float metallic : {0.0f, 0.4f, 1.0f})
+    for (const float roughness : {0.05f, 0.3f, 0.6f, 1.0f}) {
+      BuiltScene built = ball(metallic, roughness);
+      built.scene.materials[0].base_color = glm::vec4(1.0f);
+      const FloatPicture drawn = render_float(built, 32, 32, view_of_ball(), options);
+      int covered = 0;
+      for (const glm::vec4& pixel : drawn.pixels) {
+        if (pixel.a == 0.0f) continue;
+        ++covered;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel[c], white, 0.004) << metallic << " " << roughness;
+      }
+      EXPECT_GT(covered, 200);
+    }
+}
+
+/// Lopsided on all axes.
+glm::vec3 colored_sky(const glm::vec3& d) {
+  return {0.4f + 0.3f * d.x, 0.3f + 0.2f * d.y * d.z + 0.1f * d.z, 0.4f - 0.2f * d.z + 0.1f * d.x * d.y};
+}
+
+TEST_F(light_picture, environment_turns_counter_clockwise_from_above) {
+  constexpr float turn = 1.1f;
+  const float c = std::cos(turn), s = std::sin(turn);
+  RenderOptions options = only_ambient_light();
+  options.lighting.environment = make_environment(cube_of(64, colored_sky));
+  options.lighting.environment_turn_rad = turn;
+  RenderOptions turned = only_ambient_light();
+  turned.lighting.environment = make_environment(cube_of(64, [&](const glm::vec3& d) {
+    return colored_sky({c * d.x - s * d.z, d.y, s * d.x + c * d.z});  // what comes from d came from there before
+  }));
+  for (const float metallic : {0.0f, 1.0f}) {
+    const BuiltScene built = ball(metallic, 0.2f);
+    const FloatPicture a = render_float(built, 32, 32, view_of_ball(), options),
+                       b = render_float(built, 32, 32, view_of_ball(), turned);
+    float apart = 0.0f, range = 0.0f;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      apart = std::max(apart, glm::length(a.pixels[i] - b.pixels[i]));
+      range = std::max(range, glm::length(a.pixels[i] - a.pixels[a.pixels.size() / 2]));
+    }
+    EXPECT_LT(apart, 0.03f) << metallic;
+    EXPECT_GT(range, 0.1f) << metallic;
+  }
+}
+
+TEST_F(light_picture, small_bright_light_takes_no_light_from_the_other_side) {
+  RenderOptions options = only_ambient_light();
+  options.transparent_background = true;
+  options.lighting.environment =
+      make_environment(cube_of(64, [](const glm::vec3& d) { return glm::vec3(d.y > 0.95f ? 40.0f : 0.0f); }));
+  BuiltScene built = ball(0.0f, 1.0f);
+  built.scene.materials[0].emissive = glm::vec3(0.3f);
+  const auto glow = static_cast<float>(reference::srgb_encoded(reference::tone_mapped(glm::dvec3(0.3)).r));
+  const FloatPicture drawn = render_float(built, 32, 32, look_at({0.0, -2.2, 1.0}, {0, 0, 0}, 0.75, 0.05), options);
+  int covered = 0;
+  for (const glm::vec4& pixel : drawn.pixels) {
+    if (pixel.a == 0.0f) continue;
+    ++covered;
+    for (int c = 0; c < 3; ++c) EXPECT_GT(pixel[c], glow - 0.002f);
+  }
+  EXPECT_GT(covered, 200);
+}
+
+TEST_F(light_picture, another_environment_is_shown_by_the_next_picture) {
+  const BuiltScene built = ball(1.0f, 0.3f);
+  Headless pictures(*test_device(), built.scene, 16, 16);
+  const auto bright_pixel = [&](std::shared_ptr<const Environment> environment) {
+    RenderOptions options = only_ambient_light();
+    options.lighting.environment = std::move(environment);
+    return pictures.render(built.frame(), view_of_ball(), options).rgba[4 * (8 * 16 + 8)];
+  };
+  const int dim = bright_pixel(gradient_environment({glm::vec3(0.1f), glm::vec3(0.1f)}));
+  const int bright = bright_pixel(gradient_environment({glm::vec3(0.6f), glm::vec3(0.6f)}));
+  EXPECT_GT(bright, dim + 60);
+  EXPECT_EQ(bright_pixel(nullptr), 0) << "without an environment there is no ambient light";
+  EXPECT_EQ(bright_pixel(gradient_environment({glm::vec3(0.6f), glm::vec3(0.6f)})), bright);
 }
 
 TEST_F(light_picture, exposure_scales_light_before_the_tone_curve) {

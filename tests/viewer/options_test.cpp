@@ -31,16 +31,46 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.width, 1280u);
   EXPECT_EQ(options.height, 720u);
   EXPECT_TRUE(options.ambient_occlusion);
+  EXPECT_EQ(options.environment, "studio");
   EXPECT_FALSE(options.camera || options.time_s || options.frames || options.clip || options.fov_y_deg);
   EXPECT_FALSE(options.exit_after_s || options.validate || options.transparent);
 }
 
 TEST(options, read_everything_that_one_picture_can_have) {
-  const Options options =
-      accepted({"a b.glb",    "--headless", "out.PNG",    "--time",          "0.5",    "--clip",        "Run",
-                "--size",     "640x360",    "--skinning", "dual-quaternion", "--show", "normals",       "--eye",
-                "-.5,1e1,-2", "--target",   "0,0.25,3",   "--fov",           "30",     "--transparent", "--no-ao",
-                "--validate"});
+  const Options options = accepted({"a b.glb",
+                                    "--headless",
+                                    "out.PNG",
+                                    "--time",
+                                    "0.5",
+                                    "--clip",
+                                    "Run",
+                                    "--size",
+                                    "640x360",
+                                    "--skinning",
+                                    "dual-quaternion",
+                                    "--show",
+                                    "normals",
+                                    "--eye",
+                                    "-.5,1e1,-2",
+                                    "--target",
+                                    "0,0.25,3",
+                                    "--fov",
+                                    "30",
+                                    "--transparent",
+                                    "--no-ao",
+                                    "--validate",
+                                    "--environment",
+                                    "sky.hdr",
+                                    "--environment-turn",
+                                    "-90",
+                                    "--environment-intensity",
+                                    "0.5",
+                                    "--exposure",
+                                    "1.5"});
+  EXPECT_EQ(options.environment, "sky.hdr");
+  EXPECT_EQ(options.environment_turn_deg, -90.0f);
+  EXPECT_EQ(options.environment_intensity, 0.5f);
+  EXPECT_EQ(options.exposure_ev, 1.5f);
   EXPECT_EQ(options.file, "a b.glb");
   EXPECT_EQ(options.headless, "out.PNG");
   EXPECT_EQ(options.time_s, 0.5);
@@ -119,6 +149,10 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--cache-weight", "1.5"}, "1.5"},
       {{"--cache-weight", "half"}, "half"},
       {{"--size", "0x5"}, "0x5"},
+      {{"--exposure", "bright"}, "bright"},
+      {{"--exposure", "33"}, "33"},
+      {{"--environment-turn", "361"}, "361"},
+      {{"--environment-intensity", "-1"}, "-1"},
       {{"--size", "640"}, "640"},
       {{"--size", "16385x2"}, "16385x2"},
       {{"--size", "640x360x"}, "640x360x"},
@@ -163,10 +197,30 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 TEST(options, help_and_version_leave_with_code_0) {
   const auto help = std::get<Leave>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);
-  for (const char* word :
-       {"--headless",   "--time",     "--clip",        "--size",       "--skinning", "--show",   "--eye",
-        "--target",     "--fov",      "--transparent", "--frames",     "--fps",      "--scene",  "--no-ao",
-        "--exit-after", "--validate", "space",         "play / pause", "skeleton",   "Exit code"})
+  for (const char* word : {"--headless",
+                           "--time",
+                           "--clip",
+                           "--size",
+                           "--skinning",
+                           "--show",
+                           "--eye",
+                           "--target",
+                           "--fov",
+                           "--transparent",
+                           "--frames",
+                           "--fps",
+                           "--scene",
+                           "--no-ao",
+                           "--environment",
+                           "--environment-turn",
+                           "--environment-intensity",
+                           "--exposure",
+                           "--exit-after",
+                           "--validate",
+                           "space",
+                           "play / pause",
+                           "skeleton",
+                           "Exit code"})
     EXPECT_THAT(help.text, HasSubstr(word));
   const auto version = std::get<Leave>(parse({"--version"}));
   EXPECT_EQ(version.code, 0);

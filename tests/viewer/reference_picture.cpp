@@ -34,10 +34,10 @@ double greatest(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
 }  // namespace
 
 void expect_reference_picture(const BuiltScene& built, const View& view, const RenderOptions& options,
-                              const PictureBounds& bounds, std::span<const double> access) {
+                              const PictureBounds& bounds, std::span<const double> access, const Gradient& ambient) {
   const FloatPicture drawn = render_float(built, bounds.width, bounds.height, view, options);
   const FrameResult frame = built.frame();
-  const reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, access};
+  const reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, ambient, access};
   int sharp = 0, wrong = 0;
   double brightest = 0.0;
   for (int y = 0; y < bounds.height; ++y)
@@ -62,7 +62,8 @@ void expect_reference_picture(const BuiltScene& built, const View& view, const R
 RenderOptions only_scene_lights() {
   RenderOptions options;
   options.ao.on = false;
-  options.lighting.key = options.lighting.sky = options.lighting.ground = glm::vec3(0.0f);
+  options.lighting.key = glm::vec3(0.0f);
+  options.lighting.environment = nullptr;
   return options;
 }
 

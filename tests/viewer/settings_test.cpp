@@ -14,11 +14,20 @@ TEST(settings, begin_as_the_command_line_says) {
   options.ambient_occlusion = false;
   options.skinning = Skinning::dual_quaternion;
   options.cache_weight = 0.25f;
+  options.environment_turn_deg = 90.0f;
+  options.environment_intensity = 0.5f;
+  options.exposure_ev = -2.0f;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
   EXPECT_EQ(settings.cache_weight, 0.25f);
+  const auto environment = plain_environment();
+  const Lighting light = render_options(settings, environment, {}, {0, 0, 5}).lighting;
+  EXPECT_EQ(light.environment, environment);
+  EXPECT_EQ(light.environment_intensity, 0.5f);
+  EXPECT_FLOAT_EQ(light.environment_turn_rad, 1.57079633f);
+  EXPECT_EQ(light.exposure, 0.25f);
   EXPECT_TRUE(settings.panel);
   EXPECT_FALSE(settings.skeleton);
   options.skeleton = true;
@@ -91,7 +100,8 @@ TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
   Settings settings;
   settings.ambient_occlusion = false;
   settings.show = Show::normals;
-  const auto a = render_options(settings, standing, {0, 1, 8}), b = render_options(settings, walking, {0, 1, 8});
+  const auto a = render_options(settings, nullptr, standing, {0, 1, 8}),
+             b = render_options(settings, nullptr, walking, {0, 1, 8});
   EXPECT_EQ(a.ao.radius_m, b.ao.radius_m);
   EXPECT_GT(a.ao.radius_m, 0.0f);
   EXPECT_GT(b.depth_range.farthest_m, a.depth_range.farthest_m);

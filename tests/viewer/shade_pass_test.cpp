@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "samples/showcase/shapes.h"
+#include "tests/reference/ambient.h"
 #include "tests/reference/ray_cast.h"
 #include "tests/reference/shade.h"
 #include "tests/viewer/device_fixture.h"
@@ -102,7 +103,7 @@ glm::dvec3 expected_color(const Material& material, const glm::dvec3& p, const g
   const glm::dvec3 up = transform_vector(view.view_from_world, glm::dvec3(0.0, 1.0, 0.0));
   const glm::dvec3 light =
       reference::direct(point, sun.to_light, sun.irradiance) + glm::dvec3(material.emissive) +
-      access * reference::ambient(point, up, glm::dvec3(lighting.sky), glm::dvec3(lighting.ground));
+      access * reference::ambient(point, {up, glm::dvec3(Gradient{}.sky), glm::dvec3(Gradient{}.ground)});
   const glm::dvec3 mapped = reference::tone_mapped(light * static_cast<double>(lighting.exposure));
   return {reference::srgb_encoded(mapped.r), reference::srgb_encoded(mapped.g), reference::srgb_encoded(mapped.b)};
 }

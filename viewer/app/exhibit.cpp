@@ -12,6 +12,7 @@
 #include "runtime/base/contract.h"
 #include "runtime/model/show_scene.h"
 #include "samples/showcase/showcase.h"
+#include "viewer/app/load_environment.h"
 #include "viewer/passes/frame_uniforms.h"
 
 namespace sinew::viewer {
@@ -136,6 +137,9 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
     exhibits.push_back(std::move(*exhibit));
   }
+  const auto environment = load_environment(options.environment);
+  if (!environment) return fails(environment.error());
+  for (Exhibit& exhibit : exhibits) exhibit.environment = *environment;
   return exhibits;
 }
 

@@ -13,6 +13,7 @@
 #include "viewer/app/cache/cache_on_scene.h"
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"
+#include "viewer/light/environment.h"
 
 namespace sinew::viewer {
 
@@ -21,9 +22,10 @@ struct Exhibit {
   std::string name;  ///< for the title and the menu
   std::string note;  ///< one sentence: what to look at; may be empty
   Scene scene;
-  std::shared_ptr<const CacheOnScene> cache;  ///< none = no geometry cache plays
-  std::vector<Skinning> instance_skinning;    ///< as in Needs: the kind of skinning that the scene itself asks for
-  std::optional<PlacedCamera> camera;         ///< none = the camera frames everything
+  std::shared_ptr<const CacheOnScene> cache;       ///< none = no geometry cache plays
+  std::vector<Skinning> instance_skinning;         ///< as in Needs: the kind of skinning that the scene itself asks for
+  std::shared_ptr<const Environment> environment;  ///< light from all around; null = none
+  std::optional<PlacedCamera> camera;              ///< none = the camera frames everything
   double fov_y_rad = 0.785398163397448;
 };
 

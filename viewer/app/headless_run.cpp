@@ -97,6 +97,7 @@ class PictureMaker {
         bounds_(clip_extent(exhibit.scene, clip, exhibit.cache.get())),
         view_(view_for(options, exhibit, bounds_)),
         settings_(settings_from(options, exhibit.scene)),
+        environment_(exhibit.environment),
         transparent_(options.transparent),
         watches_plan_(options.plan),
         frame_s_(1.0 / options.fps),
@@ -138,7 +139,7 @@ class PictureMaker {
     if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
     const CulledInstances culled = culling_.of(clip_, view_, aspect_);
     const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.watches_joints());
-    RenderOptions look = render_options(settings_, bounds_, eye_of(view_));
+    RenderOptions look = render_options(settings_, environment_, bounds_, eye_of(view_));
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
@@ -156,6 +157,7 @@ class PictureMaker {
   ClipExtent bounds_;
   View view_;
   Settings settings_;
+  std::shared_ptr<const Environment> environment_;
   bool transparent_, watches_plan_;
   double frame_s_;  // time between pictures of a sequence
   double aspect_;

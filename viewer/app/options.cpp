@@ -148,6 +148,29 @@ void add_picture_options(CLI::App& app, Options& options) {
   camera->excludes(fov);
 }
 
+void add_light_options(CLI::App& app, Options& options) {
+  const auto bounded = [](const char* option, const std::string& text, float least, float most, const char* what) {
+    const auto value = number<float>(text);
+    if (!value || *value < least || *value > most) throw CLI::ValidationError(option, "'" + text + "' is not " + what);
+    return *value;
+  };
+  app.add_option("--environment", options.environment,
+                 "light from all around: studio, plain, none, or a panorama .hdr or .exr (studio)")
+      ->type_name("LIGHT");
+  text_option(app, "--environment-turn", "DEGREES", "turn it counter-clockwise, seen from above (0)",
+              [&, bounded](const std::string& text) {
+                options.environment_turn_deg =
+                    bounded("--environment-turn", text, -360.0f, 360.0f, "an angle of -360 to 360 degrees");
+              });
+  text_option(app, "--environment-intensity", "X", "times as much of it (1)", [&, bounded](const std::string& text) {
+    options.environment_intensity = bounded("--environment-intensity", text, 0.0f, 1e6f, "a factor from 0 on");
+  });
+  text_option(app, "--exposure", "EV", "stops: 1 doubles all light, -1 halves it (0)",
+              [&, bounded](const std::string& text) {
+                options.exposure_ev = bounded("--exposure", text, -32.0f, 32.0f, "a number of stops from -32 to 32");
+              });
+}
+
 void add_cache_options(CLI::App& app, Options& options, CLI::Option* file) {
   app.add_option("--cache", options.cache, "play a geometry cache (.sgeo) over FILE's meshes of the same names")
       ->type_name("OUT.sgeo")
@@ -234,6 +257,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       ->type_name("N");
   add_cache_options(app, options, file);
   add_picture_options(app, options);
+  add_light_options(app, options);
   add_time_options(app, options);
   app.footer(
       "Keys in the window:\n" + describe_keys() +

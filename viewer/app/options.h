@@ -41,7 +41,11 @@ struct Options {
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
   bool ambient_occlusion = true;
-  bool skeleton = false;  ///< lines over the picture
+  std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
+  float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above
+  float environment_intensity = 1.0f;
+  float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
+  bool skeleton = false;     ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   std::optional<std::string> file_camera;  ///< index or name of a camera of the file

@@ -75,7 +75,7 @@ void time_controls(const Scene& scene, Playback& playback) {
 
   double time = playback.time_s();
   const double start = 0.0, end = playback.duration_s();
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("turn light  ").x);
   const bool moved =
       ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemActive()) playback.pause();  // pauses while the slider is held
@@ -116,6 +116,12 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextDisabled("%s", facts.updates.c_str());
   ImGui::PopTextWrapPos();
+}
+
+void light_controls(Settings& settings) {
+  ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
+  ImGui::SliderFloat("turn light", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("turns the light that comes from all around");
 }
 
 void cache_controls(const CacheFacts& cache, Settings& settings) {
@@ -172,6 +178,7 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   ImGui::SameLine();
   ImGui::RadioButton("depth", &show, static_cast<int>(Show::depth));
   settings.show = static_cast<Show>(show);
+  light_controls(settings);
   if (ImGui::Button("frame all")) wishes.frame_all = true;
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/settings.h"
 
+#include <cmath>
+#include <utility>
+
+#include <glm/trigonometric.hpp>
+
 #include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
@@ -9,6 +14,9 @@ Settings settings_from(const Options& options, const Scene& scene) {
   Settings settings;
   settings.show = options.show;
   settings.ambient_occlusion = options.ambient_occlusion;
+  settings.environment_turn_deg = options.environment_turn_deg;
+  settings.environment_intensity = options.environment_intensity;
+  settings.exposure_ev = options.exposure_ev;
   settings.skinning = options.skinning;
   settings.cache_weight = options.cache_weight;
   settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
@@ -53,11 +61,16 @@ void next_show(Settings& settings) noexcept {
   }
 }
 
-RenderOptions render_options(const Settings& settings, const ClipExtent& bounds, const glm::dvec3& eye) {
+RenderOptions render_options(const Settings& settings, std::shared_ptr<const Environment> environment,
+                             const ClipExtent& bounds, const glm::dvec3& eye) {
   RenderOptions options = render_options_for(bounds.reached, eye);
   options.ao = ambient_occlusion_for(bounds.largest);
   options.ao.on = settings.ambient_occlusion;
   options.show = settings.show;
+  options.lighting.environment = std::move(environment);
+  options.lighting.environment_intensity = settings.environment_intensity;
+  options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);
+  options.lighting.exposure = std::exp2(settings.exposure_ev);
   return options;
 }
 

@@ -12,6 +12,7 @@ namespace sinew::viewer {
 struct Settings {
   Show show = Show::color;
   bool ambient_occlusion = true;
+  float environment_turn_deg = 0.0f, environment_intensity = 1.0f, exposure_ev = 0.0f;
   bool skeleton = false;
   bool panel = true;
   bool plan = false;  ///< the live plan beside the panel
@@ -53,6 +54,8 @@ void next_skinning(Settings& settings) noexcept;
 void next_show(Settings& settings) noexcept;
 
 /// The options of the renderer for these settings, with lengths that follow the size of the clip.
-RenderOptions render_options(const Settings& settings, const ClipExtent& bounds, const glm::dvec3& eye);
+/// in   environment  of the exhibit; null = no ambient light
+RenderOptions render_options(const Settings& settings, std::shared_ptr<const Environment> environment,
+                             const ClipExtent& bounds, const glm::dvec3& eye);
 
 }  // namespace sinew::viewer

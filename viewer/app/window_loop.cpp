@@ -221,7 +221,7 @@ void WindowLoop::draw() {
   const ClipExtent& bounds = shown_->bounds();
   const View view =
       settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
-  const RenderOptions look = render_options(settings_, bounds, eye_of(view));
+  const RenderOptions look = render_options(settings_, shown_->exhibit().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
     if (wishes.frame_all) act_on_look(Action::frame_all);

@@ -15,7 +15,8 @@ GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&dev
   info.format = shape.format;
   info.extent = {shape.extent.width, shape.extent.height, 1};
   info.mipLevels = shape.mip_count;
-  info.arrayLayers = 1;
+  info.arrayLayers = shape.layers();
+  info.flags = shape.cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = shape.usage;
@@ -31,9 +32,9 @@ GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&dev
   must(vkBindImageMemory(device.handle(), image_, piece_.memory, piece_.offset), "vkBindImageMemory");
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   view.image = image_;
-  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+  view.viewType = shape.cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
   view.format = shape.format;
-  view.subresourceRange = {aspect_of(shape.format), 0, shape.mip_count, 0, 1};
+  view.subresourceRange = {aspect_of(shape.format), 0, shape.mip_count, 0, shape.layers()};
   must(vkCreateImageView(device.handle(), &view, nullptr, &view_), "vkCreateImageView");
 }
 
@@ -70,7 +71,7 @@ void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
   change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.image = image;
-  change.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
+  change.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
   VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   dependency.imageMemoryBarrierCount = 1;
   dependency.pImageMemoryBarriers = &change;

@@ -9,9 +9,12 @@ struct ImageShape {
   VkExtent2D extent{1, 1};
   std::uint32_t mip_count = 1;
   VkImageUsageFlags usage = 0;
+  bool cube = false;  ///< six faces, viewed as a cube
+
+  std::uint32_t layers() const noexcept { return cube ? 6 : 1; }
 };
 
-/// A 2D image with a view of the whole image and its memory. Movable. Its device must outlive it.
+/// A 2D image or a cube, with a view of the whole image and its memory. Movable. Its device must outlive it.
 class GpuImage {
  public:
   GpuImage() = default;

@@ -41,7 +41,8 @@ struct FrameRenderer::State {
         layouts(used),
         pipelines(used, layouts, target_format, occlusion),
         targets(used, occlusion.step),
-        kernel(make_ssao_kernel(occlusion.samples)) {
+        kernel(make_ssao_kernel(occlusion.samples)),
+        environment(used) {
     for (std::uint32_t i = 0; i < slot_count; ++i) slots.push_back(std::make_unique<FrameSlot>(used, layouts));
   }
 
@@ -55,6 +56,7 @@ struct FrameRenderer::State {
   SsaoKernel kernel;
   DrawList draws;
   std::vector<PlacedLight> lights;
+  EnvironmentUpload environment;
   std::vector<std::unique_ptr<FrameSlot>> slots;
 };
 
@@ -104,6 +106,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
   return {.occluded = graph.ao_image,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
+          .ambient = inputs.options.lighting.ambient(),
           .light_count = light_count(inputs.options, lights)};
 }
 
@@ -134,8 +137,9 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   state.targets.fit(graph, target.extent);
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.ao_image;
+  if (inputs.options.lighting.ambient()) state.environment.show(inputs.options.lighting.environment);
   slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
-                 state.targets, graph.has(Pass::normal_depth));
+                 state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
 
   const PassContext context{commands,

@@ -46,6 +46,21 @@ LightUniforms scene_light(const View& view, const PlacedLight& placed) {
   return uniforms;
 }
 
+void write_environment(const View& view, const Lighting& lighting, FrameUniforms& u) {
+  if (!lighting.ambient()) return;
+  const float c = std::cos(lighting.environment_turn_rad), s = std::sin(lighting.environment_turn_rad);
+  // Axes of the environment, in the world: its turn is undone by the opposite one.
+  const std::array<glm::vec3, 3> axes = {glm::vec3(c, 0.0f, -s), {0.0f, 1.0f, 0.0f}, {s, 0.0f, c}};
+  for (int row = 0; row < 3; ++row) {
+    const glm::vec3 axis = into_view(view, axes[static_cast<std::size_t>(row)]);
+    for (int column = 0; column < 3; ++column)
+      u.environment_from_view[static_cast<std::size_t>(column)][row] = axis[column];
+  }
+  for (std::size_t i = 0; i < u.diffuse_light.size(); ++i)
+    u.diffuse_light[i] = glm::vec4(lighting.environment->diffuse[i] * lighting.environment_intensity, 0.0f);
+  u.environment_intensity = lighting.environment_intensity;
+}
+
 }  // namespace
 
 float linear_from_srgb(float encoded) noexcept {
@@ -74,9 +89,7 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.fade_end_m = std::max(ao.fade_end_m, ao.fade_start_m * 1.0001f);
   u.nearest_shown_m = options.depth_range.nearest_m;
   u.farthest_shown_m = std::max(options.depth_range.farthest_m, options.depth_range.nearest_m + 1e-6f);
-  u.sky = glm::vec4(options.lighting.sky, 0.0f);
-  u.ground = glm::vec4(options.lighting.ground, 0.0f);
-  u.up = glm::vec4(into_view(view, {0.0f, 1.0f, 0.0f}), 0.0f);
+  write_environment(view, options.lighting, u);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)
     u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);

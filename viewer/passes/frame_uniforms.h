@@ -36,14 +36,16 @@ struct FrameUniforms {
   float occlusion_power = 0.0f;
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
   float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< range of the depth picture
-  std::array<float, 2> padding{};
-  glm::vec4 sky{0.0f}, ground{0.0f}, up{0.0f};
-  glm::vec4 background{0.0f};  ///< linear
+  float environment_intensity = 0.0f;
+  float padding = 0.0f;
+  std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
+  std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
+  glm::vec4 background{0.0f};                        ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (8 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (17 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {

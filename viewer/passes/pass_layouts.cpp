@@ -10,7 +10,8 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr std::uint32_t kFrameBindings = 5;  // uniforms, depth, normals, access, colour
+constexpr std::uint32_t kTargetBindings = 4;                       // depth, normals, access, colour
+constexpr std::uint32_t kFrameBindings = 1 + kTargetBindings + 2;  // uniforms before, environment and split sum behind
 
 }  // namespace
 
@@ -68,14 +69,16 @@ FrameSet::FrameSet(const Device& device, const PassLayouts& layouts)
 
 FrameSet::~FrameSet() { vkDestroyDescriptorPool(device_.handle(), pool_, nullptr); }
 
-void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets, bool prepass) {
+void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets, const EnvironmentUpload& environment,
+                     bool prepass) {
   std::memcpy(uniforms_.mapped(), &uniforms, sizeof(uniforms));
+  const std::array<VkDescriptorImageInfo, 2> light = {environment.environment(), environment.split_sum()};
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), 0, sizeof(FrameUniforms)};
   for (std::size_t s = 0; s < sets_.size(); ++s) {
     // Without a prepass no shader reads depth. The set then must not contain the depth attachment: the view of the
     // missing normals takes its place.
-    const std::array<Target, kFrameBindings - 1> bound = {prepass ? Target::depth : Target::normals, Target::normals,
-                                                          s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
+    const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
+                                                       s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {
@@ -87,7 +90,9 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
       if (i == 0) {
         writes[i].pBufferInfo = &buffer;
       } else {
-        images[i - 1] = {nearest_, targets.view(bound[i - 1]), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+        images[i - 1] = i > kTargetBindings ? light[i - 1 - kTargetBindings]
+                                            : VkDescriptorImageInfo{nearest_, targets.view(bound[i - 1]),
+                                                                    VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
         writes[i].pImageInfo = &images[i - 1];
       }
     }

@@ -34,7 +34,8 @@ enum ConstantId : std::size_t {
   id_unlit = 7,
   id_texcoord_sets = 8,
   id_light_count = 13,
-  id_transparent_background = 14
+  id_transparent_background = 14,
+  id_ambient = 15
 };
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -47,7 +48,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (key.depth_only) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
   if (!shades || surface.normals == NormalSource::none) {
-    key.frame.occluded = false;
+    key.frame.occluded = key.frame.ambient = false;
     key.frame.light_count = 0;
     sets[1] = sets[2] = sets[3] = 0;
   }
@@ -100,6 +101,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   for (std::size_t i = 0; i < kMaterialTextures; ++i)
     shape.constants[id_texcoord_sets + i] = key.surface.material.texcoord_sets[i];
   shape.constants[id_light_count] = key.frame.light_count;
+  shape.constants[id_ambient] = key.frame.ambient;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;

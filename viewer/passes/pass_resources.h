@@ -9,6 +9,7 @@
 #include "viewer/passes/draw_list.h"
 #include "viewer/passes/frame_targets.h"
 #include "viewer/passes/frame_uniforms.h"
+#include "viewer/upload/environment_upload.h"
 #include "viewer/upload/upload_mesh.h"
 
 namespace sinew::viewer {
@@ -42,7 +43,9 @@ class FrameSet {
   FrameSet& operator=(const FrameSet&) = delete;
 
   /// in   prepass  shaders read the depth image; false = it is only an attachment
-  void write(const FrameUniforms& uniforms, const FrameTargets& targets, bool prepass);
+  ///      environment  its images must outlive the frame
+  void write(const FrameUniforms& uniforms, const FrameTargets& targets, const EnvironmentUpload& environment,
+             bool prepass);
 
   VkDescriptorSet set() const noexcept { return sets_[0]; }
   VkDescriptorSet between_blurs() const noexcept {
@@ -64,6 +67,7 @@ struct FrameFeatures {
   bool occluded = false;  ///< there is an ambient access image
   bool parallel = false;  ///< parallel projection
   bool transparent_background = false;
+  bool ambient = false;  ///< there is an environment
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;

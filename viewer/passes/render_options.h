@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <memory>
 
 #include "runtime/model/mesh.h"
+#include "viewer/light/environment.h"
 
 namespace sinew::viewer {
 
@@ -37,14 +39,15 @@ struct Lighting {
   glm::vec3 to_key{0.45f, 0.8f,
                    0.4f};  ///< direction to the key light: world space, or view space if it follows the camera
   bool key_follows_camera = false;
-  glm::vec3 key{1.75f, 1.68f, 1.58f};     ///< irradiance on a surface that faces the light
-  glm::vec3 sky{0.46f, 0.50f, 0.57f};     ///< ambient radiance from above ...
-  glm::vec3 ground{0.25f, 0.22f, 0.20f};  ///< ... and from below
+  glm::vec3 key{1.75f, 1.68f, 1.58f};  ///< irradiance on a surface that faces the light
+  std::shared_ptr<const Environment> environment = plain_environment();  ///< ambient light; null = none
+  float environment_intensity = 1.0f;
+  float environment_turn_rad = 0.0f;  ///< turns the environment about +y, counter-clockwise from above
   bool scene_lights =
       true;  ///< use the lights of the scene (KHR_lights_punctual) instead of the key light, if it has any
   float exposure = 1.0f;
 
-  bool ambient() const noexcept { return sky != glm::vec3(0.0f) || ground != glm::vec3(0.0f); }
+  bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
 
 struct DepthRange {

@@ -23,9 +23,9 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float fade_end_m;
   float nearest_shown_m;      // range of the depth picture
   float farthest_shown_m;
-  vec4 sky;                   // ambient radiance from above
-  vec4 ground;                // and from below
-  vec4 up;                    // world +y in view space
+  float environment_intensity;
+  mat3 environment_from_view;
+  vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
   vec4 background;            // linear, as displayed
   vec4 offsets[64];           // of the occlusion samples, random lengths; as many as there are samples
   vec4 noise[16];             // unit vectors, one per pixel of a 4 x 4 tile
@@ -36,3 +36,5 @@ layout(set = 0, binding = 1) uniform sampler2D depth_image;    // near / distanc
 layout(set = 0, binding = 2) uniform sampler2D normal_image;   // view space, zero = surface without normal
 layout(set = 0, binding = 3) uniform sampler2D ao_image;       // half size: ambient access, distance, packed normal
 layout(set = 0, binding = 4) uniform sampler2D color_image;    // linear, premultiplied
+layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radiance; level i filtered for roughness i / last
+layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)

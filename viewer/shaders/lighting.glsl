@@ -43,16 +43,44 @@ vec3 from_light(Light light, Surface s, vec3 p) {
   return reflected(s, to_light, light.color * mix(1.0 / d2 * within * cone, 1.0, directional));
 }
 
-vec3 hemisphere(vec3 direction) { return mix(frame.ground.rgb, frame.sky.rgb, 0.5 + 0.5 * dot(direction, frame.up.xyz)); }
+// Irradiance / pi on a surface.
+// in   n  unit, in the space of the environment
+vec3 diffuse_light(vec3 n) {
+  vec3 sum = frame.diffuse_light[0].rgb + frame.diffuse_light[1].rgb * n.y + frame.diffuse_light[2].rgb * n.z +
+             frame.diffuse_light[3].rgb * n.x + frame.diffuse_light[4].rgb * n.x * n.y +
+             frame.diffuse_light[5].rgb * n.y * n.z + frame.diffuse_light[6].rgb * (3.0 * n.z * n.z - 1.0) +
+             frame.diffuse_light[7].rgb * n.x * n.z + frame.diffuse_light[8].rgb * (n.x * n.x - n.y * n.y);
+  return max(sum, vec3(0.0));   // three bands undershoot opposite to a small bright light
+}
 
-// Ambient light. The specular part uses the fit of Karis ("Physically Based Shading on Mobile", 2014) and the light from
-// the mirror direction.
+// Light from around the mirror direction, as far around as the surface is rough.
+vec3 mirrored_light(vec3 direction, float roughness) {
+  float last = float(textureQueryLevels(environment_image) - 1);
+  return textureLod(environment_image, direction, roughness * last).rgb * frame.environment_intensity;
+}
+
+// Shares of ambient light that a rough layer reflects after one reflection on it, and after more.
+// eq   Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting" (2019): what one
+//      reflection loses, 1 - x - y, is reflected again with the mean reflectance f0 + (1 - f0) / 21
+// in   sums  of the split sum: once = f0 * x + y
+void layer(vec3 f0, vec2 sums, out vec3 once, out vec3 again) {
+  once = f0 * sums.x + sums.y;
+  float lost = 1.0 - sums.x - sums.y;
+  vec3 mean = f0 + (1.0 - f0) / 21.0;
+  again = once * mean * lost / (1.0 - mean * lost);
+}
+
+// Ambient light. What the layer of a dielectric does not reflect is scattered below it, so a white surface in white
+// light returns all of it.
 vec3 ambient(Surface s) {
   float n_v = clamp(dot(s.n, s.to_viewer), 0.0, 1.0);
-  vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-  float a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
-  vec2 fit = vec2(-1.04, 1.04) * a + r.zw;
-  vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
-  vec3 diffuse = hemisphere(s.n) * s.base_color * (1.0 - s.metallic);
-  return diffuse * (1.0 - 0.04) + hemisphere(reflect(-s.to_viewer, s.n)) * (f0 * fit.x + fit.y);
+  vec2 size = vec2(textureSize(split_sum_image, 0));
+  vec2 sums = textureLod(split_sum_image, (vec2(sqrt(n_v), s.roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
+  vec3 metal_once, metal_again, once, again;
+  layer(s.base_color, sums, metal_once, metal_again);
+  layer(vec3(0.04), sums, once, again);
+  vec3 below = s.base_color * (1.0 - once - again);
+  vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
+  return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) +
+         mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic);
 }

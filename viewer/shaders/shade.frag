@@ -17,6 +17,7 @@
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
 layout(constant_id = 13) const int kLightCount = 1;
+layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
 
 const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
 
@@ -85,7 +86,8 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
     float baked = texture(occlusion_texture, transformed_uv(3, kOcclusionSet, texcoords)).r;
     access *= 1.0 + material.occlusion_strength * (baked - 1.0);
   }
-  vec3 sum = ambient(s) * access;
+  vec3 sum = vec3(0.0);
+  if (kAmbient) sum += ambient(s) * access;
   for (int i = 0; i < kLightCount; ++i) sum += from_light(frame.lights[i], s, view_position);
   return sum;
 }

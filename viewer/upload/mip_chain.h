@@ -8,7 +8,7 @@ namespace sinew::viewer {
 
 struct MipLevel {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
+  std::vector<std::uint8_t> rgba;  ///< or the bytes of another format; of a cube, its faces one after the other
 };
 
 /// Number of mip levels down to 1 x 1.

@@ -31,7 +31,7 @@ void Staging::copy(const GpuImage& to, std::span<const MipLevel> levels) {
     std::memcpy(from.mapped() + at, levels[mip].rgba.data(), levels[mip].rgba.size());
     VkBufferImageCopy region{};
     region.bufferOffset = at;
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, to.shape().layers()};
     region.imageExtent = {levels[mip].width, levels[mip].height, 1};
     copy.regions.push_back(region);
     at += levels[mip].rgba.size();

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "tests/reference/ambient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace sinew::reference {
+namespace {
+
+/// Cosine to the normal of the half vector that a share `s` of all lies closer to it than.
+double half_vector_cosine(double s, double alpha) { return std::sqrt((1.0 - s) / (1.0 + (alpha * alpha - 1.0) * s)); }
+
+/// Both ends of the share s are of one kind each: s = u^2 (3 - 2 u) puts more samples there.
+struct Share {
+  double s, weight;
+};
+
+Share share_at(int i, int count) {
+  const double u = (i + 0.5) / count;
+  return {u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) / count};
+}
+
+struct Layer {
+  glm::dvec3 once, again;
+};
+
+Layer layer(const glm::dvec3& f0, const glm::dvec2& sums) {
+  const glm::dvec3 once = f0 * sums.x + glm::dvec3(sums.y);
+  const double rest = 1.0 - sums.x - sums.y;
+  const glm::dvec3 mean = f0 + (glm::dvec3(1.0) - f0) / 21.0;
+  return {once, once * mean * rest / (glm::dvec3(1.0) - mean * rest)};
+}
+
+}  // namespace
+
+glm::dvec2 reflected_once(double n_v, double roughness) {
+  constexpr int angles = 96, turns = 16;
+  const double alpha = roughness * roughness, z = std::max(n_v, 1e-6), x = std::sqrt(1.0 - z * z);
+  const double a2 = alpha * alpha;
+  glm::dvec2 sum(0.0);
+  for (int i = 0; i < angles; ++i) {
+    const Share share = share_at(i, angles);
+    const double n_h = half_vector_cosine(share.s, alpha), sine = std::sqrt(1.0 - n_h * n_h);
+    for (int j = 0; j < turns; ++j) {
+      const double v_h = x * sine * std::cos(std::numbers::pi * (j + 0.5) / turns) + z * n_h;
+      const double n_l = 2.0 * v_h * n_h - z;
+      if (v_h <= 0.0 || n_l <= 0.0) continue;
+      const double visibility =
+          0.5 / (n_l * std::sqrt(z * z * (1.0 - a2) + a2) + z * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
+      const double part = 4.0 * visibility * v_h * n_l / n_h * share.weight / turns, edge = std::pow(1.0 - v_h, 5.0);
+      sum += part * glm::dvec2(1.0 - edge, edge);
+    }
+  }
+  return sum;
+}
+
+double reflected_cosine(double roughness) {
+  constexpr int steps = 20000;
+  double sum = 0.0, weights = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double n_h = half_vector_cosine((i + 0.5) / steps, roughness * roughness), n_l = 2.0 * n_h * n_h - 1.0;
+    if (n_l <= 0.0) continue;
+    sum += n_l * n_l;
+    weights += n_l;
+  }
+  return sum / weights;
+}
+
+glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
+  static std::map<double, double> cosines;  // by roughness: most pictures have one
+  const auto [known, is_new] = cosines.try_emplace(s.roughness, 0.0);
+  if (is_new) known->second = reflected_cosine(s.roughness);
+  const auto from = [&](const glm::dvec3& d, double left) {
+    const double t = 0.5 + 0.5 * left * glm::dot(d, light.up);
+    return light.ground * (1.0 - t) + light.sky * t;
+  };
+  const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
+  const glm::dvec2 sums = reflected_once(n_v, s.roughness);
+  const Layer metal = layer(s.base_color, sums), coat = layer(glm::dvec3(0.04), sums);
+  const glm::dvec3 ground = s.base_color * (glm::dvec3(1.0) - coat.once - coat.again);
+  const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
+  const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
+  const glm::dvec3 mirrored = 2.0 * glm::dot(s.normal, s.to_viewer) * s.normal - s.to_viewer;
+  return from(s.normal, 2.0 / 3.0) * scattered + from(mirrored, known->second) * reflected;
+}
+
+}  // namespace sinew::reference

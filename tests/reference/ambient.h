@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/vec2.hpp>
+
+#include "tests/reference/shade.h"
+
+namespace sinew::reference {
+
+/// Share of light from all around that is reflected once: f0 * x + y.
+/// eq   integral over half vectors h, distributed as D(h) n.h, of 4 V v.h n.l / n.h, with (1 - v.h)^5 in y and the
+///      rest of Schlick's term in x; by the midpoint rule over the angle to the normal and the turn about it
+glm::dvec2 reflected_once(double n_v, double roughness);
+
+/// Mean cosine between a normal and the light that a rough mirror reflects, seen along its normal.
+/// eq   integral of n.l^2 D over the integral of n.l D
+double reflected_cosine(double roughness);
+
+/// Ambient light that changes evenly from `ground` below to `sky` above.
+struct AmbientGradient {
+  glm::dvec3 up{0.0, 1.0, 0.0}, sky{0.0}, ground{0.0};
+};
+
+/// Radiance towards the viewer from ambient light.
+/// eq   a layer of reflectance f0 returns once = f0 x + y, and of the rest 1 - x - y, with the mean reflectance
+///      m = f0 + (1 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour, the
+///      dielectric one of 0.04 over a matte ground, which gets 1 - once - again.
+///      The light of `once` is that around the mirror direction, of the others that of the half sphere
+glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light);
+
+}  // namespace sinew::reference

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "viewer/light/environment.h"
+
+namespace sinew::viewer {
+
+/// The environment that an option names: "studio", "plain" (a gradient), "none" (null), or a panorama in a file.
+/// err  one sentence that begins with the file
+tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name);
+
+}  // namespace sinew::viewer

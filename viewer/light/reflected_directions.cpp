@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/light/reflected_directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sinew::viewer {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+/// Samples overlap by this many levels, so that few of them leave no pattern.
+constexpr float kOverlap = 0.5f;
+
+/// The base-2 digits of i behind the point, reversed: in [0, 1).
+float reversed_bits(std::uint32_t i) noexcept {
+  i = (i << 16) | (i >> 16);
+  i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
+  i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
+  i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
+  i = ((i & 0x00ff00ffu) << 8) | ((i & 0xff00ff00u) >> 8);
+  return static_cast<float>(i >> 8) * 0x1p-24f;
+}
+
+}  // namespace
+
+std::vector<ReflectedDirection> reflected_directions(float roughness, std::uint32_t count, std::uint32_t source_size) {
+  const float alpha = roughness * roughness, alpha2 = alpha * alpha;
+  const float texel = 4.0f * kPi / (static_cast<float>(kCubeFaces) * static_cast<float>(source_size * source_size));
+  std::vector<ReflectedDirection> directions;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float s = (static_cast<float>(i) + 0.5f) / static_cast<float>(count), turn = 2.0f * kPi * reversed_bits(i);
+    const float cos2 = (1.0f - s) / (1.0f + (alpha2 - 1.0f) * s);
+    const float z = 2.0f * cos2 - 1.0f;  // of the reflected direction: the cosine of twice the angle
+    if (z <= 0.0f) continue;
+    const float r = std::sqrt(std::max(0.0f, 1.0f - z * z));
+    const float d = cos2 * (alpha2 - 1.0f) + 1.0f, density = alpha2 / (kPi * d * d) / 4.0f;
+    const float share = 1.0f / (static_cast<float>(count) * density);
+    directions.push_back(
+        {{r * std::cos(turn), r * std::sin(turn), z}, std::max(0.0f, 0.5f * std::log2(share / texel) + kOverlap)});
+  }
+  return directions;
+}
+
+}  // namespace sinew::viewer
