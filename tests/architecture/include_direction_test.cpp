@@ -79,9 +79,10 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/geometry_cache", "importer/tool",
       "tests"}},
     {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
-    {"tbb/", {"runtime/threads", "importer", "tests"}},
-    {"oneapi/", {"runtime/threads", "importer", "tests"}},
+    {"tbb/", {"runtime/threads", "importer", "viewer/light", "tests"}},
+    {"oneapi/", {"runtime/threads", "importer", "viewer/light", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},
+    {"OpenEXR/", {"viewer/light", "tests"}},
 };
 
 std::vector<std::string> broken_arrows(const SourceFile& file) {
