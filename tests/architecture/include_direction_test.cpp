@@ -41,8 +41,8 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
-  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "viewer/app", "viewer/study",
-                           "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "viewer/app", "viewer/light",
+                           "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -57,7 +57,8 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer") return to == "importer" || kAssets.contains(to);
-  if (from == "viewer") return to == "viewer" || to.starts_with("runtime/");
+  if (from == "viewer/light") return to == from || to == "runtime/base";
+  if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
   if (from == "runtime") return to == "runtime/c";  // sinew.h
   const auto row = runtime_rows().find(from);
   return row != runtime_rows().end() && (to == from || row->second.contains(to));
