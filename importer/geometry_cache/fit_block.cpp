@@ -214,11 +214,18 @@ class MotionSearch {
     return motion;
   }
 
-  static BlockMotion turned(BlockMotion motion, const Affine4& fit, int shift) {
-    double largest = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const double x : fit[k]) largest = std::max(largest, std::abs(x));
-    while (shift > 0 && std::ldexp(largest, shift) > 32767.0) --shift;
+  /// A matrix as fine as its numbers and its products with the block's points have room, else it would wrap.
+  BlockMotion turned(BlockMotion motion, const Affine4& fit, int shift) const {
+    double largest = 0.0, farthest = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        largest = std::max(largest, std::abs(fit[k][a]));
+        sum += std::abs(fit[k][a]);
+      }
+      farthest = std::max(farthest, sum * extent_);
+    }
+    while (shift > 0 && (std::ldexp(largest, shift) > 32767.0 || std::ldexp(farthest, shift) > 0x1p30)) --shift;
     motion.turns = true;
     motion.shift = static_cast<std::uint8_t>(std::max(shift, 0));
     for (std::size_t k = 0; k < 3; ++k)

@@ -168,7 +168,7 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
     if (k + 1 == keys.size()) break;
     for (const double f : kBetween) times.push_back(key + f * (static_cast<double>(keys[k + 1]) - key));
   }
-  std::size_t step = times.size() * std::max<std::size_t>(joint_count, 1) / kMostJointTimes + 1;
+  std::size_t step = times.size() * joint_count / kMostJointTimes + 1;
   if (step == 1) return times;
   while (std::gcd(step, std::size(kBetween) + 1) > 1)
     ++step;  // else it would never meet some of the places between keys, or none

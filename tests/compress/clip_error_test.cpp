@@ -39,8 +39,15 @@ TEST(clip_error, large_clips_are_looked_at_on_keys_and_between_them) {
   std::vector<float> keys_s;
   for (int k = 0; k <= 10'000; ++k) keys_s.push_back(static_cast<float>(k));
   const Animation animation = of_keys(Interpolation::linear, std::move(keys_s));
-  for (const std::size_t joints : {300u, 900u, 1900u}) {
+  const std::vector<double> all = times_to_check(animation, 0);
+  EXPECT_EQ(all.size(), 60'001u);
+  EXPECT_EQ(times_to_check(animation, kMostJointTimes / all.size()), all) << "as many as may be";
+  for (const std::size_t joints : {167u, 300u, 900u, 1900u}) {
     const auto times = times_to_check(animation, joints);
+    const auto step = static_cast<std::size_t>(std::lround(6.0 * times[1]));
+    EXPECT_GE(step, all.size() * joints / kMostJointTimes + 1);
+    ASSERT_EQ(times.size(), (all.size() + step - 1) / step) << joints;
+    for (std::size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], all[i * step]) << joints;
     EXPECT_LE(times.size() * joints, kMostJointTimes + joints);
     int phases[6] = {};
     for (const double time_s : times) ++phases[std::lround((time_s - std::floor(time_s)) * 6.0) % 6];

@@ -120,5 +120,106 @@ TEST(remove_keys, weights_count_by_what_they_displace) {
   EXPECT_EQ(track.values, (std::vector<float>{0, 0, 2, 0}));
 }
 
+/// Each key in turn is the one that is farthest from the others.
+template <class TrackType, class Set>
+void expect_each_key_to_count(const Set& set) {
+  for (std::size_t odd = 0; odd < 4; ++odd) {
+    TrackType track = set(odd);
+    EXPECT_FALSE(hold_still(LooseTrack{&track, 0.49, std::vector<float>{1.0f, 1.0f}})) << odd;
+    EXPECT_EQ(track.key_count(), 4u);
+    EXPECT_TRUE(hold_still(LooseTrack{&track, 0.51, std::vector<float>{1.0f, 1.0f}})) << odd;
+    EXPECT_EQ(track.key_count(), 2u);
+  }
+}
+
+TEST(remove_keys, hold_still_looks_at_every_key) {
+  expect_each_key_to_count<Vec3Track>([](std::size_t odd) {
+    Vec3Track track{Interpolation::linear, evenly(4), std::vector<glm::vec3>(4, glm::vec3(1))};
+    track.values[odd].z = odd % 2 == 0 ? 2.0f : 0.0f;
+    return track;
+  });
+  expect_each_key_to_count<WeightTrack>([](std::size_t odd) {
+    WeightTrack track{Interpolation::linear, evenly(4), std::vector<float>(8, 1.0f), 2};
+    track.values[2 * odd + 1] = odd % 2 == 0 ? 2.0f : 0.0f;
+    return track;
+  });
+}
+
+TEST(remove_keys, hold_still_turns_to_the_mean_of_all_rotations_on_one_side) {
+  // Three keys by 0 and one by 0.04 rad, in either sign: the mean is near 0.01, the farthest 0.03 away.
+  for (std::size_t odd = 0; odd < 4; ++odd)
+    for (const float sign : {1.0f, -1.0f}) {
+      QuatTrack track{Interpolation::linear, evenly(4), std::vector<glm::quat>(4, quat_identity<float>())};
+      track.values[odd] = quat_xyzw(0.02f, 0.0f, 0.0f, std::sqrt(1.0f - 0.0004f)) * sign;
+      EXPECT_FALSE(hold_still(LooseTrack{&track, 0.0299})) << odd;
+      ASSERT_TRUE(hold_still(LooseTrack{&track, 0.0301})) << odd;
+      EXPECT_NEAR(std::abs(track.values[0].x), 0.005f, 1e-5f);
+      EXPECT_NEAR(std::abs(track.values[0].w), 1.0f, 1e-4f);
+    }
+}
+
+TEST(remove_keys, hold_still_gives_each_weight_its_own_middle) {
+  const std::vector<float> metres{1.0f, 1.0f, 1.0f};
+  WeightTrack track{Interpolation::linear, {1, 2, 4}, {0.0f, 5.0f, -1.0f, 0.2f, 5.0f, -1.4f, 0.1f, 5.1f, -1.2f}, 3};
+  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.3, metres}));
+  ASSERT_TRUE(hold_still(LooseTrack{&track, 0.36, metres})) << "0.1 + 0.05 + 0.2";
+  EXPECT_EQ(track.times_s, (std::vector<float>{1, 4}));
+  EXPECT_EQ(track.interpolation, Interpolation::step);
+  EXPECT_EQ(track.target_count, 3u);
+  ASSERT_EQ(track.values.size(), 6u);
+  const float middle[] = {0.1f, 5.05f, -1.2f};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(track.values[i], middle[i % 3], 1e-6f) << i;
+}
+
+TEST(remove_keys, weights_that_overshoot_between_equal_keys_do_not_hold_still) {
+  const std::vector<float> metres{1.0f, 1.0f};
+  // Rows of in-tangents, values and out-tangents; the second weight leaves its key at 4 per second: up to 4 * 4/27.
+  WeightTrack track{Interpolation::cubic_spline, {0, 1}, {0, 0, 1, 1, 0, 4, 0, 0, 1, 1, 0, 0}, 2};
+  EXPECT_FALSE(hold_still(LooseTrack{&track, 0.5, metres}));
+  EXPECT_TRUE(hold_still(LooseTrack{&track, 0.6, metres}));
+}
+
+TEST(remove_keys, cubic_curves_are_compared_between_keys_too) {
+  // All keys are 0 and lie on the line between the ends; only the curves between them leave it, by 4/27 of a tangent.
+  Vec3Track track{Interpolation::cubic_spline, evenly(5), std::vector<glm::vec3>(15)};
+  track.values[3 * 2 + 2].y = 1.0f;  // out of the third key
+  EXPECT_THAT(needed(track, 0.1), ElementsAre(0, 2, 3, 4)) << "the curve stays";
+  EXPECT_THAT(needed(track, 0.15), ElementsAre(0, 4));
+  const std::vector<float> metres{1.0f};
+  WeightTrack weights{Interpolation::cubic_spline, evenly(5), std::vector<float>(15), 1};
+  weights.values[3 * 2 + 2] = 1.0f;
+  const LooseTrack strict{&weights, 0.1, metres}, loose{&weights, 0.15, metres};
+  EXPECT_THAT(keys_needed({&strict, 1}, 5), ElementsAre(0, 2, 3, 4));
+  EXPECT_THAT(keys_needed({&loose, 1}, 5), ElementsAre(0, 4));
+}
+
+TEST(remove_keys, rotations_are_compared_along_the_arc) {
+  // 0, 0.2 and 0.4 rad are on one arc at even times; at 0, 1/4 and 1 of it they are not: 0.1 rad off.
+  const auto turned = [](double angle) {
+    return quat_xyzw(0.0f, static_cast<float>(std::sin(angle / 2)), 0.0f, static_cast<float>(std::cos(angle / 2)));
+  };
+  const auto keys = [&](std::vector<float> times, double tolerance) {
+    QuatTrack track{Interpolation::linear, std::move(times), {turned(0.0), turned(0.2) * -1.0f, turned(0.4)}};
+    const LooseTrack loose{&track, tolerance};
+    return keys_needed({&loose, 1}, 3);
+  };
+  EXPECT_THAT(keys({0, 1, 2}, 1e-6), ElementsAre(0, 2));
+  EXPECT_THAT(keys({0, 1, 4}, 0.1001), ElementsAre(0, 2));
+  EXPECT_THAT(keys({0, 1, 4}, 0.0998), ElementsAre(0, 1, 2));
+}
+
+TEST(remove_keys, a_step_takes_at_most_the_longest_number_of_keys) {
+  Vec3Track track{Interpolation::linear, evenly(2 * kLongestStep + 2), {}};
+  for (const float t : track.times_s) track.values.push_back(glm::vec3(t));
+  EXPECT_THAT(needed(track, 1e-3), ElementsAre(0, kLongestStep, 2 * kLongestStep, 2 * kLongestStep + 1));
+}
+
+TEST(remove_keys, only_the_first_keys_are_looked_at_for_an_estimate) {
+  Vec3Track track{Interpolation::linear, evenly(6), {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 0, 0}, {0, 0, 0}, {5, 0, 0}}};
+  const LooseTrack loose{&track, 1e-6};
+  EXPECT_THAT(keys_needed({&loose, 1}, 3), ElementsAre(0, 2));
+  EXPECT_THAT(keys_needed({&loose, 1}, 1), ElementsAre(0));
+}
+
 }  // namespace
 }  // namespace sinew

@@ -280,8 +280,8 @@ class Finder:
             return
         start, end = self.range_of(expressions[0])
         text = self.flat(start, end)
-        if cursor.kind == K.IF_STMT and self.between(*self.range_of(cursor))[1][2] != '(':
-            return
+        if cursor.kind == K.IF_STMT and [t[2] for t in self.between(*self.range_of(cursor))[1:2]] != ['(']:
+            return  # of a macro, or with something between
         negated_elsewhere = any(t[2] in ('==', '!=') for t in self.between(start, end)) or text.startswith('!')
         if cursor.kind != K.WHILE_STMT and not negated_elsewhere:
             self.add(start, end, 'condition', f'!({text})', '(mutation_is({n}) != static_cast<bool>(')

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <glm/geometric.hpp>
 
@@ -149,6 +150,72 @@ TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_devic
   EXPECT_LE(differ, 3) << "but for roundings on an outline";
   EXPECT_GT(std::count_if(access.begin(), access.end(), [](double a) { return a < 0.0; }), 30)
       << "there is something beside the scene";
+}
+
+/// A floor that fills the picture, seen from above, with a wall on it or without.
+BuiltScene floor_and(bool wall) {
+  BuiltScene built;
+  const std::uint32_t material = built.add_material(matte({1, 1, 1}));
+  built.add(square(50.0f), material);
+  Affine upright;  // the plane x = 0, facing +x
+  upright.row[0] = {0, 1, 0, 0};
+  upright.row[1] = {-1, 0, 0, 0};
+  if (wall) built.add(square(50.0f), material, upright);
+  return built;
+}
+
+TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_open_floor_has_none) {
+  const View view = look_at({2.0, 4.0, 0.1}, {1.0, 0.0, 0.0}, 0.5, 0.05);
+  AmbientOcclusion settings;
+  settings.radius_m = 2.0f;
+  for (const bool wall : {false, true}) {
+    const BuiltScene built = floor_and(wall);
+    const OcclusionEffort effort{32, 24, 64, 0, false};
+    const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, settings, effort);
+    EXPECT_EQ(study.pixels, 32u * 24u) << "surfaces everywhere";
+    double squares = 0.0;
+    for (const double access : true_access(RayCaster(built.scene, built.frame()), view, 32, 24, 2.0, 64))
+      squares += (1.0 - access) * (1.0 - access);
+    EXPECT_NEAR(study.error_without, std::sqrt(squares / (32.0 * 24.0)), 1e-12);
+    EXPECT_EQ(study.error_without > 0.05, wall);
+    EXPECT_EQ(study.radius_m, 2.0);
+    for (const OcclusionTrial& trial : study.trials) {
+      EXPECT_LT(trial.error, wall ? study.error_without : 0.01) << trial.name;
+      EXPECT_TRUE(trial.milliseconds.empty()) << "no repetitions";
+    }
+  }
+}
+
+TEST_F(occlusion_study, every_way_is_a_list_of_different_shapes_with_the_default_among_them) {
+  const BuiltScene built = floor_and(true);
+  const View view = look_at({2.0, 4.0, 0.1}, {1.0, 0.0, 0.0}, 0.5, 0.05);
+  const auto trials_of = [&](bool every_way) {
+    return study_occlusion(*test_device(), built.scene, built.frame(), view, {}, {16, 12, 1, 0, every_way}).trials;
+  };
+  const auto all = trials_of(true), few = trials_of(false);
+  EXPECT_EQ(all.size(), 13u);
+  EXPECT_EQ(few.size(), 5u);
+  for (const auto* trials : {&all, &few}) {
+    std::size_t defaults = 0, full_size = 0, unblurred = 0;
+    for (const OcclusionTrial& a : *trials) {
+      defaults += a.is_default;
+      full_size += a.shape.step == 1;
+      unblurred += !a.blur;
+      EXPECT_EQ(a.is_default, a.name == "14 samples") << a.name;
+      EXPECT_EQ(a.name.rfind(std::to_string(a.shape.samples), 0), 0u) << a.name;
+      EXPECT_EQ(a.name.find("full size") != std::string::npos, a.shape.step == 1) << a.name;
+      EXPECT_EQ(a.name.find("no blur") != std::string::npos, !a.blur) << a.name;
+      for (const OcclusionTrial& b : *trials)
+        EXPECT_TRUE(&a == &b || !(a.shape == b.shape) || a.blur != b.blur) << a.name << ", " << b.name;
+    }
+    EXPECT_EQ(defaults, 1u);
+    EXPECT_EQ(unblurred, 1u);
+    EXPECT_EQ(full_size, trials == &all ? 4u : 1u);
+  }
+  for (const OcclusionTrial& t : all) {
+    EXPECT_EQ(t.shape.keep_edges, t.name != "14 plain blur") << t.name;
+    EXPECT_EQ(t.shape.blur_reach != OcclusionShape{}.blur_reach, t.name == "14 wide blur") << t.name;
+  }
 }
 
 }  // namespace

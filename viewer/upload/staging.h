@@ -19,6 +19,7 @@ class Staging {
   void copy(const Buffer& to, std::span<const std::byte> bytes);
   void copy(const GpuImage& to, std::span<const MipLevel> levels);  ///< fragment shaders can read it afterwards
   void send();                                                      ///< submits, and waits until all copies are done
+  VkDeviceSize waiting_bytes() const noexcept { return pending_; }
 
  private:
   struct ImageCopy {
