@@ -55,5 +55,14 @@ TEST(clip_error, large_clips_are_looked_at_on_keys_and_between_them) {
   }
 }
 
+TEST(clip_error, a_list_that_is_a_whole_number_of_steps_ends_with_its_last_step) {
+  std::vector<float> keys_s;
+  for (int k = 0; k <= 10'004; ++k) keys_s.push_back(static_cast<float>(k));
+  const auto times = times_to_check(of_keys(Interpolation::linear, std::move(keys_s)), 1000);  // 60,025 = 7 * 8575
+  ASSERT_EQ(times.size(), 8575u);
+  EXPECT_NEAR(times[1], 7.0 / 6.0, 1e-9);
+  EXPECT_NEAR(times.back(), 7.0 * 8574.0 / 6.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace sinew

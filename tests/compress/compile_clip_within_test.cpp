@@ -271,5 +271,37 @@ TEST(compile_clip_within, morph_weights_are_held_by_what_they_displace) {
   }
 }
 
+TEST(compile_clip_within, a_joint_without_extent_keeps_its_scale_as_it_is) {
+  // Its vertices lie in a plane whatever the scale; nothing says by how much a wrong scale would move them.
+  BoneAnimation bone;
+  test::FixedRandom random(21);
+  for (int k = 0; k < 20; ++k) {
+    bone.scale.times_s.push_back(static_cast<float>(k));
+    bone.scale.values.push_back({1.0f + 1e-3f * static_cast<float>(random.unit()), 0.0f, 1.0f});
+  }
+  const Scene scene = scene_of(test::chain_skeleton(1), test::animation_of({bone}));
+  const ClipWithin within = compile_clip_within(scene, scene.animations[0], virtual_vertices(scene), 1.0);
+  EXPECT_EQ(within.keys.bones[0].scale.values, bone.scale.values);
+}
+
+TEST(compile_clip_within, a_joint_that_several_animations_move_counts_once) {
+  test::FixedRandom random(22);
+  const auto times = test::random_times(random, 3);
+  std::vector<BoneAnimation> bones(4);
+  bones[0].joint = bones[2].joint = 1;
+  bones[0].rotation = test::random_rotations(random, Interpolation::linear, times);
+  bones[1].joint = 0;
+  bones[1].rotation = bones[0].rotation;
+  bones[2].translation = test::random_vectors(random, Interpolation::linear, times);
+  bones[3].joint = 2;  // without tracks
+  const Scene scene = scene_of(test::chain_skeleton(3), test::animation_of(bones));
+  const VirtualVertices vertices = virtual_vertices(scene);
+  const Clip clip = compile_and_measure(scene, scene.animations[0], scene.animations[0], vertices, 0.5);
+  EXPECT_EQ(clip.certificate()->animated_joints, 2u);
+  EXPECT_EQ(clip.certificate()->source_keys, 9u);
+  EXPECT_EQ(clip.certificate()->kept_keys, 9u);
+  EXPECT_EQ(clip.certificate()->asked_m, 0.5);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 #include "runtime/geometry_cache/geometry_format.h"
@@ -80,6 +81,83 @@ TEST(block_headers, kinds_that_a_frame_cannot_have_are_refused) {
   }
   EXPECT_FALSE(reads({.width = {0, 33, 0}}, FramePlace::later));
   EXPECT_FALSE(reads({.turns = true, .shift = 31}, FramePlace::later));
+}
+
+TEST(block_headers, the_most_that_sections_take_is_what_the_largest_blocks_take) {
+  for (const std::size_t count : {0u, 1u, 7u}) {
+    std::vector<BlockMotion> largest(count);
+    for (BlockMotion& motion : largest) {
+      motion.turns = true;
+      motion.offset = {std::numeric_limits<std::int32_t>::min(), 0, 1};
+    }
+    const BlockHeaderBytes bytes = write_block_headers(largest);
+    if (count > 0) {
+      EXPECT_EQ(bytes.coarse.size(), most_coarse_bytes(count));
+    }
+    EXPECT_EQ(most_coarse_bytes(count), 1 + 23 * count);
+    EXPECT_EQ(bytes.fine.size(), most_fine_bytes(count));
+  }
+}
+
+TEST(block_headers, offsets_take_as_many_planes_as_the_largest_has_bytes) {
+  const auto planes_of = [](std::int32_t offset, std::size_t axis) {
+    std::vector<BlockMotion> blocks(3);
+    blocks[1].offset[axis] = offset;
+    const BlockHeaderBytes bytes = write_block_headers(blocks);
+    EXPECT_EQ(bytes.coarse.size(), 1 + 3 * (4 + 3 * std::size_t{bytes.coarse[0]}));
+    return bytes.coarse[0];
+  };
+  for (const std::size_t axis : {0u, 1u, 2u}) {
+    // Zigzag doubles them: -128 is 255, and 128 is 256.
+    for (const unsigned bytes : {1u, 2u, 3u}) {
+      const std::int32_t half = 1 << (8 * bytes - 1);
+      EXPECT_EQ(planes_of(-half, axis), bytes - 1) << half;
+      EXPECT_EQ(planes_of(half - 1, axis), bytes - 1) << half;
+      EXPECT_EQ(planes_of(half, axis), bytes) << half;
+    }
+    EXPECT_EQ(planes_of(0, axis), 0);
+  }
+}
+
+TEST(block_headers, offsets_of_key_frames_count_from_the_block_before) {
+  std::vector<BlockMotion> blocks(4, BlockMotion{.base = BlockBase::space, .offset = {100000, -100000, 7}});
+  blocks[3].offset = {100003, -100001, 7};
+  const BlockHeaderBytes bytes = write_block_headers(blocks);
+  // Lowest bytes of zigzag differences, axis by axis: 200000, 0, 0, 6; 199999, 0, 0, 1; 14, 0, 0, 0.
+  const std::vector<std::uint8_t> expected = {200000 & 255, 0, 0, 6, 199999 & 255, 0, 0, 1, 14, 0, 0, 0};
+  EXPECT_EQ(bytes.fine, expected);
+  for (BlockMotion& motion : blocks) motion.base = BlockBase::last;
+  EXPECT_EQ(write_block_headers(blocks).fine[1], 200000 & 255) << "others stand alone";
+}
+
+TEST(block_headers, limits_are_inside) {
+  const auto reads = [](BlockMotion motion) {
+    const BlockHeaderBytes bytes = write_block_headers(std::span(&motion, 1));
+    return read_block_headers(bytes.coarse, bytes.fine, FramePlace::later, std::span(&motion, 1));
+  };
+  for (const std::size_t axis : {0u, 1u, 2u}) {
+    BlockMotion motion;
+    motion.width[axis] = 32;
+    EXPECT_TRUE(reads(motion));
+    motion.width[axis] = 33;
+    EXPECT_FALSE(reads(motion)) << axis;
+  }
+  EXPECT_TRUE(reads({.turns = true, .shift = 30}));
+  BlockMotion any;
+  for (const std::uint8_t kind : {std::uint8_t{15}, std::uint8_t{16}, std::uint8_t{32}}) {
+    std::vector<std::uint8_t> coarse = write_block_headers(std::span(&any, 1)).coarse, fine(3 + 9, 0);
+    coarse[1] = kind;
+    if ((kind & kTurnsBit) != 0) {
+      coarse.resize(coarse.size() + 10, 0);
+    } else {
+      fine.resize(3);
+    }
+    EXPECT_EQ(read_block_headers(coarse, fine, FramePlace::later, std::span(&any, 1)), kind == 15) << int{kind};
+  }
+  std::vector<std::uint8_t> coarse(1 + 4 + 3 * 4, 0);
+  coarse[0] = 4;  // planes, one more than there can be
+  coarse[1] = static_cast<std::uint8_t>(BlockBase::last);
+  EXPECT_FALSE(read_block_headers(coarse, std::vector<std::uint8_t>(3, 0), FramePlace::later, std::span(&any, 1)));
 }
 
 }  // namespace

@@ -173,5 +173,108 @@ TEST(encode_geometry_cache, what_cannot_be_baked_is_refused_by_rule) {
   EXPECT_EQ(rule_of(flag_take(4, 0.0)), "cache-budget");
 }
 
+/// One vertex that stands still.
+GeometryTake one_point(const glm::vec3& at, double budget) { return take_of({{at}, {at}}, {}, budget); }
+
+TEST(encode_geometry_cache, the_grid_is_as_wide_as_the_budget_less_what_float_rounds_off) {
+  // Half the diagonal of a cell is the budget, less 2^-22 of the largest number.
+  for (const double budget : {1e-2, 1e-4})
+    for (const glm::vec3& at : {glm::vec3(0), glm::vec3(0.25f, 0, 0), glm::vec3(0.125f, -3, 1), glm::vec3(1, 2, 100)}) {
+      double largest = 0.0;
+      for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(double{at[axis]}));
+      const auto file = encode_geometry_cache(one_point(at, budget));
+      ASSERT_TRUE(file.has_value());
+      EXPECT_EQ(GeometryCache::open(*file)->meshes()[0].streams[0].step,
+                static_cast<float>(2.0 * (budget - 0x1p-22 * largest) / std::sqrt(3.0)));
+    }
+}
+
+TEST(encode_geometry_cache, a_budget_is_at_least_twice_what_float_rounds_off) {
+  EXPECT_TRUE(encode_geometry_cache(one_point({0, -1, 0}, 0x1p-21)).has_value());
+  EXPECT_FALSE(encode_geometry_cache(one_point({0, -1, 0}, std::nextafter(0x1p-21, 0.0))).has_value());
+  EXPECT_TRUE(encode_geometry_cache(one_point({0, 0, 0}, std::nextafter(0x1p-100, 1.0))).has_value());
+  EXPECT_FALSE(encode_geometry_cache(one_point({0, 0, 0}, 0x1p-100)).has_value());
+  EXPECT_FALSE(encode_geometry_cache(one_point({0, 0, 0}, std::nan(""))).has_value());
+}
+
+TEST(encode_geometry_cache, boxes_hold_the_decoded_vertices_and_hardly_more) {
+  GeometryTake take = noise_take(90, 7, 1e-3);
+  take.meshes.push_back(noise_take(40, 7, 1e-3).meshes[0]);
+  take.meshes.push_back(take_of(std::vector(7, std::vector<glm::vec3>(5, {3, 4, 5})), {}).meshes[0]);
+  take.meshes.push_back(take_of(std::vector<std::vector<glm::vec3>>(7), {}).meshes[0]);
+  for (std::size_t f = 0; f < 7; ++f) {
+    const auto away = static_cast<float>(f);
+    for (glm::vec3& p : take.meshes[0].streams[0].frames[f]) p = 0.01f * p + glm::vec3(50.0f - 2 * away, 70, -20);
+    for (glm::vec3& p : take.meshes[1].streams[0].frames[f]) p.z = -9.0f;  // flat
+  }
+  const auto file = encode_geometry_cache(take);
+  ASSERT_TRUE(file.has_value());
+  const auto cache = GeometryCache::open(*file);
+  GeometryDecoder decoder(*cache);
+  MappedFrames source{*cache, *file};
+  std::vector<Aabb> all(3);
+  for (std::uint32_t f = 0; f < 7; ++f) {
+    ASSERT_EQ(decoder.decode(f, source), GeometryStatus::ok);
+    for (std::size_t m = 0; m < 3; ++m) {
+      std::vector<glm::vec3> vertices(take.meshes[m].vertex_count);
+      ASSERT_EQ(decoder.write_vertices(m, vertices), GeometryStatus::ok);
+      Aabb tight;
+      for (const glm::vec3& p : vertices) tight.add(p);
+      all[m].add(tight.lower);
+      all[m].add(tight.upper);
+      const Aabb box = cache->bounds(f, m), whole = cache->meshes()[m].bounds;
+      for (int axis = 0; axis < 3; ++axis) {
+        const float part = (whole.upper[axis] - whole.lower[axis]) / 65535.0f,
+                    ulp = 1e-6f * std::abs(tight.lower[axis]);
+        EXPECT_LE(box.lower[axis], tight.lower[axis]);
+        EXPECT_GE(box.upper[axis], tight.upper[axis]);
+        EXPECT_GE(box.lower[axis], tight.lower[axis] - 2.01f * part - ulp) << "mesh " << m << " frame " << f;
+        EXPECT_LE(box.upper[axis], tight.upper[axis] + 2.01f * part + ulp) << "mesh " << m << " frame " << f;
+      }
+    }
+  }
+  for (std::size_t m = 0; m < 3; ++m) {
+    EXPECT_EQ(cache->meshes()[m].bounds.lower, all[m].lower) << m;
+    EXPECT_EQ(cache->meshes()[m].bounds.upper, all[m].upper) << m;
+  }
+  EXPECT_EQ(cache->meshes()[3].bounds.lower, glm::vec3(0)) << "without vertices";
+  EXPECT_EQ(cache->meshes()[3].bounds.upper, glm::vec3(0));
+}
+
+TEST(encode_geometry_cache, between_frames_is_measured_mesh_by_mesh) {
+  GeometryTake take = noise_take(6, 4, 1e-3);
+  take.meshes[0].streams.push_back({GeometryKind::normals, take.meshes[0].streams[0].frames, 0.1});
+  take.meshes.push_back(noise_take(9, 4, 1e-3).meshes[0]);
+  TakeMesh& mesh = take.meshes[1];
+  for (std::size_t f = 0; f + 1 < 4; ++f) {
+    auto& middle = mesh.between.emplace_back();
+    const auto& frames = mesh.streams[0].frames;
+    for (std::size_t v = 0; v < 9; ++v) middle.push_back(0.5f * (frames[f][v] + frames[f + 1][v]));
+  }
+  mesh.between[1][4] += glm::vec3(0.3f, 0, -0.4f);
+  mesh.between[2][8].y += 0.2f;
+  const auto file = encode_geometry_cache(take);
+  ASSERT_TRUE(file.has_value());
+  const auto cache = GeometryCache::open(*file);
+  EXPECT_LT(cache->meshes()[0].certificate.between_m, 0.0) << "its source is not known";
+  EXPECT_NEAR(cache->meshes()[1].certificate.between_m, 0.5, 2e-3);
+}
+
+TEST(encode_geometry_cache, what_is_refused_is_named) {
+  const auto detail_of = [](const GeometryTake& take) {
+    const auto file = encode_geometry_cache(take);
+    return file ? std::string() : file.error().issue.detail;
+  };
+  GeometryTake take = noise_take(8, 4, 1e-3);
+  take.meshes.push_back(take.meshes[0]);
+  take.meshes[1].name = "other";
+  take.meshes[1].streams[0].frames[2][5].y = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(detail_of(take), "mesh \"other\": vertex 5 is not finite in frame 2");
+  take.meshes[1].streams[0].frames[2].pop_back();
+  EXPECT_EQ(detail_of(take), "mesh \"other\" has 7 vertices in frame 2, not 8");
+  take.meshes[1].streams[0].frames.pop_back();
+  EXPECT_EQ(detail_of(take), "mesh \"other\" has 3 frames of 4, or too many vertices");
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -73,6 +73,50 @@ TEST(point_cache, values_times_and_heads_that_make_no_sense_are_refused) {
   EXPECT_EQ(rule_of(file), "points-header");
 }
 
+TEST(point_cache, frames_without_points_are_frames_and_points_without_frames_are_none) {
+  const auto none = read_point_cache(mdd_file({{}, {}}, {0, 1}), "file", 30.0);
+  ASSERT_TRUE(none.has_value());
+  EXPECT_EQ(none->frames.size(), 2u);
+  EXPECT_EQ(none->point_count(), 0u);
+  std::vector<std::byte> file = mdd_file({}, {});
+  file[7] = std::byte(5);  // five points in no frame
+  EXPECT_EQ(rule_of(file), "points-size");
+}
+
+TEST(point_cache, counts_whose_product_passes_64_bits_are_refused) {
+  // 12 * 2^31 * 2^31 is 0 in 64 bits: a file of the head alone would seem to be as long as it says.
+  std::vector<std::byte> file = pc2_file(kFrames, 0, 1);
+  file.resize(32);
+  file[16] = file[17] = file[18] = std::byte(0);
+  file[28] = file[29] = file[30] = std::byte(0);
+  file[19] = file[31] = std::byte(0x80);
+  EXPECT_EQ(rule_of(file), "points-size");
+  file[19] = file[31] = std::byte(0);
+  EXPECT_EQ(rule_of(file), "points-size") << "no frames";
+}
+
+TEST(point_cache, times_may_be_off_by_a_hundredth_of_their_distance) {
+  // Ten frames of 0.1 s from 2 s on; one in the middle is off.
+  const auto rule_with = [](float off) {
+    std::vector<float> times;
+    for (int f = 0; f <= 10; ++f) times.push_back(2.0f + 0.1f * static_cast<float>(f));
+    times[4] += off;
+    return rule_of(mdd_file(Frames(11, kFrames[0]), times));
+  };
+  EXPECT_EQ(rule_with(0.0009f), "");
+  EXPECT_EQ(rule_with(-0.0009f), "");
+  EXPECT_EQ(rule_with(0.0011f), "points-times");
+  EXPECT_EQ(rule_with(-0.0011f), "points-times");
+}
+
+TEST(point_cache, one_frame_lasts_as_the_rate_says_and_the_same_time_twice_is_none) {
+  const auto one = read_point_cache(mdd_file({kFrames[0]}, {3.0f}), "file", 50.0);
+  ASSERT_TRUE(one.has_value());
+  EXPECT_EQ(one->start_s, 3.0);
+  EXPECT_EQ(one->frame_s, 0.02);
+  EXPECT_EQ(rule_of(mdd_file({kFrames[0], kFrames[1]}, {3.0f, 3.0f})), "points-times");
+}
+
 std::string axis_of(const PointCache& points, std::span<const glm::vec3> rest) {
   const auto up = find_up_axis(points, rest, "file");
   return !up ? up.error().issue.rule : *up == UpAxis::y ? "y" : "z";
@@ -95,6 +139,22 @@ TEST(point_cache, the_axis_that_is_up_is_found_or_not_guessed) {
   points.frames = {y_up};
   turn_to_y_up(points);
   EXPECT_EQ(points.frames[0], z_up);
+}
+
+TEST(point_cache, an_axis_fits_within_a_thousandth_of_the_size_of_the_mesh) {
+  const std::vector<glm::vec3> rest = {{0, 0, 0}, {3, 4, 12}};  // 13 across
+  for (const bool z_up : {false, true}) {
+    const auto axis_with = [&](double off) {
+      PointCache points;
+      auto& frame = points.frames.emplace_back();
+      for (const glm::vec3& p : rest) frame.push_back(z_up ? glm::vec3(p.x, -p.z, p.y) : p);
+      frame[1].x += static_cast<float>(off);
+      return axis_of(points, rest);
+    };
+    EXPECT_EQ(axis_with(0.0129), z_up ? "z" : "y");
+    EXPECT_EQ(axis_with(-0.0129), z_up ? "z" : "y");
+    EXPECT_EQ(axis_with(0.0131), "points-axes");
+  }
 }
 
 TEST(read_obj, vertices_and_faces_of_any_number_of_corners) {
