@@ -115,10 +115,10 @@ PolarT<double> polar_of(const Mat& m, double rounding) noexcept {
   return out;
 }
 
-/// Replaces the columns without length so that the three are a right-handed frame where possible.
+/// Replaces the columns without length so that the three are a right-handed frame where possible. Without any they
+/// stay as they are.
 Mat complete_frame(Mat unit, const bool (&known)[3]) noexcept {
   const int count = known[0] + known[1] + known[2];
-  if (count == 0) return Mat(1.0);
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     if (count == 2 && !known[i]) unit[i] = normalised_or(glm::cross(unit[j], unit[k]), perpendicular_to(unit[j]));

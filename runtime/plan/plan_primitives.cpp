@@ -185,7 +185,7 @@ void plan_primitives(CompiledPlan& plan) {
   plan.split.resize(scene.skins.size());
   plan.combined.resize(scene.skins.size());
   const NeverShown never_shown(plan);
-  const Needs nothing = {.joints = false, .positions = false, .normals = false, .tangents = false};
+  const Needs nothing = {.positions = false, .normals = false, .tangents = false};
   CombinationsOfPlan combinations(plan);
   FlatFacesOfPlan flat_faces;
   SurfacesOfPlan surfaces;

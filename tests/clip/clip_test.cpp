@@ -113,5 +113,20 @@ TEST(clip, moved_clips_keep_their_contents) {
   EXPECT_EQ(b.joint_count(), 3u);
 }
 
+TEST(clip, tracks_of_one_key_are_folded_whatever_their_interpolation) {
+  for (const Interpolation kind :
+       {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline, Interpolation::squad}) {
+    BoneAnimation bone;
+    test::FixedRandom random(31);
+    bone.translation = test::random_vectors(random, kind, {0.5f});
+    bone.scale = test::random_vectors(random, kind, {0.5f});
+    bone.rotation = {
+        kind, {0.5f}, std::vector<glm::quat>(test::value_count(kind, 1), quat_xyzw(0.0f, 1.0f, 0.0f, 0.0f))};
+    const Clip clip = test::clip_of(animation_of({bone}), test::chain_skeleton(1));
+    EXPECT_EQ(clip.counts().folded, 3u) << static_cast<int>(kind);
+    EXPECT_EQ(clip.counts().time_groups, 0u);
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -70,5 +70,29 @@ TEST(packed_keys, what_takes_too_many_bits_or_is_a_curve_is_not_packed) {
   EXPECT_FALSE(pack_keys(wandering(random, 10, 1.0), 1e-8));
 }
 
+TEST(packed_keys, rotations_come_back_whichever_component_is_left_out_and_whatever_its_sign) {
+  for (std::uint32_t largest = 0; largest < 4; ++largest)
+    for (const float sign : {-1.0f, 1.0f}) {
+      test::FixedRandom random(10 + largest);
+      QuatTrack track{Interpolation::linear, {}, {}};
+      for (int k = 0; k < 12; ++k) {
+        float numbers[4];
+        for (float& number : numbers) number = static_cast<float>(random.in(-0.2, 0.2));
+        numbers[largest] = sign;
+        track.times_s.push_back(static_cast<float>(k));
+        track.values.push_back(normalised(quat_xyzw(numbers[0], numbers[1], numbers[2], numbers[3])));
+      }
+      const auto packed = pack_keys(track, 1e-3);
+      ASSERT_TRUE(packed);
+      EXPECT_EQ(packed->derived, largest);
+      for (std::size_t k = 0; k < track.key_count(); ++k) {
+        const auto v = unpack_key(*packed, k);
+        EXPECT_NEAR(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3], 1.0f, 1e-6f);
+        EXPECT_LE(test::angle_between(quat_xyzw(v[0], v[1], v[2], v[3]), track.values[k]), 1.001e-3)
+            << "component " << largest;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace sinew

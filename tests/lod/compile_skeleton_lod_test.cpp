@@ -14,6 +14,7 @@
 #include "tests/plan/frame_difference.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/scenes/random_scene.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
@@ -199,6 +200,39 @@ TEST(compile_skeleton_lod, a_skeleton_without_meshes_is_measured_at_its_shell) {
 
 TEST(compile_skeleton_lod, an_empty_scene_has_nothing_to_leave_out) {
   EXPECT_EQ(compile_skeleton_lod(Scene{}, 1.0).left_out, 0u);
+}
+
+TEST(compile_skeleton_lod, the_kind_of_skinning_of_each_instance_counts) {
+  RandomSceneOptions options = without_morphs();
+  options.centers = true;
+  const Scene scene = random_scene(5, options);
+  const auto skinned = static_cast<std::size_t>(
+      std::find_if(scene.instances.begin(), scene.instances.end(), [](const auto& i) { return i.skin != kNone; }) -
+      scene.instances.begin());
+  ASSERT_LT(skinned, scene.instances.size());
+  Needs others, own;
+  others.instance_skinning.assign(scene.instances.size(), Skinning::linear);
+  own = others;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.instances[i].skin == kNone) others.instance_skinning[i] = Skinning::dual_quaternion;
+  own.instance_skinning[skinned] = Skinning::dual_quaternion;
+  const CompiledSkeletonLod linear = compile_skeleton_lod(scene, 8.0);
+  EXPECT_EQ(compile_skeleton_lod(scene, 8.0, {}, others).measured_m, linear.measured_m)
+      << "instances without a skin are not bent";
+  EXPECT_NE(compile_skeleton_lod(scene, 8.0, {}, own).measured_m, linear.measured_m) << "compared vertex by vertex";
+}
+
+TEST(compile_skeleton_lod, a_single_joint_stays_and_its_shell_is_measured) {
+  Scene scene;
+  scene.skeleton = skeleton_of({kNone});
+  BoneAnimation bone;
+  bone.translation = {Interpolation::linear, {0, 1}, {{0, 0, 0}, {0, 2, 0}}};
+  scene.animations.push_back(animation_of({bone}));
+  finish_scene(scene);
+  const CompiledSkeletonLod whole = compile_skeleton_lod(scene, 10.0);
+  EXPECT_EQ(whole.left_out, 0u);
+  EXPECT_TRUE(whole.detail.kept.empty());
+  EXPECT_EQ(whole.measured_m, 0.0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/same_bits.h"
 #include "runtime/plan/compiled_plan.h"
 #include "runtime/plan/frame_hash.h"
 #include "runtime/plan/run_plan.h"
@@ -344,6 +345,57 @@ TEST(compile_plan, places_in_frame_memory_do_not_overlap_and_are_aligned) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     EXPECT_EQ(places[i].first % 64, 0u);
     EXPECT_LE(places[i].second, i + 1 < places.size() ? places[i + 1].first : plan.frame_bytes());
+  }
+}
+
+/// The scene with the other instances hidden: their skins stay where they are.
+Scene only_instance(Scene scene, std::size_t kept) {
+  const MeshInstance instance = scene.instances[kept];
+  const Skin skin = scene.skins[instance.skin];
+  scene.instances = {instance};
+  scene.skins = {skin};
+  scene.instances[0].skin = 0;
+  for (Animation& animation : scene.animations) {
+    std::erase_if(animation.weights, [&](const WeightAnimation& w) { return w.instance != kept; });
+    for (WeightAnimation& w : animation.weights) w.instance = 0;
+  }
+  scene.clips.clear();
+  finish_scene(scene);
+  return scene;
+}
+
+TEST(compile_plan, each_skin_is_bent_as_it_is_alone_whatever_kind_the_others_are_of) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    RandomSceneOptions options;
+    options.skins = 3;
+    options.instances = 6;
+    options.centers = true;
+    const Scene scene = random_scene(seed, options);
+    Needs needs;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+      needs.instance_skinning.push_back(i % 4 == 1 ? Skinning::dual_quaternion : Skinning::linear);
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    const ClipLayer layer{0, 0.3 + 0.1 * seed};
+    const Affine turned = affine_from_transform(Transform{{1, 2, 3}, quat_xyzw(0.0f, 1.0f, 0.0f, 0.0f), {1, 1, 1}});
+    const FrameInput input{.layers = {&layer, 1}, .weights = {}, .root = turned};
+    ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      if (scene.instances[i].skin == kNone) continue;
+      const Scene alone = only_instance(scene, i);
+      Needs own;
+      own.skinning = needs.instance_skinning[i];
+      const Plan own_plan = compile_plan(alone, own);
+      FrameBuffer own_frame(own_plan);
+      ASSERT_EQ(run_plan(own_plan, input, own_frame), ErrorCode::ok);
+      const auto mine = own_frame.result().primitives;
+      const std::uint32_t first = frame.result().instances[i].first_primitive;
+      for (std::size_t p = 0; p < mine.size(); ++p) {
+        EXPECT_TRUE(same_bits<glm::vec3>(mine[p].positions, frame.result().primitives[first + p].positions))
+            << "seed " << seed << " instance " << i;
+        EXPECT_TRUE(same_bits<glm::vec3>(mine[p].normals, frame.result().primitives[first + p].normals));
+      }
+    }
   }
 }
 

@@ -16,6 +16,7 @@
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
@@ -323,6 +324,28 @@ TEST(skeleton_lod, the_plan_says_what_is_left_out) {
   EXPECT_EQ(stage->count, 2u);
   EXPECT_NE(stage->reason.find("1 of 3 joints are left out as asked, they follow the joints above"), std::string::npos)
       << stage->reason;
+}
+
+TEST(skeleton_lod, G48_a_mesh_on_a_joint_that_is_left_out_keeps_its_winding) {
+  for (const bool mirrored : {false, true}) {
+    Scene scene;
+    scene.skeleton = skeleton_of({kNone, 0});
+    if (mirrored) scene.skeleton.rest[1].scale = {1, -1, 1};
+    Mesh& mesh = scene.meshes.emplace_back();
+    Primitive& primitive = mesh.primitives.emplace_back();
+    primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    primitive.indices = {0, 1, 2};
+    scene.instances.push_back({.joint = 1, .mesh = 0});
+    finish_scene(scene);
+    Needs needs;
+    needs.skeleton_lod.kept = {true, false};
+    needs.skeleton_lod.held = scene.skeleton.rest;
+    const Plan plan = compile_plan(scene, needs);
+    FrameBuffer frame(plan);
+    ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+    EXPECT_EQ(frame.result().instances[0].mirrored, mirrored);
+    EXPECT_EQ(frame.result().work.windings_tested, 0u) << "nothing can change it";
+  }
 }
 
 }  // namespace

@@ -216,5 +216,14 @@ TEST(local_to_model, P01_some_joints_have_the_bits_of_all_and_the_others_are_not
   EXPECT_EQ(check(job), ErrorCode::index_out_of_range);
 }
 
+TEST(local_to_model, poses_without_memory_are_refused_from_one_joint_on) {
+  for (const std::uint32_t joints : {1u, 2u}) {
+    Rig rig(chain(joints));
+    LocalToModelJob job = rig.job();
+    job.local.planes = nullptr;
+    EXPECT_EQ(check(job), ErrorCode::size_mismatch) << joints;
+  }
+}
+
 }  // namespace
 }  // namespace sinew
