@@ -84,6 +84,23 @@ glm::dvec3 each(const glm::dvec3& v, const Function& f) {
   return {f(v.x), f(v.y), f(v.z)};
 }
 
+glm::dvec3 displayed(const Lighting& lighting, const glm::dvec3& light) {
+  const glm::dvec3 exposed = light * static_cast<double>(lighting.exposure);
+  switch (lighting.tone_curve) {
+    case viewer::ToneCurve::aces: return tone_mapped_aces(exposed);
+    case viewer::ToneCurve::none: return glm::min(exposed, glm::dvec3(1.0));
+    default: return tone_mapped(exposed);
+  }
+}
+
+/// The light of the gradient behind a pixel, as displayed.
+glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
+  const double t = 0.5 + 0.5 * glm::normalize(sight_line(picture, x, y).direction).y;
+  const glm::dvec3 light = glm::dvec3(picture.ambient.ground) * (1.0 - t) + glm::dvec3(picture.ambient.sky) * t;
+  const Lighting& lighting = picture.options.lighting;
+  return displayed(lighting, light * static_cast<double>(lighting.environment_intensity));
+}
+
 glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
   const std::vector<SurfacePoint> seen = layers(picture, x, y);
   glm::dvec3 light(0.0);
@@ -94,10 +111,11 @@ glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
     light = radiance_of(picture, *point, x, y) * alpha + light * (1.0 - alpha);
     coverage = alpha + coverage * (1.0 - alpha);
   }
-  const double exposure = static_cast<double>(picture.options.lighting.exposure);
-  const glm::dvec3 display = coverage > 0.0 ? tone_mapped(light / coverage * exposure) : glm::dvec3(0.0);
+  const glm::dvec3 display = coverage > 0.0 ? displayed(picture.options.lighting, light / coverage) : glm::dvec3(0.0);
   if (picture.options.transparent_background) return {each(display, srgb_encoded), coverage};
-  const glm::dvec3 behind = each(glm::dvec3(picture.options.background), srgb_decoded);
+  const glm::dvec3 behind = picture.options.backdrop == viewer::Backdrop::sharp
+                                ? gradient_behind(picture, x, y)
+                                : each(glm::dvec3(picture.options.background), srgb_decoded);
   return {each(display * coverage + behind * (1.0 - coverage), srgb_encoded), 1.0};
 }
 

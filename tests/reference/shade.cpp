@@ -37,6 +37,23 @@ glm::dvec3 tone_mapped(const glm::dvec3& color) {
   return shifted * (compressed / peak) * (1.0 - to_white) + glm::dvec3(compressed) * to_white;
 }
 
+glm::dvec3 tone_mapped_aces(const glm::dvec3& color) {
+  constexpr double into[3][3] = {{0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
+  constexpr double out[3][3] = {
+      {1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
+  glm::dvec3 film(0.0), shown(0.0);
+  for (int row = 0; row < 3; ++row) {
+    double v = 0.0;
+    for (int k = 0; k < 3; ++k) v += into[row][k] * color[k] / 0.6;
+    film[row] = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.432951) + 0.238081);
+  }
+  for (int row = 0; row < 3; ++row) {
+    for (int k = 0; k < 3; ++k) shown[row] += out[row][k] * film[k];
+    shown[row] = std::clamp(shown[row], 0.0, 1.0);
+  }
+  return shown;
+}
+
 double srgb_encoded(double linear) {
   const double c = std::clamp(linear, 0.0, 1.0);
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;

@@ -19,6 +19,10 @@ glm::dvec3 direct(const ShadedPoint& point, const glm::dvec3& to_light, const gl
 /// Khronos PBR Neutral tone mapping.
 glm::dvec3 tone_mapped(const glm::dvec3& color);
 
+/// eq   ACES as fitted by Hill (2016): M2 f(M1 color / 0.6) with f(v) = (v (v + 0.0245786) - 0.000090537) /
+///      (v (0.983729 v + 0.432951) + 0.238081), clipped to [0, 1]
+glm::dvec3 tone_mapped_aces(const glm::dvec3& color);
+
 /// IEC 61966-2-1, per component.
 double srgb_encoded(double linear);
 double srgb_decoded(double encoded);

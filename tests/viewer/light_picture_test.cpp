@@ -259,8 +259,52 @@ TEST_F(light_picture, tone_curve_keeps_colors_and_whitens_highlights) {
                                                    {{0, 0, 0}, {1, 1, 1}},
                                                    {{0.5f, 0.2f, 0.0f}, {9.0f, 2.0f, 0.05f}},
                                                    {{0.1f, 3.0f, 2.0f}, {4.0f, 60.0f, 30.0f}}};
-  for (const auto& [left, right] : ramps)
-    expect_reference_picture(glowing_wall(left, right), view_of_wall(), only_scene_lights());
+  for (const ToneCurve curve : {ToneCurve::neutral, ToneCurve::aces, ToneCurve::none})
+    for (const auto& [left, right] : ramps) {
+      RenderOptions options = only_scene_lights();
+      options.lighting.tone_curve = curve;
+      expect_reference_picture(glowing_wall(left, right), view_of_wall(), options);
+    }
+}
+
+TEST_F(light_picture, environment_is_the_backdrop_where_it_is_asked_for) {
+  const Gradient light{.sky = {0.2f, 0.5f, 0.9f}, .ground = {0.7f, 0.2f, 0.05f}};
+  RenderOptions options = only_ambient_light();
+  options.lighting.environment = gradient_environment(light);
+  options.lighting.environment_intensity = 0.6f;
+  options.lighting.exposure = 1.5f;
+  options.backdrop = Backdrop::sharp;
+  BuiltScene built = ball(0.0f, 1.0f);
+  View parallel = view_of_ball();
+  parallel.half_height_m = 1.1;
+  parallel.far_m = 6.0;
+  for (const View& view : {view_of_ball(), look_at({1.5, -0.8, 0.4}, {0, 0, 0}, 1.2, 0.05), parallel})
+    expect_reference_picture(built, view, options, {.bound = 0.004}, {}, light);
+}
+
+TEST_F(light_picture, blurred_backdrop_is_a_filtered_level_of_the_environment) {
+  RenderOptions options = only_ambient_light();
+  options.lighting.environment =
+      make_environment(cube_of(64, [](const glm::vec3& d) { return glm::vec3(d.x > 0.0f ? 0.6f : 0.0f); }));
+  BuiltScene empty;
+  float steepest[2] = {};
+  for (const Backdrop backdrop : {Backdrop::blurred, Backdrop::sharp}) {
+    options.backdrop = backdrop;
+    const FloatPicture drawn = render_float(empty, 64, 4, look_at({0, 0, 0}, {0, 0, -1}, 0.3, 0.05), options);
+    float& steep = steepest[backdrop == Backdrop::sharp];
+    for (int x = 1; x < 64; ++x) steep = std::max(steep, std::abs(drawn.at(x, 2).x - drawn.at(x - 1, 2).x));
+    EXPECT_GT(drawn.at(63, 2).x, drawn.at(0, 2).x) << "+x is to the right of -z";
+  }
+  EXPECT_GT(steepest[1], 4.0f * steepest[0]);
+}
+
+TEST_F(light_picture, backdrop_is_plain_without_an_environment) {
+  BuiltScene built = ball(0.0f, 1.0f);
+  RenderOptions options = only_scene_lights();
+  add_light_at(built, lamp(Light::Kind::directional, 2.0f), {0, 0, 0}, {-0.9f, -0.3f, -0.2f});
+  const FloatPicture plain = render_float(built, 16, 16, view_of_ball(), options);
+  options.backdrop = Backdrop::sharp;
+  EXPECT_EQ(render_float(built, 16, 16, view_of_ball(), options).pixels, plain.pixels);
 }
 
 TEST_F(light_picture, background_is_shown_as_it_is_given_and_behind_what_lets_light_through) {

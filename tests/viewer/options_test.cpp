@@ -66,11 +66,17 @@ TEST(options, read_everything_that_one_picture_can_have) {
                                     "--environment-intensity",
                                     "0.5",
                                     "--exposure",
-                                    "1.5"});
+                                    "1.5",
+                                    "--backdrop",
+                                    "sharp",
+                                    "--tone",
+                                    "aces"});
   EXPECT_EQ(options.environment, "sky.hdr");
   EXPECT_EQ(options.environment_turn_deg, -90.0f);
   EXPECT_EQ(options.environment_intensity, 0.5f);
   EXPECT_EQ(options.exposure_ev, 1.5f);
+  EXPECT_EQ(options.backdrop, Backdrop::sharp);
+  EXPECT_EQ(options.tone_curve, ToneCurve::aces);
   EXPECT_EQ(options.file, "a b.glb");
   EXPECT_EQ(options.headless, "out.PNG");
   EXPECT_EQ(options.time_s, 0.5);
@@ -151,6 +157,8 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--size", "0x5"}, "0x5"},
       {{"--exposure", "bright"}, "bright"},
       {{"--exposure", "33"}, "33"},
+      {{"--backdrop", "blue"}, "plain, blurred, sharp"},
+      {{"--tone", "film"}, "neutral, aces, none"},
       {{"--environment-turn", "361"}, "361"},
       {{"--environment-intensity", "-1"}, "-1"},
       {{"--size", "640"}, "640"},
@@ -215,6 +223,8 @@ TEST(options, help_and_version_leave_with_code_0) {
                            "--environment-turn",
                            "--environment-intensity",
                            "--exposure",
+                           "--backdrop",
+                           "--tone",
                            "--exit-after",
                            "--validate",
                            "space",

@@ -17,6 +17,8 @@ TEST(settings, begin_as_the_command_line_says) {
   options.environment_turn_deg = 90.0f;
   options.environment_intensity = 0.5f;
   options.exposure_ev = -2.0f;
+  options.backdrop = Backdrop::blurred;
+  options.tone_curve = ToneCurve::none;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
@@ -28,6 +30,8 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_EQ(light.environment_intensity, 0.5f);
   EXPECT_FLOAT_EQ(light.environment_turn_rad, 1.57079633f);
   EXPECT_EQ(light.exposure, 0.25f);
+  EXPECT_EQ(light.tone_curve, ToneCurve::none);
+  EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).backdrop, Backdrop::blurred);
   EXPECT_TRUE(settings.panel);
   EXPECT_FALSE(settings.skeleton);
   options.skeleton = true;

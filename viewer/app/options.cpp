@@ -165,6 +165,17 @@ void add_light_options(CLI::App& app, Options& options) {
   text_option(app, "--environment-intensity", "X", "times as much of it (1)", [&, bounded](const std::string& text) {
     options.environment_intensity = bounded("--environment-intensity", text, 0.0f, 1e6f, "a factor from 0 on");
   });
+  text_option(app, "--backdrop", "WHAT", "what is behind: plain, blurred or sharp light from all around (blurred)",
+              [&](const std::string& text) {
+                options.backdrop = named<Backdrop>(
+                    "--backdrop", text,
+                    {{"plain", Backdrop::plain}, {"blurred", Backdrop::blurred}, {"sharp", Backdrop::sharp}});
+              });
+  text_option(
+      app, "--tone", "CURVE", "how light is displayed: neutral, aces or none (neutral)", [&](const std::string& text) {
+        options.tone_curve = named<ToneCurve>(
+            "--tone", text, {{"neutral", ToneCurve::neutral}, {"aces", ToneCurve::aces}, {"none", ToneCurve::none}});
+      });
   text_option(app, "--exposure", "EV", "stops: 1 doubles all light, -1 halves it (0)",
               [&, bounded](const std::string& text) {
                 options.exposure_ev = bounded("--exposure", text, -32.0f, 32.0f, "a number of stops from -32 to 32");

@@ -44,6 +44,8 @@ struct Options {
   std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
   float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above
   float environment_intensity = 1.0f;
+  Backdrop backdrop = Backdrop::blurred;
+  ToneCurve tone_curve = ToneCurve::neutral;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
   bool skeleton = false;     ///< lines over the picture
   bool transparent = false;

@@ -119,6 +119,11 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
 }
 
 void light_controls(Settings& settings) {
+  int backdrop = static_cast<int>(settings.backdrop), tone = static_cast<int>(settings.tone_curve);
+  ImGui::Combo("backdrop", &backdrop, "plain\0blurred\0sharp\0");
+  ImGui::Combo("tone", &tone, "neutral\0aces\0none\0");
+  settings.backdrop = static_cast<Backdrop>(backdrop);
+  settings.tone_curve = static_cast<ToneCurve>(tone);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
   ImGui::SliderFloat("turn light", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("turns the light that comes from all around");

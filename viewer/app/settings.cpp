@@ -17,6 +17,8 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.environment_turn_deg = options.environment_turn_deg;
   settings.environment_intensity = options.environment_intensity;
   settings.exposure_ev = options.exposure_ev;
+  settings.backdrop = options.backdrop;
+  settings.tone_curve = options.tone_curve;
   settings.skinning = options.skinning;
   settings.cache_weight = options.cache_weight;
   settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
@@ -70,6 +72,8 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.lighting.environment = std::move(environment);
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);
+  options.backdrop = settings.backdrop;
+  options.lighting.tone_curve = settings.tone_curve;
   options.lighting.exposure = std::exp2(settings.exposure_ev);
   return options;
 }

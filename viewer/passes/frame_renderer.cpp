@@ -107,6 +107,8 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
           .ambient = inputs.options.lighting.ambient(),
+          .tone_curve = inputs.options.lighting.tone_curve,
+          .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
           .light_count = light_count(inputs.options, lights)};
 }
 

@@ -33,6 +33,8 @@ enum ConstantId : std::size_t {
   id_tangents = 6,
   id_unlit = 7,
   id_texcoord_sets = 8,
+  id_tone_curve = 8,  // of screens, which have no texture coordinates
+  id_backdrop = 9,
   id_light_count = 13,
   id_transparent_background = 14,
   id_ambient = 15
@@ -43,6 +45,8 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   SurfaceFeatures& surface = key.surface;
   auto& sets = surface.material.texcoord_sets;
   key.frame.transparent_background = false;
+  key.frame.tone_curve = {};
+  key.frame.backdrop = {};
   const bool shades = key.pass != Pass::normal_depth;
   if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
   if (key.depth_only) surface.normals = NormalSource::none;
@@ -118,6 +122,8 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_occluded] = key.frame.occluded;
   shape.constants[id_ao_step] = occlusion_.step;
   shape.constants[id_parallel] = key.frame.parallel;
+  shape.constants[id_tone_curve] = static_cast<std::uint32_t>(key.frame.tone_curve);
+  shape.constants[id_backdrop] = static_cast<std::uint32_t>(key.frame.backdrop);
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
   constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {

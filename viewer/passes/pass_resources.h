@@ -68,6 +68,8 @@ struct FrameFeatures {
   bool parallel = false;  ///< parallel projection
   bool transparent_background = false;
   bool ambient = false;  ///< there is an environment
+  ToneCurve tone_curve = ToneCurve::neutral;
+  Backdrop backdrop = Backdrop::plain;
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;

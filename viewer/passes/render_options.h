@@ -16,6 +16,20 @@ enum class Show : std::uint8_t {
   depth     ///< distance in grey within depth_range, near = bright
 };
 
+/// How light of the scene becomes light of the display.
+enum class ToneCurve : std::uint8_t {
+  neutral,  ///< Khronos PBR Neutral: keeps base colours, compresses highlights
+  aces,     ///< film-like: Hill's fit of ACES' reference and output transforms
+  none      ///< clipped at 1
+};
+
+/// What is behind the scene.
+enum class Backdrop : std::uint8_t {
+  plain,    ///< RenderOptions::background
+  blurred,  ///< the environment, out of focus
+  sharp     ///< the environment
+};
+
 /// Screen-space ambient occlusion. Lengths are metres in view space. They must follow the size of the scene: start from
 /// ambient_occlusion_for.
 struct AmbientOcclusion {
@@ -46,6 +60,7 @@ struct Lighting {
   bool scene_lights =
       true;  ///< use the lights of the scene (KHR_lights_punctual) instead of the key light, if it has any
   float exposure = 1.0f;
+  ToneCurve tone_curve = ToneCurve::neutral;
 
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
@@ -58,7 +73,8 @@ struct RenderOptions {
   Show show = Show::color;
   AmbientOcclusion ao;
   Lighting lighting;
-  DepthRange depth_range;                     ///< for Show::depth
+  DepthRange depth_range;  ///< for Show::depth
+  Backdrop backdrop = Backdrop::plain;
   bool transparent_background = false;        ///< alpha 0 where nothing was drawn
   glm::vec3 background{0.13f, 0.14f, 0.16f};  ///< sRGB, as displayed
 };

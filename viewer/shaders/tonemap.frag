@@ -1,32 +1,37 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Maps light of the scene to light of the display with the Khronos PBR Neutral curve: it keeps base colours up to 0.8
-// and compresses highlights. The output has straight alpha.
+// Maps light of the scene to light of the display and puts the backdrop behind it. The output has straight alpha.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
+#include "projection.glsl"
+#include "tone_curve.glsl"
 
+layout(constant_id = 9) const int kBackdrop = 0;   // enum Backdrop: 0 plain, 1 blurred, 2 sharp
 layout(constant_id = 14) const bool kTransparentBackground = false;
+
+const float kBlurredLevel = 3.5;   // of the environment
 
 layout(location = 0) out vec4 shown;
 
-vec3 tone_mapped(vec3 color) {
-  const float start = 0.8 - 0.04, desaturation = 0.15;
-  float smallest = min(color.r, min(color.g, color.b));
-  color -= smallest < 0.08 ? smallest - 6.25 * smallest * smallest : 0.04;
-  float peak = max(color.r, max(color.g, color.b));
-  if (peak < start) return color;
-  float room = 1.0 - start;
-  float new_peak = 1.0 - room * room / (peak + room - start);
-  color *= new_peak / peak;
-  float whitened = 1.0 - 1.0 / (desaturation * (peak - new_peak) + 1.0);
-  return mix(color, vec3(new_peak), whitened);
+// The environment behind a pixel.
+vec3 environment_behind(vec2 pixel) {
+  vec2 ndc = pixel / vec2(textureSize(color_image, 0)) * 2.0 - 1.0;
+  vec3 direction = kParallel ? vec3(0.0, 0.0, -1.0) : vec3(vec2(ndc.x, -ndc.y) / frame.projection.xy, -1.0);
+  float level = kBackdrop == 1 ? kBlurredLevel : 0.0;
+  vec3 light = textureLod(environment_image, frame.environment_from_view * direction, level).rgb;
+  return tone_mapped(light * frame.environment_intensity * frame.exposure);
 }
 
 void main() {
   vec4 stored = texelFetch(color_image, ivec2(gl_FragCoord.xy), 0);
   float coverage = clamp(stored.a, 0.0, 1.0);
   vec3 light = coverage > 0.0 ? tone_mapped(stored.rgb / coverage * frame.exposure) : vec3(0.0);
-  if (kTransparentBackground) shown = vec4(displayed(light), coverage);
-  else shown = vec4(displayed(mix(frame.background.rgb, light, coverage)), 1.0);
+  if (kTransparentBackground) {
+    shown = vec4(displayed(light), coverage);
+    return;
+  }
+  vec3 behind = frame.background.rgb;
+  if (kBackdrop != 0) behind = environment_behind(gl_FragCoord.xy);
+  shown = vec4(displayed(mix(behind, light, coverage)), 1.0);
 }
