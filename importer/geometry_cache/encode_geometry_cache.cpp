@@ -248,7 +248,6 @@ class Measurement {
     if (shown.empty()) box = {glm::vec3(0.0f), glm::vec3(0.0f)};
     writer_.boxes_of_mesh[m].push_back(box);
     Aabb& all = writer_.meshes[m].bounds;
-    if (frame == 0) all = box;
     all.add(box.lower);
     all.add(box.upper);
   }

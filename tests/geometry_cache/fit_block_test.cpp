@@ -229,6 +229,31 @@ TEST(fit_block, numbers_of_a_matrix_stay_within_16_bits_however_much_a_block_gro
   }
 }
 
+TEST(fit_block, a_block_that_grows_more_than_a_matrix_can_say_takes_the_largest_one) {
+  const Frame x1 = cloud(5, 2000), x2 = cloud(6, 2000);
+  const FittedBlock block = fitted(mapped(x1,
+                                          [](double x, double y, double z) {
+                                            return std::array{40000.0 * x, -40000.0 * y, z};
+                                          }),
+                                   x1, x2);
+  ASSERT_TRUE(block.motion.turns);
+  EXPECT_EQ(block.motion.shift, 0);
+  EXPECT_EQ(block.motion.matrix[0], 32767);
+  EXPECT_EQ(block.motion.matrix[4], -32767);
+}
+
+TEST(fit_block, small_turns_of_wide_blocks_have_fine_matrices) {
+  const Frame x1 = cloud(5, 200000), x2 = cloud(6, 200000);
+  const FittedBlock block = fitted(mapped(x1,
+                                          [](double x, double y, double z) {
+                                            return std::array{x - 1e-3 * y, y + 1e-3 * x, z};
+                                          }),
+                                   x1, x2);
+  ASSERT_TRUE(block.motion.turns);
+  EXPECT_GE(block.motion.shift, 17);
+  EXPECT_TRUE(std::all_of(block.residuals.begin(), block.residuals.end(), [](auto r) { return std::abs(r) <= 1; }));
+}
+
 TEST(fit_block, large_moves_do_not_make_a_matrix_coarser) {
   // The offset of a million steps has a place of its own: the matrix keeps its own fineness.
   const Frame x1 = cloud(7, 1000), x2 = cloud(8, 1000);

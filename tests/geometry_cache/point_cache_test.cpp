@@ -107,6 +107,8 @@ TEST(point_cache, times_may_be_off_by_a_hundredth_of_their_distance) {
   EXPECT_EQ(rule_with(-0.0009f), "");
   EXPECT_EQ(rule_with(0.0011f), "points-times");
   EXPECT_EQ(rule_with(-0.0011f), "points-times");
+  EXPECT_EQ(rule_of(mdd_file(kFrames, {0, 101, 200})), "") << "a hundredth of 100 exactly";
+  EXPECT_EQ(rule_of(mdd_file(kFrames, {0, 101.5f, 200})), "points-times");
 }
 
 TEST(point_cache, one_frame_lasts_as_the_rate_says_and_the_same_time_twice_is_none) {
@@ -142,19 +144,29 @@ TEST(point_cache, the_axis_that_is_up_is_found_or_not_guessed) {
 }
 
 TEST(point_cache, an_axis_fits_within_a_thousandth_of_the_size_of_the_mesh) {
-  const std::vector<glm::vec3> rest = {{0, 0, 0}, {3, 4, 12}};  // 13 across
-  for (const bool z_up : {false, true}) {
-    const auto axis_with = [&](double off) {
-      PointCache points;
-      auto& frame = points.frames.emplace_back();
-      for (const glm::vec3& p : rest) frame.push_back(z_up ? glm::vec3(p.x, -p.z, p.y) : p);
-      frame[1].x += static_cast<float>(off);
-      return axis_of(points, rest);
-    };
-    EXPECT_EQ(axis_with(0.0129), z_up ? "z" : "y");
-    EXPECT_EQ(axis_with(-0.0129), z_up ? "z" : "y");
-    EXPECT_EQ(axis_with(0.0131), "points-axes");
-  }
+  for (const glm::vec3& corner : {glm::vec3(0, 0, 0), glm::vec3(-1, -2, -6), glm::vec3(50, 90, 70)})
+    for (const bool z_up : {false, true}) {
+      const std::vector<glm::vec3> rest = {corner, corner + glm::vec3(3, 4, 12)};  // 13 across, wherever it is
+      const auto axis_with = [&](double off) {
+        PointCache points;
+        auto& frame = points.frames.emplace_back();
+        for (const glm::vec3& p : rest) frame.push_back(z_up ? glm::vec3(p.x, -p.z, p.y) : p);
+        frame[1].x += static_cast<float>(off);
+        return axis_of(points, rest);
+      };
+      EXPECT_EQ(axis_with(0.0129), z_up ? "z" : "y");
+      EXPECT_EQ(axis_with(-0.0129), z_up ? "z" : "y");
+      EXPECT_EQ(axis_with(0.0131), "points-axes");
+    }
+}
+
+TEST(point_cache, a_mesh_of_one_point_on_the_axis_or_of_none_says_nothing) {
+  PointCache points{{{{1, 0, 0}}}};
+  EXPECT_EQ(axis_of(points, points.frames[0]), "points-axes");
+  points.frames = {{{1, 2, 0}}};
+  EXPECT_EQ(axis_of(points, points.frames[0]), "y");
+  points.frames = {{}};
+  EXPECT_EQ(axis_of(points, {}), "points-axes");
 }
 
 TEST(read_obj, vertices_and_faces_of_any_number_of_corners) {
