@@ -69,7 +69,21 @@ printf '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"nod
 printf '"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}}}' >> lights.gltf
 ends 0 '17 lights; the viewer uses the first 16' lights.gltf --headless a.png --size 64x64
 
+used='"extensionsUsed":["KHR_materials_clearcoat","KHR_materials_unlit","KHR_materials_sheen","KHR_xmp"]'
+printf '{"asset":{"version":"2.0"},%s}' "$used" > looks.gltf
+ends 0 'warning: not shown: KHR_materials_clearcoat, KHR_materials_sheen' looks.gltf --headless a.png --size 64x64
+
+ends 1 'no/sky.hdr: there is no such file' --environment no/sky.hdr --headless a.png
+ends 1 'broken.gltf: neither Radiance' --environment broken.gltf --headless a.png
+ends 0 '' --environment none --headless dark.png --size 320x180 --time 1 --validate
+ends 0 '' --environment plain --backdrop sharp --tone aces --headless plain.png --size 320x180 --time 1 --validate
+cmp -s dark.png plain.png && complain "--environment changes nothing"
+ends 0 '' --exposure -2 --headless exposed.png --size 320x180 --time 1
+ends 0 '' --environment-turn 120 --headless turned.png --size 320x180 --time 1
+
 ends 0 '' --headless a.png --size 320x180 --time 1 --validate
+cmp -s a.png turned.png && complain "--environment-turn changes nothing"
+cmp -s a.png exposed.png && complain "--exposure changes nothing"
 ends 0 '' --headless b.png --size 320x180 --time 1
 if cmp -s a.png b.png; then echo "ok: the same picture twice is the same bytes"; else complain "the same picture twice differs"; fi
 holds "the picture has the size that was asked for" 'w==320&&h==180' a.png

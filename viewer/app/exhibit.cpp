@@ -38,6 +38,18 @@ std::vector<Exhibit> built_in(const Say& say) {
   return exhibits;
 }
 
+/// Warns about extensions of materials and textures that would change the picture and are not shown.
+void say_which_looks_are_left_out(const std::string& file, const std::vector<std::string>& extensions, const Say& say) {
+  std::string names;
+  for (const std::string& name : extensions) {
+    const bool changes_pictures =
+        name.find("_materials_") != std::string::npos || name.find("_texture_") != std::string::npos;
+    if (changes_pictures && extension_support(name) != ExtensionSupport::read)
+      names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) say(file + ": warning: not shown: " + names);
+}
+
 /// Warns about what the scene has and the viewer does not show.
 void say_what_is_left_out(const std::string& file, const Scene& scene, const Say& say) {
   if (scene.lights.size() > kMaxLights)
@@ -89,6 +101,7 @@ tl::expected<Exhibit, LoadError> from_file(const Options& options, const Say& sa
   for (const auto& warning : warnings) say(describe(file, warning));
   if (!imported) return tl::unexpected(LoadError{1, describe(file, imported.error().issue)});
   say_what_is_left_out(file, imported->scene, say);
+  say_which_looks_are_left_out(file, imported->facts.extensions_used, say);
   if (auto chosen = choose_scene(file, options.scene, imported->scene, say); !chosen)
     return tl::unexpected(std::move(chosen.error()));
   Exhibit exhibit;
