@@ -103,6 +103,19 @@ TEST(build_skins, G31_a_bad_fourth_row_is_taken_as_0_0_0_1) {
   EXPECT_EQ(outcome(file.import()), "skin-matrices at /skins/0/inverseBindMatrices");
 }
 
+TEST(build_skins, the_root_that_a_skin_names_is_a_joint_of_the_skeleton) {
+  TinyGltf file = with_skin(matrix(), 1);
+  const auto without = file.import();
+  ASSERT_EQ(outcome(without), "ok");
+  EXPECT_EQ(without->scene.skins[0].skeleton_root, kNone);
+  for (std::uint32_t node = 0; node < 2; ++node) {
+    file.root["skins"][0]["skeleton"] = node;
+    const auto result = file.import();
+    ASSERT_EQ(outcome(result), "ok");
+    EXPECT_EQ(result->scene.skins[0].skeleton_root, result->scene.skeleton.joint_of_node[node]) << node;
+  }
+}
+
 TEST(build_skins, G32_joints_under_different_roots_are_a_warning) {
   TinyGltf file = with_skin(matrix(), 1);
   file.root["skins"][0] = {{"joints", {1, 3}}};

@@ -220,6 +220,9 @@ TEST(property_pointer, G58_no_property_is_moved_twice) {
   EXPECT_TRUE(
       warns(twice("/nodes/0/weights/1", {{"node", 0}, {"path", "weights"}}, 1).import(), "animation-duplicate", place));
   EXPECT_TRUE(
+      warns(twice("/nodes/0/weights/0", pointing_at("/nodes/0/weights"), 1).import(), "animation-duplicate", place))
+      << "the first of them as well";
+  EXPECT_TRUE(
       warns(twice("/meshes/0/weights/1", pointing_at("/meshes/0/weights"), 1).import(), "animation-duplicate", place));
   const auto apart = twice("/nodes/0/weights/0", pointing_at("/nodes/0/weights/1"), 1).import();
   EXPECT_FALSE(warns(apart, "animation-duplicate", place));

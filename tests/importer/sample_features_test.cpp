@@ -288,6 +288,22 @@ TEST(sample_features, G60_each_texture_has_its_own_coordinates_and_the_transform
   EXPECT_EQ(first_primitive(result).texcoords.size(), 2u);
 }
 
+TEST(sample_features, a_primitive_without_positions_misses_no_coordinates) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["material"] = 0;
+  file.root["textures"] = {Json::object()};
+  file.root["materials"] = Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}});
+  EXPECT_TRUE(warns(file.import(), "mesh-texcoord-missing", "/meshes/0/primitives/0/material"));
+  Json& same = file.root["meshes"][0]["primitives"][0];
+  same["attributes"].erase("POSITION");
+  same["attributes"]["_EXTRA"] = file.vec4(std::vector<float>(12));
+  same.erase("indices");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_FALSE(warns(result, "mesh-texcoord-missing", "/meshes/0/primitives/0/material")) << "nothing is drawn";
+}
+
 TEST(sample_features, coordinates_that_only_a_variant_needs_are_missed_too) {
   TinyGltf file;
   Json& primitive = file.add_triangle();

@@ -150,6 +150,22 @@ TEST(centers_of_rotation, N21_agree_with_the_definition_over_all_triangles) {
   for (std::size_t v = 0; v < truth.size(); ++v) EXPECT_LT(glm::length(glm::dvec3(centers[v]) - truth[v]), 1e-6) << v;
 }
 
+TEST(centers_of_rotation, N21_triangles_that_one_joint_moves_alike_and_another_not_are_told_apart) {
+  // The first joint takes half of every vertex; what the other two share changes from ring to ring.
+  Primitive p = tube(6, 12, 3, 2);
+  p.influences = {};
+  for (std::size_t v = 0; v < p.vertex_count(); ++v) {
+    const auto ring = static_cast<float>(v / 6);
+    const float second = ring <= 6.0f ? 0.25f + 0.03f * ring : 0.5f - 0.02f * ring;
+    p.influences.joints.insert(p.influences.joints.end(), {0, 1, 2});
+    p.influences.weights.insert(p.influences.weights.end(), {0.5f, second, 0.5f - second});
+  }
+  p.influences.groups = {{0, static_cast<std::uint32_t>(p.vertex_count()), 3, 0}};
+  const auto truth = by_definition(p, 3, 0.1);
+  const auto centers = centers_of_rotation(p);
+  for (std::size_t v = 0; v < truth.size(); ++v) EXPECT_LT(glm::length(glm::dvec3(centers[v]) - truth[v]), 1e-6) << v;
+}
+
 TEST(centers_of_rotation, N21_of_a_tube_lie_on_its_axis) {
   for (const auto& center : centers_of_rotation(two_bone_tube(16, 20))) {
     EXPECT_NEAR(center.x, 0.0f, 1e-5f);

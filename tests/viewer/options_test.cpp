@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace sinew::viewer {
 namespace {
 
@@ -94,6 +96,15 @@ TEST(options, read_everything_that_one_picture_can_have) {
   EXPECT_TRUE(options.validate);
 }
 
+TEST(options, sides_of_pictures_are_1_to_16384) {
+  for (const auto& [text, width, height] :
+       {std::tuple{"16384x1", 16384u, 1u}, {"1x16384", 1u, 16384u}, {"16384x16384", 16384u, 16384u}}) {
+    const Options options = accepted({"--headless", "out.png", "--size", text});
+    EXPECT_EQ(options.width, width) << text;
+    EXPECT_EQ(options.height, height) << text;
+  }
+}
+
 TEST(options, read_a_camera_and_a_variant_of_the_file) {
   const Options options = accepted({"a.glb", "--camera", "Front", "--variant", "1"});
   EXPECT_EQ(options.file_camera, "Front");
@@ -163,6 +174,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--environment-intensity", "-1"}, "-1"},
       {{"--size", "640"}, "640"},
       {{"--size", "16385x2"}, "16385x2"},
+      {{"--size", "2x16385"}, "2x16385"},
       {{"--size", "640x360x"}, "640x360x"},
       {{"--skinning", "cubic"}, "linear, dual-quaternion, center-of-rotation"},
       {{"--show", "colour"}, "color, ao, normals, depth"},

@@ -2,6 +2,7 @@
 #include "viewer/app/skeleton_lines.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace sinew::viewer {
@@ -46,6 +47,33 @@ TEST(skeleton_lines, without_a_skin_joins_every_joint_to_its_parent) {
   const auto made = lines.make(model, 0.5f);
   ASSERT_EQ(made.size(), SkeletonLines::kVerticesPerBone * 4 + 6u * 5);
   expect_bone(made.subspan(2 * SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});  // third bone: 2 -> 3
+}
+
+TEST(skeleton_lines, the_outline_is_a_square_around_the_bone_near_the_parent_joined_to_both_ends) {
+  Scene scene;
+  scene.skeleton.parents = {kNone, 0};
+  SkeletonLines lines(scene);
+  for (const glm::vec3& along : {glm::vec3(0, 2, 0), glm::vec3(3, 0, 0), glm::vec3(0, 0, -5), glm::vec3(1, -2, 2)}) {
+    const glm::vec3 from(7, 8, 9), to = from + along;
+    const Affine model[] = {at(from.x, from.y, from.z), at(to.x, to.y, to.z)};
+    const auto bone = lines.make(model, 0.5f).first(SkeletonLines::kVerticesPerBone);
+    const float length = glm::length(along), radius = 0.06f * length;
+    glm::vec3 sum(0);
+    for (std::size_t side = 0; side < 4; ++side) {
+      // Lines to the ring, from it to the joint, and to its next corner.
+      const glm::vec3 corner = bone[6 * side + 1].position, next = bone[6 * side + 5].position;
+      EXPECT_EQ(bone[6 * side].position, from);
+      EXPECT_EQ(bone[6 * side + 2].position, corner);
+      EXPECT_EQ(bone[6 * side + 3].position, to);
+      EXPECT_EQ(bone[6 * side + 4].position, corner);
+      EXPECT_EQ(next, bone[6 * ((side + 1) % 4) + 1].position);
+      EXPECT_NEAR(glm::dot(corner - from, along) / (length * length), 0.15f, 1e-5f);
+      EXPECT_NEAR(glm::distance(corner, from + 0.15f * along), radius, 1e-5f * length);
+      EXPECT_NEAR(glm::distance(corner, next), std::sqrt(2.0f) * radius, 1e-5f * length);
+      sum += corner - from;
+    }
+    EXPECT_LT(glm::length(0.25f * sum - 0.15f * along), 1e-5f * length);
+  }
 }
 
 TEST(skeleton_lines, with_a_skin_shows_its_joints_and_those_between_them_only) {

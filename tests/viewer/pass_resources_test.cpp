@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Images between passes are made only where something changes, and pipelines are shared where their shaders agree.
+#include "viewer/passes/pass_resources.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "tests/viewer/device_fixture.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr Target kTargets[] = {Target::depth, Target::normals, Target::ao, Target::half_blurred_ao, Target::color};
+
+class frame_targets : public DeviceTest {
+ protected:
+  /// Which images a graph needs, in the order of Target.
+  static std::array<bool, kTargetCount> wanted(const FrameGraph& graph) {
+    return {graph.depth_image, graph.normal_image, graph.ao_image, graph.half_blurred_ao, graph.color_image};
+  }
+  static std::array<VkImageView, kTargetCount> views(const FrameTargets& targets) {
+    std::array<VkImageView, kTargetCount> out{};
+    for (std::size_t i = 0; i < kTargetCount; ++i) out[i] = targets.view(kTargets[i]);
+    return out;
+  }
+};
+
+TEST_F(frame_targets, exist_exactly_where_the_graph_needs_them_and_stay_while_it_does) {
+  FrameTargets targets(*test_device(), 2);
+  const VkImageView nothing = targets.view(Target::color);
+  std::array<VkImageView, kTargetCount> before = views(targets);
+  for (const FrameNeeds& needs :
+       {FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true, .blur = false},
+        FrameNeeds{.opaque = true, .show = Show::depth}, FrameNeeds{.opaque = true, .occlusion = false},
+        FrameNeeds{.opaque = true, .show = Show::normals}, FrameNeeds{.opaque = true}}) {
+    const FrameGraph graph(needs);
+    targets.fit(graph, {64, 48});
+    const auto now = views(targets);
+    for (std::size_t i = 0; i < kTargetCount; ++i) {
+      EXPECT_EQ(targets.exists(kTargets[i]), wanted(graph)[i]) << i;
+      EXPECT_EQ(now[i] == nothing, !wanted(graph)[i]) << "a black texel stands in";
+      if (before[i] != nothing && wanted(graph)[i]) {
+        EXPECT_EQ(now[i], before[i]) << "it was there already";
+      }
+    }
+    before = now;
+  }
+}
+
+TEST_F(frame_targets, are_made_anew_when_either_side_changes) {
+  FrameTargets targets(*test_device(), 1);
+  const FrameGraph graph({.opaque = true});
+  targets.fit(graph, {64, 48});
+  for (const VkExtent2D& extent : {VkExtent2D{80, 48}, VkExtent2D{80, 60}, VkExtent2D{10, 10}}) {
+    targets.fit(graph, extent);
+    EXPECT_EQ(targets.extent().width, extent.width);
+    EXPECT_EQ(targets.extent().height, extent.height);
+    const auto there = views(targets);
+    targets.fit(graph, extent);
+    EXPECT_EQ(views(targets), there);
+  }
+}
+
+TEST_F(frame_targets, of_occlusion_are_the_picture_divided_by_the_step_rounded_up) {
+  for (const std::uint32_t step : {1u, 2u, 3u}) {
+    FrameTargets targets(*test_device(), step);
+    targets.fit(FrameGraph({.opaque = true}), {7, 12});
+    EXPECT_EQ(targets.ao_extent().width, step == 1 ? 7u : step == 2 ? 4u : 3u);
+    EXPECT_EQ(targets.ao_extent().height, 12u / step);
+  }
+}
+
+class pass_pipelines : public DeviceTest {
+ protected:
+  void SetUp() override {
+    DeviceTest::SetUp();
+    if (!test_device()) return;
+    layouts_ = std::make_unique<PassLayouts>(*test_device());
+    pipelines_ = std::make_unique<PassPipelines>(*test_device(), *layouts_, VK_FORMAT_R8G8B8A8_UNORM, OcclusionShape{});
+  }
+  void TearDown() override {
+    pipelines_.reset();
+    layouts_.reset();
+    DeviceTest::TearDown();
+  }
+
+  using Change = std::function<void(MeshPipelineKey&)>;
+
+  /// Whether a pipeline is the same one before and after a change of its key.
+  bool shared(MeshPipelineKey key, const Change& change) {
+    const VkPipeline before = pipelines_->mesh(key);
+    EXPECT_EQ(pipelines_->mesh(key), before);
+    change(key);
+    return pipelines_->mesh(key) == before;
+  }
+
+  std::unique_ptr<PassLayouts> layouts_;
+  std::unique_ptr<PassPipelines> pipelines_;
+};
+
+/// A surface with everything.
+MeshPipelineKey full_key(Pass pass) {
+  MeshPipelineKey key;
+  key.pass = pass;
+  key.frame = {.occluded = true, .ambient = true, .light_count = 2};
+  key.surface.normals = NormalSource::vertices;
+  key.surface.tangents = true;
+  key.surface.material.texcoord_sets = {1, 1, 1, 1, 1};
+  return key;
+}
+
+TEST_F(pass_pipelines, what_screens_use_alone_makes_no_other_pipeline_for_meshes) {
+  for (const Pass pass : {Pass::normal_depth, Pass::opaque, Pass::transparent}) {
+    EXPECT_TRUE(shared(full_key(pass), [](auto& k) { k.frame.transparent_background = true; }));
+    EXPECT_TRUE(shared(full_key(pass), [](auto& k) { k.frame.tone_curve = ToneCurve::aces; }));
+    EXPECT_TRUE(shared(full_key(pass), [](auto& k) { k.frame.backdrop = Backdrop::sharp; }));
+    EXPECT_FALSE(shared(full_key(pass), [](auto& k) { k.frame.parallel = true; }));
+    EXPECT_FALSE(shared(full_key(pass), [](auto& k) { k.masked = true; }));
+    EXPECT_FALSE(shared(full_key(pass), [](auto& k) { k.topology = Topology::lines; }));
+  }
+}
+
+TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cuts_by_alpha) {
+  const MeshPipelineKey key = full_key(Pass::normal_depth);
+  EXPECT_TRUE(shared(key, [](auto& k) { k.frame.occluded = k.frame.ambient = false; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.frame.light_count = 0; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.unlit = true; }));
+  for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
+    EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.tangents = false; })) << "without a normal map";
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.normals = NormalSource::none; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.depth_only = true; }));
+  MeshPipelineKey masked = key;
+  masked.masked = true;
+  EXPECT_FALSE(shared(masked, [](auto& k) { k.surface.material.texcoord_sets[0] = 2; })) << "its alpha";
+  MeshPipelineKey depth = key;
+  depth.depth_only = true;
+  EXPECT_TRUE(shared(depth, [](auto& k) { k.surface.normals = NormalSource::none; }));
+}
+
+TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
+  const MeshPipelineKey key = full_key(Pass::opaque);
+  EXPECT_FALSE(shared(key, [](auto& k) { k.frame.occluded = false; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.frame.ambient = false; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.frame.light_count = 0; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.after_prepass = true; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.tangents = false; }));
+  for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
+    EXPECT_FALSE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
+  EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))
+      << "blended surfaces take no occlusion";
+  MeshPipelineKey flat = key;
+  flat.surface.material.texcoord_sets[2] = 0;
+  EXPECT_TRUE(shared(flat, [](auto& k) { k.surface.tangents = false; })) << "without a normal map";
+}
+
+TEST_F(pass_pipelines, unlit_surfaces_have_a_base_colour_alone) {
+  MeshPipelineKey key = full_key(Pass::opaque);
+  key.surface.material.unlit = true;
+  for (const std::size_t slot : {1u, 2u, 3u, 4u})
+    EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 0; })) << slot;
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[0] = 0; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.normals = NormalSource::none; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.frame = {}; })) << "no light reaches them";
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.unlit = false; }));
+}
+
+TEST_F(pass_pipelines, each_screen_has_its_own_and_is_made_once) {
+  std::set<VkPipeline> made;
+  const Pass passes[] = {Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical, Pass::tonemap, Pass::overlay};
+  for (const Pass pass : passes) made.insert(pipelines_->screen({.pass = pass}));
+  for (const Show show : {Show::ao, Show::normals, Show::depth})
+    made.insert(pipelines_->screen({.pass = Pass::show, .show = show}));
+  EXPECT_EQ(made.size(), 8u);
+  for (const Pass pass : passes) EXPECT_EQ(made.count(pipelines_->screen({.pass = pass})), 1u);
+}
+
+}  // namespace
+}  // namespace sinew::viewer
