@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "importer/file/data_uri.h"
-#include "importer/file/sandboxed_files.h"
 #include "importer/rewrite/embed_images.h"
 #include "importer/rewrite/mend.h"
 #include "importer/rewrite/pack_buffer.h"
@@ -114,16 +112,6 @@ ImportResult<RewrittenFile> rewrite_gltf(const ImportedFile& file, const Rewrite
   } catch (const std::exception& error) {
     return tl::unexpected(failure("internal", "", error.what()));
   }
-}
-
-std::vector<std::string> files_read_by(const ImportedFile& file) {
-  CONTRACT(file.carried != nullptr);
-  std::vector<std::string> files;
-  for (const char* list : {"buffers", "images"})
-    for (const Json& entry : file.carried->json.value(list, Json::array()))
-      if (const std::string uri = entry.value("uri", ""); !uri.empty() && !is_data_uri(uri))
-        if (auto path = percent_decode(uri)) files.push_back(*std::move(path));
-  return files;
 }
 
 }  // namespace sinew

@@ -46,7 +46,4 @@ struct RewrittenFile {
 /// cost  O(file); holds the binary part twice
 ImportResult<RewrittenFile> rewrite_gltf(const ImportedFile& file, const RewriteOptions& options = {});
 
-/// The files beside the document from which an import reads: relative URIs of buffers and images, decoded.
-std::vector<std::string> files_read_by(const ImportedFile& file);
-
 }  // namespace sinew

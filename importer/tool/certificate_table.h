@@ -8,9 +8,8 @@
 namespace sinew::tool {
 
 /// A table of what the certificates of clips say, one row per clip: budget asked for, error measured and where, keys
-/// kept, bytes, bytes per joint and second. The last two columns are the time of one sample, of the clip as it is and
-/// with its keys unpacked, measured by this call. Clips without a certificate are left out;
-/// an infinite budget stands for none.
+/// kept, bytes, bytes per joint and second. Nothing in it depends on the machine, so that texts of two runs can be
+/// compared; `sinew cost` measures times. Clips without a certificate are left out; an infinite budget stands for none.
 /// in    joint_names   of the skeleton; may be empty, then joints are shown as numbers
 std::string certificate_table(std::span<const Clip> clips, std::span<const std::string> joint_names);
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "importer/tool/certificate_table.h"
+#include "importer/tool/clip_choice.h"
 #include "importer/tool/files/output_check.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
 #include "importer/tool/progress_line.h"
 #include "importer/write/replace_file.h"
 #include "runtime/clip/clip_file.h"
@@ -22,29 +26,47 @@ namespace {
 
 struct CompileOptions {
   std::string in, out, budget = "0.1mm";
+  std::vector<std::string> clips;
 };
 
-std::vector<Clip> compile_clips(const Scene& scene, double budget_m) {
+/// The clips that --clip names, each once; without it all clips.
+/// err   a sentence that lists the clips of the file
+tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::vector<std::string>& names) {
+  ClipChoice clips(names.empty() ? scene.animations.size() : 0);
+  std::iota(clips.begin(), clips.end(), 0u);
+  for (const std::string& name : names) {
+    const auto chosen = choose_clips(scene, name);
+    if (!chosen) return tl::unexpected(chosen.error());
+    if (chosen->front() == kNone)
+      return tl::unexpected(std::string("--clip none: the rest pose has no keys to compile"));
+    if (std::find(clips.begin(), clips.end(), chosen->front()) == clips.end()) clips.push_back(chosen->front());
+  }
+  return clips;
+}
+
+std::vector<Clip> compile_clips(const Scene& scene, const ClipChoice& chosen, double budget_m) {
   const VirtualVertices vertices = virtual_vertices(scene);
   ProgressLine progress;
   std::vector<Clip> clips;
-  for (const Animation& truth : scene.animations) {
-    progress.show("fitting clips", static_cast<double>(clips.size()) / static_cast<double>(scene.animations.size()));
-    clips.push_back(compile_clip_within(scene, truth, vertices, budget_m).clip);
+  for (const std::uint32_t clip : chosen) {
+    progress.show("fitting clips", static_cast<double>(clips.size()) / static_cast<double>(chosen.size()));
+    clips.push_back(compile_clip_within(scene, scene.animations[clip], vertices, budget_m).clip);
   }
   return clips;
 }
 
 ExitCode compile_file(const CompileOptions& options) {
-  const auto budget_m = parse_length(options.budget);
-  if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
+  const auto budget = parse_length(options.budget);
+  if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(options.in, import);
   if (!file) return ExitCode::input_at_fault;
   if (const auto why = objection_to_output(options.out, file->facts.files))
     return fail_with(ExitCode::wrong_usage, *why);
-  const std::vector<Clip> clips = compile_clips(file->scene, *budget_m);
+  const auto chosen = clips_of(file->scene, options.clips);
+  if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
+  const std::vector<Clip> clips = compile_clips(file->scene, *chosen, metres_of(*budget, file->scene));
   std::vector<const Clip*> saved;
   for (const Clip& clip : clips) saved.push_back(&clip);
   const std::vector<std::byte> bytes = save_clips(saved);
@@ -59,16 +81,23 @@ ExitCode compile_file(const CompileOptions& options) {
 
 void add_compile(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CompileOptions>();
-  CLI::App* command = program.add_subcommand(
-      "compile",
-      "Compile the clips of a file for playback, as small as a budget allows: at no time is a vertex farther than the\n"
-      "budget from where the file puts it. Prints what was measured of each clip; OUT stores that as well, and\n"
-      "`sinew info OUT` shows it again. OUT belongs to the skeleton of FILE; load_clips (runtime/clip/clip_file.h)\n"
-      "reads it.");
+  CLI::App* command =
+      program.add_subcommand("compile",
+                             "Compile clips for playback, as small as an error budget allows\n"
+                             "At no time is a vertex farther than the budget from where the file puts it. Prints what "
+                             "was measured of each clip; OUT stores that as well, and `sinew info OUT` shows it again. "
+                             "OUT belongs to the skeleton of FILE; load_clips (runtime/clip/clip_file.h) reads it.");
   command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
-  command->add_option("-o,--output", options->out, "The file to write")->required();
-  command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4; 0 keeps every bit")
-      ->capture_default_str();
+  command->add_option("-o,--output", options->out, "The file to write")->required()->type_name("OUT");
+  command
+      ->add_option("--clip", options->clips,
+                   "A clip to compile, by number or name; may be given several times (default: all clips)")
+      ->type_name("INDEX|NAME")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--budget", options->budget,
+                   fmt::format("Largest error, {}; 0 keeps every bit (default: {})", kLengthHelp, options->budget))
+      ->type_name("LENGTH");
   command->callback([options, &outcome] { outcome = compile_file(*options); });
 }
 

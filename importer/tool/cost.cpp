@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -104,9 +105,16 @@ ExitCode report_on_showcase(const CostOptions& options) {
                    "the built-in showcase: twisted arms and a morphed face", options);
 }
 
+/// Refuses a folder that cannot become the report, with a message.
+std::optional<ExitCode> refuse_folder(const CostOptions& options, std::span<const std::filesystem::path> inputs) {
+  const std::string why = cost::objection_to(options.folder, inputs);
+  if (why.empty()) return std::nullopt;
+  return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
+}
+
 ExitCode report_cost(const CostOptions& options) {
-  if (const std::string why = cost::objection_to(options.folder); !why.empty())
-    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.folder, why));
+  const std::filesystem::path named[] = {options.file};
+  if (const auto refused = refuse_folder(options, named)) return *refused;
   if (options.file.empty()) return report_on_showcase(options);
   if (const auto cache = read_cache(options.file, true))
     return *cache ? report_on_cache(**cache, options) : cache->error();
@@ -114,6 +122,7 @@ ExitCode report_cost(const CostOptions& options) {
   import.decode_images = false;
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
+  if (const auto refused = refuse_folder(options, file->facts.files)) return *refused;
   std::optional<std::uint32_t> clip;
   if (options.clip) {
     const auto chosen = choose_clips(file->scene, options.clip);
@@ -128,20 +137,18 @@ ExitCode report_cost(const CostOptions& options) {
 
 void add_cost(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CostOptions>();
-  CLI::App* command = program.add_subcommand(
-      "cost",
-      "Measure what accuracy costs in time, on a file of yours: ways to interpolate, to store keys, to skin, to morph, "
-      "to\n"
-      "calculate, to keep every vertex of every frame, and to compute ambient occlusion. Each has its error against "
-      "double precision (or rays) and its "
-      "time\n"
-      "on this machine. DIR gets report.html (open it in a browser), report.json and report.csv, and appears complete\n"
-      "or not at all.");
+  CLI::App* command =
+      program.add_subcommand("cost",
+                             "Measure what accuracy costs in time, on a file of yours, as a page with charts\n"
+                             "Ways to interpolate, to store keys, to skin, to morph, to calculate, to keep every "
+                             "vertex of every frame, and to compute ambient occlusion. Each has its error against "
+                             "double precision (or rays) and its time on this machine. DIR gets report.html (open it "
+                             "in a browser), report.json and report.csv, and appears complete or not at all.");
   command->add_option("FILE", options->file,
                       "A .gltf or .glb file, or a geometry cache; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
-  command->add_option("--clip", options->clip,
-                      "Index or name of the clip to look at, or none (default: the clip that moves most joints)");
+  command->add_option("--clip", options->clip, "The clip to look at (default: the clip that moves most joints)")
+      ->type_name("INDEX|NAME|none");
   command->add_flag("--quick", options->quick, "A first impression within seconds, with more noise");
   command->callback([options, &outcome] { outcome = report_cost(*options); });
 }

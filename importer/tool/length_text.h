@@ -7,10 +7,19 @@
 
 namespace sinew::tool {
 
-/// Reads "0.1mm", "2 cm", "5um", "0.001m", or a plain number of metres such as "1e-4". For a file that is not in metres
-/// its own unit takes the place of the metre.
+/// A length of the command line: metres, or a share of the model's size.
+struct Length {
+  double metres = 0.0;
+  double of_model = 0.0;  ///< 0.01 for 1%; `metres` is then 0
+};
+
+/// Ends the help of an option that takes a length.
+inline constexpr const char* kLengthHelp = "such as 0.1mm, 0.01% (of the model's size) or 1e-4; 1 m is the file's unit";
+
+/// Reads "0.1mm", "2 cm", "5um", "0.001m", a plain number of metres such as "1e-4", or "0.01%" of the model's size. For
+/// a file that is not in metres its own unit takes the place of the metre.
 /// err   a sentence that says what is wrong and what would be right; negative and infinite lengths are refused
-tl::expected<double, std::string> parse_length(std::string_view text);
+tl::expected<Length, std::string> parse_length(std::string_view text);
 
 /// "0.1 mm": three digits, with the unit that makes the number readable.
 std::string length_text(double metres);

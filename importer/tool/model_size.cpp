@@ -29,4 +29,8 @@ double model_size_m(const Scene& scene) {
   return size;
 }
 
+double metres_of(const Length& length, const Scene& scene) {
+  return length.of_model > 0.0 ? length.of_model * model_size_m(scene) : length.metres;
+}
+
 }  // namespace sinew::tool

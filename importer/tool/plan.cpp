@@ -14,6 +14,7 @@
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
 #include "importer/tool/skinning_choice.h"
 #include "runtime/plan/run_plan.h"
 
@@ -116,10 +117,11 @@ tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOpt
                                                                    const std::vector<std::uint32_t>& clips,
                                                                    const Needs& needs) {
   if (!options.joint_tolerance) return std::nullopt;
-  const auto asked_m = parse_length(*options.joint_tolerance);
-  if (!asked_m) return tl::unexpected("--joint-tolerance: " + asked_m.error());
-  return LeftOut{*asked_m,
-                 compile_skeleton_lod(scene, *asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
+  const auto asked = parse_length(*options.joint_tolerance);
+  if (!asked) return tl::unexpected("--joint-tolerance: " + asked.error());
+  const double asked_m = metres_of(*asked, scene);
+  return LeftOut{asked_m,
+                 compile_skeleton_lod(scene, asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
 }
 
 void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
@@ -214,9 +216,11 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
       ->type_name("RULE")
       ->check(CLI::IsMember(std::vector<std::string>{"linear", "cofactor"}));
   command
-      ->add_option("--joint-tolerance", options->joint_tolerance,
-                   "Leave out joints that move no vertex farther than this, as in 1mm, over the clip or over all "
-                   "(default: none)")
+      ->add_option(
+          "--joint-tolerance", options->joint_tolerance,
+          fmt::format("Leave out joints that move no vertex farther than this over the clip, or over all clips, "
+                      "{} (default: none)",
+                      kLengthHelp))
       ->type_name("LENGTH");
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });

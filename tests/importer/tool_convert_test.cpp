@@ -104,7 +104,7 @@ TEST(convert, never_overwrites_a_buffer_that_it_reads) {
   fs::create_symlink(model.beside("pair.bin"), model.beside("other.bin"));
   const CommandOutcome outcome = run_tool({"convert", pair, model.beside("other.gltf")});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("other.bin: is a file that is read"));
+  EXPECT_THAT(outcome.err, HasSubstr("other.bin is read; it is left as it is"));
   EXPECT_EQ(content_of(model.beside("pair.bin")), before);
   EXPECT_FALSE(fs::exists(model.beside("other.gltf")));
 }
@@ -146,11 +146,14 @@ TEST(convert, G23_resamples_clips_on_request_and_measures_what_that_moved) {
 
 TEST(convert, says_why_the_output_cannot_be_written) {
   const ToolModelFile model;
-  const std::string folder = model.beside("folder.glb");
+  const std::string folder = model.beside("folder.glb"), endless = model.beside(std::string(252, 'n') + ".glb");
   fs::create_directory(folder);
-  const CommandOutcome outcome = run_tool({"convert", model.path(), folder});
-  EXPECT_EQ(outcome.status, 3);
-  EXPECT_THAT(outcome.err, HasSubstr(folder + ": write-file: "));
+  const CommandOutcome taken = run_tool({"convert", model.path(), folder});
+  EXPECT_EQ(taken.status, 2);
+  EXPECT_THAT(taken.err, HasSubstr(folder + " exists and is not a regular file"));
+  const CommandOutcome failed = run_tool({"convert", model.path(), endless});
+  EXPECT_EQ(failed.status, 3);
+  EXPECT_THAT(failed.err, HasSubstr(endless + ": write-file: "));
 }
 
 /// Prints {file: [[code, rest], ...]} for the errors of the files given, with the npm package gltf-validator. Buffers

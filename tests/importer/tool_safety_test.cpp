@@ -36,37 +36,6 @@ std::vector<std::string> names_beside(const ToolModelFile& model) {
   return names;
 }
 
-TEST(tool_safety, an_output_never_takes_the_place_of_an_input) {
-  const ToolModelFile model;
-  const std::string before = read(model.path());
-  fs::create_symlink("model.gltf", model.beside("symbolic.json"));
-  fs::create_hard_link(model.path(), model.beside("hard.json"));
-  for (const std::string& out :
-       {model.path(), model.beside("./model.gltf"), model.beside("symbolic.json"), model.beside("hard.json")})
-    for (const char* command : {"sample", "compile", "bake"}) {
-      const CommandOutcome outcome = run_tool({command, model.path(), "-o", out});
-      EXPECT_EQ(outcome.status, 2) << command << ' ' << out;
-      EXPECT_THAT(outcome.err, HasSubstr("is read; it is left as it is"));
-      EXPECT_EQ(read(model.path()), before);
-    }
-  EXPECT_THAT(names_beside(model), testing::ElementsAre("hard.json", "model.gltf", "symbolic.json"));
-}
-
-TEST(tool_safety, buffers_and_images_of_a_file_are_inputs_too) {
-  const ToolModelFile model;
-  std::ofstream(model.beside("data.bin")) << std::string(36, '\0');
-  std::ofstream(model.beside("picture.png")) << "no picture";
-  std::ofstream(model.beside("other.gltf"))
-      << R"({"asset": {"version": "2.0"}, "nodes": [{}], "images": [{"uri": "picture.png"}],
-             "buffers": [{"byteLength": 36, "uri": "data.bin"}]})";
-  for (const char* out : {"data.bin", "picture.png"}) {
-    const std::string before = read(model.beside(out));
-    for (const char* command : {"sample", "compile", "bake"})
-      EXPECT_EQ(run_tool({command, model.beside("other.gltf"), "-o", model.beside(out)}).status, 2) << command << out;
-    EXPECT_EQ(read(model.beside(out)), before);
-  }
-}
-
 TEST(tool_safety, an_output_appears_complete_or_not_at_all) {
   const ToolModelFile model;
   std::ofstream(model.beside("old.json")) << "old";

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
-#include "importer/tool/files/output_check.h"
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -42,12 +40,9 @@ std::optional<double> parse_budget(std::string_view text, std::string_view unit)
   return number;
 }
 
-/// The budgets of the command line; a sentence where one makes no sense.
+/// The budgets of normals and colours; a sentence where one makes no sense.
 tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
   TakeBudgets out;
-  const auto budget_m = parse_length(options.budget);
-  if (!budget_m) return tl::unexpected("--budget: " + budget_m.error());
-  out.positions_m = *budget_m;
   if (options.normals) {
     const auto degrees = parse_budget(*options.normals, "deg");
     if (!degrees || *degrees > 45.0)
@@ -63,12 +58,13 @@ tl::expected<TakeBudgets, std::string> budgets_of(const BakeOptions& options) {
 }
 
 ExitCode bake_file(BakeOptions& options) {
+  const auto budget = parse_length(options.budget);
+  if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
+  options.source.budget = *budget;
   const auto budgets = budgets_of(options);
   if (!budgets) return fail_with(ExitCode::wrong_usage, budgets.error());
   options.source.budgets = *budgets;
   options.source.output = options.out;
-  const std::filesystem::path named[] = {options.source.file, options.source.points.value_or(options.source.file)};
-  if (const auto why = objection_to_output(options.out, named)) return fail_with(ExitCode::wrong_usage, *why);
   const auto take = read_take(options.source);
   if (!take) return take.error();
   const auto bytes =
@@ -85,14 +81,13 @@ ExitCode bake_file(BakeOptions& options) {
 
 void add_bake(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<BakeOptions>();
-  CLI::App* command = program.add_subcommand("bake",
-                                             "Bake the vertices of every frame into a geometry cache (.sgeo), within a "
-                                             "budget: the scene of a glTF file while\n"
-                                             "a clip plays, a mesh (glTF or OBJ) that a point cache moves, or OBJ "
-                                             "files whose names count up. Prints what was\n"
-                                             "measured at every vertex of every frame, and half way between frames "
-                                             "where the source is known there; OUT stores\n"
-                                             "that as well. sinew::geometry_cache (runtime/geometry_cache/) plays it.");
+  CLI::App* command =
+      program.add_subcommand("bake",
+                             "Bake the vertices of every frame into a geometry cache (.sgeo), within an error budget\n"
+                             "Of the scene of a glTF file while a clip plays, of a mesh (glTF or OBJ) that a point "
+                             "cache moves, or of OBJ files whose names count up. Prints what was measured at every "
+                             "vertex of every frame, and half way between frames where the source is known there; OUT "
+                             "stores that as well. sinew::geometry_cache (runtime/geometry_cache/) plays it.");
   command->add_option("FILE", options->source.file, "A .gltf, .glb or .obj file; the first of numbered .obj files")
       ->required();
   command->add_option("-o,--output", options->out, "The file to write")->required()->type_name("OUT.sgeo");
@@ -101,7 +96,10 @@ void add_bake(CLI::App& program, ExitCode& outcome) {
       ->type_name("N")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
-  command->add_option("--budget", options->budget, "Largest error: 0.1mm, 1e-4")->capture_default_str();
+  command
+      ->add_option("--budget", options->budget,
+                   fmt::format("Largest error, {} (default: {})", kLengthHelp, options->budget))
+      ->type_name("LENGTH");
   command
       ->add_option("--normals", options->normals,
                    "Bake normals too, within this angle; without, they follow from the triangles")

@@ -13,6 +13,7 @@
 #include "importer/file/sandboxed_files.h"
 #include "importer/geometry_cache/read_obj.h"
 #include "importer/tool/messages.h"
+#include "runtime/base/contract.h"
 
 namespace sinew::tool {
 namespace {
@@ -36,12 +37,12 @@ ImportResult<ObjMesh> read_obj_file(const std::filesystem::path& path) {
   return read_obj({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
 }
 
-TakeMesh mesh_of(std::string name, std::size_t vertices, std::vector<std::uint32_t> triangles, double budget_m) {
+TakeMesh mesh_of(std::string name, std::size_t vertices, std::vector<std::uint32_t> triangles) {
   TakeMesh mesh;
   mesh.name = std::move(name);
   mesh.vertex_count = static_cast<std::uint32_t>(vertices);
   mesh.triangles = std::move(triangles);
-  mesh.streams.push_back({GeometryKind::positions, {}, budget_m});
+  mesh.streams.push_back({GeometryKind::positions, {}});
   return mesh;
 }
 
@@ -107,8 +108,8 @@ ImportResult<BakedPoints> bake_points(const std::filesystem::path& obj, const Po
   std::string found;
   auto points = read_points(options, mesh->positions, found);
   if (!points) return tl::unexpected(points.error());
-  return moved_by(mesh_of(obj.stem().string(), mesh->positions.size(), std::move(mesh->triangles), options.budget_m),
-                  std::move(*points), std::move(found));
+  return moved_by(mesh_of(obj.stem().string(), mesh->positions.size(), std::move(mesh->triangles)), std::move(*points),
+                  std::move(found));
 }
 
 ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& options) {
@@ -130,33 +131,41 @@ ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& o
     const std::vector<glm::vec3> by_file = frame;
     for (std::size_t v = 0; v < frame.size(); ++v) frame[v] = by_file[in_file(v)];
   }
-  return moved_by(mesh_of(scene.meshes[0].name, rest.size(), primitive.indices, options.budget_m), std::move(*points),
-                  std::move(found));
+  return moved_by(mesh_of(scene.meshes[0].name, rest.size(), primitive.indices), std::move(*points), std::move(found));
 }
 
-ImportResult<BakedPoints> bake_numbered_obj(const std::filesystem::path& first, double fps, double budget_m) {
+ImportResult<std::vector<std::filesystem::path>> numbered_obj_files(const std::filesystem::path& first) {
   const auto name = numbered(first.stem().string());
   if (!name)
     return refuse(first.string(), "obj-frames",
                   "its name ends in no number, and there is no point cache: give --points");
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path next = first;
+  do {
+    files.push_back(next);
+    next = first.parent_path() / name->name(name->number + files.size(), first.extension().string());
+  } while (std::filesystem::exists(next));
+  return files;
+}
+
+ImportResult<BakedPoints> bake_numbered_obj(const std::vector<std::filesystem::path>& files, double fps) {
+  CONTRACT(!files.empty());
+  const auto name = numbered(files.front().stem().string());
   BakedPoints out;
   out.take.frame_s = 1.0 / fps;
-  std::filesystem::path path = first, last = first;
-  for (std::uint64_t n = name->number; path == first || std::filesystem::exists(path); ++n) {
+  for (const std::filesystem::path& path : files) {
     auto mesh = read_obj_file(path);
     if (!mesh) return tl::unexpected(mesh.error());
     if (out.take.meshes.empty())
-      out.take.meshes.push_back(mesh_of(name->before, mesh->positions.size(), mesh->triangles, budget_m));
+      out.take.meshes.push_back(mesh_of(name ? name->before : "", mesh->positions.size(), mesh->triangles));
     TakeMesh& taken = out.take.meshes[0];
     if (mesh->positions.size() != taken.vertex_count || mesh->triangles != taken.triangles)
       return refuse(path.string(), "obj-topology",
-                    "it has other faces or another number of vertices than " + first.string());
+                    "it has other faces or another number of vertices than " + files.front().string());
     taken.streams[0].frames.push_back(std::move(mesh->positions));
-    last = path;
-    path = first.parent_path() / name->name(n + 1, first.extension().string());
   }
-  out.found = fmt::format("{} to {}: {}", first.string(), last.filename().string(),
-                          counted(out.take.meshes[0].streams[0].frames.size(), "frame"));
+  out.found = fmt::format("{} to {}: {}", files.front().string(), files.back().filename().string(),
+                          counted(files.size(), "frame"));
   return out;
 }
 

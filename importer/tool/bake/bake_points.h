@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "importer/geometry_cache/geometry_take.h"
 #include "importer/geometry_cache/point_cache.h"
@@ -20,7 +21,7 @@ struct BakedPoints {
 struct PointsOptions {
   std::string file;          ///< .mdd or .pc2
   std::optional<UpAxis> up;  ///< nothing: found out by comparing the first frame with the mesh at rest
-  double fps = 30.0, budget_m = 1e-4;
+  double fps = 30.0;
 };
 
 /// The mesh of an OBJ file, moved by a point cache in the order of its lines `v`.
@@ -30,8 +31,15 @@ ImportResult<BakedPoints> bake_points(const std::filesystem::path& obj, const Po
 /// err  points-mesh  more than one mesh, primitive or instance, or none
 ImportResult<BakedPoints> bake_points(const Scene& scene, const PointsOptions& options);
 
-/// OBJ files whose names end in numbers that count up, one frame each: cloth_0001.obj, cloth_0002.obj, ...
+/// OBJ files whose names end in numbers that count up: cloth_0001.obj, cloth_0002.obj, ... up to the first that does
+/// not exist.
+/// out  at least the first
+/// err  obj-frames  the name of the first ends in no number
+ImportResult<std::vector<std::filesystem::path>> numbered_obj_files(const std::filesystem::path& first);
+
+/// A mesh that has one OBJ file a frame.
+/// in   files  at least one
 /// err  obj-topology  a file has other faces or another number of vertices than the first
-ImportResult<BakedPoints> bake_numbered_obj(const std::filesystem::path& first, double fps, double budget_m);
+ImportResult<BakedPoints> bake_numbered_obj(const std::vector<std::filesystem::path>& files, double fps);
 
 }  // namespace sinew::tool

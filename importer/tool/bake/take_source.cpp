@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/bake/take_source.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
+#include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +17,7 @@
 #include "importer/tool/files/output_check.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
 
 namespace sinew::tool {
 namespace {
@@ -28,10 +34,46 @@ tl::unexpected<ExitCode> wrong_usage(const std::string& text) {
   return tl::unexpected(fail_with(ExitCode::wrong_usage, text));
 }
 
-TakeOrExit told(ImportResult<BakedPoints> baked) {
+/// The longest side of the box around a mesh in its first frame.
+double size_of(const TakeMesh& mesh) {
+  glm::vec3 lower(std::numeric_limits<float>::infinity()), upper = -lower;
+  for (const glm::vec3& position : mesh.streams[0].frames[0]) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  const glm::dvec3 sides = glm::dvec3(upper) - glm::dvec3(lower);
+  return std::max({sides.x, sides.y, sides.z, 0.0});
+}
+
+TakeOrExit told(ImportResult<BakedPoints> baked, const Length& budget) {
   if (!baked) return tl::unexpected(fail_with(ExitCode::input_at_fault, baked.error().file, baked.error().issue));
   if (!baked->found.empty()) fmt::print("{}\n", baked->found);
+  for (TakeMesh& mesh : baked->take.meshes)
+    mesh.streams[0].budget = budget.of_model > 0.0 ? budget.of_model * size_of(mesh) : budget.metres;
   return std::move(baked->take);
+}
+
+std::optional<std::string> objection(const TakeSource& source, std::span<const std::filesystem::path> inputs) {
+  return source.output.empty() ? std::nullopt : objection_to_output(source.output, inputs);
+}
+
+PointsOptions points_options(const TakeSource& source) {
+  std::optional<UpAxis> up;
+  if (source.up) up = *source.up == "y" ? UpAxis::y : UpAxis::z;
+  return {source.points.value_or(""), up, source.fps};
+}
+
+TakeOrExit take_of_obj(const TakeSource& source) {
+  if (source.clip) return wrong_usage("--clip: an .obj file has no clips");
+  if (source.points) {
+    const std::filesystem::path inputs[] = {source.file, *source.points};
+    if (const auto why = objection(source, inputs)) return wrong_usage(*why);
+    return told(bake_points(inputs[0], points_options(source)), source.budget);
+  }
+  const auto files = numbered_obj_files(source.file);
+  if (!files) return told(tl::unexpected(files.error()), source.budget);
+  if (const auto why = objection(source, *files)) return wrong_usage(*why);
+  return told(bake_numbered_obj(*files, source.fps), source.budget);
 }
 
 TakeOrExit take_of_scene(const Scene& scene, const TakeSource& source) {
@@ -39,7 +81,9 @@ TakeOrExit take_of_scene(const Scene& scene, const TakeSource& source) {
   if (!clips) return wrong_usage(clips.error());
   if (!source.clip && clips->size() > 2)  // the rest pose and several clips
     return wrong_usage(list_of_clips(scene) + "; choose one with --clip");
-  auto baked = bake_scene(scene, clips->back(), source.fps, source.budgets);
+  TakeBudgets budgets = source.budgets;
+  budgets.positions_m = metres_of(source.budget, scene);
+  auto baked = bake_scene(scene, clips->back(), source.fps, budgets);
   if (!baked)
     return tl::unexpected(fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", source.file, baked.error())));
   for (const std::string& what : baked->left_out) say_error(fmt::format("{}: left out: {}", source.file, what));
@@ -62,22 +106,17 @@ void add_source_options(CLI::App& command, TakeSource& source) {
 }
 
 tl::expected<GeometryTake, ExitCode> read_take(const TakeSource& source) {
-  const double budget_m = source.budgets.positions_m;
   if ((is_obj(source.file) || source.points) && (source.budgets.normals_rad || source.budgets.colors))
     return wrong_usage("--normals, --colors: point caches and .obj files hold positions over time, and nothing else");
-  if (is_obj(source.file) && source.clip) return wrong_usage("--clip: an .obj file has no clips");
-  if (is_obj(source.file) && !source.points) return told(bake_numbered_obj(source.file, source.fps, budget_m));
-  std::optional<UpAxis> up;
-  if (source.up) up = *source.up == "y" ? UpAxis::y : UpAxis::z;
-  const PointsOptions points{source.points.value_or(""), up, source.fps, budget_m};
-  if (is_obj(source.file)) return told(bake_points(std::filesystem::path(source.file), points));
+  if (is_obj(source.file)) return take_of_obj(source);
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   const auto file = load_file(source.file, import);
   if (!file) return tl::unexpected(ExitCode::input_at_fault);
-  if (!source.output.empty())
-    if (const auto why = objection_to_output(source.output, file->facts.files)) return wrong_usage(*why);
-  if (source.points) return told(bake_points(file->scene, points));
+  std::vector<std::filesystem::path> inputs = file->facts.files;
+  if (source.points) inputs.emplace_back(*source.points);
+  if (const auto why = objection(source, inputs)) return wrong_usage(*why);
+  if (source.points) return told(bake_points(file->scene, points_options(source)), source.budget);
   return take_of_scene(file->scene, source);
 }
 

@@ -8,6 +8,7 @@
 
 #include "importer/geometry_cache/geometry_take.h"
 #include "importer/tool/exit_code.h"
+#include "importer/tool/length_text.h"
 
 namespace sinew::tool {
 
@@ -24,6 +25,7 @@ struct TakeSource {
   std::optional<std::string> clip, points, up;
   std::string output;  ///< refused where it is a file that is read; empty = nothing is written
   double fps = 30.0;
+  Length budget = {1e-4};  ///< of positions; becomes budgets.positions_m when the model is known
   TakeBudgets budgets;
 };
 

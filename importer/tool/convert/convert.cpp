@@ -13,9 +13,11 @@
 #include "importer/tool/convert/fit_keys.h"
 #include "importer/tool/convert/output_files.h"
 #include "importer/tool/convert/resample_clips.h"
+#include "importer/tool/files/output_check.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
 
 namespace sinew::tool {
 namespace {
@@ -48,24 +50,26 @@ std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t b
 }
 
 ExitCode convert_file(const ConvertOptions& options) {
-  std::string why;
-  const OutputFiles outputs = output_files(options.in, options.out, why);
-  if (!why.empty()) return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.out, why));
-  const auto budget_m = parse_length(options.budget.value_or("0"));
-  if (!budget_m) return fail_with(ExitCode::wrong_usage, "--budget: " + budget_m.error());
+  const auto outputs = output_files(options.out);
+  if (!outputs)
+    return fail_with(ExitCode::wrong_usage,
+                     fmt::format("{}: OUT must end in .glb or .gltf, which says what is written", options.out));
+  const auto budget = parse_length(options.budget.value_or("0"));
+  if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
   import.carry_document = true;
   const auto model = load_file(options.in, import);
   if (!model) return ExitCode::input_at_fault;
-  if (const std::string file = overwritten_input(options.in, *model, outputs); !file.empty())
-    return fail_with(ExitCode::wrong_usage, fmt::format("{}: is a file that is read; it is left as it is", file));
+  for (const std::filesystem::path& output : outputs->all())
+    if (const auto why = objection_to_output(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
 
   RewriteOptions rewrite;
   rewrite.drop.insert(options.drop.begin(), options.drop.end());
-  rewrite.buffer_uri = outputs.buffer.filename().string();
+  rewrite.buffer_uri = outputs->buffer.filename().string();
+  const double budget_m = options.budget ? metres_of(*budget, model->scene) : kNoBudget;
   std::vector<Animation> animations;
-  if (options.budget) animations = fit_keys(model->scene, *budget_m);
+  if (options.budget) animations = fit_keys(model->scene, budget_m);
   if (options.fps) animations = resample_clips(model->scene, *options.fps);
   rewrite.animations = animations;
   rewrite.quantize = options.quantize;
@@ -73,10 +77,10 @@ ExitCode convert_file(const ConvertOptions& options) {
   const auto written = rewrite_gltf(*model, rewrite);
   if (!written) return refuse(options.in, written.error());
   for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
-  if (const auto fault = write_files(outputs, *written))
+  if (const auto fault = write_files(*outputs, *written))
     return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
   if (options.budget || options.fps)
-    if (const auto error = print_certificates(model->scene, outputs.file, options.budget ? *budget_m : kNoBudget))
+    if (const auto error = print_certificates(model->scene, outputs->file, budget_m))
       return refuse(options.out, *error);
   fmt::print("{}", size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes));
   return ExitCode::done;
@@ -88,20 +92,24 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* command = program.add_subcommand(
       "convert",
-      "Write a file again as one .glb, or as a .gltf with a .bin beside it. Everything that the file says is carried:\n"
-      "extras, extensions, attributes and names that sinew does not know, cameras and lights that nothing uses, "
-      "images\n"
-      "of any kind. Compressed data are decoded; bytes that nothing names are left out. Reading OUT gives the same\n"
-      "scene, bit for bit, and converting OUT again the same file.\n"
-      "What cannot be carried is listed, one line each, and nothing is written unless --drop names it. OUT appears\n"
+      "Write a file again, as one .glb or as a .gltf with a .bin beside it\n"
+      "Everything that the file says is carried: extras, extensions, attributes and names that sinew does not know, "
+      "cameras and lights that nothing uses, images of any kind. Compressed data are decoded; bytes that nothing names "
+      "are left out. Reading OUT gives the same scene, bit for bit, and converting OUT again the same file.\n"
+      "\n"
+      "What cannot be carried is listed, one line each, and nothing is written unless --drop names it. OUT appears "
       "complete or not at all, and never replaces a file that is read.\n"
-      "With a budget, keys are left out of clips as long as no vertex of the model ever moves farther than the budget\n"
+      "\n"
+      "With a budget, keys are left out of clips as long as no vertex of the model ever moves farther than the budget "
       "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
+      "\n"
       "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
   command->add_option("IN", options->in, "A .gltf or .glb file")->required();
   command->add_option("OUT", options->out, "The .glb or .gltf file to write")->required();
-  command->add_option("--budget", options->budget,
-                      "Largest distance by which leaving out keys may move anything: 0.1mm, 1e-4");
+  command
+      ->add_option("--budget", options->budget,
+                   fmt::format("Largest distance by which leaving out keys may move anything, {}", kLengthHelp))
+      ->type_name("LENGTH");
   command
       ->add_option("--fps", options->fps,
                    "Linear keys that many times a second, in place of the keys of tracks that are not STEP")

@@ -17,12 +17,9 @@ struct OutputFiles {
   std::vector<std::filesystem::path> all() const;
 };
 
-/// Why `out` cannot be written, as far as is known before any work is done.
-/// out   `why` is empty when it can
-OutputFiles output_files(const std::string& in, const std::string& out, std::string& why);
-
-/// The output that would overwrite a file from which the import read; empty = none.
-std::string overwritten_input(const std::string& in, const ImportedFile& model, const OutputFiles& outputs);
+/// The files that OUT stands for.
+/// out   nothing when its name ends neither in .glb nor in .gltf
+std::optional<OutputFiles> output_files(const std::string& out);
 
 /// Writes all files completely or none of them.
 /// out   nothing, or why not

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/cost/report_json.h"
+#include "importer/tool/files/output_check.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::cost {
@@ -61,17 +62,19 @@ std::optional<std::string> put_in_place(const fs::path& made, const fs::path& fo
 
 }  // namespace
 
-std::string objection_to(const fs::path& given) {
+std::string objection_to(const fs::path& given, std::span<const fs::path> inputs) {
   const fs::path folder = without_slash(given),
                  parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(parent, error)) return fmt::format("there is no folder {}", parent.string());
   if (!fs::exists(folder, error)) return {};
   if (!fs::is_directory(folder, error) || fs::is_symlink(folder, error)) return "exists and is not a folder";
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (std::find(std::begin(kFiles), std::end(kFiles), entry.path().filename().string()) == std::end(kFiles))
-      return fmt::format("holds {}, which is no part of a report; it is left as it is",
-                         entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (std::find(std::begin(kFiles), std::end(kFiles), name) == std::end(kFiles))
+      return fmt::format("holds {}, which is no part of a report; it is left as it is", name);
+    if (const auto why = tool::objection_to_output(entry.path(), inputs)) return *why;
+  }
   return error ? error.message() : std::string();
 }
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// No command writes over a file that it reads, by whatever path or link.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "tests/importer/tool_model.h"
+
+namespace sinew::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string read(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The arguments that make a command read `in` and write `out`.
+using Command = std::vector<std::string> (*)(const std::string& in, const std::string& out);
+const std::map<std::string, Command> kWriting = {
+    {"sample",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"sample", in, "-o", out};
+     }},
+    {"compile",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"compile", in, "-o", out};
+     }},
+    {"bake",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"bake", in, "-o", out};
+     }},
+    {"convert",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"convert", in, out};
+     }},
+    {"cost",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"cost", in, "--quick", "-o", fs::path(out).parent_path().string()};
+     }},
+};
+
+/// The names of all commands, as the help lists them: two spaces, the name, two spaces.
+std::vector<std::string> commands_of_help() {
+  std::vector<std::string> names;
+  std::istringstream help(run_tool({"--help"}).out);
+  bool listed = false;
+  for (std::string line; std::getline(help, line);) {
+    if (line.starts_with("Subcommands:") || line.starts_with("Commands:")) listed = true;
+    const bool names_one = listed && line.starts_with("  ") && line.size() > 2 && line[2] != ' ';
+    if (names_one) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return names;
+}
+
+bool writes(const std::string& help) {
+  return help.find("--output") != std::string::npos || help.find("  OUT ") != std::string::npos;
+}
+
+TEST(tool_outputs, every_command_that_writes_is_in_the_tests_below) {
+  const std::vector<std::string> commands = commands_of_help();
+  ASSERT_GE(commands.size(), 8u);
+  for (const std::string& command : commands)
+    EXPECT_EQ(writes(run_tool({command, "--help"}).out), kWriting.contains(command)) << command;
+}
+
+/// Runs every command that writes, and expects that it leaves `in` and `out` as they are.
+void expect_refused(const std::string& in, const std::string& out, const std::vector<std::string>& commands) {
+  const std::string before = read(out), before_in = read(in);
+  const std::vector<std::string> there = commands_of_help();
+  for (const std::string& command : commands) {
+    if (std::find(there.begin(), there.end(), command) == there.end()) continue;  // a build without `sinew cost`
+    const CommandOutcome outcome = run_tool(kWriting.at(command)(in, out));
+    EXPECT_EQ(outcome.status, 2) << command << ' ' << in << ' ' << out;
+    EXPECT_THAT(outcome.err, HasSubstr(out + " is read; it is left as it is")) << command;
+    EXPECT_EQ(read(out), before) << command;
+    EXPECT_EQ(read(in), before_in) << command;
+  }
+}
+
+TEST(tool_outputs, an_output_never_takes_the_place_of_an_input) {
+  const ToolModelFile model;
+  fs::create_symlink("model.gltf", model.beside("symbolic.gltf"));
+  fs::create_hard_link(model.path(), model.beside("hard.gltf"));
+  for (const std::string& out :
+       {model.path(), model.beside("./model.gltf"), model.beside("symbolic.gltf"), model.beside("hard.gltf")})
+    expect_refused(model.path(), out, {"sample", "compile", "bake", "convert"});
+  const auto left = fs::directory_iterator(fs::path(model.path()).parent_path());
+  EXPECT_EQ(std::distance(left, fs::directory_iterator()), 3) << "nothing else was written";
+}
+
+TEST(tool_outputs, buffers_and_images_of_a_file_are_inputs_too) {
+  const ToolModelFile model;
+  const std::string in = model.beside("other.gltf");
+  std::ofstream(model.beside("data.bin")) << std::string(36, '\0');
+  std::ofstream(model.beside("picture.png")) << "no picture";
+  std::ofstream(in) << R"({"asset": {"version": "2.0"}, "nodes": [{}], "images": [{"uri": "picture.png"}],
+                           "buffers": [{"byteLength": 36, "uri": "data.bin"}]})";
+  for (const char* out : {"data.bin", "picture.png"})
+    expect_refused(in, model.beside(out), {"sample", "compile", "bake"});
+  fs::create_symlink("data.bin", model.beside("data.glb"));
+  fs::create_symlink("data.bin", model.beside("new.bin"));
+  expect_refused(in, model.beside("data.glb"), {"convert"});
+  const CommandOutcome beside = run_tool({"convert", in, model.beside("new.gltf")});
+  EXPECT_EQ(beside.status, 2);
+  EXPECT_THAT(beside.err, HasSubstr("new.bin is read; it is left as it is")) << "the buffer beside a .gltf";
+}
+
+TEST(tool_outputs, a_report_replaces_no_file_that_it_is_about) {
+  const ToolModelFile model;
+  fs::create_directory(model.beside("report"));
+  const std::string in = model.beside("report/report.json");
+  fs::copy_file(model.path(), in);
+  expect_refused(in, in, {"cost"});
+  const std::string text = model.beside("named.gltf");
+  std::ofstream(text) << R"({"asset": {"version": "2.0"}, "nodes": [{}],
+                             "buffers": [{"byteLength": 4, "uri": "report/report.json"}]})";
+  expect_refused(text, in, {"cost"});
+}
+
+TEST(tool_outputs, every_numbered_file_and_every_point_cache_is_an_input) {
+  const ToolModelFile model;
+  const char* const obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* name : {"cloth_1.obj", "cloth_2.obj", "cloth_3.obj"}) std::ofstream(model.beside(name)) << obj;
+  for (const char* name : {"cloth_1.obj", "cloth_2.obj", "cloth_3.obj"})
+    expect_refused(model.beside("cloth_1.obj"), model.beside(name), {"bake"});
+  EXPECT_EQ(run_tool({"bake", model.beside("cloth_2.obj"), "-o", model.beside("cloth_1.obj")}).status, 0)
+      << "a frame before the first one is not read";
+  std::ofstream(model.beside("moved.mdd")) << "points";
+  for (const std::string& in : {model.beside("cloth_2.obj"), model.path()}) {
+    const CommandOutcome outcome =
+        run_tool({"bake", in, "--points", model.beside("moved.mdd"), "-o", model.beside("moved.mdd")});
+    EXPECT_EQ(outcome.status, 2) << in;
+    EXPECT_THAT(outcome.err, HasSubstr("moved.mdd is read; it is left as it is")) << in;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
