@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "importer/tool/pose_sampler.h"
+#include "importer/tool/poses/pose_sampler.h"
 
 namespace sinew::tool {
 

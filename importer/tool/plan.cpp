@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/files/cache_folder.h"
 #include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
@@ -29,6 +30,7 @@ struct PlanOptions {
   std::vector<std::string> skinning = {"linear"};
   std::string normals = "linear";
   std::optional<std::string> joint_tolerance;
+  std::string cache;
   bool json = false;
 };
 
@@ -157,7 +159,7 @@ ExitCode plan_file(const PlanOptions& options) {
   ImportOptions import;
   import.decode_images = false;
   for (const std::string& method : options.skinning)
-    if (kSkinningNames.at(method) == Skinning::center_of_rotation) import.make_centers_of_rotation = true;
+    if (kSkinningNames.at(method) == Skinning::center_of_rotation) ask_for_centers(import, options.cache);
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
   const auto chosen = choose_clips(file->scene, options.clip);
@@ -187,8 +189,8 @@ ExitCode plan_file(const PlanOptions& options) {
 
 void add_plan(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = program.add_subcommand(
-      "plan", "Show the stages that a frame of this file runs or leaves out, each with the reason.");
+  CLI::App* command =
+      program.add_subcommand("plan", "Show the stages that a frame of a file runs or leaves out, each with the reason");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command
       ->add_option("--clip", options->clip,
@@ -222,6 +224,7 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
                       "{} (default: none)",
                       kLengthHelp))
       ->type_name("LENGTH");
+  add_cache_option(*command, options->cache);
   command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
   command->callback([options, &outcome] { outcome = plan_file(*options); });
 }

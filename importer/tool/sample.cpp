@@ -6,18 +6,20 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/files/cache_folder.h"
 #include "importer/tool/files/output_check.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
-#include "importer/tool/pose_output.h"
-#include "importer/tool/pose_sampler.h"
+#include "importer/tool/poses/pose_sampler.h"
+#include "importer/tool/poses/pose_writer.h"
 #include "importer/tool/progress_line.h"
 #include "importer/tool/sample_times.h"
 #include "importer/tool/skinning_choice.h"
@@ -29,8 +31,15 @@ struct SampleOptions {
   std::string file, output;
   std::optional<std::string> clip, times;
   std::optional<double> fps;
-  std::string skinning = "all", vertices = "64";
+  std::vector<std::string> skinning;  // empty = linear and dual-quaternion
+  std::optional<std::string> vertices;
+  std::string cache;
+  std::optional<std::string> format_name;
+  PoseFormat format = PoseFormat::json;
 };
+
+const std::map<std::string, PoseFormat> kFormatNames = {
+    {"json", PoseFormat::json}, {"csv", PoseFormat::csv}, {"npy", PoseFormat::npy}, {"npz", PoseFormat::npz}};
 
 constexpr double kMostFrames = 1e6;  // of one clip, so that a typing error in --fps does not fill the disk
 
@@ -74,48 +83,67 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
   return tasks;
 }
 
-/// Samples and writes all tasks; prints what went wrong.
-ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const SampleOptions& options,
-                     const PoseContent& content) {
-  const double size_m = model_size_m(scene);
-  PoseSampler sampler(scene, content);
-  errno = 0;
-  PoseOutput out(options.output);
-  if (!out.opened())
-    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", options.output, std::strerror(errno)));
+/// Samples all tasks.
+/// err  as run_plan
+ErrorCode sample_all(const Scene& scene, const std::vector<Task>& tasks, PoseSampler& sampler, PoseWriter& writer) {
   ProgressLine progress;
-  out.begin(options.file, size_m);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const auto& [clip, times_s] = tasks[i];
-    out.begin_clip(clip, clip == kNone ? std::string_view{} : std::string_view(scene.animations[clip].name));
+    writer.begin_clip(clip, clip == kNone ? std::string_view{} : std::string_view(scene.animations[clip].name));
     for (std::size_t k = 0; k < times_s.size(); ++k) {
       const double part = static_cast<double>(k) / static_cast<double>(times_s.size());
       progress.show("sampling", (static_cast<double>(i) + part) / static_cast<double>(tasks.size()));
-      if (const ErrorCode code = sampler.run(clip, times_s[k]); code != ErrorCode::ok)
-        return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
-      out.begin_sample(sampler.pose());
-      for (std::size_t p = 0; p < sampler.primitive_count(); ++p) out.add(sampler.primitive(p));
-      out.end_sample();
+      if (const ErrorCode code = sampler.run(clip, times_s[k]); code != ErrorCode::ok) return code;
+      writer.begin_sample(sampler.pose());
+      for (std::size_t p = 0; p < sampler.primitive_count(); ++p) writer.add(sampler.primitive(p));
+      writer.end_sample();
     }
-    out.end_clip();
+    writer.end_clip();
   }
-  progress.wipe();
-  if (out.end()) return ExitCode::done;
-  return fail_with(ExitCode::machine_lacks,
-                   fmt::format("{}: cannot be written to the end", options.output.empty() ? "stdout" : options.output));
+  return ErrorCode::ok;
 }
 
-ExitCode sample_file(const SampleOptions& options) {
-  const auto limit = vertex_limit(options.vertices);
+/// Samples and writes all tasks; prints what went wrong.
+ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const SampleOptions& options,
+                     const PoseContent& content) {
+  PoseSampler sampler(scene, content);
+  const std::string name = options.output.empty() ? "stdout" : options.output;
+  errno = 0;
+  StreamedFile out(options.output);
+  if (!out.opened()) return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", name, std::strerror(errno)));
+  const auto writer = make_pose_writer(options.format, scene, out);
+  writer->begin(options.file, model_size_m(scene));
+  if (const ErrorCode code = sample_all(scene, tasks, sampler, *writer); code != ErrorCode::ok)
+    return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
+  if (const std::string why = writer->end(); !why.empty())
+    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", name, why));
+  if (out.finish()) return ExitCode::done;
+  return fail_with(ExitCode::machine_lacks, name + ": cannot be written to the end");
+}
+
+/// What is sampled besides nodes. A format without vertices needs no skinning.
+PoseContent content_of(const SampleOptions& options, std::size_t vertices) {
+  if (!holds_vertices(options.format)) return {true, false, false, 0, false};
+  const auto asks_for = [&](const char* method) { return names_skinning(options.skinning, method); };
+  return {asks_for("linear"), asks_for("dual-quaternion"), asks_for("center-of-rotation"), vertices,
+          options.format == PoseFormat::json};
+}
+
+ExitCode sample_file(SampleOptions options) {
+  const auto limit = vertex_limit(options.vertices.value_or("64"));
   if (!limit) return fail_with(ExitCode::wrong_usage, limit.error());
   if (options.times)
     if (const auto times = parse_times(*options.times); !times) return fail_with(ExitCode::wrong_usage, times.error());
+  options.format = options.format_name ? kFormatNames.at(*options.format_name) : format_of_name(options.output);
+  if (!holds_vertices(options.format) && (options.vertices || !options.skinning.empty()))
+    return fail_with(ExitCode::wrong_usage,
+                     "--vertices, --skinning: csv and npy hold nodes only; json and npz hold both");
+  if (options.skinning.empty()) options.skinning = {"linear", "dual-quaternion"};
 
   ImportOptions import;
   import.decode_images = false;
-  const auto asks_for = [&](const char* kind) { return options.skinning == kind || options.skinning == "all"; };
-  const PoseContent content{asks_for("linear"), asks_for("dual-quaternion"), asks_for("center-of-rotation"), *limit};
-  import.make_centers_of_rotation = content.center_of_rotation;
+  const PoseContent content = content_of(options, *limit);
+  if (content.center_of_rotation) ask_for_centers(import, options.cache);
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
@@ -127,15 +155,21 @@ ExitCode sample_file(const SampleOptions& options) {
   return write_poses(file->scene, *tasks, options, content);
 }
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, format] : kFormatNames) names.push_back(name);
+  return names;
+}
+
 }  // namespace
 
 void add_sample(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<SampleOptions>();
-  CLI::App* command = program.add_subcommand(
-      "sample",
-      "Write poses as JSON: world matrices of nodes, morph weights, deformed vertices.\n"
-      "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the first and last\n"
-      "key, and some keys and middles between them.");
+  CLI::App* command =
+      program.add_subcommand("sample",
+                             "Write poses: world matrices of nodes, morph weights, deformed vertices\n"
+                             "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the "
+                             "first and last key, and some keys and middles between them.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_option("--clip", options->clip, "One clip only; none = the rest pose")->type_name("INDEX|NAME|none");
   auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")
@@ -146,15 +180,25 @@ void add_sample(CLI::App& program, ExitCode& outcome) {
       ->excludes(times);
   command
       ->add_option("--skinning", options->skinning,
-                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals;\n"
-                   "center-of-rotation: cors, corNormals; all (default)")
-      ->type_name("METHOD")
+                   "linear: positions, normals, tangents; dual-quaternion: dqs, dqsNormals; center-of-rotation: cors, "
+                   "corNormals; all (default: linear,dual-quaternion, since centers of rotation take long to compute "
+                   "the first time)")
+      ->delimiter(',')
+      ->type_name("METHOD[,METHOD...]")
       ->check(CLI::IsMember(skinning_names({"all"})));
   command
       ->add_option("--vertices", options->vertices, "At most N vertices of each primitive, spread evenly (default: 64)")
       ->type_name("N|all");
+  command
+      ->add_option("--format", options->format_name,
+                   "json: what `sinew verify` reads; csv: a row for each node and time; npy: the world matrices as one "
+                   "NumPy array [time, node, 4, 4]; npz: everything as NumPy arrays by name (default: what OUT's name "
+                   "ends in, else json)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember(format_names()));
   command->add_option("-o,--output", options->output, "Write here (compressed if it ends in .gz), not to stdout")
-      ->type_name("OUT.json");
+      ->type_name("OUT");
+  add_cache_option(*command, options->cache);
   command->callback([options, &outcome] { outcome = sample_file(*options); });
 }
 

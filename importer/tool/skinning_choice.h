@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/plan/needs.h"
@@ -17,6 +19,11 @@ inline const std::map<std::string, Skinning> kSkinningNames = {{"linear", Skinni
 inline std::vector<std::string> skinning_names(std::vector<std::string> more = {}) {
   for (const auto& [name, kind] : kSkinningNames) more.insert(more.begin(), name);
   return more;
+}
+
+/// Whether a list of names has one, or "all".
+inline bool names_skinning(const std::vector<std::string>& names, std::string_view wanted) {
+  return std::any_of(names.begin(), names.end(), [&](const auto& name) { return name == wanted || name == "all"; });
 }
 
 }  // namespace sinew::tool

@@ -9,12 +9,14 @@
 #include <fmt/format.h>
 
 #include "importer/tool/bake/verify_geometry.h"
-#include "importer/tool/compare_poses.h"
+#include "importer/tool/files/cache_folder.h"
+#include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
-#include "importer/tool/pose_input.h"
-#include "importer/tool/pose_sampler.h"
+#include "importer/tool/poses/compare_poses.h"
+#include "importer/tool/poses/pose_input.h"
+#include "importer/tool/poses/pose_sampler.h"
 #include "importer/tool/progress_line.h"
 
 namespace sinew::tool {
@@ -23,53 +25,49 @@ namespace {
 struct VerifyOptions {
   std::string file, golden;
   TakeSource against;  // of a geometry cache
-  std::optional<double> tolerance_m;
+  std::optional<std::string> tolerance;
+  std::string cache;
   bool exact = false;
 };
 
 constexpr std::size_t kWorstShown = 10;
 
-bool holds_bits(const PoseFile& golden, const std::string& name) {
-  for (const ClipPoses& clip : golden.clips)
-    for (const Pose& pose : clip.samples)
-      if (pose.bits.contains(name)) return true;
-  return false;
+bool holds_centers(const PoseSummary& golden, bool exact) {
+  return golden.holds(VertexKind::cors) || golden.holds(VertexKind::cor_normals) ||
+         (exact && golden.bits.contains("centerOfRotation"));
 }
 
-bool holds(const PoseFile& golden, std::initializer_list<VertexKind> kinds) {
-  for (const ClipPoses& clip : golden.clips)
-    for (const Pose& pose : clip.samples)
-      for (const PrimitivePose& primitive : pose.primitives)
-        for (const VertexKind kind : kinds)
-          if (!primitive.of(kind).empty()) return true;
-  return false;
+PoseContent content_of(const PoseSummary& golden, bool exact) {
+  PoseContent content{true, golden.holds(VertexKind::dqs) || golden.holds(VertexKind::dqs_normals),
+                      holds_centers(golden, exact), kAllVertices, exact};
+  if (exact) content.dual_quaternion |= golden.bits.contains("dualQuaternion");
+  return content;
 }
 
-bool holds_centers(const PoseFile& golden, bool exact) {
-  return holds(golden, {VertexKind::cors, VertexKind::cor_normals}) ||
-         (exact && holds_bits(golden, "centerOfRotation"));
-}
-
-/// Samples the scene at the times of the golden file and compares the poses.
-Result<void> compare_all(const Scene& scene, const PoseFile& golden, bool exact, PoseComparison& comparison) {
-  PoseContent content{true, holds(golden, {VertexKind::dqs, VertexKind::dqs_normals}), holds_centers(golden, exact),
-                      kAllVertices, exact};
-  if (exact) content.dual_quaternion |= holds_bits(golden, "dualQuaternion");
-  PoseSampler sampler(scene, content);
-  ProgressLine progress;
-  for (std::size_t i = 0; i < golden.clips.size(); ++i) {
-    const auto& [clip, samples] = golden.clips[i];
-    progress.show("comparing", static_cast<double>(i) / static_cast<double>(golden.clips.size()));
-    if (clip != kNone && clip >= scene.clips.size()) {
+/// Reads the golden file again, pose by pose, samples the scene at its times and compares.
+/// in    golden  what the file was when it was checked
+/// err   a sentence
+tl::expected<void, std::string> compare_all(const Scene& scene, const VerifyOptions& options, const PoseSummary& golden,
+                                            PoseComparison& comparison) {
+  PoseSampler sampler(scene, content_of(golden, options.exact));
+  for (const std::uint32_t clip : golden.clips)
+    if (clip != kNone && clip >= scene.clips.size())
       comparison.missing(fmt::format("clip {} (the file has {})", clip, scene.clips.size()));
-      continue;
-    }
-    for (const Pose& expected : samples) {
-      const auto pose = sampler.sample(clip, expected.time_s);
-      if (!pose) return tl::unexpected(pose.error());
-      comparison.compare(clip, expected, *pose);
-    }
-  }
+  ProgressLine progress;
+  std::size_t done = 0;
+  ErrorCode failed = ErrorCode::ok;
+  const auto read = read_poses(options.golden, [&](std::size_t entry, const Pose& expected) {
+    if (entry >= golden.clips.size()) return false;
+    progress.show("comparing", static_cast<double>(done++) / static_cast<double>(golden.poses));
+    const std::uint32_t clip = golden.clips[entry];
+    if (clip != kNone && clip >= scene.clips.size()) return true;
+    const auto pose = sampler.sample(clip, expected.time_s);
+    if (!pose) failed = pose.error();
+    if (pose) comparison.compare(clip, expected, *pose);
+    return pose.has_value();
+  });
+  if (failed != ErrorCode::ok) return tl::unexpected(fmt::format("{}: {}", options.file, describe(failed)));
+  if (!read || *read != golden) return tl::unexpected(options.golden + ": has changed while it was read");
   return {};
 }
 
@@ -96,26 +94,28 @@ ExitCode verify_cache(const VerifyOptions& options) {
 }
 
 ExitCode verify_poses(const VerifyOptions& options) {
+  const auto distance = parse_length(options.tolerance.value_or("0"));
+  if (!distance) return fail_with(ExitCode::wrong_usage, "--tolerance: " + distance.error());
   const auto golden = read_poses(options.golden);
   if (!golden) return fail_with(ExitCode::input_at_fault, options.golden, golden.error());
-  if (options.exact && !holds_bits(*golden, "pose")) {
+  if (options.exact && !golden->bits.contains("pose")) {
     return fail_with(ExitCode::input_at_fault, options.golden,
                      {Severity::error, "pose-format", "/clips", "holds no bits: sample the file again"});
   }
   ImportOptions import;
   import.decode_images = false;
-  import.make_centers_of_rotation = holds_centers(*golden, options.exact);
+  if (holds_centers(*golden, options.exact)) ask_for_centers(import, options.cache);
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
   if (!file) return ExitCode::input_at_fault;
 
   PoseTolerance tolerance;
-  tolerance.distance_m = options.tolerance_m;
   tolerance.exact = options.exact;
   tolerance.model_size_m = golden->extent ? *golden->extent : model_size_m(file->scene);
+  if (options.tolerance) tolerance.distance_m = distance->metres + distance->of_model * tolerance.model_size_m;
   PoseComparison comparison(tolerance, kWorstShown);
-  if (const auto done = compare_all(file->scene, *golden, options.exact, comparison); !done)
-    return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(done.error())));
+  if (const auto done = compare_all(file->scene, options, *golden, comparison); !done)
+    return fail_with(ExitCode::input_at_fault, done.error());
   print_outcome(comparison, options);
   if (comparison.compared() == 0) {
     return fail_with(ExitCode::input_at_fault, options.golden,
@@ -131,9 +131,11 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = program.add_subcommand(
       "verify",
-      "Sample a file again at the times of a pose file that `sinew sample` wrote earlier, and compare.\n"
-      "Exit status 0 when every pose still matches; else 1, and the worst differences are listed.\n"
-      "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured\n"
+      "Sample a file again, and tell where it differs from poses that were written earlier\n"
+      "The file is sampled at the times of a pose file that `sinew sample` wrote. Exit status 0 when every pose still "
+      "matches; else 1, and the worst differences are listed.\n"
+      "\n"
+      "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
       "anew. Exit status 0 when every frame is as it was written, and within what was asked.");
   command->add_option("FILE", options->file, "A .gltf or .glb file, or a geometry cache")->required();
   auto* golden = command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz");
@@ -147,10 +149,12 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "Also compare every bit of all joints, weights and vertices, listed or not. Bits agree for any thread count\n"
       "and between machines with fused multiply-add (AVX2 and later, ARM)");
   command
-      ->add_option("--tolerance", options->tolerance_m,
-                   "Largest distance that counts as equal (default: 0.0001 of the larger of model and value)")
-      ->type_name("METRES")
-      ->check(CLI::NonNegativeNumber);
+      ->add_option(
+          "--tolerance", options->tolerance,
+          fmt::format("Largest distance that counts as equal, {} (default: 0.01% of the larger of model and value)",
+                      kLengthHelp))
+      ->type_name("LENGTH");
+  add_cache_option(*command, options->cache);
   command->callback(
       [options, &outcome] { outcome = options->golden.empty() ? verify_cache(*options) : verify_poses(*options); });
 }

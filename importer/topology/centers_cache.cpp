@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "importer/topology/centers_cache.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <span>
@@ -76,7 +79,11 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
   if (file_.empty()) return;
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);
-  const std::filesystem::path unfinished = file_.string() + ".part";
+  // Two programs, or two threads of one, may store the same centers at a time.
+  std::string unfinished = file_.string() + ".XXXXXX";
+  const int descriptor = ::mkstemp(unfinished.data());
+  if (descriptor < 0) return;
+  ::close(descriptor);
   {
     std::ofstream out(unfinished, std::ios::binary);
     Header header;
@@ -85,9 +92,10 @@ void CentersCache::store(const std::vector<glm::vec3>& centers) const {
     out.write(reinterpret_cast<const char*>(&header), sizeof header);
     out.write(reinterpret_cast<const char*>(centers.data()),
               static_cast<std::streamsize>(centers.size() * sizeof(glm::vec3)));
-    if (!out.flush()) return;
+    out.flush();
+    if (out) std::filesystem::rename(unfinished, file_, ignored);
   }
-  std::filesystem::rename(unfinished, file_, ignored);
+  std::filesystem::remove(unfinished, ignored);  // where it could not take its place
 }
 
 }  // namespace sinew

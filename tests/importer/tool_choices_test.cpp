@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/poses/vertex_choice.h"
 #include "importer/tool/sample_times.h"
-#include "importer/tool/vertex_choice.h"
 
 namespace sinew::tool {
 namespace {

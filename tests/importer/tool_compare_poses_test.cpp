@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "importer/tool/compare_poses.h"
+#include "importer/tool/poses/compare_poses.h"
 
 namespace sinew::tool {
 namespace {

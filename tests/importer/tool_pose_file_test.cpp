@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <vector>
 
-#include "importer/tool/pose_input.h"
-#include "importer/tool/pose_output.h"
+#include "importer/tool/poses/pose_input.h"
+#include "importer/tool/poses/pose_json.h"
 
 namespace sinew::tool {
 namespace {
@@ -33,8 +36,9 @@ Pose pose_with_odd_numbers() {
 }
 
 void write(const std::string& file, const Pose& pose) {
-  PoseOutput out(file);
-  ASSERT_TRUE(out.opened());
+  StreamedFile stream(file);
+  ASSERT_TRUE(stream.opened());
+  PoseJson out(stream);
   out.begin("models/a \"quoted\" name.glb", 2.5);
   out.begin_clip(kNone, "");
   out.begin_sample(pose);
@@ -46,7 +50,31 @@ void write(const std::string& file, const Pose& pose) {
   out.begin_sample(pose);
   out.end_sample();
   out.end_clip();
-  ASSERT_TRUE(out.end());
+  EXPECT_EQ(out.end(), "");
+  ASSERT_TRUE(stream.finish());
+}
+
+struct ClipPoses {
+  std::uint32_t clip = kNone;
+  std::vector<Pose> samples;
+};
+struct PoseFile {
+  std::optional<double> extent;
+  std::vector<ClipPoses> clips;
+};
+
+/// All poses of a file at once.
+tl::expected<PoseFile, ImportIssue> all_poses(const std::string& file) {
+  PoseFile out;
+  const auto read = read_poses(file, [&](std::size_t entry, const Pose& pose) {
+    out.clips.resize(std::max(out.clips.size(), entry + 1));
+    out.clips[entry].samples.push_back(pose);
+    return true;
+  });
+  if (!read) return tl::unexpected(read.error());
+  out.extent = read->extent;
+  for (std::size_t i = 0; i < out.clips.size(); ++i) out.clips[i].clip = read->clips[i];
+  return out;
 }
 
 class pose_file : public testing::TestWithParam<const char*> {};
@@ -55,7 +83,7 @@ TEST_P(pose_file, what_was_written_is_read_back_bit_for_bit) {
   const std::string file = temporary(GetParam());
   const Pose pose = pose_with_odd_numbers();
   write(file, pose);
-  const auto read = read_poses(file);
+  const auto read = all_poses(file);
   std::filesystem::remove(file);
   ASSERT_TRUE(read) << read.error().json_pointer << read.error().detail;
   EXPECT_EQ(read->extent, 2.5);
@@ -83,12 +111,12 @@ INSTANTIATE_TEST_SUITE_P(plain_and_compressed, pose_file, testing::Values("poses
                            return std::string(parameter.param).ends_with("gz") ? "compressed" : "plain";
                          });
 
-TEST(pose_output, numbers_that_json_has_no_word_for_become_null) {
+TEST(pose_json, numbers_that_json_has_no_word_for_become_null) {
   const std::string file = temporary("nan.json");
   Pose pose = pose_with_odd_numbers();
   pose.primitives[0].of(VertexKind::positions)[4] = std::numeric_limits<double>::infinity();
   write(file, pose);
-  const auto read = read_poses(file);
+  const auto read = all_poses(file);
   std::filesystem::remove(file);
   ASSERT_TRUE(read);
   const auto& positions = read->clips[0].samples[0].primitives[0].of(VertexKind::positions);
@@ -96,8 +124,8 @@ TEST(pose_output, numbers_that_json_has_no_word_for_become_null) {
   EXPECT_TRUE(std::isnan(positions[3]) && std::isnan(positions[5]));
 }
 
-TEST(pose_output, a_folder_that_is_not_there_cannot_be_written) {
-  EXPECT_FALSE(PoseOutput("/no such folder/poses.json").opened());
+TEST(streamed_file, a_folder_that_is_not_there_cannot_be_written) {
+  EXPECT_FALSE(StreamedFile("/no such folder/poses.json").opened());
 }
 
 struct Refused {

@@ -8,7 +8,7 @@
 
 #include "importer/import_gltf.h"
 #include "importer/tool/model_size.h"
-#include "importer/tool/pose_sampler.h"
+#include "importer/tool/poses/pose_sampler.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::tool {

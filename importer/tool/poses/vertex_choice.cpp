@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/vertex_choice.h"
+#include "importer/tool/poses/vertex_choice.h"
 
 #include <algorithm>
 #include <iterator>

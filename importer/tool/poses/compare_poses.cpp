@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/compare_poses.h"
+#include "importer/tool/poses/compare_poses.h"
 
 #include <algorithm>
 #include <cmath>

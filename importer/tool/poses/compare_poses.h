@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "importer/tool/pose.h"
+#include "importer/tool/poses/pose.h"
 
 namespace sinew::tool {
 

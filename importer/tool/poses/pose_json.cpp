@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/pose_output.h"
-
-#include <unistd.h>
-#include <zlib.h>
+#include "importer/tool/poses/pose_json.h"
 
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <span>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +13,7 @@ namespace sinew::tool {
 namespace {
 
 using Text = fmt::memory_buffer;
-constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes handed to zlib at once
+constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes that are written at once
 
 template <class... Args>
 void put(Text& text, fmt::format_string<Args...> format, Args&&... args) {
@@ -36,29 +31,11 @@ void put_vector(Text& text, std::span<const double> numbers) {
 
 }  // namespace
 
-PoseOutput::PoseOutput(const std::string& file_or_empty) {
-  if (file_or_empty.empty()) {
-    file_ = gzdopen(dup(STDOUT_FILENO), "wbT");
-    return;
-  }
-  std::error_code error;
-  target_ = std::filesystem::canonical(file_or_empty, error);
-  if (error) target_ = file_or_empty;  // a new file
-  unfinished_ = fmt::format("{}.{}.tmp", target_.string(), getpid());
-  file_ = gzopen(unfinished_.c_str(), file_or_empty.ends_with(".gz") ? "wbx6" : "wbxT");
-}
-
-PoseOutput::~PoseOutput() {
-  if (!file_) return;
-  gzclose(static_cast<gzFile>(file_));
-  if (!unfinished_.empty()) unlink(unfinished_.c_str());
-}
-
-void PoseOutput::begin(std::string_view model, double extent) {
+void PoseJson::begin(std::string_view model, double extent) {
   put(text_, "{{\"model\": {},\n \"extent\": {:.9g},\n \"clips\": [", in_quotes(model), extent);
 }
 
-void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
+void PoseJson::begin_clip(std::uint32_t clip, std::string_view name) {
   put(text_, "{}", first_clip_ ? "\n" : ",\n");
   if (clip == kNone)
     put(text_, "  {{\"clip\": null, \"index\": null, \"name\": null, \"samples\": [");
@@ -68,7 +45,7 @@ void PoseOutput::begin_clip(std::uint32_t clip, std::string_view name) {
   first_sample_ = true;
 }
 
-void PoseOutput::begin_sample(const Pose& pose) {
+void PoseJson::begin_sample(const Pose& pose) {
   put(text_, "{}   {{\"time\": {},\n    ", first_sample_ ? "\n" : ",\n", pose.time_s);
   if (!pose.bits.empty()) put(text_, "\"bits\": {},\n    ", nlohmann::json(pose.bits).dump());
   put(text_, "\"nodes\": [");
@@ -79,12 +56,12 @@ void PoseOutput::begin_sample(const Pose& pose) {
   for (const PrimitivePose& primitive : pose.primitives) add(primitive);
 }
 
-void PoseOutput::end_sample() {
+void PoseJson::end_sample() {
   put(text_, "]}}");
   flush();
 }
 
-void PoseOutput::add_nodes(const Pose& pose) {
+void PoseJson::add_nodes(const Pose& pose) {
   for (std::size_t i = 0; i < pose.nodes.size(); ++i) {
     put(text_, "{}{{\"node\": {}, \"world\": ", i ? ",\n     " : "\n     ", pose.nodes[i].node);
     put_vector(text_, pose.nodes[i].world);
@@ -98,7 +75,7 @@ void PoseOutput::add_nodes(const Pose& pose) {
   }
 }
 
-void PoseOutput::add(const PrimitivePose& primitive) {
+void PoseJson::add(const PrimitivePose& primitive) {
   put(text_, "{}{{\"node\": {}, \"mesh\": {}, \"primitive\": {},\n      \"vertices\": [{}]",
       first_primitive_ ? "\n     " : ",\n     ", primitive.node, primitive.mesh, primitive.primitive,
       fmt::join(primitive.vertices, ", "));
@@ -118,23 +95,16 @@ void PoseOutput::add(const PrimitivePose& primitive) {
   put(text_, "}}");
 }
 
-void PoseOutput::end_clip() { put(text_, "]}}"); }
+void PoseJson::end_clip() { put(text_, "]}}"); }
 
-bool PoseOutput::end() {
+std::string PoseJson::end() {
   put(text_, "\n ]}}\n");
   flush();
-  const int closed = gzclose(static_cast<gzFile>(file_));
-  file_ = nullptr;
-  const bool written = closed == Z_OK && !failed_;
-  if (unfinished_.empty()) return written;
-  if (written && rename(unfinished_.c_str(), target_.c_str()) == 0) return true;
-  unlink(unfinished_.c_str());
-  return false;
+  return {};
 }
 
-void PoseOutput::flush() {
-  if (!failed_ && text_.size() > 0)
-    failed_ = gzwrite(static_cast<gzFile>(file_), text_.data(), static_cast<unsigned>(text_.size())) <= 0;
+void PoseJson::flush() {
+  out_.write({text_.data(), text_.size()});
   text_.clear();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/pose_sampler.h"
+#include "importer/tool/poses/pose_sampler.h"
 
 #include <cmath>
 #include <limits>
@@ -67,8 +67,11 @@ std::vector<bool> entries_without_rotation(const Skin& skin, std::span<const Aff
 
 }  // namespace
 
-PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
-    : plan(compile_plan(scene, Needs{.tangents_of_all = true,
+PoseSampler::Method::Method(const Scene& scene, Skinning skinning, bool with_vertices)
+    : plan(compile_plan(scene, Needs{.positions = with_vertices,
+                                     .normals = with_vertices,
+                                     .tangents = with_vertices,
+                                     .tangents_of_all = with_vertices,
                                      .properties = false,
                                      .hidden_meshes = true,
                                      .max_layers = 1,
@@ -78,9 +81,11 @@ PoseSampler::Method::Method(const Scene& scene, Skinning skinning)
 
 PoseSampler::PoseSampler(const Scene& scene, const PoseContent& content) : scene_(scene), with_bits_(content.bits) {
   const bool turned = content.dual_quaternion || content.center_of_rotation;
-  if (content.linear || !turned) linear_ = std::make_unique<Method>(scene, Skinning::linear);
-  if (content.dual_quaternion) dual_quaternion_ = std::make_unique<Method>(scene, Skinning::dual_quaternion);
-  if (content.center_of_rotation) center_of_rotation_ = std::make_unique<Method>(scene, Skinning::center_of_rotation);
+  const bool with_vertices = content.vertices_per_primitive > 0 || content.bits;
+  const auto method = [&](Skinning skinning) { return std::make_unique<Method>(scene, skinning, with_vertices); };
+  if (content.linear || !turned) linear_ = method(Skinning::linear);
+  if (content.dual_quaternion) dual_quaternion_ = method(Skinning::dual_quaternion);
+  if (content.center_of_rotation) center_of_rotation_ = method(Skinning::center_of_rotation);
   std::vector<std::size_t> first_choice;
   for (const Mesh& mesh : scene.meshes) {
     first_choice.push_back(choices_.size());

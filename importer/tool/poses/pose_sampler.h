@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "importer/tool/pose.h"
-#include "importer/tool/vertex_choice.h"
+#include "importer/tool/poses/pose.h"
+#include "importer/tool/poses/vertex_choice.h"
 #include "runtime/base/result.h"
 #include "runtime/plan/run_plan.h"
 
@@ -16,7 +16,7 @@ struct PoseContent {
   bool linear = true;              ///< positions, normals and tangents of skinned primitives
   bool dual_quaternion = true;     ///< dqs and dqsNormals of skinned primitives
   bool center_of_rotation = true;  ///< cors and corNormals of skinned primitives
-  std::size_t vertices_per_primitive = 64;
+  std::size_t vertices_per_primitive = 64;  ///< 0 without `bits`: nothing is skinned
   bool bits = true;  ///< Pose::bits
 };
 
@@ -42,7 +42,7 @@ class PoseSampler {
 
  private:
   struct Method {
-    Method(const Scene& scene, Skinning skinning);
+    Method(const Scene& scene, Skinning skinning, bool with_vertices);
     Plan plan;
     FrameBuffer frame;
   };

@@ -60,15 +60,4 @@ struct Pose {
       bits;  ///< hashes: of all joints ("pose"), and of all vertices for each skinning method
 };
 
-struct ClipPoses {
-  std::uint32_t clip = kNone;  ///< kNone = rest pose
-  std::vector<Pose> samples;
-};
-
-/// The contents of a pose file: golden poses of a model.
-struct PoseFile {
-  std::optional<double> extent;  ///< the model's size: the longest side of the box around its rest pose
-  std::vector<ClipPoses> clips;
-};
-
 }  // namespace sinew::tool
