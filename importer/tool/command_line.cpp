@@ -9,29 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/help/program_text.h"
 #include "importer/tool/messages.h"
 
 namespace sinew::tool {
 namespace {
-
-constexpr const char* kAbout =
-    "sinew looks into glTF files (.gltf, .glb): what they hold, what is wrong with them, and where every joint and\n"
-    "vertex is at any time of their animations.\n\n"
-    "Examples:\n"
-    "  sinew info fox.glb                                what is inside\n"
-    "  sinew check fox.glb                               every rule that the file breaks\n"
-    "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"
-    "  sinew verify fox.glb walk.json                    fails when a pose has moved since\n"
-    "  sinew plan fox.glb                                which stages a frame runs, and why\n"
-    "  sinew convert fox.gltf fox.glb                    everything in one plain binary file\n"
-    "  sinew convert fox.gltf fox.glb --budget 0.1mm     the same with as few keys as keep every vertex within 0.1 mm\n"
-    "  sinew compile fox.glb -o fox.sinew --budget 0.1mm     clips for playback, rounded within the same budget\n"
-    "  sinew bake fox.glb --clip Walk -o walk.sgeo       every vertex of every frame, for what no skeleton can move\n"
-    "  sinew cost fox.glb -o costs/                      what accuracy costs in time, as a page with charts\n";
-constexpr const char* kEnding =
-    "Results go to stdout, messages to stderr.\n"
-    "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.\n"
-    "`sinew COMMAND --help` explains one command.";
 
 /// What is wrong, and which help says what is right: that of the command when one was recognised, else that of sinew.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
@@ -64,10 +46,9 @@ ExitCode parse_and_run(CLI::App& program, const ExitCode& outcome, int argc, con
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv) {
-  CLI::App program(kAbout, "sinew");
-  program.footer(kEnding);
-  program.set_version_flag("--version", std::string("sinew ") + SINEW_VERSION, "Print the version and exit");
-  program.set_help_flag("-h,--help", "Print this help and exit");
+  CLI::App program("", "sinew");
+  describe_program(program);
+  add_generate(program);
   program.require_subcommand(1);
   ExitCode outcome = ExitCode::wrong_usage;
   add_info(program, outcome);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Help, manual page and completions are made of one text, and each of them says all of it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "importer/tool/help/wrapped_text.h"
+#include "tests/importer/tool_model.h"
+
+namespace sinew::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The first words of the lines of a section of a help, which ends with an empty line.
+std::vector<std::string> first_words(const std::string& help, const std::string& section) {
+  std::vector<std::string> words;
+  bool inside = false;
+  for (const std::string& line : lines_of(help)) {
+    if (line == section + ":") inside = true;
+    if (line.empty()) inside = false;
+    if (inside && line.size() > 2 && line.starts_with("  ") && line[2] != ' ')
+      words.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return words;
+}
+
+std::vector<std::string> commands() { return first_words(run_tool({"--help"}).out, "Commands"); }
+
+/// The names of all options of a command: "-o,--output" are two.
+std::vector<std::string> options_of(const std::string& command) {
+  std::vector<std::string> names;
+  for (std::string names_of_one : first_words(run_tool({command, "--help"}).out, "Options")) {
+    std::replace(names_of_one.begin(), names_of_one.end(), ',', '\n');
+    for (const std::string& name : lines_of(names_of_one)) names.push_back(name);
+  }
+  return names;
+}
+
+TEST(wrapped_text, flows_words_and_keeps_lines_that_begin_with_a_space) {
+  EXPECT_EQ(tool::wrapped("a b\nc", 2, 2), "a b c");
+  EXPECT_EQ(tool::wrapped("a\n\nb", 2, 2), "a\n  b");
+  EXPECT_EQ(tool::wrapped("a\n   as   it is\nb", 0, 0), "a\n   as   it is\nb");
+  const std::string word(30, 'x');
+  EXPECT_EQ(tool::wrapped(word + ' ' + word + ' ' + word + ' ' + word, 4, 10),
+            word + ' ' + word + '\n' + "    " + word + ' ' + word);
+  const std::string endless(150, 'x');
+  EXPECT_EQ(tool::wrapped("a " + endless, 0, 0), "a\n" + endless);
+}
+
+TEST(help, no_line_is_wider_than_100_columns_and_none_ends_in_spaces) {
+  std::vector<std::vector<std::string>> helps{{"--help"}};
+  for (const std::string& command : commands()) helps.push_back({command, "--help"});
+  ASSERT_GE(helps.size(), 9u);
+  for (const auto& arguments : helps) {
+    const CommandOutcome help = run_tool(arguments);
+    EXPECT_EQ(help.status, 0);
+    EXPECT_THAT(help.err, IsEmpty());
+    for (const std::string& line : lines_of(help.out)) {
+      EXPECT_LE(line.size(), 100u) << arguments[0] << ": " << line;
+      EXPECT_FALSE(line.ends_with(' ')) << arguments[0] << ": " << line;
+    }
+  }
+}
+
+TEST(help, has_a_line_for_each_command_and_everything_about_one_in_its_own) {
+  const std::string help = run_tool({"--help"}).out;
+  EXPECT_LE(lines_of(help).size(), 40u) << "fits a screen";
+  std::size_t at = 0;
+  for (const std::string& line : lines_of(help)) {
+    if (line == "Commands:") at = 1;
+    if (at == 0 || line == "Commands:") continue;
+    if (line.empty()) break;
+    EXPECT_NE(line[2], ' ') << "one line: " << line;
+    ++at;
+  }
+  EXPECT_EQ(at, commands().size() + 1);
+  for (const std::string& command : commands()) {
+    const std::string own = run_tool({command, "--help"}).out;
+    EXPECT_THAT(own, HasSubstr("Usage: sinew " + command + " [OPTIONS]"));
+    EXPECT_THAT(first_words(own, "Options"), testing::Contains("-h,--help")) << command;
+    EXPECT_THAT(own, Not(HasSubstr("TEXT"))) << command << ": a value without a name";
+    EXPECT_THAT(own, Not(HasSubstr("FLOAT"))) << command;
+  }
+}
+
+TEST(help, says_what_an_option_takes_and_what_happens_without_it) {
+  const std::string help = run_tool({"sample", "--help"}).out;
+  EXPECT_THAT(help, HasSubstr("Usage: sinew sample [OPTIONS] FILE"));
+  EXPECT_THAT(help, HasSubstr("  -o,--output OUT "));
+  EXPECT_THAT(help, HasSubstr("  --clip INDEX|NAME|none"));
+  const std::string plan = run_tool({"plan", "--help"}).out;
+  EXPECT_THAT(plan, HasSubstr("One of: "));
+  EXPECT_THAT(plan, HasSubstr("hidden-meshes"));
+  EXPECT_THAT(run_tool({"bake", "--help"}).out, HasSubstr("(default: 30)"));
+  for (const char* command : {"compile", "bake", "convert", "verify", "plan"}) {
+    std::string text = run_tool({command, "--help"}).out;
+    text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }), text.end());
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    EXPECT_THAT(text, HasSubstr("0.01% (of the model's size)")) << command;
+  }
+}
+
+TEST(help, hides_what_only_the_build_uses) {
+  EXPECT_THAT(run_tool({"--help"}).out, Not(HasSubstr("--generate")));
+  EXPECT_EQ(run_tool({"--generate", "pdf"}).status, 2);
+}
+
+bool holds_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const char next = at + word.size() < text.size() ? text[at + word.size()] : ' ';
+    if (std::isalnum(static_cast<unsigned char>(next)) == 0 && next != '-') return true;
+  }
+  return false;
+}
+
+/// How each form writes "--output".
+std::string in_form(const std::string& form, const std::string& option) {
+  if (form == "fish") return option.starts_with("--") ? "-l " + option.substr(2) : "-s " + option.substr(1);
+  if (form != "man") return option;
+  std::string escaped;
+  for (const char c : option) escaped += c == '-' ? "\\-" : std::string(1, c);
+  return escaped;
+}
+
+/// The part of a form that is about one command.
+std::string part_about(const std::string& form, const std::string& text, const std::string& command) {
+  if (form == "man") {
+    const std::size_t begin = text.find(".SS \\fBsinew " + command);
+    EXPECT_NE(begin, text.npos) << command;
+    return text.substr(begin, text.find(".SS ", begin + 1) - begin);
+  }
+  std::string part;
+  const std::string case_of = form == "bash" ? "    " + command + ") " : "    " + command + ")";
+  if (form == "zsh") {
+    const std::size_t begin = text.find(case_of + "\n");
+    EXPECT_NE(begin, text.npos) << command;
+    return text.substr(begin, text.find(";;", begin) - begin);
+  }
+  for (const std::string& line : lines_of(text))
+    if (line.starts_with(case_of) || line.find("seen_subcommand_from " + command + "'") != line.npos)
+      part += line + '\n';
+  return part;
+}
+
+TEST(shell_files, have_every_option_of_every_command) {
+  for (const char* form : {"man", "bash", "zsh", "fish"}) {
+    const CommandOutcome made = run_tool({"--generate", form});
+    ASSERT_EQ(made.status, 0) << made.err;
+    for (const std::string& command : commands()) {
+      const std::string part = part_about(form, made.out, command);
+      const auto options = options_of(command);
+      EXPECT_GE(options.size(), 2u);
+      for (const std::string& option : options) {
+        EXPECT_TRUE(holds_word(part, in_form(form, option))) << form << ": " << command << ' ' << option << '\n'
+                                                             << part;
+      }
+    }
+  }
+}
+
+bool is_installed(const char* program) {
+  return std::system((std::string("command -v ") + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// What a shell command prints, both streams together; its status must be 0.
+std::string printed(const ToolModelFile& folder, const std::string& command) {
+  const std::string out = folder.beside("printed");
+  EXPECT_EQ(std::system(("( " + command + " ) >" + out + " 2>&1").c_str()), 0) << command;
+  std::ifstream stream(out);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A shell file, written to disk.
+std::string made(const ToolModelFile& folder, const std::string& form) {
+  const std::string file = folder.beside(form);
+  std::ofstream(file) << run_tool({"--generate", form}).out;
+  return file;
+}
+
+TEST(shell_files, roff_takes_the_manual_page_without_a_warning) {
+  if (!is_installed("groff")) GTEST_SKIP() << "no groff";
+  const ToolModelFile folder;
+  const std::string page = made(folder, "man");
+  EXPECT_EQ(printed(folder, "groff -man -ww -z -Tutf8 " + page), "");
+  const std::string text = printed(folder, "groff -man -Tascii -P-cbou " + page);
+  for (const char* words : {"SINEW(1)", "NAME", "SYNOPSIS", "--output", "sinew sample"})
+    EXPECT_THAT(text, HasSubstr(words));
+}
+
+/// What bash offers for the last of some words.
+std::vector<std::string> offered(const ToolModelFile& folder, const std::string& words) {
+  std::string text = printed(folder, "bash -c 'source " + folder.beside("bash") + "; COMP_WORDS=(" + words +
+                                         "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _sinew; printf \"%s\\n\" "
+                                         "\"${COMPREPLY[@]}\"'");
+  return lines_of(text);
+}
+
+TEST(shell_files, bash_completes_commands_options_and_values) {
+  const ToolModelFile folder;
+  made(folder, "bash");
+  EXPECT_THAT(offered(folder, "sinew co"), testing::IsSupersetOf({"convert", "compile"}));
+  EXPECT_THAT(offered(folder, "sinew sample --ver"), ElementsAre("--vertices"));
+  EXPECT_THAT(offered(folder, "sinew sample x.glb --format n"), ElementsAre("npy", "npz"));
+  EXPECT_THAT(offered(folder, "sinew plan x.glb --needs joints,pal"), ElementsAre("joints,palettes"));
+  EXPECT_THAT(offered(folder, "sinew info fo"), ElementsAre("")) << "bash itself completes files then";
+  EXPECT_THAT(offered(folder, "sinew sample x.glb -o ou"), ElementsAre(""));
+}
+
+TEST(shell_files, zsh_and_fish_take_their_completions) {
+  if (!is_installed("zsh") || !is_installed("fish")) GTEST_SKIP() << "no zsh or no fish";
+  const ToolModelFile folder;
+  EXPECT_EQ(printed(folder, "zsh -n " + made(folder, "zsh")), "");
+  EXPECT_EQ(printed(folder, "fish --no-execute " + made(folder, "fish")), "");
+  const std::string values = printed(
+      folder, "fish --no-config -c 'source " + folder.beside("fish") + "; complete -C \"sinew sample --format \"'");
+  for (const char* format : {"json", "csv", "npy", "npz"}) EXPECT_THAT(values, HasSubstr(format));
+  const std::string commands_of_fish =
+      printed(folder, "fish --no-config -c 'source " + folder.beside("fish") + "; complete -C \"sinew \"'");
+  for (const std::string& command : commands()) EXPECT_THAT(commands_of_fish, HasSubstr(command));
+}
+
+}  // namespace
+}  // namespace sinew::test
