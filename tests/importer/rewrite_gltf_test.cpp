@@ -160,6 +160,28 @@ TEST(rewrite_gltf, lists_what_lies_outside_of_the_document) {
   EXPECT_THAT(out.error().issue.detail, HasSubstr("json-duplicate"));
 }
 
+TEST(rewrite_gltf, lists_what_lies_behind_a_glb_and_may_drop_it) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const std::vector<std::byte> whole = rewrite(gltf)->file;
+  std::vector<std::byte> longer = whole;
+  longer.insert(longer.end(), 4, std::byte{7});
+  const auto file = import_gltf(longer, "longer.glb", carrying());
+  ASSERT_TRUE(file);
+  const auto refused = rewrite_gltf(*file);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().issue.rule, "not-carried");
+  EXPECT_THAT(refused.error().issue.detail, HasSubstr("glb-extra-data: "));
+  EXPECT_TRUE(refused.error().more_errors.empty());
+  RewriteOptions options;
+  options.drop = {"glb-extra-data"};
+  const auto dropped = rewrite_gltf(*file, options);
+  ASSERT_TRUE(dropped);
+  EXPECT_EQ(dropped->file, whole);
+  ASSERT_EQ(dropped->drops.size(), 1u);
+  EXPECT_EQ(dropped->drops[0].severity, Severity::warning);
+}
+
 TEST(rewrite_gltf, refuses_extensions_that_name_places_in_a_buffer) {
   TinyGltf gltf;
   gltf.add_triangle();
