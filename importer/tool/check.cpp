@@ -72,7 +72,7 @@ void add_check(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       program.add_subcommand("check",
-                             "List the rules that a file breaks: place in the document, rule, severity, sentence.\n"
+                             "List the rules that a file breaks: place in the document, rule, severity, sentence\n"
                              "Exit status 1 when one of them is an error; a file with only warnings can be loaded.");
   command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
   command->add_flag("--json", options->json,

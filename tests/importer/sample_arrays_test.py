@@ -4,11 +4,15 @@
 
 usage: sample_arrays_test.py SINEW SCRATCH      exit status: 0 right, 1 wrong, 77 there is no NumPy
 """
-import json, pathlib, subprocess, sys
+import json, os, pathlib, subprocess, sys
+
+SYSTEM = '/usr/bin/python3'   # which packages of the system are for, where another Python comes first
 
 try:
     import numpy
 except ImportError:
+    if os.path.exists(SYSTEM) and os.path.realpath(sys.executable) != os.path.realpath(SYSTEM):
+        os.execv(SYSTEM, [SYSTEM] + sys.argv)
     print('no NumPy: install python3-numpy')
     sys.exit(77)
 

@@ -140,8 +140,9 @@ TEST(compile_command, same_input_gives_the_same_file_and_the_same_words) {
   const std::string out = model.beside("clips.sinew");
   std::string files[2], words[2];
   for (int i = 0; i < 2; ++i) {
-    words[i] = run_tool({"compile", model.path(), "-o", out}).out + run_tool({"info", out}).out +
-               run_tool({"info", out, "--json"}).out;
+    words[i] = run_tool({"compile", model.path(), "-o", out}).out;
+    words[i] += run_tool({"info", out}).out;
+    words[i] += run_tool({"info", out, "--json"}).out;
     files[i] = content_of(out);
   }
   EXPECT_FALSE(files[0].empty());
@@ -160,8 +161,8 @@ TEST(compile_command, takes_the_clips_that_are_named_each_once) {
     const CommandOutcome outcome = run_tool(arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     std::vector<std::string> found;
-    for (const auto& clip : nlohmann::json::parse(run_tool({"info", out, "--json"}).out).at("compiled_clips"))
-      found.push_back(clip.at("name"));
+    const auto info = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
+    for (const auto& clip : info.at("compiled_clips")) found.push_back(clip.at("name"));
     return found;
   };
   EXPECT_THAT(names({}), testing::ElementsAre("bend", "talk"));

@@ -56,7 +56,7 @@ std::vector<std::string> options_of(const std::string& command) {
 
 TEST(wrapped_text, flows_words_and_keeps_lines_that_begin_with_a_space) {
   EXPECT_EQ(tool::wrapped("a b\nc", 2, 2), "a b c");
-  EXPECT_EQ(tool::wrapped("a\n\nb", 2, 2), "a\n  b");
+  EXPECT_EQ(tool::wrapped("a\n\nb", 2, 2), "a\n\n  b");
   EXPECT_EQ(tool::wrapped("a\n   as   it is\nb", 0, 0), "a\n   as   it is\nb");
   const std::string word(30, 'x');
   EXPECT_EQ(tool::wrapped(word + ' ' + word + ' ' + word + ' ' + word, 4, 10),
@@ -112,8 +112,8 @@ TEST(help, says_what_an_option_takes_and_what_happens_without_it) {
   EXPECT_THAT(run_tool({"bake", "--help"}).out, HasSubstr("(default: 30)"));
   for (const char* command : {"compile", "bake", "convert", "verify", "plan"}) {
     std::string text = run_tool({command, "--help"}).out;
-    text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }), text.end());
     std::replace(text.begin(), text.end(), '\n', ' ');
+    text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }), text.end());
     EXPECT_THAT(text, HasSubstr("0.01% (of the model's size)")) << command;
   }
 }

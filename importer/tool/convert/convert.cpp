@@ -113,6 +113,7 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
   command
       ->add_option("--fps", options->fps,
                    "Linear keys that many times a second, in place of the keys of tracks that are not STEP")
+      ->type_name("N")
       ->check(CLI::Range(0.001, 1e6))
       ->excludes("--budget");
   command->add_flag("--quantize", options->quantize,

@@ -23,10 +23,11 @@ void split_type(const std::string& type, OptionText& out) {
 
 bool is_name_of_path(const std::string& value) {
   const char* const words[] = {"FILE", "OUT", "IN", "DIR", "GOLDEN", "SOURCE", "CACHE", "FOLDER"};
-  return std::any_of(std::begin(words), std::end(words), [&](const char* word) { return value.starts_with(word); });
+  const std::string first = value.substr(0, value.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"));
+  return std::find(std::begin(words), std::end(words), first) != std::end(words);
 }
 
-/// "-": what the command line means by a default that nobody set.
+/// What is said of an option, with its default where it has one and does not name it.
 std::string with_default(const CLI::Option& option, bool value_is_optional) {
   const std::string text = option.get_description(), value = option.get_default_str();
   if (value.empty() || text.find("default") != text.npos) return text;
@@ -58,7 +59,8 @@ bool names_all(const std::string& text, const std::vector<std::string>& words) {
 }  // namespace
 
 CommandText text_of(const CLI::App& command) {
-  CommandText out{command.get_name(), {}, {}, command.get_footer(), {}, {}};
+  CommandText out{command.get_name(), {}, {}, {}, {}, {}};
+  if (command.get_parent() == nullptr) out.ending = command.get_footer();  // which CLI11 hands on to commands
   const std::string about = command.get_description();
   const std::size_t line = std::min(about.find('\n'), about.size());
   out.summary = about.substr(0, line);

@@ -44,8 +44,8 @@ constexpr std::size_t kWidestName = 26;
 std::string HelpFormatter::make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const {
   const CommandText text = text_of(*app);
   const std::vector<CommandText> commands = commands_of(*app);
-  std::string out = wrapped(text.summary, 0, 0) + '\n';
-  if (!text.details.empty()) out += wrapped(text.details, 0, 0) + '\n';
+  std::string out = wrapped((commands.empty() ? "" : "sinew: ") + text.summary, 0, 0) + '\n';
+  if (!text.details.empty()) out += '\n' + wrapped(text.details, 0, 0) + '\n';
   out += commands.empty() ? "\nUsage: " + wrapped(text.usage(), 9, 7) + '\n' : "\nUsage: sinew COMMAND ...\n";
   std::vector<Row> summaries;
   for (const CommandText& command : commands) summaries.emplace_back(command.name, command.summary);

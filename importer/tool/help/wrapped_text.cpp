@@ -15,9 +15,9 @@ void for_each_part(std::string_view text, char separator, const Use& use) {
 
 /// Adds words to lines that begin with `indent` spaces.
 void flow(std::string_view text, std::size_t indent, std::size_t& at, std::string& out) {
+  bool begins_line = true;
   for_each_part(text, ' ', [&](std::string_view word) {
     if (word.empty()) return;
-    const bool begins_line = at <= indent;
     if (!begins_line && at + 1 + word.size() > kHelpWidth) {
       out += '\n' + std::string(indent, ' ');
       at = indent;
@@ -27,6 +27,7 @@ void flow(std::string_view text, std::size_t indent, std::size_t& at, std::strin
     }
     out += word;
     at += word.size();
+    begins_line = false;
   });
 }
 
@@ -34,14 +35,15 @@ void flow(std::string_view text, std::size_t indent, std::size_t& at, std::strin
 
 std::vector<Paragraph> paragraphs(std::string_view text) {
   std::vector<Paragraph> out;
-  bool goes_on = false;
+  bool goes_on = false, after_gap = false;
   for_each_part(text, '\n', [&](std::string_view line) {
     const bool verbatim = line.starts_with(' ');
     if (goes_on && !line.empty() && !verbatim)
       out.back().text.append(" ").append(line);
     else if (!line.empty())
-      out.push_back({std::string(line), verbatim});
+      out.push_back({std::string(line), verbatim, after_gap && !out.empty()});
     goes_on = !line.empty() && !verbatim;
+    after_gap = line.empty();
   });
   return out;
 }
@@ -51,7 +53,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t at) {
   bool is_first = true;
   for (const Paragraph& paragraph : paragraphs(text)) {
     if (!is_first) {
-      out += '\n' + std::string(indent, ' ');
+      out += (paragraph.after_gap ? "\n\n" : "\n") + std::string(indent, ' ');
       at = indent;
     }
     is_first = false;

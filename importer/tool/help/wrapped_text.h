@@ -13,10 +13,11 @@ inline constexpr std::size_t kHelpWidth = 100;  ///< no line of any help is long
 struct Paragraph {
   std::string text;
   bool verbatim = false;
+  bool after_gap = false;  ///< an empty line is before it
 };
 
-/// Takes a text apart. Line ends inside a paragraph mean nothing; an empty line ends it, and a line that begins with a
-/// space stands for itself.
+/// Takes a text apart. Line ends inside a paragraph mean nothing; an empty line ends it and stays, and a line that
+/// begins with a space stands for itself.
 std::vector<Paragraph> paragraphs(std::string_view text);
 
 /// The lines of a text, each at most kHelpWidth wide. Lines but the first begin with `indent` spaces.

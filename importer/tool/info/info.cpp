@@ -120,8 +120,7 @@ ExitCode tell_about(const InfoOptions& options) {
 void add_info(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand(
-      "info",
-      "Show what a file holds: nodes, meshes, skins, morph targets, clips, materials, images, extensions, warnings.");
+      "info", "Show what a file holds: nodes, meshes, skins, clips, materials, images, extensions");
   command->add_option("FILE", options->file, "A .gltf or .glb file, compiled clips, or a geometry cache")->required();
   command->add_flag("--json", options->json, "Print the same as JSON");
   command->callback([options, &outcome] { outcome = tell_about(*options); });
