@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/numeric_corpus.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -11,9 +13,18 @@
 namespace sinew::test {
 namespace {
 
+/// The project's own cases, and those of the corpus.
+std::vector<std::filesystem::path> all_paths() {
+  std::vector<std::filesystem::path> paths = corpus_files("numeric", {".json"});
+  for (const auto& entry : std::filesystem::directory_iterator(SINEW_NUMERIC_CASES))
+    if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
 std::vector<Json> read_files() {
   std::vector<Json> files;
-  for (const auto& path : corpus_files("numeric", {".json"})) {
+  for (const auto& path : all_paths()) {
     std::ifstream stream(path);
     Json file = Json::parse(stream, nullptr, false);
     if (file.is_discarded() || !file.contains("cases"))

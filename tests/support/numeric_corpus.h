@@ -9,7 +9,8 @@
 
 namespace sinew::test {
 
-/// Reference data of the corpus, folder numeric/: cases by kind, each with input, truth and what is accepted.
+/// Reference data, of the project (tests/numeric) and of the corpus (its folder numeric/): cases by kind, each with
+/// input, truth and what is accepted.
 
 using Json = nlohmann::json;
 
@@ -22,10 +23,10 @@ struct NumericVariant {
   std::function<Outcome(const Json& in)> run;
 };
 
-/// All cases of the files of `kind`; empty without corpus or without such a file.
+/// All cases of the files of `kind`; empty without such a file.
 std::vector<Json> numeric_cases(const std::string& kind);
 
-/// Kinds of all files in the folder, sorted, each once.
+/// Kinds of all files, sorted, each once.
 std::vector<std::string> numeric_kinds();
 
 /// How a variant did over cases.
