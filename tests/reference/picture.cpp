@@ -22,6 +22,8 @@ glm::dvec3 into_world(const View& view, const glm::dvec3& direction) {
   return glm::transpose(linear_part(view.view_from_world)) * direction;  // of a rotation, the inverse
 }
 
+}  // namespace
+
 SightLine sight_line(const PictureOf& picture, double x, double y) {
   const View& view = picture.view;
   const double aspect = static_cast<double>(picture.width) / picture.height;
@@ -33,6 +35,8 @@ SightLine sight_line(const PictureOf& picture, double x, double y) {
   const double slope = std::tan(0.5 * view.fov_y_rad);
   return {eye, into_world(view, glm::dvec3(right * slope, up * slope, -1.0))};
 }
+
+namespace {
 
 /// The visible layers from near to far, down to the first opaque one.
 std::vector<SurfacePoint> layers(const PictureOf& picture, double x, double y) {

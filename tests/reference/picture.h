@@ -4,6 +4,7 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
+#include "tests/reference/surface_point.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 
@@ -26,6 +27,9 @@ struct PictureOf {
 ///      displayed = sRGB(mix(background, tone curve(exposure * light / coverage), coverage))
 /// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);
+
+/// From the eye through a point of the picture.
+SightLine sight_line(const PictureOf& picture, double x, double y);
 
 /// Distance from the eye plane of the nearest opaque surface, metres (0 = none), and its normal in view space.
 struct DepthAndNormal {

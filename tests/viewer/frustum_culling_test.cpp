@@ -50,6 +50,34 @@ TEST(frustum_culling, leaves_out_what_the_clip_never_brings_into_view) {
   EXPECT_EQ(culling.of(kNone, view_of_none(), 1.5), (CulledInstances{{1, 1, 1}, true}));
 }
 
+TEST(frustum_culling, keeps_what_casts_a_shadow_into_view) {
+  const Scene scene = three_arms();
+  FrustumCulling culling(scene, viewer_needs());
+  EXPECT_EQ(culling.of(0, view_of_one(), 1.5, glm::vec3(0.0f, 0.0f, 60.0f)).out_of_view,
+            (std::vector<std::uint8_t>{0, 0, 1}));
+  EXPECT_EQ(culling.of(0, view_of_one(), 1.5, glm::vec3(0.0f, 0.0f, -60.0f)).out_of_view,
+            (std::vector<std::uint8_t>{0, 1, 0}));
+  EXPECT_EQ(culling.of(0, view_of_one(), 1.5, glm::vec3(0.0f, 0.0f, 10.0f)).out_of_view,
+            (std::vector<std::uint8_t>{0, 1, 1}));
+}
+
+TEST(frustum_culling, shadows_fall_away_from_the_key_light_or_anywhere) {
+  Scene scene = three_arms();
+  const Aabb reached{glm::vec3(-3.0f, 0.0f, 0.0f), glm::vec3(0.0f, 4.0f, 0.0f)};
+  EXPECT_EQ(shadow_way(scene, false, reached), glm::vec3(0.0f));
+  EXPECT_EQ(shadow_way(scene, true, {}), glm::vec3(0.0f));
+  const auto way = shadow_way(scene, true, reached);
+  ASSERT_TRUE(way);
+  EXPECT_NEAR(glm::length(*way), 5.0f, 1e-5f);
+  EXPECT_NEAR(glm::dot(glm::normalize(*way), glm::normalize(Lighting{}.to_key)), -1.0f, 1e-6f);
+  scene.lights.push_back({.kind = Light::Kind::point});
+  EXPECT_EQ(shadow_way(scene, true, reached), glm::vec3(0.0f)) << "a point light casts none";
+  scene.lights.push_back({.kind = Light::Kind::directional});
+  EXPECT_FALSE(shadow_way(scene, true, reached)) << "the pose tells where from it shines";
+  FrustumCulling culling(scene, viewer_needs());
+  EXPECT_EQ(culling.of(0, view_of_none(), 1.5, std::nullopt), culling.all_in_view());
+}
+
 TEST(frustum_culling, a_scene_without_meshes_culls_nothing) {
   Scene scene = test::arm_scene();
   scene.instances.clear();

@@ -37,8 +37,9 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   live.evaluated(small_plan(), frame(1, {}));
   std::vector<std::string> stages;
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
-  EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "normal_depth", "ssao", "blur_horizontal",
-                                  "blur_vertical", "opaque", "transparent", "tonemap", "show", "overlay"));
+  EXPECT_THAT(stages,
+              ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao", "blur_horizontal",
+                          "blur_vertical", "opaque", "transparent", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -118,22 +119,23 @@ TEST(live_plan, becomes_a_table_of_text) {
   const std::string text = plan_text(live.rows());
   EXPECT_THAT(text, HasSubstr("evaluation, on the CPU\n  sample           on          12        1.5 us  a clip plays\n"
                               "  morph            off          0                no mesh has targets\n"));
-  EXPECT_THAT(text, HasSubstr("\npasses, on the GPU\n  normal_depth     off"));
+  EXPECT_THAT(text, HasSubstr("\npasses, on the GPU\n  shadow           off"));
   EXPECT_THAT(text, HasSubstr("  opaque           on           3      250.0 us  shades"));
 }
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
-  for (std::uint32_t bits = 0; bits < 64; ++bits)
+  for (std::uint32_t bits = 0; bits < 128; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
                              .overlay = (bits & 4) != 0,
+                             .shadows = (bits & 64) != 0,
                              .ambient = (bits & 8) != 0,
                              .occlusion = (bits & 16) != 0,
                              .blur = (bits & 32) != 0,
                              .show = show};
       const FrameGraph graph(needs);
-      for (const PassStage& stage : describe_passes(needs, {7, 3, 2, {64, 48}, {32, 24}})) {
+      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 2, {64, 48}, {32, 24}})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
         EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
         EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;
@@ -150,6 +152,9 @@ TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
   EXPECT_THAT(why({.opaque = false}, Pass::blur_vertical), HasSubstr("nothing opaque"));
   EXPECT_THAT(why({.opaque = true, .blur = false}, Pass::blur_vertical), HasSubstr("blur is switched off"));
   EXPECT_THAT(why({.opaque = true}, Pass::transparent), HasSubstr("nothing blended"));
+  EXPECT_THAT(why({.opaque = true}, Pass::shadow), HasSubstr("no light casts"));
+  EXPECT_THAT(why({.shadows = true}, Pass::shadow), HasSubstr("nothing is in view"));
+  EXPECT_THAT(why({.opaque = true, .shadows = true, .show = Show::ao}, Pass::shadow), HasSubstr("a buffer instead"));
   EXPECT_THAT(why({.opaque = true, .show = Show::depth}, Pass::normal_depth), HasSubstr("depth only"));
 }
 

@@ -32,7 +32,8 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.first_exhibit(), 0u);
   EXPECT_EQ(options.width, 1280u);
   EXPECT_EQ(options.height, 720u);
-  EXPECT_TRUE(options.ambient_occlusion);
+  EXPECT_TRUE(options.ambient_occlusion && options.shadows);
+  EXPECT_FALSE(accepted({"--no-shadows"}).shadows);
   EXPECT_EQ(options.environment, "studio");
   EXPECT_FALSE(options.camera || options.time_s || options.frames || options.clip || options.fov_y_deg);
   EXPECT_FALSE(options.exit_after_s || options.validate || options.transparent);

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
+#include "viewer/passes/render_options.h"
+
 namespace sinew::viewer {
 
 bool CulledInstances::culls_more_than(const CulledInstances& other) const noexcept {
@@ -11,7 +15,22 @@ bool CulledInstances::culls_more_than(const CulledInstances& other) const noexce
   return false;
 }
 
-CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double aspect) {
+namespace {
+
+/// The box and all of its way along a vector.
+Aabb swept(const Aabb& box, const glm::vec3& way) {
+  if (box.empty()) return box;
+  Aabb all = box;
+  all.add(box.lower + way);
+  all.add(box.upper + way);
+  return all;
+}
+
+}  // namespace
+
+CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double aspect,
+                                   const std::optional<glm::vec3>& shadow) {
+  if (!shadow) return all_in_view();
   const bool plays = clip < scene_->animations.size();
   auto& bounds = plays ? bounds_[clip] : bounds_.back();
   if (!bounds) {
@@ -24,10 +43,19 @@ CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double 
   }
   CulledInstances culled = all_in_view();
   for (std::size_t i = 0; i < bounds->size(); ++i)
-    culled.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, (*bounds)[i]);
+    culled.out_of_view[i] = is_out_of_view(view, aspect, view.view_from_world, swept((*bounds)[i], *shadow));
   culled.every_instance = !bounds->empty() && std::find(culled.out_of_view.begin(), culled.out_of_view.end(), 0) ==
                                                   culled.out_of_view.end();
   return culled;
+}
+
+std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb& reached) {
+  if (!shadows || reached.empty()) return glm::vec3(0.0f);
+  if (std::any_of(scene.lights.begin(), scene.lights.end(),
+                  [](const Light& light) { return light.kind == Light::Kind::directional; }))
+    return std::nullopt;
+  if (!scene.lights.empty()) return glm::vec3(0.0f);
+  return -glm::normalize(Lighting{}.to_key) * glm::length(reached.upper - reached.lower);
 }
 
 void leave_out(const CulledInstances& culled, bool joints_watched, FrameInput& input) {

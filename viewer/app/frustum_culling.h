@@ -32,7 +32,9 @@ class FrustumCulling {
       : scene_(&scene), needs_(needs), reach_(std::move(reach)), bounds_(scene.animations.size() + 1) {}
 
   /// in   clip  kNone = the rest pose;   aspect  width / height of the picture
-  CulledInstances of(std::uint32_t clip, const View& view, double aspect);
+  ///      shadow  of shadow_way(): an instance whose shadow may be in view is not culled
+  CulledInstances of(std::uint32_t clip, const View& view, double aspect,
+                     const std::optional<glm::vec3>& shadow = glm::vec3(0.0f));
 
   /// No instance is culled.
   CulledInstances all_in_view() const { return {std::vector<std::uint8_t>(scene_->instances.size(), 0), false}; }
@@ -43,6 +45,11 @@ class FrustumCulling {
   std::vector<Aabb> reach_;
   std::vector<std::optional<std::vector<Aabb>>> bounds_;  // [clips + 1] of each instance; the last is the rest pose
 };
+
+/// Where the shadow of a mesh falls: along this vector, at most as far as it is long. Zero where nothing casts shadows;
+/// nothing where the direction is known with the pose only, because the light is one of the scene.
+/// in   reached  by the scene, world space
+std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb& reached);
 
 /// Tells the frame what to leave out. With every mesh out of view the whole character sleeps: its lights and animated
 /// materials do not matter then. Its joints do while skeleton lines or a camera on a joint are shown (joints_watched).

@@ -105,6 +105,7 @@ class PictureMaker {
         evaluator_(exhibit, {settings_.skinning, settings_.updates, options.plan}, clip, settings_.cache_weight),
         culling_(exhibit.scene, evaluator_.needs(),
                  exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()),
+        shadow_(shadow_way(exhibit.scene, settings_.shadows, bounds_.reached)),
         skeleton_(exhibit.scene),
         headless_(device, exhibit.scene, options.width, options.height) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
@@ -137,7 +138,7 @@ class PictureMaker {
  private:
   Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
     if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
-    const CulledInstances culled = culling_.of(clip_, view_, aspect_);
+    const CulledInstances culled = culling_.of(clip_, view_, aspect_, shadow_);
     const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.watches_joints());
     RenderOptions look = render_options(settings_, environment_, bounds_, eye_of(view_));
     look.transparent_background = transparent_;
@@ -163,6 +164,7 @@ class PictureMaker {
   double aspect_;
   PoseEvaluator evaluator_;
   FrustumCulling culling_;
+  std::optional<glm::vec3> shadow_;
   std::optional<CameraPose> camera_;  // set when the picture shows the view of a camera of the file
   SkeletonLines skeleton_;
   Headless headless_;

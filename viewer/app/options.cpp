@@ -154,6 +154,8 @@ void add_light_options(CLI::App& app, Options& options) {
     if (!value || *value < least || *value > most) throw CLI::ValidationError(option, "'" + text + "' is not " + what);
     return *value;
   };
+  app.add_flag_callback(
+      "--no-shadows", [&] { options.shadows = false; }, "leave the shadows of the key light or the sun out");
   app.add_option("--environment", options.environment,
                  "light from all around: studio, plain, none, or a panorama .hdr or .exr (studio)")
       ->type_name("LIGHT");

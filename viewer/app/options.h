@@ -41,6 +41,7 @@ struct Options {
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
   bool ambient_occlusion = true;
+  bool shadows = true;
   std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
   float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above
   float environment_intensity = 1.0f;

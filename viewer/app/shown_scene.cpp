@@ -82,7 +82,7 @@ void ShownScene::begin_frame(const View& view, bool view_is_moved) {
 
 void ShownScene::submit(const View& view, bool view_is_moved, double aspect, bool joints_watched) {
   begin_frame(view, view_is_moved);
-  culled_ = culling_.of(playback_.clip(), view, aspect);
+  culled_ = culling_.of(playback_.clip(), view, aspect, shadow_way(exhibit_.scene, shadows_, bounds().reached));
   joints_watched_ = joints_watched || !exhibit_.scene.cameras.empty();  // the user may choose one of them at any time
   const bool lacks = requested_culled_.culls_more_than(culled_) ||
                      (requested_culled_.every_instance && !requested_joints_ && joints_watched_);

@@ -40,6 +40,9 @@ class ShownScene {
   /// How much of the geometry cache is in the next pose: FrameInput::geometry. Without one nothing changes.
   void set_cache_weight(float weight) noexcept { cache_weight_ = weight; }
 
+  /// Shadows are drawn, so meshes out of view may matter.
+  void set_shadows(bool shadows) noexcept { shadows_ = shadows; }
+
   /// The geometry cache as it plays; nothing without one.
   std::optional<CacheFacts> cache_facts() const;
 
@@ -104,6 +107,7 @@ class ShownScene {
   Evaluation evaluation_;
   std::optional<CachePlayback> cache_;  ///< outlives the job thread, which calls it
   float cache_weight_ = 1.0f;
+  bool shadows_ = false;
   bool cache_is_late_ = false;  ///< in the newest pose: it is asked for again
   std::string cache_fault_;
   Plan plan_;

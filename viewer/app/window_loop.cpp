@@ -135,6 +135,7 @@ void WindowLoop::ask() {
   const View view =
       of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
   shown_->set_cache_weight(settings_.cache_weight);
+  shown_->set_shadows(settings_.shadows);
   shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
 }
 

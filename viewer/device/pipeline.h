@@ -8,7 +8,7 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kShaderConstants = 16;
+inline constexpr std::size_t kShaderConstants = 18;
 
 /// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, no
 /// multisampling, one colour attachment, reversed depth.

@@ -47,11 +47,12 @@ SurfaceFeatures surface_of(const Primitive& primitive, const MaterialFeatures& m
 }  // namespace
 
 void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
-                       float point_size) {
+                       float point_size, bool casters) {
   opaque_.clear();
   blended_.clear();
+  casters_.clear();
   hidden_ = out_of_view_ = 0;
-  const Frame frame{slot, view, aspect, point_size};
+  const Frame frame{slot, view, aspect, point_size, casters};
   for (const DrawnScene& drawn : scenes) {
     const FrameVertices& vertices = drawn.frame->vertices(slot);
     const Scene& scene = drawn.scene->scene();
@@ -87,16 +88,15 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
     const bool moved = deformed.positions != kAbsent;  // then only the bounds of the whole instance are known
-    if (moved
-            ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, vertices.instances[instance].bounds)
-            : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds)) {
-      ++out_of_view_;
-      continue;
-    }
+    const bool out_of_view = moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world,
+                                                    vertices.instances[instance].bounds)
+                                   : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds);
+    out_of_view_ += out_of_view;
+    if (out_of_view && !frame.casters) continue;
     const std::uint32_t material_index = material_of(primitive, drawn.variant);
     const Material* material = material_index == kNone ? nullptr : &scene.materials[material_index];
     const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
-    Draw& draw = (alpha == AlphaMode::blend ? blended_ : opaque_).emplace_back();
+    Draw draw;
     bind_attributes(draw, meshes, own, deformed, {meshes.buffer(), vertices.buffer.handle()});
     draw.indices = meshes.buffer();
     draw.indices_at = own.indices;
@@ -111,6 +111,9 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.double_sided = material && material->double_sided;
     draw.mirrored = mirrored;
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
+    const bool blended = alpha == AlphaMode::blend;
+    if (frame.casters && !blended && primitive.topology == Topology::triangles) casters_.push_back(draw);
+    if (!out_of_view) (blended ? blended_ : opaque_).push_back(draw);
   }
 }
 

@@ -57,13 +57,15 @@ struct DrawnScene;
 class DrawList {
  public:
   /// Collects the draws of the scenes, without instances that are hidden and primitives that are out of view.
-  /// in   aspect  width / height of the picture
+  /// in   aspect  width / height of the picture;   casters  collects what casts shadows, too
   /// cost O(primitives); allocates only while the number of draws grows
   void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
-               float point_size);
+               float point_size, bool casters = false);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
+  /// Opaque and masked triangles, also those that are out of view.
+  std::span<const Draw> casters() const noexcept { return casters_; }
   std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
   std::uint32_t out_of_view() const noexcept {
     return out_of_view_;
@@ -76,11 +78,12 @@ class DrawList {
     const View& view;
     double aspect;
     float point_size;
+    bool casters;
   };
   void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh,
            bool mirrored);
 
-  std::vector<Draw> opaque_, blended_;
+  std::vector<Draw> opaque_, blended_, casters_;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };
 

@@ -6,9 +6,9 @@
 namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
-  constexpr std::array<std::string_view, kPassCount> names = {"normal_depth",  "ssao",   "blur_horizontal",
-                                                              "blur_vertical", "opaque", "transparent",
-                                                              "tonemap",       "show",   "overlay"};
+  constexpr std::array<std::string_view, kPassCount> names = {
+      "shadow",      "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque",
+      "transparent", "tonemap",      "show", "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -16,6 +16,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   const bool picture = needs.show == Show::color;
   const bool occlusion = needs.occluded();
   const bool prepass = occlusion || !picture;
+  if (needs.shadowed()) add(Pass::shadow);
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {
     add(Pass::ssao);
@@ -35,6 +36,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   depth_image = true;
   normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
+  shadow_image = needs.shadowed();
   ao_image = occlusion;
   half_blurred_ao = occlusion && needs.blur;
 }

@@ -10,6 +10,7 @@
 namespace sinew::viewer {
 
 enum class Pass : std::uint8_t {
+  shadow,        ///< depth as a light sees it
   normal_depth,  ///< view-space normals and depth of everything opaque
   ssao,          ///< ambient access: how much ambient light arrives; at half size
   blur_horizontal,
@@ -20,7 +21,7 @@ enum class Pass : std::uint8_t {
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 9;
+inline constexpr std::size_t kPassCount = 10;
 
 std::string_view name_of(Pass pass) noexcept;
 
@@ -29,10 +30,14 @@ struct FrameNeeds {
   bool opaque = false;  ///< something opaque or masked is visible
   bool blended = false;
   bool overlay = false;   ///< lines or a panel
+  bool shadows = false;   ///< a light casts them
   bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
   Show show = Show::color;
+
+  /// Some pass reads the shadow map.
+  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended); }
 
   /// Some pass reads ambient access.
   bool occluded() const noexcept {
@@ -50,7 +55,7 @@ class FrameGraph {
   const Pass* end() const noexcept { return passes_.data() + count_; }
   std::size_t size() const noexcept { return count_; }
 
-  bool depth_image = false, normal_image = false, color_image = false;
+  bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
   bool ao_image = false,
        half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
 

@@ -97,25 +97,28 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
                       const FrameTargets& targets, double collect_us) {
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
              blended = static_cast<std::uint32_t>(draws.blended().size());
-  const PassWork work{opaque, blended, static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(),
-                      targets.ao_extent()};
+  const PassWork work{static_cast<std::uint32_t>(draws.casters().size()),  opaque,           blended,
+                      static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(), targets.ao_extent()};
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
-FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights) {
+FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights,
+                          const ShadowLight& shadow) {
   return {.occluded = graph.ao_image,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
           .ambient = inputs.options.lighting.ambient(),
+          .shadow_light = graph.shadow_image ? shadow.index : kNone,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
           .light_count = light_count(inputs.options, lights)};
 }
 
-FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs) {
+FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLight& shadow) {
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
+          .shadows = shadow.index != kNone && !draws.casters().empty(),
           .ambient = inputs.options.lighting.ambient(),
           .occlusion = inputs.options.ao.has_effect(),
           .blur = inputs.options.ao.blur,
@@ -130,18 +133,21 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   FrameSlot& slot = *state.slots[inputs.slot];
   const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
   const auto start = std::chrono::steady_clock::now();
-  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
-                      std::min(kPointPixels, state.device.max_point_size()));
   state.collect_lights(inputs);
+  const ShadowLight shadow = shadow_light(inputs.view, inputs.options, state.lights);
+  const bool casters = shadow.index != kNone && inputs.options.show == Show::color;
+  state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
+                      std::min(kPointPixels, state.device.max_point_size()), casters);
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-  const FrameNeeds needs = needs_of(state.draws, inputs);
+  const FrameNeeds needs = needs_of(state.draws, inputs, shadow);
   const FrameGraph graph(needs);
   state.targets.fit(graph, target.extent);
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.ao_image;
   if (inputs.options.lighting.ambient()) state.environment.show(inputs.options.lighting.environment);
-  slot.set.write(make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, state.kernel),
-                 state.targets, state.environment, graph.has(Pass::normal_depth));
+  slot.set.write(
+      make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel),
+      state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
 
   const PassContext context{commands,
@@ -153,7 +159,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             state.draws,
                             inputs,
                             target,
-                            features_of(inputs, graph, state.lights),
+                            features_of(inputs, graph, state.lights, shadow),
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
   // The submit waits for the target's semaphore at colour output; this barrier continues from there.

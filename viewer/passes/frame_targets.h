@@ -8,8 +8,8 @@
 namespace sinew::viewer {
 
 /// The images between passes.
-enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color };
-inline constexpr std::size_t kTargetCount = 5;
+enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color, shadow };
+inline constexpr std::size_t kTargetCount = 6;
 
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -51,6 +51,7 @@ class FrameTargets {
   VkImageView view(Target target) const noexcept {
     return exists(target) ? slot(target).image.view() : nothing_.view();
   }
+  VkImageView nothing() const noexcept { return nothing_.view(); }
   VkExtent2D extent() const noexcept { return extent_; }
   /// Of Target::ao and half_blurred_ao: the extent of the picture divided by the step, rounded up.
   VkExtent2D ao_extent() const noexcept {

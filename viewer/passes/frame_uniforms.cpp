@@ -5,6 +5,10 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "runtime/math/inverse.h"
+#include "viewer/passes/shadow_view.h"
 
 namespace sinew::viewer {
 
@@ -61,6 +65,12 @@ void write_environment(const View& view, const Lighting& lighting, FrameUniforms
   u.environment_intensity = lighting.environment_intensity;
 }
 
+void write_shadow(const View& view, const ShadowView& map, FrameUniforms& u) {
+  const Affined map_from_view = map.map_from_world * inverse_rigid(view.view_from_world);
+  for (std::size_t i = 0; i < 3; ++i) u.shadow_from_view[i] = glm::vec4(map_from_view.row[i]);
+  u.shadow_texel_m = static_cast<float>(map.texel_m);
+}
+
 }  // namespace
 
 float linear_from_srgb(float encoded) noexcept {
@@ -72,8 +82,27 @@ std::uint32_t light_count(const RenderOptions& options, std::span<const PlacedLi
   return static_cast<std::uint32_t>(std::max<std::size_t>(of_scene, 1));
 }
 
+ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights) {
+  if (!options.shadows.on || options.shadows.bounds.empty()) return {};
+  const Lighting& lighting = options.lighting;
+  if (lights.empty() || !lighting.scene_lights) {
+    if (lighting.key == glm::vec3(0.0f)) return {};
+    const glm::dvec3 to_key(safe_normalize(lighting.to_key, {0.0f, 1.0f, 0.0f}));
+    if (!lighting.key_follows_camera) return {0, to_key};
+    return {0, glm::transpose(linear_part(view.view_from_world)) * to_key};  // of a rotation, the inverse
+  }
+  for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
+    if (lights[i].light->kind != Light::Kind::directional) continue;
+    const glm::dvec3 back =
+        transform_vector(affine_cast<double>(lights[i].world_from_light), glm::dvec3(0.0, 0.0, 1.0));
+    return {i, glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, 1.0)};
+  }
+  return {};
+}
+
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
-                                  std::span<const PlacedLight> lights, const SsaoKernel& kernel) {
+                                  std::span<const PlacedLight> lights, const ShadowLight& shadow,
+                                  const SsaoKernel& kernel) {
   FrameUniforms u;
   const double aspect = static_cast<double>(extent.width) / extent.height;
   const Mat4<double> clip = clip_from_view(view, aspect);
@@ -90,6 +119,7 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.nearest_shown_m = options.depth_range.nearest_m;
   u.farthest_shown_m = std::max(options.depth_range.farthest_m, options.depth_range.nearest_m + 1e-6f);
   write_environment(view, options.lighting, u);
+  if (shadow.index != kNone) write_shadow(view, shadow_view(options.shadows.bounds, shadow.to_light), u);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)
     u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);

@@ -37,15 +37,16 @@ struct FrameUniforms {
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
   float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< range of the depth picture
   float environment_intensity = 0.0f;
-  float padding = 0.0f;
+  float shadow_texel_m = 0.0f;
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
+  std::array<glm::vec4, 3> shadow_from_view{};       ///< rows of ShadowView::map_from_world, from view space
   glm::vec4 background{0.0f};                        ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (17 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (20 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
@@ -53,10 +54,21 @@ struct PlacedLight {
   Affine world_from_light;
 };
 
+/// The light in the uniforms that casts shadows, and where it shines from.
+struct ShadowLight {
+  std::uint32_t index = kNone;  ///< kNone = there is none
+  glm::dvec3 to_light{0.0};     ///< unit, world space
+};
+
+/// None where shadows are off, have no bounds, or no directional light shines.
+ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
+
 /// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
+///      shadow  its map is fitted to options.shadows.bounds
 ///      occlusion  the frame has ambient occlusion: its sample offsets are needed
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
-                                  std::span<const PlacedLight> lights, const SsaoKernel& kernel);
+                                  std::span<const PlacedLight> lights, const ShadowLight& shadow,
+                                  const SsaoKernel& kernel);
 
 /// Number of lights in the uniforms, at least the key light.
 std::uint32_t light_count(const RenderOptions& options, std::span<const PlacedLight> lights) noexcept;

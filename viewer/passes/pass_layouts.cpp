@@ -10,8 +10,9 @@ namespace sinew::viewer {
 
 namespace {
 
-constexpr std::uint32_t kTargetBindings = 4;                       // depth, normals, access, colour
-constexpr std::uint32_t kFrameBindings = 1 + kTargetBindings + 2;  // uniforms before, environment and split sum behind
+constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, access, colour
+constexpr std::uint32_t kFrameBindings =
+    1 + kTargetBindings + 3;  // uniforms before; environment, split sum and shadow map behind
 
 }  // namespace
 
@@ -72,13 +73,15 @@ FrameSet::~FrameSet() { vkDestroyDescriptorPool(device_.handle(), pool_, nullptr
 void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets, const EnvironmentUpload& environment,
                      bool prepass) {
   std::memcpy(uniforms_.mapped(), &uniforms, sizeof(uniforms));
-  const std::array<VkDescriptorImageInfo, 2> light = {environment.environment(), environment.split_sum()};
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), 0, sizeof(FrameUniforms)};
   for (std::size_t s = 0; s < sets_.size(); ++s) {
     // Without a prepass no shader reads depth. The set then must not contain the depth attachment: the view of the
     // missing normals takes its place.
     const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
                                                        s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
+    const VkImageView shadow = s == 0 ? targets.view(Target::shadow) : targets.nothing();
+    const std::array<VkDescriptorImageInfo, 3> light = {
+        environment.environment(), environment.split_sum(), {nearest_, shadow, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {

@@ -37,7 +37,9 @@ enum ConstantId : std::size_t {
   id_backdrop = 9,
   id_light_count = 13,
   id_transparent_background = 14,
-  id_ambient = 15
+  id_ambient = 15,
+  id_shadow_map = 16,
+  id_shadow_light = 17
 };
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -47,13 +49,14 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   key.frame.transparent_background = false;
   key.frame.tone_curve = {};
   key.frame.backdrop = {};
-  const bool shades = key.pass != Pass::normal_depth;
+  const bool shades = key.pass != Pass::normal_depth && key.pass != Pass::shadow;
   if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
   if (key.depth_only) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
   if (!shades || surface.normals == NormalSource::none) {
     key.frame.occluded = key.frame.ambient = false;
     key.frame.light_count = 0;
+    key.frame.shadow_light = kNone;
     sets[1] = sets[2] = sets[3] = 0;
   }
   if (!shades || surface.material.unlit) sets[4] = 0;
@@ -91,7 +94,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.meshes = true;
   shape.bindings = bindings;
   shape.attributes = attributes;
-  const bool prepass = key.pass == Pass::normal_depth, blended = key.pass == Pass::transparent;
+  const bool prepass = key.pass == Pass::normal_depth || key.pass == Pass::shadow,
+             blended = key.pass == Pass::transparent;
   shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
@@ -106,6 +110,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
     shape.constants[id_texcoord_sets + i] = key.surface.material.texcoord_sets[i];
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
+  shape.constants[id_shadow_map] = key.pass == Pass::shadow;
+  shape.constants[id_shadow_light] = key.frame.shadow_light;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;

@@ -48,9 +48,10 @@ class FrameSet {
              bool prepass);
 
   VkDescriptorSet set() const noexcept { return sets_[0]; }
-  VkDescriptorSet between_blurs() const noexcept {
-    return sets_[1];
-  }  ///< its ao_image is the one after the first blur pass
+  /// Its ao_image is the one after the first blur pass.
+  VkDescriptorSet between_blurs() const noexcept { return sets_[1]; }
+  /// Its shadow_image is black: for the pass that draws the shadow map.
+  VkDescriptorSet without_shadow() const noexcept { return sets_[1]; }
 
  private:
   const Device& device_;
@@ -67,7 +68,8 @@ struct FrameFeatures {
   bool occluded = false;  ///< there is an ambient access image
   bool parallel = false;  ///< parallel projection
   bool transparent_background = false;
-  bool ambient = false;  ///< there is an environment
+  bool ambient = false;                ///< there is an environment
+  std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
   std::uint32_t light_count = 0;

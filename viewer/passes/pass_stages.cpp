@@ -23,9 +23,16 @@ std::string_view why_blur(const FrameNeeds& needs) {
   return needs.blur ? "smooths ambient access on each surface" : "the blur is switched off";
 }
 
+std::string_view why_shadow(const FrameNeeds& needs) {
+  if (needs.shadowed()) return "depth as the light sees it that casts shadows";
+  if (!needs.shadows) return "no light casts shadows";
+  return needs.show == Show::color ? "nothing is in view" : "the picture shows a buffer instead";
+}
+
 std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
   const bool picture = needs.show == Show::color;
   switch (pass) {
+    case Pass::shadow: return why_shadow(needs);
     case Pass::normal_depth: return why_normal_depth(needs, runs);
     case Pass::ssao: return runs ? "ambient occlusion is on" : why_not_occluded(needs);
     case Pass::blur_horizontal:
@@ -44,6 +51,7 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
 std::uint64_t count_of(Pass pass, const PassWork& work) {
   const std::uint64_t width = work.extent.width, height = work.extent.height;
   switch (pass) {
+    case Pass::shadow: return work.caster_draws;
     case Pass::normal_depth:
     case Pass::opaque: return work.opaque_draws;
     case Pass::transparent: return work.blended_draws;

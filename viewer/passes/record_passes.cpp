@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/record_passes.h"
 
+#include "viewer/passes/shadow_view.h"
+
 namespace sinew::viewer {
 
 namespace {
@@ -60,7 +62,8 @@ void draw_mesh(const PassContext& context, const Draw& draw, VkCullModeFlags cul
 /// Draws meshes; each draw completes `key` with its topology, alpha test and surface.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
-  const VkDescriptorSet frame_set = context.set.set();
+  const bool shadow = key.pass == Pass::shadow;
+  const VkDescriptorSet frame_set = shadow ? context.set.without_shadow() : context.set.set();
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0, nullptr);
   key.frame = context.features;
   VkPipeline bound = VK_NULL_HANDLE;
@@ -79,6 +82,10 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
                             draw.strides.data());
     vkCmdBindIndexBuffer(commands, draw.indices, draw.indices_at, VK_INDEX_TYPE_UINT32);
     vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    if (shadow) {
+      draw_mesh(context, draw, VK_CULL_MODE_NONE);  // what is thin casts a shadow from either side
+      continue;
+    }
     const bool sides = draw.double_sided && draw.topology == Topology::triangles;
     if (sides && key.pass == Pass::transparent) draw_mesh(context, draw, VK_CULL_MODE_FRONT_BIT);  // back faces first
     draw_mesh(context, draw, sides && key.pass != Pass::transparent ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
@@ -90,6 +97,17 @@ void draw_screen(const PassContext& context, VkPipeline pipeline, VkDescriptorSe
   vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
   vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
   vkCmdDraw(context.commands, 3, 1, 0, 0);
+}
+
+void record_shadow(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::shadow, kWriteDepth, false);
+  {
+    const Rendering rendering(
+        context.commands,
+        {.depth = context.targets.view(Target::shadow), .depth_write = true, .extent = {kShadowSize, kShadowSize}});
+    draw_meshes(context, context.draws.casters(), {.pass = Pass::shadow, .depth_only = true});
+  }
+  context.targets.next_use(context.commands, Target::shadow, kReadDepth);
 }
 
 void record_normal_depth(const PassContext& context) {
@@ -183,6 +201,7 @@ void record_overlay(const PassContext& context) {
 
 void record_pass(Pass pass, const PassContext& context) {
   switch (pass) {
+    case Pass::shadow: return record_shadow(context);
     case Pass::normal_depth: return record_normal_depth(context);
     case Pass::ssao: return record_ssao(context);
     case Pass::blur_horizontal: return record_ssao_blur(context, false);

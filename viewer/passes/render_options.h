@@ -65,6 +65,12 @@ struct Lighting {
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
 
+/// Shadows of one light that shines from far away: the first directional light of the scene, else the key light.
+struct Shadows {
+  bool on = false;
+  Aabb bounds;  ///< world space: everything that casts or receives them; empty = none
+};
+
 struct DepthRange {
   float nearest_m = 0.0f, farthest_m = 10.0f;
 };
@@ -73,6 +79,7 @@ struct RenderOptions {
   Show show = Show::color;
   AmbientOcclusion ao;
   Lighting lighting;
+  Shadows shadows;
   DepthRange depth_range;  ///< for Show::depth
   Backdrop backdrop = Backdrop::plain;
   bool transparent_background = false;        ///< alpha 0 where nothing was drawn

@@ -24,8 +24,10 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float nearest_shown_m;      // range of the depth picture
   float farthest_shown_m;
   float environment_intensity;
+  float shadow_texel_m;
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
+  vec4 shadow_from_view[3];   // rows: x and y of the shadow map in [-1, 1], and its depth (viewer/passes/shadow_view.h)
   vec4 background;            // linear, as displayed
   vec4 offsets[64];           // of the occlusion samples, random lengths; as many as there are samples
   vec4 noise[16];             // unit vectors, one per pixel of a 4 x 4 tile
@@ -38,3 +40,4 @@ layout(set = 0, binding = 3) uniform sampler2D ao_image;       // half size: amb
 layout(set = 0, binding = 4) uniform sampler2D color_image;    // linear, premultiplied
 layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radiance; level i filtered for roughness i / last
 layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)
+layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depth of the light that casts shadows, 1 = near

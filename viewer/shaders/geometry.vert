@@ -7,6 +7,8 @@
 #include "geometry.glsl"
 #include "projection.glsl"
 
+layout(constant_id = 16) const bool kShadowMap = false;   // draws the shadow map
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
@@ -42,6 +44,12 @@ void main() {
                       dot(draw.view_from_mesh[2], direction), tangent.w);
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
-  gl_Position = clip_from_view(view);
+  if (kShadowMap) {
+    vec4 from = vec4(view, 1.0);
+    gl_Position = vec4(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from),
+                       dot(frame.shadow_from_view[2], from), 1.0);
+  } else {
+    gl_Position = clip_from_view(view);
+  }
   gl_PointSize = draw.point_size;
 }

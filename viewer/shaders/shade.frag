@@ -13,10 +13,12 @@
 #include "same_surface.glsl"
 #include "ambient_access.glsl"
 #include "lighting.glsl"
+#include "shadow.glsl"
 
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
 layout(constant_id = 13) const int kLightCount = 1;
+layout(constant_id = 17) const int kShadowLight = -1;    // index of the light that casts shadows, -1 = none
 layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
 
 const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
@@ -88,7 +90,11 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
   }
   vec3 sum = vec3(0.0);
   if (kAmbient) sum += ambient(s) * access;
-  for (int i = 0; i < kLightCount; ++i) sum += from_light(frame.lights[i], s, view_position);
+  for (int i = 0; i < kLightCount; ++i) {
+    vec3 light = from_light(frame.lights[i], s, view_position);
+    if (i == kShadowLight) light *= light_share(view_position, geometry_normal, frame.lights[i].to_light);
+    sum += light;
+  }
   return sum;
 }
 

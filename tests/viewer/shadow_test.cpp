@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Shadows beside rays towards the light, pixel by pixel.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/reference/picture.h"
+#include "tests/viewer/reference_picture.h"
+#include "viewer/app/headless.h"
+#include "viewer/passes/frame_uniforms.h"
+#include "viewer/passes/shadow_view.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 48;
+
+class shadows : public DeviceTest {};
+
+Aabb around(float size) { return {glm::vec3(-size), glm::vec3(size)}; }
+
+/// Box and sphere on a floor, in the light of a key light alone.
+RenderOptions key_light_alone() {
+  RenderOptions options = only_scene_lights();
+  options.lighting.key = glm::vec3(1.5f);
+  options.lighting.to_key = {0.7f, 0.8f, 0.35f};
+  options.shadows = {true, around(4.0f)};
+  return options;
+}
+
+View from_above() { return look_at({2.5, 3.2, 4.0}, {0.0, 0.3, 0.0}, 0.8, 0.05); }
+
+struct Seen {
+  bool in_shadow = false;
+  glm::dvec3 normal{0.0};
+
+  /// The same side of a shadow, and no crease between them: the filter looks around there.
+  bool like(const std::optional<Seen>& other) const {
+    return other && other->in_shadow == in_shadow && glm::dot(normal, other->normal) > 0.9;
+  }
+};
+
+/// The nearest surface along each pixel; nothing where there is none, or where it faces away from the light or is
+/// nearly along it.
+std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view, const glm::dvec3& to_light) {
+  Scene two_sided = built.scene;
+  for (Material& material : two_sided.materials) material.double_sided = true;
+  const FrameResult frame = built.frame();
+  std::vector<std::optional<Seen>> pixels;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto seen = reference::surfaces_along(
+          two_sided, frame, reference::sight_line({built.scene, frame, view, {}, kWidth, kHeight}, x + 0.5, y + 0.5));
+      pixels.emplace_back();
+      if (seen.empty() || glm::dot(seen[0].normal, to_light) < 0.15) continue;
+      const auto above = reference::surfaces_along(two_sided, frame, {seen[0].position + 0.01 * to_light, to_light});
+      const bool in_shadow =
+          std::any_of(above.begin(), above.end(), [](const reference::SurfacePoint& p) { return p.distance_m > 0.0; });
+      pixels.back() = Seen{in_shadow, seen[0].normal};
+    }
+  return pixels;
+}
+
+/// Each pixel whose neighbours are all lit or all in shadow looks so: as without shadows, or as without the light.
+/// in   dark_scene  the scene without the light; null = the key light casts the shadows
+void expect_shadows(const BuiltScene& built, const View& view, const RenderOptions& options, const glm::dvec3& to_light,
+                    const BuiltScene* dark_scene = nullptr) {
+  RenderOptions lit = options;
+  lit.shadows.on = false;
+  RenderOptions dark = lit;
+  if (!dark_scene) dark.lighting.key = glm::vec3(0.0f);
+  const FloatPicture drawn = render_float(built, kWidth, kHeight, view, options),
+                     as_lit = render_float(built, kWidth, kHeight, view, lit),
+                     as_dark = render_float(dark_scene ? *dark_scene : built, kWidth, kHeight, view, dark);
+  const auto pixels = truth(built, view, glm::normalize(to_light));
+  int in_shadow = 0, in_light = 0, wrong = 0;
+  for (int y = 2; y < kHeight - 2; ++y)
+    for (int x = 2; x < kWidth - 2; ++x) {
+      const auto& here = pixels[static_cast<std::size_t>(y * kWidth + x)];
+      bool alike = here.has_value();
+      for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx)
+          alike = alike && here->like(pixels[static_cast<std::size_t>((y + dy) * kWidth + x + dx)]);
+      if (!alike) continue;
+      const glm::vec4 expected = (here->in_shadow ? as_dark : as_lit).at(x, y);
+      (here->in_shadow ? in_shadow : in_light) += 1;
+      if (glm::length(drawn.at(x, y) - expected) <= 0.01f) continue;
+      if (++wrong <= 3) ADD_FAILURE() << "pixel " << x << " " << y << " is wrong, in shadow: " << here->in_shadow;
+    }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(in_shadow, 30);
+  EXPECT_GT(in_light, 400);
+}
+
+TEST_F(shadows, fall_where_a_ray_to_the_light_meets_something) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  RenderOptions options = key_light_alone();
+  for (const glm::vec3 to_key :
+       {glm::vec3(0.5f, 0.8f, -0.6f), glm::vec3(-0.8f, 0.5f, 0.1f), glm::vec3(0.2f, 0.9f, -1.0f)}) {
+    options.lighting.to_key = to_key;
+    expect_shadows(built, from_above(), options, glm::dvec3(to_key));
+  }
+}
+
+TEST_F(shadows, do_not_depend_on_the_camera) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  View parallel = look_at({-3.0, 4.0, 2.0}, {0.0, 0.2, 0.0}, 0.8, 0.05);
+  parallel.half_height_m = 1.6;
+  parallel.far_m = 12.0;
+  for (const View& view : {look_at({-4.0, 3.0, 3.0}, {0.0, 0.2, 0.0}, 0.7, 0.05), parallel})
+    expect_shadows(built, view, key_light_alone(), {0.7, 0.8, 0.35});
+}
+
+TEST_F(shadows, key_light_that_follows_the_camera_casts_them_from_there) {
+  RenderOptions options = key_light_alone();
+  options.lighting.key_follows_camera = true;
+  options.lighting.to_key = {-0.9f, 0.8f, 0.3f};
+  const View view = look_at({-3.5, 3.5, -2.0}, {0.0, 0.2, 0.0}, 0.8, 0.05);
+  const glm::dmat3 turn = linear_part(view.view_from_world);
+  expect_shadows(box_and_sphere_on_floor(), view, options, glm::transpose(turn) * glm::dvec3(options.lighting.to_key));
+}
+
+TEST_F(shadows, first_directional_light_of_the_scene_casts_them_alone) {
+  BuiltScene built = box_and_sphere_on_floor();
+  add_light_at(built, {.kind = Light::Kind::point, .intensity = 3.0f}, {0.0f, 3.0f, 0.0f}, {0, -1, 0});
+  const BuiltScene without_sun = built;
+  add_light_at(built, {.kind = Light::Kind::directional, .intensity = 1.5f}, {9, 9, 9}, {-0.5f, -0.8f, 0.6f});
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  const ShadowLight chosen = [&] {
+    const FrameResult frame = built.frame();
+    const std::vector<PlacedLight> placed = {{&built.scene.lights[0], frame.model[built.scene.lights[0].joint]},
+                                             {&built.scene.lights[1], frame.model[built.scene.lights[1].joint]}};
+    return shadow_light(from_above(), options, placed);
+  }();
+  EXPECT_EQ(chosen.index, 1u);
+  EXPECT_LT(glm::length(chosen.to_light - glm::normalize(glm::dvec3(0.5, 0.8, -0.6))), 1e-6);
+  expect_shadows(built, from_above(), options, {0.5, 0.8, -0.6}, &without_sun);
+}
+
+TEST_F(shadows, come_from_what_is_out_of_view) {
+  BuiltScene built;
+  const std::uint32_t grey = built.add_material(matte({0.7f, 0.7f, 0.7f}));
+  built.add(square(2.0f), grey);
+  built.add(showcase::box({0, 0, 0}, glm::vec3(0.5f)), grey, translation({0.0f, 3.0f, 0.0f}));
+  RenderOptions options = key_light_alone();
+  options.lighting.to_key = {0.1f, 1.0f, 0.05f};
+  const View floor_alone = look_at({0.0, 1.5, 2.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+  Headless pictures(*test_device(), built.scene, kWidth, kHeight);
+  pictures.render(built.frame(), floor_alone, options);
+  EXPECT_EQ(pictures.report().drawn, 1u) << "the box must be out of view";
+  expect_shadows(built, floor_alone, options, glm::dvec3(options.lighting.to_key));
+}
+
+TEST_F(shadows, blended_surfaces_cast_none_and_holes_of_masks_let_light_through) {
+  for (const AlphaMode mode : {AlphaMode::blend, AlphaMode::mask}) {
+    BuiltScene built;
+    Material roof = matte({0.7f, 0.7f, 0.7f});
+    roof.alpha_mode = mode;
+    roof.base_color.a = 0.3f;
+    roof.alpha_cutoff = 0.5f;
+    built.add(square(2.0f), built.add_material(matte({0.7f, 0.7f, 0.7f})));
+    built.add(square(0.6f), built.add_material(roof), translation({0.0f, 1.0f, 0.0f}));
+    RenderOptions options = key_light_alone(), without = options;
+    without.shadows.on = false;
+    EXPECT_EQ(render_float(built, kWidth, kHeight, from_above(), options).pixels,
+              render_float(built, kWidth, kHeight, from_above(), without).pixels);
+    built.scene.materials[1].base_color.a = 0.9f;
+    if (mode == AlphaMode::blend) continue;
+    EXPECT_NE(render_float(built, kWidth, kHeight, from_above(), options).pixels,
+              render_float(built, kWidth, kHeight, from_above(), without).pixels);
+  }
+}
+
+TEST_F(shadows, cost_nothing_where_no_light_casts_them) {
+  BuiltScene built = box_and_sphere_on_floor();
+  Headless pictures(*test_device(), built.scene, kWidth, kHeight);
+  const auto runs = [&](const RenderOptions& options) {
+    pictures.render(built.frame(), from_above(), options);
+    return pictures.report().passes[static_cast<std::size_t>(Pass::shadow)].runs;
+  };
+  RenderOptions options = key_light_alone();
+  EXPECT_TRUE(runs(options));
+  options.shadows.on = false;
+  EXPECT_FALSE(runs(options));
+  options = key_light_alone();
+  options.shadows.bounds = {};
+  EXPECT_FALSE(runs(options));
+  options = key_light_alone();
+  options.lighting.key = glm::vec3(0.0f);
+  EXPECT_FALSE(runs(options));
+  options = key_light_alone();
+  options.show = Show::normals;
+  EXPECT_FALSE(runs(options));
+}
+
+TEST(shadow_view, holds_the_bounds_and_is_nearest_to_the_light) {
+  const Aabb bounds{{-3.0f, 0.0f, 1.0f}, {1.0f, 2.0f, 7.0f}};
+  for (const glm::dvec3 to_light :
+       {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::normalize(glm::dvec3(-2, 0.5, 1))}) {
+    const ShadowView view = shadow_view(bounds, to_light);
+    for (int c = 0; c < 8; ++c) {
+      const glm::dvec3 corner(c & 1 ? bounds.upper.x : bounds.lower.x, c & 2 ? bounds.upper.y : bounds.lower.y,
+                              c & 4 ? bounds.upper.z : bounds.lower.z);
+      const glm::dvec3 at = transform_point(view.map_from_world, corner);
+      EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1.0);
+      EXPECT_GT(at.z, 0.0);
+      EXPECT_LT(at.z, 1.0);
+      const glm::dvec3 nearer = transform_point(view.map_from_world, corner + 0.1 * to_light);
+      EXPECT_GT(nearer.z, at.z);
+      EXPECT_NEAR(nearer.x, at.x, 1e-12);
+      EXPECT_NEAR(nearer.y, at.y, 1e-12);
+    }
+    const double across = 2.0 / glm::length(glm::dvec3(view.map_from_world.row[0]));
+    EXPECT_NEAR(view.texel_m, across / kShadowSize, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::viewer
