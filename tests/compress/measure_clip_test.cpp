@@ -134,6 +134,16 @@ TEST(measure_clip, errors_of_weights_and_joints_at_one_time_add_up) {
   EXPECT_EQ(error.worst_joint, 1u);
 }
 
+TEST(measure_clip, weights_without_keys_are_at_rest_and_right) {
+  Scene scene = morphed_scene();
+  WeightTrack& weights = scene.animations[0].weights[0].weights;
+  weights.times_s.clear();
+  weights.values.clear();
+  scene.clips.clear();
+  finish_scene(scene);
+  EXPECT_EQ(measure(scene, {scene.animations[0]}, {0.0, 1.0}).weights_m, 0.0);
+}
+
 TEST(measure_clip, displacements_are_stretched_by_the_joint_and_the_largest_copy) {
   Scene scene = morphed_scene();
   scene.skeleton.rest[2].scale = {3, 3, 3};

@@ -232,5 +232,65 @@ TEST(geometry_cache, a_mesh_has_one_stream_of_each_kind_in_their_order) {
   EXPECT_THAT(cache.error().detail, testing::HasSubstr("kinds"));
 }
 
+TEST(geometry_cache, errors_of_the_head_name_the_place_of_their_number) {
+  const Bytes good = small_file();
+  const auto offset_with = [&](std::size_t at, std::uint8_t bits) {
+    Bytes file = good;
+    file[at] ^= std::byte(bits);
+    const auto cache = GeometryCache::open(file);
+    return cache ? std::uint64_t{999} : cache.error().offset;
+  };
+  EXPECT_EQ(offset_with(0, 1), 0u);
+  EXPECT_EQ(offset_with(8, 2), 8u);
+  EXPECT_EQ(offset_with(12, 1), 12u);
+  EXPECT_EQ(offset_with(22, 1), 16u);
+  EXPECT_EQ(offset_with(24, 1), 24u);
+  EXPECT_EQ(offset_with(32, 1), 32u);
+  EXPECT_EQ(offset_with(kGeometryFileHead, 1), 32u);
+}
+
+/// A file of one block in two frames, a byte of whose second frame is changed and signed for.
+Bytes with_changed_frame(std::size_t at, unsigned value) {
+  Bytes file = *encode_geometry_cache(noise_take(64, 2, 1e-3));
+  const auto cache = GeometryCache::open(file);
+  const GeometryFrame frame = cache->frames()[1];
+  file[frame.offset + at] = static_cast<std::byte>(value & 0xff);
+  const std::uint64_t sum = checksum(std::span(file).subspan(frame.offset, frame.size));
+  Bytes old(sizeof(sum));
+  std::memcpy(old.data(), &frame.checksum, sizeof(sum));
+  const auto found = std::search(file.begin(), file.end(), old.begin(), old.end());
+  EXPECT_NE(found, file.end());
+  std::memcpy(&*found, &sum, sizeof(sum));
+  sign(file);
+  return file;
+}
+
+TEST(geometry_cache, sections_that_do_not_fit_their_headers_are_damage_whatever_the_checksum_says) {
+  const Bytes good = *encode_geometry_cache(noise_take(64, 2, 1e-3));
+  const auto cache = GeometryCache::open(good);
+  const std::size_t frame = cache->frames()[1].offset;
+  std::uint32_t heads[kSections];
+  std::memcpy(heads, good.data() + frame, sizeof(heads));
+  for (const std::uint32_t head : heads) ASSERT_EQ(head & kStoredByZstd, 0u) << "noise is stored as it is";
+  const auto is_whole = [](const Bytes& file) {
+    const auto opened = GeometryCache::open(file);
+    return opened.has_value() && decode_all(*opened, file);
+  };
+  const auto byte_at = [&](std::size_t at) { return static_cast<unsigned>(good[frame + at]); };
+  EXPECT_TRUE(is_whole(with_changed_frame(0, byte_at(0))));
+  for (std::size_t section = 0; section < kSections; ++section) {
+    const std::size_t head = 4 * section;
+    EXPECT_FALSE(is_whole(with_changed_frame(head + 3, byte_at(head + 3) | 0x80))) << "by zstd, section " << section;
+    EXPECT_FALSE(is_whole(with_changed_frame(head + 2, 0x7f))) << "too long, section " << section;
+    EXPECT_FALSE(is_whole(with_changed_frame(head, byte_at(head) - 1))) << section;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const unsigned more : {1u, ~0u}) {
+      const std::size_t width = kSectionHeads + 2 + axis;
+      EXPECT_FALSE(is_whole(with_changed_frame(width, byte_at(width) + more)))
+          << "residuals of another width, axis " << axis;
+    }
+}
+
 }  // namespace
 }  // namespace sinew::test

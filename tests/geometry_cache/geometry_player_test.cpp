@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <glm/geometric.hpp>
+#include <string>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/geometry_cache/scene_of_cache.h"
@@ -251,6 +253,97 @@ TEST(geometry_player_streams, normals_of_the_cache_are_unit_and_colours_are_thos
     EXPECT_NEAR(glm::length(frame.result().primitives[0].normals[v]), 1.0f, 1e-6f);
     EXPECT_LT(glm::distance(frame.result().primitives[0].normals[v], expected), 3e-3f);
   }
+}
+
+/// Three meshes apart from each other; the last has normals that are its own for each vertex, of which one is none,
+/// and one colour.
+GeometryTake three_meshes() {
+  GeometryTake take = noise_take(5, 3, 1e-3);
+  take.meshes.push_back(noise_take(70, 3, 1e-3).meshes[0]);
+  take.meshes.push_back(noise_take(40, 3, 1e-3).meshes[0]);
+  for (std::size_t m = 0; m < 3; ++m) {
+    take.meshes[m].name = "mesh" + std::to_string(m);
+    for (auto& frame : take.meshes[m].streams[0].frames)
+      for (glm::vec3& p : frame) p.x += 100.0f * static_cast<float>(m);
+  }
+  TakeStream normals{GeometryKind::normals, {}, 1e-3}, colors{GeometryKind::colors, {}, 1e-2};
+  FixedRandom random(5);
+  for (int f = 0; f < 3; ++f) {
+    auto& frame = normals.frames.emplace_back();
+    for (int v = 0; v < 40; ++v) frame.push_back(v == 7 ? glm::vec3(0) : random.direction());
+    colors.frames.emplace_back(40, glm::vec3(0.25f, 0.5f, 1.0f));
+  }
+  take.meshes[2].streams.push_back(normals);
+  take.meshes[2].streams.push_back(colors);
+  return take;
+}
+
+TEST(geometry_player_streams, each_mesh_shows_its_own_streams_and_box) {
+  const GeometryTake take = three_meshes();
+  const auto file = *encode_geometry_cache(take);
+  const auto cache = GeometryCache::open(file);
+  MappedFrames mapped{*cache, file};
+  const auto made = scene_of(*cache, mapped);
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(made->scene.meshes[2].primitives[0].normals[7], glm::vec3(0, 1, 0));
+  GeometryPlayer player(*cache, mapped, made->scene, made->bindings);
+  EXPECT_EQ(player.instances(), (std::vector<std::uint32_t>{0, 1, 2}));
+  VertexSource source = player.source();
+  for (std::uint32_t m = 0; m < 3; ++m) {
+    const double time_s = cache->start_s() + cache->frame_s();
+    const ShownVertices shown = source.show(source.context, m, time_s);
+    ASSERT_TRUE(shown.is_there);
+    EXPECT_GT(shown.bounds.lower.x, 100.0f * static_cast<float>(m) - 4.0f);
+    EXPECT_LT(shown.bounds.upper.x, 100.0f * static_cast<float>(m) + 4.0f);
+    EXPECT_EQ(player.bounds(m, time_s).lower, cache->bounds(1, m).lower);
+    std::vector<glm::vec3> positions(take.meshes[m].vertex_count), normals = positions;
+    EXPECT_EQ(source.write(source.context, m, 0, positions, normals), m == 2);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      EXPECT_LT(glm::length(positions[v] - take.meshes[m].streams[0].frames[1][v]), 1.1e-3f) << m << ' ' << v;
+    for (std::size_t v = 0; v < normals.size() && m == 2; ++v) {
+      const glm::vec3 expected = v == 7 ? glm::vec3(0, 1, 0) : take.meshes[2].streams[1].frames[1][v];
+      EXPECT_LT(glm::length(normals[v] - expected), 2e-3f) << v;
+    }
+  }
+  EXPECT_FALSE(source.has(source.context, 3));
+}
+
+TEST(geometry_player_streams, contents_differ_by_file_and_by_what_plays_where) {
+  const GeometryTake take = three_meshes();
+  GeometryTake other = take;
+  other.meshes[0].streams[0].frames[2][3].z += 0.5f;
+  const auto file = *encode_geometry_cache(take), changed = *encode_geometry_cache(other);
+  const auto cache = GeometryCache::open(file), changed_cache = GeometryCache::open(changed);
+  MappedFrames mapped{*cache, file}, changed_mapped{*changed_cache, changed};
+  const auto made = scene_of(*cache, mapped);
+  const auto content = [&](const GeometryCache& of, FrameSource frames, std::span<const GeometryBinding> bindings) {
+    return GeometryPlayer(of, frames, made->scene, bindings).source().content;
+  };
+  const std::span<const GeometryBinding> all = made->bindings;
+  EXPECT_EQ(content(*cache, mapped, all), content(*cache, mapped, all));
+  EXPECT_NE(content(*cache, mapped, all), content(*changed_cache, changed_mapped, all));
+  EXPECT_NE(content(*cache, mapped, all), content(*cache, mapped, all.first(2)));
+  EXPECT_NE(content(*cache, mapped, all.first(1)), content(*cache, mapped, all.subspan(1, 1)));
+}
+
+TEST(geometry_player_streams, a_mesh_without_normals_has_smooth_ones_over_its_points) {
+  // Two squares that meet at a right angle; the seam is twice there, and the two are one point.
+  const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1},
+                                          {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 6, 5, 7};
+  const auto file = *encode_geometry_cache(take_of({corners, corners}, triangles));
+  const auto cache = GeometryCache::open(file);
+  MappedFrames mapped{*cache, file};
+  const auto made = scene_of(*cache, mapped);
+  ASSERT_TRUE(made.has_value());
+  const std::vector<glm::vec3>& normals = made->scene.meshes[0].primitives[0].normals;
+  ASSERT_EQ(normals.size(), 8u);
+  EXPECT_LT(glm::length(normals[3] - glm::vec3(0, 1, 0)), 1e-3f);
+  EXPECT_LT(glm::length(normals[7] - glm::vec3(0, 0, 1)), 1e-3f);
+  EXPECT_EQ(normals[0], normals[4]);
+  EXPECT_EQ(normals[1], normals[5]);
+  EXPECT_GT(normals[0].y, 0.3f);
+  EXPECT_GT(normals[0].z, 0.3f);
 }
 
 TEST(geometry_player_streams, a_mesh_without_triangles_is_shown_as_points) {
