@@ -33,6 +33,7 @@ def arguments():
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--alone', action='store_true', help='build every mutant by itself, without switches')
     parser.add_argument('--again', action='store_true', help='try survivors again, after tests were added')
+    parser.add_argument('--listed', action='store_true', help='only those that survivors.txt lists')
     parser.add_argument('--fresh', action='store_true', help='forget earlier verdicts')
     parser.add_argument('--corpus', action='store_true', help='tests of the corpus as well')
     parser.add_argument('--headers', choices=['with', 'without', 'only'], default='with')
@@ -63,6 +64,8 @@ def wanted_files(root, tree, options, changed):
     header = lambda f: f.endswith('.h')
     if options.changed:  # headers that half of the project includes take too long for every commit
         listed = [f for f in listed if f in changed and (not header(f) or len(tree.users[f]) <= 25)]
+    if options.listed:
+        listed = [f for f in listed if f in report.listed_files()]
     keep = {'with': lambda f: True, 'without': lambda f: not header(f), 'only': header}[options.headers]
     return sorted(f for f in listed if f.endswith(SOURCES) and keep(f))
 
@@ -214,6 +217,8 @@ def main():
     if options.changed:
         mutants = [m for m in mutants if m.line in changed[m.file]]
     report.note(f'{len(mutants)} mutants can be set in {len(files)} files')
+    if options.listed:
+        mutants = [m for m in mutants if m.key in report.listed(f'{HERE}/survivors.txt')]
     chosen = mutants if options.sample is None else mutants[:options.sample]
     if options.clusters and options.sample:
         chosen = in_clusters(mutants, options.seed, options.clusters, -(-options.sample // options.clusters))

@@ -31,6 +31,12 @@ def listed(path):
         return {line.split()[0] for line in file if line.strip() and not line.startswith('#')}
 
 
+def listed_files():
+    """Files of the known survivors: the second word of each line."""
+    with open(f'{HERE}/survivors.txt', encoding='utf-8') as file:
+        return {line.split()[1].rstrip(':') for line in file if line.strip() and not line.startswith('#')}
+
+
 def folder_of(file):
     return '/'.join(os.path.dirname(file).split('/')[:2]) or file
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "runtime/animation/track_sample.h"
 #include "runtime/math/decompose.h"
 #include "runtime/math/normal_transform.h"
 #include "tests/reference/pose_corrective.h"
+#include "tests/reference/sampling.h"
 #include "tests/reference/skinning.h"
 #include "tests/reference/surface.h"
 
@@ -19,11 +19,28 @@ Transformd to_double(const Transform& t) {
   return {Vec3d(t.translation), quat_cast<double>(t.rotation), Vec3d(t.scale)};
 }
 
+/// By the reference, but for squad: that is the product's own, which tests/numeric holds.
+Transformd sampled(const BoneAnimation& bone, double time_s, const Transformd& rest) {
+  Transformd out = rest;
+  if (!bone.translation.empty()) out.translation = reference::vec3_of(reference::sample(bone.translation, time_s));
+  if (!bone.scale.empty()) out.scale = reference::vec3_of(reference::sample(bone.scale, time_s));
+  if (bone.rotation.empty()) return out;
+  out.rotation = bone.rotation.interpolation == Interpolation::squad
+                     ? bone.interpolate<double>(time_s, rest).rotation
+                     : reference::quat_of(reference::sample(bone.rotation, time_s));
+  return out;
+}
+
 Transformd joint_at(const Scene& scene, const ClipLayer& layer, std::uint32_t joint) {
   const Transformd rest = to_double(scene.skeleton.rest[joint]);
   for (const BoneAnimation& bone : scene.animations[layer.clip].bones)
-    if (bone.joint == joint) return bone.interpolate<double>(layer.time_s, rest);
+    if (bone.joint == joint) return sampled(bone, layer.time_s, rest);
   return rest;
+}
+
+void sample_into(const WeightTrack& track, double time_s, std::span<double> out) {
+  const reference::Numbers numbers = reference::sample(track, time_s);
+  std::transform(numbers.begin(), numbers.end(), out.begin(), [](reference::Real x) { return double(x); });
 }
 
 bool blends(const ClipLayer& layer) { return layer.kind == LayerKind::blend; }
@@ -112,7 +129,7 @@ std::vector<double> properties_at(const Scene& scene, const ClipLayer& layer) {
   for (const PropertyTrack& track : scene.animations[layer.clip].properties)
     for (const PropertyTable::Entry& entry : scene.properties.entries)
       if (entry.target == track.target)
-        sample_track(track.values, layer.time_s, std::span(values).subspan(entry.first, entry.count));
+        sample_into(track.values, layer.time_s, std::span(values).subspan(entry.first, entry.count));
   return values;
 }
 
@@ -134,7 +151,7 @@ std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const
   std::vector<double> weights = rest;
   for (const WeightAnimation& animated : scene.animations[layer.clip].weights) {
     const std::span<double> own(weights.data() + scene.first_weight[animated.instance], animated.weights.target_count);
-    sample_track(animated.weights, layer.time_s, own);
+    sample_into(animated.weights, layer.time_s, own);
   }
   return weights;
 }

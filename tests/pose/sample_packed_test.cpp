@@ -63,10 +63,11 @@ TEST(sample_packed, G01_N01_poses_between_and_on_keys_are_as_near_as_the_keys) {
         const Transform found = pose.span().get(bone.joint);
         EXPECT_TRUE(test::is_near(Vec3<double>(found.translation),
                                   reference::vec3_of(reference::sample(bone.translation, t)), kTolerance * 1.01));
-        // slerp of keys half a turn apart turns an error of either key by up to itself: the sum of both bounds it
+        // Errors of the keys are weighted as the keys: by (sin(t a) + sin((1 - t) a)) / sin(a), at most 1 / cos(a / 2)
+        // half way, a being half the angle between the keys.
         EXPECT_TRUE(test::same_rotation(found.rotation,
                                         reference::quat_of(reference::unit(reference::sample(bone.rotation, t))),
-                                        step_rad > 2 ? 0.2 : 2.2 * kTolerance))
+                                        kTolerance * 1.01 / std::cos(step_rad / 4) + 1e-6))
             << step_rad << " at " << t;
       }
     }
