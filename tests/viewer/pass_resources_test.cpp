@@ -12,13 +12,15 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr Target kTargets[] = {Target::depth, Target::normals, Target::ao, Target::half_blurred_ao, Target::color};
+constexpr std::array<Target, kTargetCount> kTargets = {Target::depth,           Target::normals, Target::ao,
+                                                       Target::half_blurred_ao, Target::color,   Target::shadow};
 
 class frame_targets : public DeviceTest {
  protected:
   /// Which images a graph needs, in the order of Target.
   static std::array<bool, kTargetCount> wanted(const FrameGraph& graph) {
-    return {graph.depth_image, graph.normal_image, graph.ao_image, graph.half_blurred_ao, graph.color_image};
+    return {graph.depth_image,     graph.normal_image, graph.ao_image,
+            graph.half_blurred_ao, graph.color_image,  graph.shadow_image};
   }
   static std::array<VkImageView, kTargetCount> views(const FrameTargets& targets) {
     std::array<VkImageView, kTargetCount> out{};
@@ -34,7 +36,8 @@ TEST_F(frame_targets, exist_exactly_where_the_graph_needs_them_and_stay_while_it
   for (const FrameNeeds& needs :
        {FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true, .blur = false},
         FrameNeeds{.opaque = true, .show = Show::depth}, FrameNeeds{.opaque = true, .occlusion = false},
-        FrameNeeds{.opaque = true, .show = Show::normals}, FrameNeeds{.opaque = true}}) {
+        FrameNeeds{.opaque = true, .show = Show::normals}, FrameNeeds{.opaque = true, .shadows = true},
+        FrameNeeds{.opaque = true}}) {
     const FrameGraph graph(needs);
     targets.fit(graph, {64, 48});
     const auto now = views(targets);
