@@ -34,6 +34,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.height, 720u);
   EXPECT_TRUE(options.ambient_occlusion && options.shadows);
   EXPECT_FALSE(accepted({"--no-shadows"}).shadows);
+  EXPECT_FALSE(options.smooth_edges.has_value());
+  EXPECT_EQ(accepted({"--smoothing", "on"}).smooth_edges, true);
+  EXPECT_EQ(accepted({"--smoothing", "off"}).smooth_edges, false);
   EXPECT_EQ(options.environment, "studio");
   EXPECT_FALSE(options.camera || options.time_s || options.frames || options.clip || options.fov_y_deg);
   EXPECT_FALSE(options.exit_after_s || options.validate || options.transparent);
@@ -170,6 +173,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--exposure", "bright"}, "bright"},
       {{"--exposure", "33"}, "33"},
       {{"--backdrop", "blue"}, "plain, blurred, sharp"},
+      {{"--smoothing", "maybe"}, "on, off"},
       {{"--tone", "film"}, "neutral, aces, none"},
       {{"--environment-turn", "361"}, "361"},
       {{"--environment-intensity", "-1"}, "-1"},

@@ -31,6 +31,7 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_FLOAT_EQ(light.environment_turn_rad, 1.57079633f);
   EXPECT_EQ(light.exposure, 0.25f);
   EXPECT_EQ(light.tone_curve, ToneCurve::none);
+  EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).smooth_edges);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).shadows.on);
   EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).backdrop, Backdrop::blurred);
   EXPECT_TRUE(settings.panel);

@@ -122,6 +122,10 @@ void add_picture_options(CLI::App& app, Options& options) {
   });
   app.add_flag_callback(
       "--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
+  text_option(app, "--smoothing", "HOW", "edges: on or off (on; off in a window that a software driver draws)",
+              [&](const std::string& text) {
+                options.smooth_edges = named<bool>("--smoothing", text, {{"on", true}, {"off", false}});
+              });
   app.add_flag("--skeleton", options.skeleton, "draw the skeleton over the picture");
   auto* eye =
       text_option(app, "--eye", "X,Y,Z", "where the camera is (framing everything)", [&](const std::string& text) {

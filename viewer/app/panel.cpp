@@ -173,9 +173,10 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   updates_choice(facts, settings);
   ImGui::Checkbox("ambient occlusion", &settings.ambient_occlusion);
   ImGui::SameLine();
+  ImGui::Checkbox("skeleton", &settings.skeleton);
   ImGui::Checkbox("shadows", &settings.shadows);
   ImGui::SameLine();
-  ImGui::Checkbox("skeleton", &settings.skeleton);
+  ImGui::Checkbox("smooth edges", &settings.smooth_edges);
   int show = static_cast<int>(settings.show);
   ImGui::RadioButton("color", &show, static_cast<int>(Show::color));
   ImGui::SameLine();

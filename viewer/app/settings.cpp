@@ -18,6 +18,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.environment_intensity = options.environment_intensity;
   settings.exposure_ev = options.exposure_ev;
   settings.shadows = options.shadows;
+  settings.smooth_edges = options.smooth_edges.value_or(true);
   settings.backdrop = options.backdrop;
   settings.tone_curve = options.tone_curve;
   settings.skinning = options.skinning;
@@ -74,6 +75,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);
   options.shadows = {settings.shadows, bounds.reached};
+  options.smooth_edges = settings.smooth_edges;
   options.backdrop = settings.backdrop;
   options.lighting.tone_curve = settings.tone_curve;
   options.lighting.exposure = std::exp2(settings.exposure_ev);

@@ -13,6 +13,7 @@ struct Settings {
   Show show = Show::color;
   bool ambient_occlusion = true;
   bool shadows = true;
+  bool smooth_edges = true;
   Backdrop backdrop = Backdrop::plain;
   ToneCurve tone_curve = ToneCurve::neutral;
   float environment_turn_deg = 0.0f, environment_intensity = 1.0f, exposure_ev = 0.0f;

@@ -49,6 +49,8 @@ class WindowLoop {
         frame_(device_, swapchain_, panel_),
         exhibit_(options.first_exhibit()),
         settings_(settings_from(options, exhibits[options.first_exhibit()].scene)) {
+    if (!options.smooth_edges && device_.is_software())
+      settings_.smooth_edges = false;  // it would take most of the time
     for (const auto& exhibit : exhibits) names_.push_back(exhibit.name);
     show_exhibit(options.first_exhibit(), clip);
     if (options.time_s) shown_->playback().seek(*options.time_s);

@@ -66,6 +66,7 @@ void Device::choose_physical() {
   vkGetPhysicalDeviceProperties(physical_, &properties);
   name_ = properties.deviceName;
   limits_ = properties.limits;
+  is_software_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
 void Device::create_device() {

@@ -39,6 +39,7 @@ class Device {
   VkSurfaceKHR surface() const noexcept { return surface_; }  ///< null when headless
   const std::string& name() const noexcept { return name_; }
   const VkPhysicalDeviceLimits& limits() const noexcept { return limits_; }
+  bool is_software() const noexcept { return is_software_; }         ///< the driver draws on the CPU
   float max_anisotropy() const noexcept { return max_anisotropy_; }  ///< 1 if the device has no anisotropic filter
   float max_point_size() const noexcept { return max_point_size_; }
   std::uint32_t timestamp_bits() const noexcept { return timestamp_bits_; }  ///< 0 = the queue has no timestamps
@@ -72,6 +73,7 @@ class Device {
   std::uint32_t queue_family_ = 0;
   std::string name_;
   VkPhysicalDeviceLimits limits_{};
+  bool is_software_ = false;
   float max_anisotropy_ = 1.0f;
   float max_point_size_ = 1.0f;
   std::uint32_t timestamp_bits_ = 0;

@@ -17,7 +17,7 @@ GpuImage::GpuImage(const Device& device, const ImageShape& shape) : device_(&dev
   info.mipLevels = shape.mip_count;
   info.arrayLayers = shape.layers();
   info.flags = shape.cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = shape.usage;
   must(vkCreateImage(device.handle(), &info, nullptr, &image_), "vkCreateImage");

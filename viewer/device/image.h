@@ -9,7 +9,8 @@ struct ImageShape {
   VkExtent2D extent{1, 1};
   std::uint32_t mip_count = 1;
   VkImageUsageFlags usage = 0;
-  bool cube = false;  ///< six faces, viewed as a cube
+  bool cube = false;          ///< six faces, viewed as a cube
+  std::uint32_t samples = 1;  ///< of a texel: 1 or 4
 
   std::uint32_t layers() const noexcept { return cube ? 6 : 1; }
 };

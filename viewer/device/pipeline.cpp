@@ -50,7 +50,7 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   raster.cullMode = VK_CULL_MODE_NONE;
   raster.lineWidth = 1.0f;
   VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(shape.samples);
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = shape.depth;
   depth.depthWriteEnable = shape.depth_write;

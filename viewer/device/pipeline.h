@@ -10,14 +10,15 @@ namespace sinew::viewer {
 
 inline constexpr std::size_t kShaderConstants = 18;
 
-/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, no
-/// multisampling, one colour attachment, reversed depth.
+/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, one
+/// colour attachment, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
   std::array<std::uint32_t, kShaderConstants> constants{};  ///< specialisation constants of both shaders, by their ids
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
-  bool depth = false;  ///< there is a D32 depth attachment
+  std::uint32_t samples = 1;  ///< of the attachments: 1 or 4
+  bool depth = false;         ///< there is a D32 depth attachment
   bool depth_write = false;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
   bool blend = false;

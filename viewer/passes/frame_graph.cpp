@@ -33,7 +33,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
     add(Pass::show);
   }
   if (needs.overlay) add(Pass::overlay);
-  depth_image = true;
+  sampled = picture && needs.smooth_edges;
+  depth_image = prepass || !sampled;
   normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
   shadow_image = needs.shadowed();

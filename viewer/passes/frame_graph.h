@@ -34,6 +34,7 @@ struct FrameNeeds {
   bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
+  bool smooth_edges = false;  ///< 4 samples a pixel
   Show show = Show::color;
 
   /// Some pass reads the shadow map.
@@ -56,6 +57,7 @@ class FrameGraph {
   std::size_t size() const noexcept { return count_; }
 
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
+  bool sampled = false;  ///< colour and depth of 4 samples a pixel, averaged into the colour image
   bool ao_image = false,
        half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
 

@@ -111,6 +111,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .shadow_light = graph.shadow_image ? shadow.index : kNone,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
+          .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
 }
 
@@ -122,6 +123,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .ambient = inputs.options.lighting.ambient(),
           .occlusion = inputs.options.ao.has_effect(),
           .blur = inputs.options.ao.blur,
+          .smooth_edges = inputs.options.smooth_edges,
           .show = inputs.options.show};
 }
 

@@ -17,6 +17,10 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
               {kShadowSize, kShadowSize},
               1,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
+    case Target::color_samples:
+      return {kColorFormat, full, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, kSmoothSamples};
+    case Target::depth_samples:
+      return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false, kSmoothSamples};
     case Target::normals: return {kNormalFormat, full, 1, color};
     case Target::color: return {kColorFormat, full, 1, color};
     default: return {kAoFormat, access, 1, color};
@@ -43,7 +47,8 @@ FrameTargets::FrameTargets(const Device& device, std::uint32_t ao_step)
 void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   const bool resized = extent.width != extent_.width || extent.height != extent_.height;
   const std::array<bool, kTargetCount> wanted = {graph.depth_image,     graph.normal_image, graph.ao_image,
-                                                 graph.half_blurred_ao, graph.color_image,  graph.shadow_image};
+                                                 graph.half_blurred_ao, graph.color_image,  graph.shadow_image,
+                                                 graph.sampled,         graph.sampled};
   bool changed = resized;
   for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
   if (!changed) return;

@@ -8,8 +8,10 @@
 namespace sinew::viewer {
 
 /// The images between passes.
-enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color, shadow };
-inline constexpr std::size_t kTargetCount = 6;
+enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color, shadow, color_samples, depth_samples };
+inline constexpr std::size_t kTargetCount = 8;
+
+inline constexpr std::uint32_t kSmoothSamples = 4;  ///< a pixel, of color_samples and depth_samples
 
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_SFLOAT;

@@ -48,8 +48,9 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   auto& sets = surface.material.texcoord_sets;
   key.frame.transparent_background = false;
   key.frame.tone_curve = {};
+  key.frame.smooth_edges = key.frame.smooth_edges && key.pass != Pass::normal_depth && key.pass != Pass::shadow;
   key.frame.backdrop = {};
-  const bool shades = key.pass != Pass::normal_depth && key.pass != Pass::shadow;
+  const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
   if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
   if (key.depth_only) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
@@ -91,11 +92,11 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.vertex = Shader::geometry_vert;
   shape.topology = vulkan(key.topology);
   shape.depth = true;
+  shape.samples = key.frame.smooth_edges ? kSmoothSamples : 1;
   shape.meshes = true;
   shape.bindings = bindings;
   shape.attributes = attributes;
-  const bool prepass = key.pass == Pass::normal_depth || key.pass == Pass::shadow,
-             blended = key.pass == Pass::transparent;
+  const bool prepass = key.pass == Pass::normal_depth || key.depth_only, blended = key.pass == Pass::transparent;
   shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;

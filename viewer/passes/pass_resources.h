@@ -72,6 +72,7 @@ struct FrameFeatures {
   std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
+  bool smooth_edges = false;  ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;
@@ -83,7 +84,7 @@ struct MeshPipelineKey {
   Topology topology = Topology::triangles;
   bool masked = false;
   bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
-  bool depth_only = false;     ///< normal_depth: no pass reads normals
+  bool depth_only = false;     ///< normal_depth, shadow; opaque: the depth of the samples
   FrameFeatures frame;
   SurfaceFeatures surface;
 

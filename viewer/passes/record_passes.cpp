@@ -11,6 +11,7 @@ namespace {
 struct Attachments {
   VkImageView color = VK_NULL_HANDLE;
   VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  ///< CLEAR = to zeros
+  VkImageView resolve = VK_NULL_HANDLE;                       ///< gets the mean of the samples of `color`
   VkImageView depth = VK_NULL_HANDLE;
   bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
   VkExtent2D extent{};
@@ -34,6 +35,11 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   color.loadOp = attachments.load;
   color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  if (attachments.resolve) {
+    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    color.resolveImageView = attachments.resolve;
+    color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  }
   VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   depth.imageView = attachments.depth;
   depth.imageLayout = attachments.depth_write ? kWriteDepth.layout : kReadDepth.layout;
@@ -116,8 +122,11 @@ void record_normal_depth(const PassContext& context) {
   if (normals) context.targets.next_use(context.commands, Target::normals, kWriteColor, false);
   {
     const VkImageView color = normals ? context.targets.view(Target::normals) : VK_NULL_HANDLE;
-    const Rendering rendering(context.commands, {color, VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                                 context.targets.view(Target::depth), true, context.targets.extent()});
+    const Rendering rendering(context.commands, {.color = color,
+                                                 .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 .depth = context.targets.view(Target::depth),
+                                                 .depth_write = true,
+                                                 .extent = context.targets.extent()});
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::normal_depth, .depth_only = !normals});
   }
   context.targets.next_use(context.commands, Target::depth, kReadDepth);
@@ -148,23 +157,63 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
   context.targets.next_use(context.commands, to, kReadInShader);
 }
 
-void record_opaque(const PassContext& context) {
-  const bool prepass = context.graph.has(Pass::normal_depth);
+/// The images that the scene is shaded into. With 4 samples a pixel, the last pass of the scene averages them.
+struct SceneTargets {
+  Target color, depth;
+  bool sampled;
+
+  explicit SceneTargets(const FrameGraph& graph)
+      : color(graph.sampled ? Target::color_samples : Target::color),
+        depth(graph.sampled ? Target::depth_samples : Target::depth),
+        sampled(graph.sampled) {}
+};
+
+VkImageView resolved(const PassContext& context, bool last_of_scene) {
+  if (!context.graph.sampled || !last_of_scene) return VK_NULL_HANDLE;
   context.targets.next_use(context.commands, Target::color, kWriteColor, false);
-  if (!prepass) context.targets.next_use(context.commands, Target::depth, kWriteDepth, false);
+  return context.targets.view(Target::color);
+}
+
+/// The prepass has one sample a pixel. Surfaces that are shaded for four are chosen by a depth of their own.
+void record_depth_samples(const PassContext& context) {
+  context.targets.next_use(context.commands, Target::depth_samples, kWriteDepth, false);
   {
-    const Rendering rendering(context.commands,
-                              {context.targets.view(Target::color), VK_ATTACHMENT_LOAD_OP_CLEAR,
-                               context.targets.view(Target::depth), !prepass, context.targets.extent()});
-    draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .after_prepass = prepass});
+    const Rendering rendering(context.commands, {.depth = context.targets.view(Target::depth_samples),
+                                                 .depth_write = true,
+                                                 .extent = context.targets.extent()});
+    draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .depth_only = true});
   }
-  if (!prepass) context.targets.next_use(context.commands, Target::depth, kReadDepth);
+  context.targets.next_use(context.commands, Target::depth_samples, kReadDepth);
+}
+
+void record_opaque(const PassContext& context) {
+  const SceneTargets scene(context.graph);
+  if (scene.sampled) record_depth_samples(context);
+  const bool depth_is_there = scene.sampled || context.graph.has(Pass::normal_depth);
+  context.targets.next_use(context.commands, scene.color, kWriteColor, false);
+  if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kWriteDepth, false);
+  const VkImageView resolve = resolved(context, !context.graph.has(Pass::transparent));
+  {
+    const Rendering rendering(context.commands, {.color = context.targets.view(scene.color),
+                                                 .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                                                 .resolve = resolve,
+                                                 .depth = context.targets.view(scene.depth),
+                                                 .depth_write = !depth_is_there,
+                                                 .extent = context.targets.extent()});
+    draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .after_prepass = depth_is_there});
+  }
+  if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kReadDepth);
 }
 
 void record_transparent(const PassContext& context) {
-  context.targets.next_use(context.commands, Target::color, kWriteColor);
-  const Rendering rendering(context.commands, {context.targets.view(Target::color), VK_ATTACHMENT_LOAD_OP_LOAD,
-                                               context.targets.view(Target::depth), false, context.targets.extent()});
+  const SceneTargets scene(context.graph);
+  context.targets.next_use(context.commands, scene.color, kWriteColor);
+  const VkImageView resolve = resolved(context, true);
+  const Rendering rendering(context.commands, {.color = context.targets.view(scene.color),
+                                               .load = VK_ATTACHMENT_LOAD_OP_LOAD,
+                                               .resolve = resolve,
+                                               .depth = context.targets.view(scene.depth),
+                                               .extent = context.targets.extent()});
   draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
 }
 

@@ -80,7 +80,8 @@ struct RenderOptions {
   AmbientOcclusion ao;
   Lighting lighting;
   Shadows shadows;
-  DepthRange depth_range;  ///< for Show::depth
+  DepthRange depth_range;     ///< for Show::depth
+  bool smooth_edges = false;  ///< coverage and depth of 4 samples a pixel; shading stays one a pixel
   Backdrop backdrop = Backdrop::plain;
   bool transparent_background = false;        ///< alpha 0 where nothing was drawn
   glm::vec3 background{0.13f, 0.14f, 0.16f};  ///< sRGB, as displayed
