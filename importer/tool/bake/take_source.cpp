@@ -93,7 +93,8 @@ TakeOrExit take_of_scene(const Scene& scene, const TakeSource& source) {
 }  // namespace
 
 void add_source_options(CLI::App& command, TakeSource& source) {
-  command.add_option("--clip", source.clip, "The clip of a glTF file; none = the rest pose")->type_name("INDEX|NAME|none");
+  command.add_option("--clip", source.clip, "The clip of a glTF file; none = the rest pose")
+      ->type_name("INDEX|NAME|none");
   auto* points =
       command.add_option("--points", source.points, "Positions of the vertices over time")->type_name("CACHE.mdd|.pc2");
   command

@@ -13,11 +13,11 @@ namespace sinew::tool {
 
 /// What a pose holds besides node matrices and morph weights.
 struct PoseContent {
-  bool linear = true;              ///< positions, normals and tangents of skinned primitives
-  bool dual_quaternion = true;     ///< dqs and dqsNormals of skinned primitives
-  bool center_of_rotation = true;  ///< cors and corNormals of skinned primitives
+  bool linear = true;                       ///< positions, normals and tangents of skinned primitives
+  bool dual_quaternion = true;              ///< dqs and dqsNormals of skinned primitives
+  bool center_of_rotation = true;           ///< cors and corNormals of skinned primitives
   std::size_t vertices_per_primitive = 64;  ///< 0 without `bits`: nothing is skinned
-  bool bits = true;  ///< Pose::bits
+  bool bits = true;                         ///< Pose::bits
 };
 
 /// Samples poses of a scene in the same way as a program that links sinew: each sample runs one compiled plan for each
