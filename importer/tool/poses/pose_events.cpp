@@ -128,7 +128,7 @@ bool PoseEvents::enter(bool is_array) {
 bool PoseEvents::leave() {
   if (issue) return true;
   if (skipped_ > 0) {
-    if (--skipped_ == 0) end_of_value();
+    --skipped_;
     return true;
   }
   const Level level = std::move(levels_.back());
