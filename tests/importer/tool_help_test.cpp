@@ -96,6 +96,7 @@ TEST(help, has_a_line_for_each_command_and_everything_about_one_in_its_own) {
     const std::string own = run_tool({command, "--help"}).out;
     EXPECT_THAT(own, HasSubstr("Usage: sinew " + command + " [OPTIONS]"));
     EXPECT_THAT(first_words(own, "Options"), testing::Contains("-h,--help")) << command;
+    EXPECT_THAT(own, Not(HasSubstr("Examples:"))) << command << ": of the program";
     EXPECT_THAT(own, Not(HasSubstr("TEXT"))) << command << ": a value without a name";
     EXPECT_THAT(own, Not(HasSubstr("FLOAT"))) << command;
   }

@@ -185,6 +185,15 @@ TEST(pose_formats, texts_are_arrays_of_code_points) {
   EXPECT_THAT(points, ElementsAre('a', 'r', 'm', 0, 0, 0, 0xe9, 0x1f9b4, 0, 0xfffd, 0, 0));
 }
 
+TEST(pose_formats, headers_of_any_length_end_where_the_data_are_aligned) {
+  for (std::size_t length = 1; length < 70; ++length) {
+    const std::string type(length, 'x'), file = tool::npy_file({"", type, {3}, "data"});
+    const Npy array(file);
+    EXPECT_EQ(array.data, "data");
+    EXPECT_THAT(array.header, HasSubstr("'shape': (3,), }")) << length;
+  }
+}
+
 TEST(pose_formats, the_name_of_the_output_says_the_format_unless_an_option_does) {
   const ToolModelFile model;
   EXPECT_TRUE(json::accept(sampled(model, "poses.csv", {"--format", "json"}).written));
