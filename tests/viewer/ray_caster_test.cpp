@@ -209,7 +209,8 @@ TEST(ray_caster_forms, copies_stand_in_the_space_of_their_instance_and_mirror_by
   MeshInstance& instance = built.scene.instances[0];
   instance.copies = {Transform{{3, 0, 0}, quat_identity<float>(), {1, 1, 1}},
                      Transform{{0, 2, 3}, quat_identity<float>(), {-1, 1, 1}},
-                     Transform{{9, 0, 0}, quat_identity<float>(), {0, 1, 1}}};
+                     Transform{{9, 0, 0}, quat_identity<float>(), {0, 1, 1}},
+                     Transform{{-6, 0, 0}, quat_identity<float>(), {1, 0, 1}}};
   FrameResult frame = built.frame();
   std::vector<InstanceResult> placed(frame.instances.begin(), frame.instances.end());
   placed[0].world_from_mesh = translation({0, 1, 0});
@@ -224,6 +225,8 @@ TEST(ray_caster_forms, copies_stand_in_the_space_of_their_instance_and_mirror_by
   EXPECT_FALSE(rays.seen({3.1, -5, 0.2}, {0, 1, 0})) << "its back is below";
   EXPECT_FALSE(rays.seen({0.1, -5, 3.2}, {0, 1, 0}));
   EXPECT_FALSE(below(rays, 9.0)) << "a copy without width";
+  EXPECT_TRUE(below(rays, -5.9)) << "one without height is not mirrored";
+  EXPECT_FALSE(rays.seen({-5.9, -5, 0.2}, {0, 1, 0}));
 }
 
 TEST(ray_caster_forms, back_faces_stop_light_only_where_the_material_has_two_sides) {
