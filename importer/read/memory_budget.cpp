@@ -9,6 +9,7 @@
 #include "importer/read/json_member.h"
 #include "importer/read/mesh_copies.h"
 #include "importer/read/property_pointer.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/model/scene.h"
 
 namespace sinew {
@@ -90,10 +91,14 @@ void add_names(const gltf::Document& document, Budget& budget) {
   }
 }
 
-/// Lists that multiply: targets times primitives, weights times nodes, and in each clip a value of everything that
-/// clips can move.
+/// Lists that multiply: targets times primitives, weights times nodes. Clips share what is at rest, so that each takes
+/// what its channels move, in the form of the file and compiled.
 void add_products(const gltf::Document& document, const Users& users, Budget& budget) {
-  constexpr std::uint64_t kJoint = 10 * sizeof(float), kProperty = 4 * sizeof(float);
+  constexpr std::uint64_t kProperty = 4 * sizeof(float);
+  constexpr std::uint64_t kJoint =
+      2 * sizeof(Transform) + sizeof(std::string) + 4 * sizeof(std::uint32_t);  // rest, and the same in planes; name
+  constexpr std::uint64_t kClip = sizeof(Animation) + sizeof(ClipLayout);
+  constexpr std::uint64_t kTrack = sizeof(BoneAnimation) + sizeof(TimeGroup) + sizeof(TrackBlock);
   std::vector<std::size_t> targets;
   for (const auto& mesh : document.meshes) {
     targets.push_back(target_count(mesh));
@@ -102,13 +107,17 @@ void add_products(const gltf::Document& document, const Users& users, Budget& bu
   std::uint64_t weights = 0, properties = 0;
   for (const auto& node : document.nodes)
     if (node.mesh != kNone) weights += targets[node.mesh];
+  std::uint64_t tracks = 0;
   for (const auto& animation : document.animations)
-    for (const auto& channel : animation.channels)
+    for (const auto& channel : animation.channels) {
+      tracks += users.of(channel);
       if (channel.path == "pointer") properties += users.of(channel);
-  const std::uint64_t clips = document.animations.size();
-  budget.add_bytes(clips * document.nodes.size(), kJoint);
-  budget.add_bytes((clips + 2) * std::min(weights, std::uint64_t{1} << 32), sizeof(float));
-  budget.add_bytes((clips + 1) * std::min(properties, std::uint64_t{1} << 32), kProperty);
+    }
+  budget.add_bytes(document.nodes.size(), kJoint);
+  budget.add_bytes(document.animations.size(), kClip);
+  budget.add_bytes(std::min(tracks, std::uint64_t{1} << 32), kTrack);
+  budget.add_bytes(3 * std::min(weights, std::uint64_t{1} << 32), sizeof(float));
+  budget.add_bytes(2 * std::min(properties, std::uint64_t{1} << 32), kProperty);
   add_names(document, budget);
 }
 

@@ -29,8 +29,7 @@ Clip clip_of(ClipLayout layout) { return Clip(std::move(layout)); }
 
 std::size_t Clip::byte_size() const noexcept {
   std::size_t bytes =
-      (layout_->base_pose.planes.size() + layout_->base_weights.size() + layout_->base_properties.size()) *
-      sizeof(float);
+      layout_->base_pose.byte_size() + layout_->base_weights.byte_size() + layout_->base_properties.byte_size();
   for (const TimeGroup& group : layout_->groups) {
     bytes += group.times.byte_size();
     for (const TrackBlock& block : group.blocks)

@@ -100,6 +100,12 @@ std::vector<float> base_values(const BasePose& base, Property property, const st
   return values;
 }
 
+std::vector<float> all_numbers(const BaseNumbers& base) {
+  std::vector<float> numbers(base.size());
+  base.copy_to(numbers.data());
+  return numbers;
+}
+
 void write_head(const ClipLayout& clip, ByteWriter& out) {
   out.add(std::span<const char>(clip.name));
   out.add(clip.duration_s);
@@ -110,8 +116,8 @@ void write_head(const ClipLayout& clip, ByteWriter& out) {
 
 /// The tracks and base values of a clip, without its name and certificate.
 void write_tracks(const ClipLayout& clip, ByteWriter& out) {
-  write_all(clip.base_weights, out);
-  write_all(clip.base_properties, out);
+  write_all(all_numbers(clip.base_weights), out);
+  write_all(all_numbers(clip.base_properties), out);
   out.add(static_cast<std::uint32_t>(clip.groups.size()));
   for (const TimeGroup& group : clip.groups) {
     write_times(group.times.times_s(), out);
@@ -119,9 +125,11 @@ void write_tracks(const ClipLayout& clip, ByteWriter& out) {
     for (const TrackBlock& block : group.blocks) write_block(block, group.times.key_count(), out);
   }
   const BasePose identity{std::vector<Transform>(clip.joint_count)};
+  BasePose base = identity;
+  clip.base_pose.copy_to(base.planes.data());
   for (const Property property : kOfJoints) {
     const std::vector<std::uint32_t> joints = resting_joints(clip, property);
-    std::vector<float> values = base_values(clip.base_pose, property, joints);
+    std::vector<float> values = base_values(base, property, joints);
     const std::vector<float> expected = base_values(identity, property, joints);
     if (same_bits<float>(values, expected)) values.clear();  // -0 is not 0
     out.add(static_cast<std::uint32_t>(values.size()));
@@ -144,9 +152,10 @@ class Loader {
     clip.counts.folded = in_.number<std::uint32_t>();
     clip.certificate = certificate();
     require(std::isfinite(clip.duration_s) && clip.duration_s >= 0.0, "the duration is not a time");
-    clip.base_weights = in_.numbers<float>();
-    clip.base_properties = in_.numbers<float>();
-    require(all_finite(clip.base_weights) && all_finite(clip.base_properties), "a base value is not finite");
+    std::vector<float> weights = in_.numbers<float>(), properties = in_.numbers<float>();
+    require(all_finite(weights) && all_finite(properties), "a base value is not finite");
+    clip.base_weights = base(std::move(weights), weights_);
+    clip.base_properties = base(std::move(properties), properties_);
     for (auto left = in_.number<std::uint32_t>(); left > 0 && ok(); --left) add_group(clip);
     clip.counts.time_groups = static_cast<std::uint32_t>(clip.groups.size());
     read_base(clip);
@@ -190,10 +199,10 @@ class Loader {
   }
 
   void read_base(ClipLayout& clip) {
-    require(clip.joint_count < kNone, "too many joints");
+    require(clip.joint_count < kNone / 16, "too many joints");
     if (ok()) take(clip.joint_count * std::uint64_t{48} + 640);
     if (!ok()) return;
-    clip.base_pose = BasePose(std::vector<Transform>(clip.joint_count));
+    BasePose pose{std::vector<Transform>(clip.joint_count)};
     for (const Property property : kOfJoints) {
       const std::vector<std::uint32_t> joints = resting_joints(clip, property);
       const auto count = in_.number<std::uint32_t>();
@@ -201,10 +210,17 @@ class Loader {
               "the base pose is not of the clip's size");
       if (!ok() || count == 0) continue;
       bool finite = true;
-      each_base(clip.base_pose, property, joints,
-                [&](float& x) { finite = std::isfinite(x = read_near(x, in_)) && finite; });
+      each_base(pose, property, joints, [&](float& x) { finite = std::isfinite(x = read_near(x, in_)) && finite; });
       require(finite, "a base value is not finite");
     }
+    clip.base_pose = base(std::move(pose.planes), pose_);
+  }
+
+  /// Clips share the numbers of the first one, as far as they agree.
+  static BaseNumbers base(std::vector<float> numbers, RestNumbers& shared) {
+    if (shared != nullptr && shared->size() == numbers.size()) return BaseNumbers::over(shared, numbers);
+    shared = rest_numbers(std::move(numbers));
+    return BaseNumbers(shared);
   }
 
   void add_group(ClipLayout& clip) {
@@ -317,6 +333,7 @@ class Loader {
 
   ByteReader in_;
   std::uint64_t left_;
+  RestNumbers pose_, weights_, properties_;  ///< of the first clip
   ClipFileError error_;
 };
 

@@ -16,8 +16,7 @@ std::uint32_t rotation_planes(Interpolation interpolation) noexcept {
 
 }  // namespace
 
-BasePose::BasePose(const std::vector<Transform>& rest)
-    : stride((rest.size() + 15) / 16 * 16), planes(10 * stride, 0.0f) {
+BasePose::BasePose(const std::vector<Transform>& rest) : stride(stride_for(rest.size())), planes(10 * stride, 0.0f) {
   for (std::size_t j = 0; j < stride; ++j) {
     const Transform t = j < rest.size() ? rest[j] : Transform{};
     set(0, j, {t.translation.x, t.translation.y, t.translation.z});

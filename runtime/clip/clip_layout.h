@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/clip/base_numbers.h"
 #include "runtime/clip/clip.h"
 #include "runtime/clip/key_times.h"
 #include "runtime/clip/packed_rows.h"
@@ -33,14 +34,15 @@ inline glm::quat without_tiny(const glm::quat& q) noexcept {
   return quat_xyzw(flushed(q.x), flushed(q.y), flushed(q.z), flushed(q.w));
 }
 
-/// The pose that a sample starts from, in the planes of PoseSpan (pose/pose.h), so that it is copied as one block.
-/// Lanes beyond the last joint hold the identity.
+/// A pose in the planes of PoseSpan (pose/pose.h), from which a sample starts (BaseNumbers). Lanes beyond the last
+/// joint hold the identity.
 struct BasePose {
   std::size_t stride = 0;
   std::vector<float> planes;
 
   BasePose() = default;
   explicit BasePose(const std::vector<Transform>& rest);
+  static constexpr std::size_t stride_for(std::size_t joint_count) noexcept { return (joint_count + 15) / 16 * 16; }
   void set(std::size_t plane, std::size_t joint, std::initializer_list<float> components) noexcept {
     for (const float x : components) planes[plane++ * stride + joint] = x;
   }
@@ -98,6 +100,10 @@ struct TrackBlock {
 
 inline constexpr std::size_t kLanePadding = 16;
 
+/// Joints without a track that a block steps over at most. JointPlaces has tables for all joints from the first to the
+/// last, so tracks further apart than this are of two blocks.
+inline constexpr std::uint32_t kWidestGap = 256;
+
 /// A block without keys: fills in what follows from its kind.
 TrackBlock block_of(Property property, Interpolation interpolation, std::size_t lane_count);
 
@@ -114,9 +120,8 @@ struct ClipLayout {
   std::string name;
   double duration_s = 0.0;
   std::size_t joint_count = 0;
-  BasePose base_pose;                  ///< rest values and constant tracks
-  std::vector<float> base_weights;     ///< rest values and constant tracks
-  std::vector<float> base_properties;  ///< rest values and constant tracks
+  BaseNumbers base_pose;  ///< rest values and constant tracks, in the planes of BasePose
+  BaseNumbers base_weights, base_properties;
   std::vector<TimeGroup> groups;
   Clip::Counts counts;
   std::optional<ClipCertificate> certificate;

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <map>
 #include <numeric>
 
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/clip/clip_rest.h"
 #include "runtime/clip/track_rows.h"
 
 namespace sinew {
@@ -101,6 +103,22 @@ bool is_constant(const WeightTrack& track) noexcept {
 constexpr Interpolation kInterpolations[] = {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline,
                                              Interpolation::squad};
 
+std::uint32_t target_of(std::uint32_t target) noexcept { return target; }
+template <class TrackType>
+std::uint32_t target_of(const Lane<TrackType>& lane) noexcept {
+  return lane.target;
+}
+
+/// Calls `add(first, count)` for runs of targets that are no further apart than a block allows (kWidestGap).
+template <class Targets, class Add>
+void each_run(const Targets& targets, const Add& add) {
+  for (std::size_t first = 0, end = 0; first < targets.size(); first = end) {
+    for (end = first + 1; end < targets.size(); ++end)
+      if (target_of(targets[end]) - target_of(targets[end - 1]) > kWidestGap) break;
+    add(first, end - first);
+  }
+}
+
 template <class TrackType>
 void add_full_block(TimeGroup& group, Property property, std::span<const Lane<TrackType>> lanes) {
   TrackBlock block = block_of(property, lanes.front().track->interpolation, lanes.size());
@@ -143,8 +161,13 @@ void add_blocks(TimeGroup& group, Property property, const std::vector<Lane<Trac
       targets.push_back(lane.target);
       packed.push_back(*std::move(keys));
     }
-    if (!full.empty()) add_full_block(group, property, std::span<const Lane<TrackType>>(full));
-    add_packed_blocks(group, property, interpolation, targets, packed);
+    each_run(full, [&](std::size_t first, std::size_t count) {
+      add_full_block(group, property, std::span<const Lane<TrackType>>(full).subspan(first, count));
+    });
+    each_run(targets, [&](std::size_t first, std::size_t count) {
+      add_packed_blocks(group, property, interpolation, std::span(targets).subspan(first, count),
+                        std::span(packed).subspan(first, count));
+    });
   }
 }
 
@@ -176,44 +199,58 @@ void add_block(TimeGroup& group, Property property, const Lane<WeightTrack>& lan
 /// One compilation: constant tracks go to the base pose, the others to drafts by key times.
 class Compiler {
  public:
-  Compiler(ClipLayout& layout, const Skeleton& skeleton, std::span<const float> rest_weights,
-           const PropertyTable& properties)
-      : layout_(layout), properties_(properties) {
-    layout.joint_count = skeleton.joint_count();
-    layout.base_pose = BasePose(skeleton.rest);
-    layout.base_weights.assign(rest_weights.begin(), rest_weights.end());
-    layout.base_properties = properties.rest;
+  Compiler(ClipLayout& layout, const ClipRest& rest, const PropertyTable& properties)
+      : layout_(layout), rest_(rest), properties_(properties), stride_(BasePose::stride_for(rest.joint_count)) {
+    layout.joint_count = rest.joint_count;
   }
 
   void add(const Animation& animation, std::span<const std::uint32_t> first_weight, const KeyTolerances& rounding) {
-    // One track per joint and property: when an animation has several, the last one counts (G20).
-    std::vector<Lane<Vec3Track>> translation(layout_.joint_count, {0, nullptr}), scale = translation;
-    std::vector<Lane<QuatTrack>> rotation(layout_.joint_count, {0, nullptr});
-    for (std::size_t b = 0; b < animation.bones.size(); ++b) {
-      const BoneAnimation& bone = animation.bones[b];
-      const KeyTolerances::OfBone tolerance = rounding.bones.empty() ? KeyTolerances::OfBone() : rounding.bones[b];
-      CONTRACT(bone.joint < layout_.joint_count);
-      if (!bone.translation.empty()) translation[bone.joint] = {bone.joint, &bone.translation, tolerance.translation};
-      if (!bone.rotation.empty()) rotation[bone.joint] = {bone.joint, &bone.rotation, tolerance.rotation};
-      if (!bone.scale.empty()) scale[bone.joint] = {bone.joint, &bone.scale, tolerance.scale};
-    }
-    for (std::uint32_t j = 0; j < layout_.joint_count; ++j) {
-      add_vector(Property::translation, translation[j]);
-      add_rotation(rotation[j]);
-      add_vector(Property::scale, scale[j]);
-    }
+    add_bones(animation, rounding);
     add_weights(animation, first_weight, rounding);
     add_properties(animation);
     for (const Draft& draft : drafts_.all()) add_group(draft);
+    layout_.base_pose = BaseNumbers(rest_.pose, std::move(own_pose_));
+    layout_.base_weights = BaseNumbers(rest_.weights, std::move(own_weights_));
+    layout_.base_properties = BaseNumbers(rest_.properties, std::move(own_properties_));
   }
 
  private:
+  /// One track per joint and property: when an animation has several, the last one counts (G20).
+  void add_bones(const Animation& animation, const KeyTolerances& rounding) {
+    const std::vector<BoneAnimation>& bones = animation.bones;
+    std::vector<std::size_t> order(bones.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return bones[a].joint < bones[b].joint; });
+    for (std::size_t i = 0; i < order.size();) {
+      const std::uint32_t joint = bones[order[i]].joint;
+      CONTRACT(joint < layout_.joint_count);
+      Lane<Vec3Track> translation{joint, nullptr}, scale{joint, nullptr};
+      Lane<QuatTrack> rotation{joint, nullptr};
+      for (; i < order.size() && bones[order[i]].joint == joint; ++i) {
+        const BoneAnimation& bone = bones[order[i]];
+        const KeyTolerances::OfBone tolerance =
+            rounding.bones.empty() ? KeyTolerances::OfBone() : rounding.bones[order[i]];
+        if (!bone.translation.empty()) translation = {joint, &bone.translation, tolerance.translation};
+        if (!bone.rotation.empty()) rotation = {joint, &bone.rotation, tolerance.rotation};
+        if (!bone.scale.empty()) scale = {joint, &bone.scale, tolerance.scale};
+      }
+      add_vector(Property::translation, translation);
+      add_rotation(rotation);
+      add_vector(Property::scale, scale);
+    }
+  }
+
+  void set_constant(std::size_t plane, std::uint32_t joint, std::initializer_list<float> components) {
+    for (const float x : components) own_pose_.push_back({static_cast<std::uint32_t>(plane++ * stride_ + joint), x});
+  }
+
   void add_vector(Property property, const Lane<Vec3Track>& lane) {
     if (lane.track == nullptr) return;
     const bool scale = property == Property::scale;
     if (is_constant(*lane.track)) {
       const glm::vec3& v = lane.track->values[value_row(lane.track->interpolation, 0)];
-      layout_.base_pose.set(first_plane(property), lane.target, {v.x, v.y, v.z});
+      set_constant(first_plane(property), lane.target, {v.x, v.y, v.z});
       ++layout_.counts.folded;
       return;
     }
@@ -225,7 +262,7 @@ class Compiler {
     const glm::quat& q = lane.track->values[value_row(lane.track->interpolation, 0)];
     if (is_constant(*lane.track) && (holds_keys(*lane.track) || is_rounded_unit(q)) &&
         same_bits(without_tiny(q), q)) {  // else keys would not be as stored (G06)
-      layout_.base_pose.set_rotation(lane.target, q);
+      set_constant(first_plane(Property::rotation), lane.target, {q.x, q.y, q.z, q.w});
       ++layout_.counts.folded;
       return;
     }
@@ -245,24 +282,24 @@ class Compiler {
       tracks[first] = {first, &a.weights, rounding.weights.empty() ? std::span<const double>() : rounding.weights[i]};
     }
     for (const auto& [first, lane] : tracks)
-      if (!fold(*lane.track, layout_.base_weights, first))
-        drafts_.with_times(lane.track->times_s).weights.push_back(lane);
+      if (!fold(*lane.track, first, own_weights_)) drafts_.with_times(lane.track->times_s).weights.push_back(lane);
   }
 
   void add_properties(const Animation& animation) {
     for (const PropertyTrack& track : animation.properties) {
       const PropertyTable::Entry* entry = properties_.find(track.target);
       CONTRACT(entry != nullptr && entry->count == track.values.target_count);
-      if (track.values.empty() || fold(track.values, layout_.base_properties, entry->first)) continue;
+      if (track.values.empty() || fold(track.values, entry->first, own_properties_)) continue;
       drafts_.with_times(track.values.times_s).numbers.push_back({entry->first, &track.values});
     }
   }
 
   /// A track that never changes becomes the base value; false for others.
-  bool fold(const WeightTrack& track, std::vector<float>& base, std::uint32_t first) {
+  bool fold(const WeightTrack& track, std::uint32_t first, std::vector<BaseNumbers::Own>& own) {
     if (!is_constant(track)) return false;
     const std::uint32_t n = track.target_count;
-    std::copy_n(track.values.begin() + (is_cubic(track.interpolation) ? n : 0), n, base.begin() + first);
+    const float* values = track.values.data() + (is_cubic(track.interpolation) ? n : 0);
+    for (std::uint32_t i = 0; i < n; ++i) own.push_back({first + i, values[i]});
     layout_.counts.folded += n;
     return true;
   }
@@ -280,23 +317,31 @@ class Compiler {
   }
 
   ClipLayout& layout_;
+  const ClipRest& rest_;
   const PropertyTable& properties_;
+  std::size_t stride_;
   Drafts drafts_;
+  std::vector<BaseNumbers::Own> own_pose_, own_weights_, own_properties_;
 };
 
 }  // namespace
 
-Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
-                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties,
-                  const KeyTolerances& rounding) {
+Clip compile_clip(const Animation& animation, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
+                  const PropertyTable& properties, const KeyTolerances& rounding) {
   CONTRACT(rounding.bones.empty() || rounding.bones.size() == animation.bones.size());
   CONTRACT(rounding.weights.empty() || rounding.weights.size() == animation.weights.size());
-  CONTRACT(first_weight.empty() ? rest_weights.empty() : first_weight.back() == rest_weights.size());
+  CONTRACT(first_weight.empty() ? rest.weights->empty() : first_weight.back() == rest.weights->size());
   ClipLayout layout;
   layout.name = animation.name;
   layout.duration_s = animation.duration_s;
-  Compiler(layout, skeleton, rest_weights, properties).add(animation, first_weight, rounding);
+  Compiler(layout, rest, properties).add(animation, first_weight, rounding);
   return clip_of(std::move(layout));
+}
+
+Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::span<const float> rest_weights,
+                  std::span<const std::uint32_t> first_weight, const PropertyTable& properties,
+                  const KeyTolerances& rounding) {
+  return compile_clip(animation, clip_rest(skeleton, rest_weights, properties), first_weight, properties, rounding);
 }
 
 }  // namespace sinew

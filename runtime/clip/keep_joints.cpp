@@ -2,6 +2,7 @@
 #include "runtime/clip/keep_joints.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "runtime/base/contract.h"
@@ -55,12 +56,61 @@ TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> nu
   return kept;
 }
 
-BasePose keep_pose(const BasePose& pose, std::span<const std::uint32_t> joints) {
-  BasePose kept(std::vector<Transform>(joints.size()));
-  for (std::size_t k = 0; k < joints.size(); ++k)
-    for (std::size_t plane = 0; plane * pose.stride < pose.planes.size(); ++plane)
-      kept.set(plane, k, {pose.planes[plane * pose.stride + joints[k]]});
-  return kept;
+/// Base poses of some joints. Clips that share one share the new one too.
+class KeptPoses {
+ public:
+  KeptPoses(std::span<const std::uint32_t> joints, std::span<const std::uint32_t> numbers)
+      : joints_(joints), numbers_(numbers), stride_(BasePose::stride_for(joints.size())) {}
+
+  BaseNumbers of(const BaseNumbers& base) {
+    const std::size_t whole = BasePose::stride_for(numbers_.size());
+    std::vector<BaseNumbers::Own> own;
+    for (const BaseNumbers::Own& number : base.own())
+      if (const std::uint32_t joint = numbers_[number.at % whole]; joint != kNone)
+        own.push_back({static_cast<std::uint32_t>(number.at / whole * stride_ + joint), number.value});
+    RestNumbers& rest = known_[base.rest()];
+    if (rest == nullptr) rest = rest_numbers(kept(base.rest(), whole));
+    return BaseNumbers(rest, std::move(own));
+  }
+
+ private:
+  std::vector<float> kept(const RestNumbers& rest, std::size_t whole) const {
+    BasePose pose(std::vector<Transform>(joints_.size()));
+    if (whole == 0) return pose.planes;
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      for (std::size_t plane = 0; plane * whole < rest->size(); ++plane)
+        pose.set(plane, k, {(*rest)[plane * whole + joints_[k]]});
+    return pose.planes;
+  }
+
+  std::span<const std::uint32_t> joints_, numbers_;
+  std::size_t stride_;
+  std::map<RestNumbers, RestNumbers> known_;  ///< of all joints, and of those kept
+};
+
+Clip keep_tracks(const ClipLayout& whole, std::span<const std::uint32_t> numbers, std::size_t joint_count,
+                 KeptPoses& poses) {
+  ClipLayout kept;
+  kept.name = whole.name;
+  kept.duration_s = whole.duration_s;
+  kept.certificate = whole.certificate;
+  kept.joint_count = joint_count;
+  kept.base_pose = poses.of(whole.base_pose);
+  kept.base_weights = whole.base_weights;
+  kept.base_properties = whole.base_properties;
+  kept.counts.folded = whole.counts.folded;
+  for (const TimeGroup& group : whole.groups) {
+    TimeGroup left{group.times, {}};
+    for (const TrackBlock& block : group.blocks) {
+      TrackBlock lanes = is_of_joints(block) ? keep_lanes(block, numbers, group.times.key_count()) : block;
+      if (lanes.lane_count == 0) continue;
+      count_tracks(lanes, kept.counts);
+      left.blocks.push_back(std::move(lanes));
+    }
+    if (!left.blocks.empty()) kept.groups.push_back(std::move(left));
+  }
+  kept.counts.time_groups = static_cast<std::uint32_t>(kept.groups.size());
+  return clip_of(std::move(kept));
 }
 
 }  // namespace
@@ -83,30 +133,21 @@ Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> jo
   return kept;
 }
 
-Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints) {
-  const ClipLayout& whole = clip.layout();
-  const std::vector<std::uint32_t> numbers = new_numbers(whole.joint_count, joints);
-  ClipLayout kept;
-  kept.name = whole.name;
-  kept.duration_s = whole.duration_s;
-  kept.certificate = whole.certificate;
-  kept.joint_count = joints.size();
-  kept.base_pose = keep_pose(whole.base_pose, joints);
-  kept.base_weights = whole.base_weights;
-  kept.base_properties = whole.base_properties;
-  kept.counts.folded = whole.counts.folded;
-  for (const TimeGroup& group : whole.groups) {
-    TimeGroup left{group.times, {}};
-    for (const TrackBlock& block : group.blocks) {
-      TrackBlock lanes = is_of_joints(block) ? keep_lanes(block, numbers, group.times.key_count()) : block;
-      if (lanes.lane_count == 0) continue;
-      count_tracks(lanes, kept.counts);
-      left.blocks.push_back(std::move(lanes));
-    }
-    if (!left.blocks.empty()) kept.groups.push_back(std::move(left));
+std::vector<Clip> keep_joints(std::span<const Clip> clips, std::span<const std::uint32_t> joints) {
+  std::vector<Clip> kept;
+  if (clips.empty()) return kept;
+  const std::size_t joint_count = clips.front().joint_count();
+  const std::vector<std::uint32_t> numbers = new_numbers(joint_count, joints);
+  KeptPoses poses(joints, numbers);
+  for (const Clip& clip : clips) {
+    CONTRACT(clip.joint_count() == joint_count);
+    kept.push_back(keep_tracks(clip.layout(), numbers, joints.size(), poses));
   }
-  kept.counts.time_groups = static_cast<std::uint32_t>(kept.groups.size());
-  return clip_of(std::move(kept));
+  return kept;
+}
+
+Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints) {
+  return keep_joints(std::span(&clip, 1), joints).front();
 }
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "runtime/clip/clip.h"
 
@@ -15,7 +16,10 @@ Skeleton keep_joints(const Skeleton& skeleton, std::span<const std::uint32_t> jo
 /// The clip of that skeleton: without the tracks of other joints. The tracks left sample the same bits at every time;
 /// morph weights and properties stay as they are. Works for exact, packed and loaded clips.
 /// in   joints  rising
-/// cost O(keys), allocates the clip
+/// cost O(keys + J), allocates the clip
 Clip keep_joints(const Clip& clip, std::span<const std::uint32_t> joints);
+
+/// The same for clips of one scene: what they share they go on sharing.
+std::vector<Clip> keep_joints(std::span<const Clip> clips, std::span<const std::uint32_t> joints);
 
 }  // namespace sinew

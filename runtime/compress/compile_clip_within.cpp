@@ -7,6 +7,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/clip/clip_rest.h"
 #include "runtime/clip/unpack_clip.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/compress/joint_reach.h"
@@ -26,8 +27,9 @@ constexpr double kOfWeights = 0.25;
 constexpr double kOfRounding[] = {0.25, 0.97};
 
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
-  return compile_clip(animation, scene.skeleton, rest_weights_of(scene), scene.first_weight, scene.properties,
-                      rounding);
+  ClipRest rest = clip_rest(scene.skeleton, rest_weights_of(scene), scene.properties);
+  if (!scene.clips.empty()) share_rest(scene.clips.front(), rest);
+  return compile_clip(animation, rest, scene.first_weight, scene.properties, rounding);
 }
 
 std::uint64_t key_count(const Animation& animation) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/model/scene.h"
 
+#include "runtime/clip/clip_rest.h"
 #include "runtime/model/scene_look.h"
 
 namespace sinew {
@@ -24,8 +25,9 @@ void finish_scene(Scene& scene) {
         for (const glm::vec3& position : primitive.positions) primitive.bounds.add(position);
   scene.clips.clear();
   scene.clips.reserve(scene.animations.size());
+  const ClipRest rest = clip_rest(scene.skeleton, rest_weights, scene.properties);
   for (const Animation& animation : scene.animations)
-    scene.clips.push_back(compile_clip(animation, scene.skeleton, rest_weights, scene.first_weight, scene.properties));
+    scene.clips.push_back(compile_clip(animation, rest, scene.first_weight, scene.properties));
 }
 
 }  // namespace sinew

@@ -20,10 +20,17 @@ namespace {
 std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
   std::vector<bool> moved(assets.joint_count());
   const BasePose rest(assets.skeleton->rest);
+  const auto compare = [&](std::size_t at, float number) {
+    if (!same_bits(number, rest.planes[at])) moved[at % rest.stride] = true;
+  };
+  const RestNumbers* compared = nullptr;  // most clips share one
   for (const Clip& clip : assets.clips) {
     const ClipLayout& layout = clip.layout();
-    for (std::size_t i = 0; i < rest.planes.size(); ++i)
-      if (!same_bits(layout.base_pose.planes[i], rest.planes[i])) moved[i % rest.stride] = true;
+    const RestNumbers& shared = layout.base_pose.rest();
+    for (std::size_t i = 0; i < rest.planes.size() && (compared == nullptr || *compared != shared); ++i)
+      compare(i, (*shared)[i]);
+    compared = &shared;
+    for (const BaseNumbers::Own& own : layout.base_pose.own()) compare(own.at, own.value);
     for (const TimeGroup& group : layout.groups)
       for (const TrackBlock& block : group.blocks)
         if (block.property != Property::weight && block.property != Property::number)

@@ -58,6 +58,21 @@ void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenSc
   }
 }
 
+/// The scales that no track of the clip moves: those that several clips share where asked for, and those of the clip.
+void add_constants(const BaseNumbers& base, bool with_shared, std::vector<SeenScales>& scales) {
+  const std::size_t stride = BasePose::stride_for(scales.size());
+  const std::size_t first = first_plane(Property::scale) * stride;
+  for (std::size_t j = 0; j < scales.size() && with_shared; ++j) {
+    const std::vector<float>& rest = *base.rest();
+    scales[j].add({rest[first + j], rest[first + stride + j], rest[first + 2 * stride + j]});
+  }
+  for (const BaseNumbers::Own& own : base.own()) {
+    if (own.at < first) continue;
+    const std::size_t at = first + own.at % stride;
+    scales[own.at % stride].add({base[at], base[at + stride], base[at + 2 * stride]});
+  }
+}
+
 /// The scale of each joint by itself, without the joints above it.
 std::vector<SeenScales> own_scales(const PlanAssets& assets) {
   std::vector<SeenScales> scales(assets.joint_count());
@@ -65,13 +80,11 @@ std::vector<SeenScales> own_scales(const PlanAssets& assets) {
     const glm::vec3 rest = assets.skeleton->rest[j].scale;
     scales[j].add({rest.x, rest.y, rest.z});
   }
+  const RestNumbers* added = nullptr;  // most clips share one
   for (const Clip& clip : assets.clips) {
     const ClipLayout& layout = clip.layout();
-    const BasePose& base = layout.base_pose;
-    const auto constant = [&](std::size_t component, std::size_t j) {
-      return base.planes[(first_plane(Property::scale) + component) * base.stride + j];
-    };
-    for (std::size_t j = 0; j < scales.size(); ++j) scales[j].add({constant(0, j), constant(1, j), constant(2, j)});
+    add_constants(layout.base_pose, added == nullptr || *added != layout.base_pose.rest(), scales);
+    added = &layout.base_pose.rest();
     for (const TimeGroup& group : layout.groups)
       for (const TrackBlock& block : group.blocks)
         if (block.property == Property::scale) add_keys(block, group.times.key_count(), scales);

@@ -89,7 +89,7 @@ PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail) {
     point_at(scene.skeleton, scene.skins, scene.correctives, assets);
     return assets;
   }
-  for (const Clip& clip : scene.clips) assets.clips.push_back(keep_joints(clip, kept));
+  assets.clips = keep_joints(scene.clips, kept);
   const auto copies = std::make_shared<const Copies>(copy_parts(scene, assets.joint_map, kept));
   point_at(copies->skeleton, copies->skins, copies->correctives, assets);
   assets.copies = copies;

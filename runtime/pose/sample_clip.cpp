@@ -73,10 +73,9 @@ void sample_block(const TrackBlock& block, const BetweenKeys& at, const TrackOut
 
 void sample_clip(const SampleClipJob& job) {
   const ClipLayout& clip = job.clip->layout();
-  if (!job.holds_clip) std::copy(clip.base_pose.planes.begin(), clip.base_pose.planes.end(), job.pose.planes);
-  if (!job.weights.empty()) std::copy(clip.base_weights.begin(), clip.base_weights.end(), job.weights.begin());
-  if (!job.properties.empty())
-    std::copy(clip.base_properties.begin(), clip.base_properties.end(), job.properties.begin());
+  if (!job.holds_clip) clip.base_pose.copy_to(job.pose.planes);
+  if (!job.weights.empty()) clip.base_weights.copy_to(job.weights.data());
+  if (!job.properties.empty()) clip.base_properties.copy_to(job.properties.data());
   for (const TimeGroup& group : clip.groups) {
     const KeyPosition position = group.times.locate(job.time_s);
     const BetweenKeys at(position);

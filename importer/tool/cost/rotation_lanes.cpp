@@ -147,7 +147,7 @@ void sample_block(const TrackBlock& block, const BetweenKeys& at, ArcRule rule, 
 
 void sample_rotations(const Clip& clip, double time_s, ArcRule rule, const PoseSpan& pose) noexcept {
   const ClipLayout& layout = clip.layout();
-  std::copy(layout.base_pose.planes.begin(), layout.base_pose.planes.end(), pose.planes);
+  layout.base_pose.copy_to(pose.planes);
   const TrackOutput out{pose.planes + first_plane(Property::rotation) * pose.stride, pose.stride};
   for (const TimeGroup& group : layout.groups) {
     const KeyPosition position = group.times.locate(time_s);
