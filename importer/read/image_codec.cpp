@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "importer/read/image_avif.h"
 #include "importer/read/undecoded_images.h"
 
 // The only file that includes stb_image, with a private copy of its functions. It decodes PNG only: its JPEG decoder
@@ -28,6 +29,8 @@ namespace sinew {
 namespace {
 
 using Bytes = std::span<const std::byte>;
+
+constexpr const char* kUnknown = "is no undamaged PNG, JPEG, WebP or AVIF file";
 
 const unsigned char* data_of(Bytes bytes) noexcept { return reinterpret_cast<const unsigned char*>(bytes.data()); }
 
@@ -94,8 +97,9 @@ tl::expected<ImageHeader, std::string> probe_image(Bytes encoded) {
   auto size = png_size(encoded);
   if (!size) size = Jpeg(encoded).size();
   if (!size) size = webp_size(encoded);
+  if (!size) size = probe_avif(encoded);
   if (!size) size = probe_undecoded_image(encoded);
-  if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
+  if (!size) return tl::make_unexpected(kUnknown);
   if (size->pixels() == 0) return tl::make_unexpected("has no pixels");
   return *size;
 }
@@ -110,8 +114,9 @@ tl::expected<std::vector<std::uint8_t>, std::string> decode_image(Bytes encoded)
   }
   const Jpeg jpeg(encoded);
   if (const auto size = jpeg.size()) return jpeg.pixels(*size);
+  if (const auto size = probe_avif(encoded)) return decode_avif(encoded, *size);
   const auto size = png_size(encoded);
-  if (!size) return tl::make_unexpected("is neither PNG, JPEG nor WebP");
+  if (!size) return tl::make_unexpected(kUnknown);
   if (!png_chunks_fit(encoded)) return tl::make_unexpected("cannot be decoded: a chunk of the PNG leaves the file");
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(

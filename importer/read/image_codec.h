@@ -18,8 +18,8 @@ struct ImageHeader {
   std::uint64_t pixels() const noexcept { return std::uint64_t{width} * height; }
 };
 
-/// Size and type of an encoded image from its first bytes, without decoding. PNG, JPEG, WebP and the kinds that are
-/// recognised but not decoded (undecoded_images.h) are told apart by content, not by name.
+/// Size and type of an encoded image from its first bytes, without decoding. PNG, JPEG, WebP, AVIF and the kinds that
+/// are recognised but not decoded (undecoded_images.h) are told apart by content, not by name.
 /// err   a sentence for people
 /// cost  O(header)
 tl::expected<ImageHeader, std::string> probe_image(std::span<const std::byte> encoded);

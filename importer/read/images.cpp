@@ -15,7 +15,7 @@ namespace sinew {
 namespace {
 
 /// No codec packs more pixels into a byte: deflate expands a byte to at most 1032, and a byte holds at most 8 pixels.
-/// Only lossless WebP of a single colour does; sizes up to a common texture size are therefore always accepted.
+/// Only WebP and AVIF of a single colour do; sizes up to a common texture size are therefore always accepted.
 constexpr std::uint64_t kMaxPixelsPerByte = 8 * 1032;
 constexpr std::uint64_t kAlwaysPlausible = std::uint64_t{1} << 22;
 

@@ -74,7 +74,7 @@ std::uint32_t image_of(const gltf::Document& document, std::uint32_t index, Issu
     const char* name;
     bool decoded;
   } kExtensions[] = {{"EXT_texture_webp", true},
-                     {"EXT_texture_avif", false},
+                     {"EXT_texture_avif", true},
                      {"KHR_texture_basisu", false},
                      {"MSFT_texture_dds", false}};
   const gltf::Texture& source = document.textures[index];

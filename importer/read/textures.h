@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Reads every texture with its sampler. An image named by EXT_texture_webp is preferred to `source`, and
-/// `source` to an image of a kind that is not decoded (AVIF, KTX2, DDS).
+/// Reads every texture with its sampler. An image named by EXT_texture_webp or EXT_texture_avif is preferred
+/// to `source`, and `source` to an image of a kind that is not decoded (KTX2, DDS).
 /// in       references in range
 /// out      one entry for each of document.textures, in their order
 /// warning  sampler-values, extension-value

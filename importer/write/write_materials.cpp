@@ -148,23 +148,28 @@ void write_variants(const Scene& scene, tinygltf::Model& model) {
 
 namespace {
 
-/// True for images whose encoded bytes can go into the file: glTF knows their type.
-bool is_kept(const Image& image) {
-  const std::string& kind = image.mime_type;
-  return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || kind == "image/webp");
+/// The extension that names images of this kind, or null for those of glTF itself.
+const char* extension_of(const std::string& mime_type) {
+  return mime_type == "image/webp" ? "EXT_texture_webp" : mime_type == "image/avif" ? "EXT_texture_avif" : nullptr;
 }
 
-/// A WebP image is named by EXT_texture_webp only, without a fallback, so readers must know the extension.
+/// True for images whose encoded bytes can go into the file: glTF or an extension knows their type.
+bool is_kept(const Image& image) {
+  const std::string& kind = image.mime_type;
+  return !image.encoded.empty() && (kind == "image/png" || kind == "image/jpeg" || extension_of(kind) != nullptr);
+}
+
+/// A WebP or AVIF image is named by its extension only, without a fallback, so readers must know the extension.
 void set_source(const Scene& scene, std::uint32_t image, tinygltf::Model& model, tinygltf::Texture& texture) {
-  constexpr const char* kWebp = "EXT_texture_webp";
-  if (!is_kept(scene.images[image]) || scene.images[image].mime_type != "image/webp") {
+  const char* extension = extension_of(scene.images[image].mime_type);
+  if (!is_kept(scene.images[image]) || extension == nullptr) {
     texture.source = static_cast<int>(image);
     return;
   }
-  texture.extensions[kWebp] = tinygltf::Value(Object{{"source", tinygltf::Value(static_cast<int>(image))}});
-  declare_extension(model, kWebp);
+  texture.extensions[extension] = tinygltf::Value(Object{{"source", tinygltf::Value(static_cast<int>(image))}});
+  declare_extension(model, extension);
   auto& required = model.extensionsRequired;
-  if (std::find(required.begin(), required.end(), kWebp) == required.end()) required.emplace_back(kWebp);
+  if (std::find(required.begin(), required.end(), extension) == required.end()) required.emplace_back(extension);
 }
 
 }  // namespace

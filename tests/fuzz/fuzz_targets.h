@@ -18,7 +18,7 @@ void import_glb(Bytes input);           ///< a whole file, then one frame of wha
 void import_json(Bytes input);          ///< .gltf text with its buffers in data URIs
 void read_accessors(Bytes input);       ///< valid JSON around arbitrary accessors and bytes: see accessors_target.cpp
 void decode_compressed(Bytes input);    ///< meshopt and Draco streams: see compressed_target.cpp
-void decode_images(Bytes input);        ///< PNG, JPEG, WebP
+void decode_images(Bytes input);        ///< PNG, JPEG, WebP, AVIF
 void load_compiled_clips(Bytes input);  ///< compiled clips, as they are and after a head that is right for them
 void play_geometry(Bytes input);        ///< geometry caches: the input as a file, and as the frames of a right one
 void read_poses(Bytes input);           ///< golden poses for `sinew verify`

@@ -246,6 +246,7 @@ std::vector<Seed> own_seeds() {
   out.push_back({"images", test::encode_png(5, 4, 4, pixels)});
   out.push_back({"images", test::encode_jpeg(5, 4, 3, pixels)});
   out.push_back({"images", test::encode_webp(5, 4, pixels)});
+  out.push_back({"images", test::encode_avif(5, 4, pixels)});
   out.push_back({"poses", blob(kPoses)});
   return out;
 }
@@ -254,7 +255,7 @@ std::vector<Seed> seeds_of_file(const std::filesystem::path& file) {
   std::vector<Seed> out;
   const Blob bytes = read_file(file);
   const std::string extension = file.extension().string();
-  if (extension == ".png" || extension == ".jpg" || extension == ".webp") {
+  if (extension == ".png" || extension == ".jpg" || extension == ".webp" || extension == ".avif") {
     if (bytes.size() < kLargest) out.push_back({"images", bytes});
   } else if (extension == ".json") {
     if (bytes.size() < kLargest) out.push_back({"poses", bytes});

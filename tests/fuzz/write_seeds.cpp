@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool usable(const fs::directory_entry& entry) {
-  static const std::set<std::string> kExtensions{".glb", ".gltf", ".png", ".jpg", ".webp", ".json"};
+  static const std::set<std::string> kExtensions{".glb", ".gltf", ".png", ".jpg", ".webp", ".avif", ".json"};
   return entry.is_regular_file() && kExtensions.contains(entry.path().extension().string()) &&
          !entry.path().filename().string().ends_with(".report.json");
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/importer/encoded_images.h"
 
+#include <avif/avif.h>
 #include <webp/encode.h>
+
+#include <memory>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -40,6 +43,31 @@ std::vector<std::byte> encode_webp(int width, int height, const std::vector<std:
   const auto* bytes = reinterpret_cast<const std::byte*>(encoded);
   std::vector<std::byte> out(bytes, bytes + size);
   WebPFree(encoded);
+  return out;
+}
+
+std::vector<std::byte> encode_avif(int width, int height, const std::vector<std::uint8_t>& rgba) {
+  const std::unique_ptr<avifImage, void (*)(avifImage*)> image(
+      avifImageCreate(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8,
+                      AVIF_PIXEL_FORMAT_YUV444),
+      avifImageDestroy);
+  image->yuvRange = AVIF_RANGE_FULL;
+  image->matrixCoefficients = AVIF_MATRIX_COEFFICIENTS_IDENTITY;
+  avifRGBImage pixels;
+  avifRGBImageSetDefaults(&pixels, image.get());
+  std::vector<std::uint8_t> copy = rgba;
+  pixels.pixels = copy.data();
+  pixels.rowBytes = 4 * static_cast<std::uint32_t>(width);
+  const std::unique_ptr<avifEncoder, void (*)(avifEncoder*)> encoder(avifEncoderCreate(), avifEncoderDestroy);
+  encoder->minQuantizer = encoder->maxQuantizer = AVIF_QUANTIZER_LOSSLESS;
+  encoder->minQuantizerAlpha = encoder->maxQuantizerAlpha = AVIF_QUANTIZER_LOSSLESS;
+  encoder->speed = AVIF_SPEED_FASTEST;
+  avifRWData encoded = AVIF_DATA_EMPTY;
+  std::vector<std::byte> out;
+  if (avifImageRGBToYUV(image.get(), &pixels) == AVIF_RESULT_OK &&
+      avifEncoderWrite(encoder.get(), image.get(), &encoded) == AVIF_RESULT_OK)
+    append(&out, encoded.data, static_cast<int>(encoded.size));
+  avifRWDataFree(&encoded);
   return out;
 }
 

@@ -10,5 +10,7 @@ namespace sinew::test {
 std::vector<std::byte> encode_png(int width, int height, int channels, const std::vector<std::uint8_t>& pixels);
 std::vector<std::byte> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& pixels);
 std::vector<std::byte> encode_webp(int width, int height, const std::vector<std::uint8_t>& rgba);  ///< lossless
+/// Lossless: full chroma, no colour transform.    in   rgba  channel 3 may vary
+std::vector<std::byte> encode_avif(int width, int height, const std::vector<std::uint8_t>& rgba);
 
 }  // namespace sinew::test
