@@ -70,6 +70,7 @@ void recode(const gltf::Document& document, const RewriteOptions& options, Draft
   if (options.meshopt) rewrite::reorder_vertices(streams, draft);
   rewrite::narrow_indices(streams, draft);
   if (options.quantize) rewrite::quantize_streams({}, options.meshopt, streams, draft);
+  if (!options.meshopt) rewrite::join_vertices(streams, draft);  // those that rounding made equal too
   rewrite::put_streams(streams, options.meshopt, draft);
 }
 

@@ -19,6 +19,7 @@ struct RewriteOptions {
   /// Smaller numbers, with a loss that importer/rewrite/quantize_streams.h bounds: normals and tangents in 8 bits
   /// (KHR_mesh_quantization), texture coordinates in 12, colours and weights in 8, rotation keys in 16 (12 with
   /// `meshopt`). Positions stay floats; with `meshopt` they keep 15 bits, and keys of translations and scales 16.
+  /// Vertices of triangles that are equal then become one, so vertices get other numbers.
   bool quantize = false;
   /// Compressed streams (EXT_meshopt_compression, required by the file). Triangles and vertices get the order that
   /// suits the codec, so vertices get other numbers; without `quantize` their values stay bit for bit.

@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125;
 
+constexpr std::size_t kMostNarrow = 65535;  ///< vertices in 16 bits; the last number would restart a strip
+
 using Indices = std::vector<unsigned>;
 using IndexLists = std::vector<std::pair<std::uint32_t, Indices>>;  ///< with the accessor of each
 
@@ -44,7 +46,7 @@ void store(const Indices& indices, Stream& stream) {
 
 void write_indices(const Indices& indices, Stream& stream, Json& accessor) {
   const unsigned most = *std::max_element(indices.begin(), indices.end());
-  const bool narrow = most < 65535;  // which would restart a strip
+  const bool narrow = most < kMostNarrow;
   narrow ? store<std::uint16_t>(indices, stream) : store<std::uint32_t>(indices, stream);
   accessor["componentType"] = narrow ? kUnsignedShort : kUnsignedInt;
   accessor["count"] = indices.size();
@@ -76,7 +78,9 @@ std::set<std::uint32_t> vertex_accessors(const Json& primitive) {
 
 class Reorder {
  public:
-  Reorder(Streams& streams, Draft& draft) : streams_(streams), draft_(draft) {}
+  /// in   orders_triangles   else they keep their order, and get indices only where that is smaller
+  Reorder(Streams& streams, Draft& draft, bool orders_triangles)
+      : streams_(streams), draft_(draft), orders_triangles_(orders_triangles) {}
 
   void run() {
     collect();
@@ -130,11 +134,16 @@ class Reorder {
       const Indices& list = lists.back().second;
       if (*std::max_element(list.begin(), list.end()) >= vertices) return;  // of a primitive that is never drawn
     }
-    if (!pool.without_indices.empty()) lists.push_back(add_indices(pool, vertices));
-    const std::size_t unique = join_equal(pool, vertices, lists);
+    const Joined joined = find_equal(pool, vertices);
+    if (!pool.without_indices.empty()) {
+      if (!orders_triangles_ && !indices_pay(pool, vertices, joined.count)) return;
+      lists.push_back(add_indices(pool, vertices));
+    }
+    join(pool, vertices, joined, lists);
+    const std::size_t unique = joined.count;
     Indices all;
     for (auto& [index, list] : lists) {
-      meshopt_optimizeVertexCacheStrip(list.data(), Indices(list).data(), list.size(), unique);
+      if (orders_triangles_) meshopt_optimizeVertexCacheStrip(list.data(), Indices(list).data(), list.size(), unique);
       all.insert(all.end(), list.begin(), list.end());
     }
     Indices to(unique);
@@ -158,8 +167,22 @@ class Reorder {
     return {index, std::move(indices)};
   }
 
-  /// out   number of different vertices; the lists and streams name these
-  std::size_t join_equal(const Pool& pool, std::size_t vertices, IndexLists& lists) {
+  /// Where vertices go when those of the same bits become one.
+  struct Joined {
+    std::size_t count;  ///< of different vertices
+    Indices to;         ///< [vertices], empty = all stay
+  };
+
+  /// True where indices take fewer bytes than the vertices that go.
+  bool indices_pay(const Pool& pool, std::size_t vertices, std::size_t unique) const {
+    std::size_t bytes = 0;
+    for (const std::uint32_t index : pool.accessors)
+      if (const auto found = streams_.find(index); found != streams_.end()) bytes += found->second.stride;
+    const std::size_t index_bytes = unique <= kMostNarrow ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+    return (vertices - unique) * bytes > vertices * index_bytes + kBytesOfAccessor;
+  }
+
+  Joined find_equal(const Pool& pool, std::size_t vertices) const {
     Indices each((vertices + 2) / 3 * 3, 0u);  // the library takes whole triangles
     std::iota(each.begin(), each.begin() + static_cast<std::ptrdiff_t>(vertices), 0u);
     Indices to;  // by the streams so far
@@ -175,16 +198,20 @@ class Reorder {
     };
     for (const std::uint32_t index : pool.accessors)
       if (const auto found = streams_.find(index); found != streams_.end()) {
-        if (found->second.stride > 256) return vertices;
+        if (found->second.stride > 256) return {vertices, {}};
         parts.push_back({found->second.bytes.data(), found->second.stride, found->second.stride});
         if (parts.size() + 1 == kMostParts) join();
       }
     if (!parts.empty()) join();
-    if (to.empty()) return vertices;  // all elements are zeros
-    remap(pool, vertices, unique, to);
+    return {unique, std::move(to)};  // without streams all elements are zeros
+  }
+
+  /// The lists and streams name the different vertices alone.
+  void join(const Pool& pool, std::size_t vertices, const Joined& joined, IndexLists& lists) {
+    if (joined.to.empty()) return;
+    remap(pool, vertices, joined.count, joined.to);
     for (auto& [index, list] : lists)
-      for (unsigned& vertex : list) vertex = to[vertex];
-    return unique;
+      for (unsigned& vertex : list) vertex = joined.to[vertex];
   }
 
   void remap(const Pool& pool, std::size_t before, std::size_t after, const Indices& to) {
@@ -202,17 +229,21 @@ class Reorder {
     }
   }
 
-  static constexpr std::size_t kMostParts = 16;  // that the library takes
+  static constexpr std::size_t kMostParts = 16;         // that the library takes
+  static constexpr std::size_t kBytesOfAccessor = 150;  // its JSON, and that of its view
 
   Streams& streams_;
   Draft& draft_;
+  bool orders_triangles_;
   std::vector<Pool> pools_;
   std::map<std::set<std::uint32_t>, std::size_t> pool_of_;  ///< by accessors
 };
 
 }  // namespace
 
-void reorder_vertices(Streams& streams, Draft& draft) { Reorder(streams, draft).run(); }
+void reorder_vertices(Streams& streams, Draft& draft) { Reorder(streams, draft, true).run(); }
+
+void join_vertices(Streams& streams, Draft& draft) { Reorder(streams, draft, false).run(); }
 
 void narrow_indices(Streams& streams, Draft& draft) {
   for (auto& [index, stream] : streams) {

@@ -12,6 +12,11 @@ namespace sinew::rewrite {
 /// cost  O(vertices + indices)
 void reorder_vertices(Streams& streams, Draft& draft);
 
+/// The same without another order of triangles: joins vertices and leaves out what no triangle uses. Primitives without
+/// indices get some where that takes fewer bytes. Vertices of a primitive with sparse displacements stay as they are.
+/// cost  O(vertices + indices)
+void join_vertices(Streams& streams, Draft& draft);
+
 /// Stores every index list in 16 bits where its vertices allow it, else in 32.
 void narrow_indices(Streams& streams, Draft& draft);
 

@@ -188,6 +188,48 @@ TEST(rewrite_streams, G17_quantised_numbers_stay_within_half_a_step) {
   }
 }
 
+/// The grid without the target that is stored sparse, which keeps vertices as they are.
+TinyGltf grid_without_sparse() {
+  TinyGltf gltf = grid();
+  gltf.root["meshes"][0]["primitives"][0]["targets"].erase(1);
+  return gltf;
+}
+
+TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles_keep_their_order) {
+  const Both out = recoded(grid_without_sparse(), how(true, false));
+  const Primitive &a = first(out.before), &b = first(out.after);
+  EXPECT_EQ(b.vertex_count(), (kSide + 1) * (kSide + 1));
+  ASSERT_EQ(a.indices.size(), b.indices.size());
+  for (std::size_t i = 0; i < a.indices.size(); ++i) EXPECT_EQ(a.positions[a.indices[i]], b.positions[b.indices[i]]);
+  expect_close(a, b, 0.0f);
+  EXPECT_EQ(out.parts.json["extensionsRequired"], Json::array({"KHR_mesh_quantization"}));
+}
+
+TEST(rewrite_streams, vertices_that_only_a_target_or_a_weight_tells_apart_stay) {
+  TinyGltf gltf = grid_without_sparse();
+  std::vector<float> dense(3 * (6 * kSide * kSide), 0.0f);
+  dense[3 * 700] = 1.0f;  // one corner of many at its place
+  gltf.root["meshes"][0]["primitives"][0]["targets"][1]["POSITION"] = gltf.vec3(dense);
+  EXPECT_EQ(first(recoded(gltf, how(true, false)).after).vertex_count(), (kSide + 1) * (kSide + 1) + 1);
+}
+
+TEST(rewrite_streams, vertices_that_no_triangle_uses_go) {
+  TinyGltf gltf = grid_without_sparse();
+  gltf.root["meshes"][0]["primitives"][0]["indices"] = gltf.add(std::vector<std::uint16_t>{0, 1, 2}, "SCALAR", 5123, 1);
+  const Both out = recoded(gltf, how(true, false));
+  EXPECT_EQ(first(out.after).vertex_count(), 3u);
+  const Primitive &a = first(out.before), &b = first(out.after);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(a.positions[a.indices[i]], b.positions[b.indices[i]]);
+}
+
+TEST(rewrite_streams, indices_that_would_take_more_than_they_save_are_not_made) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  const Both out = recoded(gltf, how(true, false));
+  EXPECT_FALSE(out.parts.json["meshes"][0]["primitives"][0].contains("indices"));
+  EXPECT_EQ(first(out.before).positions, first(out.after).positions);
+}
+
 TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   const Both out = recoded(grid(), how(true, true));
   ImportOptions careful;
@@ -241,29 +283,31 @@ TEST(rewrite_streams, G37_two_sets_of_weights_stay_floats_and_far_joints_stay_wi
 
 TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {
   if (!corpus()) GTEST_SKIP() << kNoCorpus;
-  RewriteOptions options = how(true, true);
-  options.drop = {"image-missing"};
-  for (const auto& path : corpus_files("models", {".gltf", ".glb"})) {
-    SCOPED_TRACE(path.string());
-    const auto file = import_gltf(path, carrying());
-    if (!file) continue;
-    RewriteOptions plain;
-    plain.drop = options.drop;
-    const auto out = rewrite_gltf(*file, options), whole = rewrite_gltf(*file, plain);
-    ASSERT_TRUE(out && whole) << (out ? "" : out.error().issue.detail);
-    const auto after = import_gltf(out->file, "recoded.glb", carrying());
-    ASSERT_TRUE(after) << describe("recoded.glb", after.error().issue);
-    ASSERT_EQ(after->scene.meshes.size(), file->scene.meshes.size());
-    for (std::size_t m = 0; m < file->scene.meshes.size(); ++m)
-      for (std::size_t p = 0; p < file->scene.meshes[m].primitives.size(); ++p)
-        EXPECT_EQ(after->scene.meshes[m].primitives[p].indices.size(),
-                  file->scene.meshes[m].primitives[p].indices.size());
-    EXPECT_EQ(after->scene.skeleton.rest, file->scene.skeleton.rest);
-    if (whole->file.size() > 20'000) {
-      EXPECT_LT(out->file.size(), whole->file.size());
+  for (const bool meshopt : {false, true}) {
+    RewriteOptions options = how(true, meshopt);
+    options.drop = {"image-missing"};
+    for (const auto& path : corpus_files("models", {".gltf", ".glb"})) {
+      SCOPED_TRACE(path.string() + (meshopt ? " compressed" : ""));
+      const auto file = import_gltf(path, carrying());
+      if (!file) continue;
+      RewriteOptions plain;
+      plain.drop = options.drop;
+      const auto out = rewrite_gltf(*file, options), whole = rewrite_gltf(*file, plain);
+      ASSERT_TRUE(out && whole) << (out ? "" : out.error().issue.detail);
+      const auto after = import_gltf(out->file, "recoded.glb", carrying());
+      ASSERT_TRUE(after) << describe("recoded.glb", after.error().issue);
+      ASSERT_EQ(after->scene.meshes.size(), file->scene.meshes.size());
+      for (std::size_t m = 0; m < file->scene.meshes.size(); ++m)
+        for (std::size_t p = 0; p < file->scene.meshes[m].primitives.size(); ++p)
+          EXPECT_EQ(after->scene.meshes[m].primitives[p].indices.size(),
+                    file->scene.meshes[m].primitives[p].indices.size());
+      EXPECT_EQ(after->scene.skeleton.rest, file->scene.skeleton.rest);
+      if (whole->file.size() > 20'000) {
+        EXPECT_LT(out->file.size(), whole->file.size());
+      }
+      const auto decoded = rewrite_gltf(*after, plain);
+      ASSERT_TRUE(decoded) << decoded.error().issue.detail;
     }
-    const auto decoded = rewrite_gltf(*after, plain);
-    ASSERT_TRUE(decoded) << decoded.error().issue.detail;
   }
 }
 
