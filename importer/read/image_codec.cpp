@@ -50,12 +50,12 @@ std::optional<ImageHeader> png_size(Bytes encoded) {
 
 /// False where a chunk claims more bytes than the file has left. stb_image would allocate all of them before it checks.
 bool png_chunks_fit(Bytes encoded) noexcept {
-  constexpr std::size_t kSignature = 8, kAroundData = 12;  // length, type and checksum
-  for (std::size_t at = kSignature; at + kAroundData <= encoded.size();) {
+  constexpr std::size_t kSignature = 8, kBeforeData = 8, kChecksum = 4;  // before data: length and type
+  for (std::size_t at = kSignature; at + kBeforeData <= encoded.size();) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::to_integer<std::size_t>(encoded[at + i]);
-    if (length > encoded.size() - at - kAroundData) return false;
-    at += kAroundData + length;
+    if (length > encoded.size() - at - kBeforeData) return false;
+    at += kBeforeData + length + kChecksum;
   }
   return true;
 }

@@ -203,6 +203,17 @@ TEST(read_images, G66_a_truncated_png_is_missing) {
   expect_missing(file, "a chunk of the PNG leaves the file");
 }
 
+/// The decoder would allocate what the last chunk claims.
+TEST(read_images, G68_a_png_that_ends_inside_of_a_checksum_is_missing) {
+  auto file = test::encode_png(2, 2, 4, kFourPixels);
+  const std::string_view name = "IDAT";
+  const auto data = std::search(file.begin(), file.end(), name.begin(), name.end(),
+                                [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+  *(data - 4) = std::byte{13};  // 13 * 2^24 bytes and some
+  file.resize(static_cast<std::size_t>(data - file.begin()) + 7);
+  expect_missing(file, "a chunk of the PNG leaves the file");
+}
+
 TEST(read_images, G66_a_truncated_webp_is_missing) {
   auto file = test::encode_webp(2, 2, kFourPixels);
   file.resize(file.size() - 8);
