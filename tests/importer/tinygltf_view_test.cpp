@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// What tinygltf makes of a file when it reads it alone, without the checks before it, and what the importer's document
+// says: the same of every model, and of what both writers make of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "importer/export_glb.h"
+#include "importer/file/glb_container.h"
+#include "importer/file/gltf_shape.h"
+#include "importer/file/parse_json.h"
+#include "importer/file/read_document.h"
+#include "importer/write/tinygltf.h"
+#include "tests/importer/rewritten.h"
+#include "tests/support/corpus.h"
+
+namespace sinew::test {
+namespace {
+namespace fs = std::filesystem;
+
+bool leave_image(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
+
+/// Nothing where tinygltf refuses the file.
+std::optional<tinygltf::Model> read_alone(std::span<const std::byte> bytes, const std::string& folder) {
+  tinygltf::TinyGLTF reader;
+  reader.SetImageLoader(leave_image, nullptr);
+  std::string error, warning;
+  tinygltf::Model out;
+  const auto size = static_cast<unsigned>(bytes.size());
+  const bool good =
+      looks_like_glb(bytes)
+          ? reader.LoadBinaryFromMemory(&out, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                        size, folder)
+          : reader.LoadASCIIFromString(&out, &error, &warning, reinterpret_cast<const char*>(bytes.data()), size,
+                                       folder);
+  return good ? std::optional(std::move(out)) : std::nullopt;
+}
+
+gltf::Document read_checked(std::span<const std::byte> bytes) {
+  IssueLog log;
+  const auto json = parse_json(looks_like_glb(bytes) ? open_glb(bytes, log)->json : bytes, log);
+  check_shape(json->root, gltf_shape(), "", log);
+  EXPECT_TRUE(log.ok());
+  return read_document(json->root);
+}
+
+std::uint32_t index_of(int number) { return static_cast<std::uint32_t>(number); }  // kNone of -1
+
+using Indices = std::vector<std::uint32_t>;
+Indices indices_of(const std::vector<int>& numbers) { return {numbers.begin(), numbers.end()}; }
+
+std::map<std::string, std::uint32_t> attributes_of(const std::map<std::string, int>& attributes) {
+  return {attributes.begin(), attributes.end()};
+}
+
+/// What a list of tinygltf's says, which is empty where the file has no such property.
+template <std::size_t N>
+std::array<double, N> numbers_of(const std::vector<double>& numbers, std::array<double, N> absent) {
+  if (numbers.size() == N) std::copy(numbers.begin(), numbers.end(), absent.begin());
+  return absent;
+}
+
+void expect_same(const tinygltf::Primitive& a, const gltf::Primitive& c) {
+  EXPECT_EQ(attributes_of(a.attributes), c.attributes);
+  EXPECT_EQ(index_of(a.indices), c.indices);
+  EXPECT_EQ(index_of(a.material), c.material);
+  EXPECT_EQ(a.mode, static_cast<int>(c.mode));
+  ASSERT_EQ(a.targets.size(), c.targets.size());
+  for (std::size_t t = 0; t < a.targets.size(); ++t)
+    EXPECT_EQ(attributes_of(a.targets[t]), c.targets[t].attributes) << t;
+}
+
+void expect_same(const tinygltf::Mesh& a, const gltf::Mesh& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(a.weights, c.weights);
+  ASSERT_EQ(a.primitives.size(), c.primitives.size());
+  for (std::size_t p = 0; p < a.primitives.size(); ++p) expect_same(a.primitives[p], c.primitives[p]);
+}
+
+void expect_same(const tinygltf::Node& a, const gltf::Node& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(indices_of(a.children), c.children);
+  EXPECT_EQ(index_of(a.mesh), c.mesh);
+  EXPECT_EQ(index_of(a.skin), c.skin);
+  EXPECT_EQ(index_of(a.camera), c.camera);
+  EXPECT_EQ(a.weights, c.weights);
+  const gltf::Node plain;
+  EXPECT_EQ(!a.matrix.empty(), c.has_matrix);
+  EXPECT_EQ(numbers_of(a.matrix, plain.matrix), c.matrix);
+  if (c.has_matrix) return;  // tinygltf does not look at the others then
+  EXPECT_EQ(numbers_of(a.translation, plain.translation), c.translation);
+  EXPECT_EQ(numbers_of(a.rotation, plain.rotation), c.rotation);
+  EXPECT_EQ(numbers_of(a.scale, plain.scale), c.scale);
+}
+
+void expect_same(const tinygltf::Skin& a, const gltf::Skin& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(indices_of(a.joints), c.joints);
+  EXPECT_EQ(index_of(a.inverseBindMatrices), c.inverse_bind_matrices);
+  EXPECT_EQ(index_of(a.skeleton), c.skeleton);
+}
+
+void expect_same(const tinygltf::Texture& a, const gltf::Texture& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(index_of(a.source), c.source);
+  EXPECT_EQ(index_of(a.sampler), c.sampler);
+}
+
+void expect_same(const tinygltf::Sampler& a, const gltf::TextureSampler& c) {
+  EXPECT_EQ(a.magFilter, c.mag_filter);
+  EXPECT_EQ(a.minFilter, c.min_filter);
+  EXPECT_EQ(a.wrapS, c.wrap_s);
+  EXPECT_EQ(a.wrapT, c.wrap_t);
+}
+
+void expect_same(const tinygltf::Camera& a, const gltf::Camera& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(a.type, c.perspective ? "perspective" : "orthographic");
+  EXPECT_EQ(a.perspective.yfov, c.yfov);
+  EXPECT_EQ(a.perspective.aspectRatio, c.aspect);
+  EXPECT_EQ(a.orthographic.xmag, c.xmag);
+  EXPECT_EQ(a.orthographic.ymag, c.ymag);
+  EXPECT_EQ(c.perspective ? a.perspective.znear : a.orthographic.znear, c.znear);
+  EXPECT_EQ(c.perspective ? a.perspective.zfar : a.orthographic.zfar, c.zfar);
+}
+
+void expect_same(const tinygltf::Scene& a, const gltf::Scene& c) {
+  EXPECT_EQ(a.name, c.name);
+  EXPECT_EQ(indices_of(a.nodes), c.nodes);
+}
+
+template <class A, class C>
+void expect_same(const char* name, const std::vector<A>& alone, const std::vector<C>& checked) {
+  ASSERT_EQ(alone.size(), checked.size()) << name;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    SCOPED_TRACE(name + (" " + std::to_string(i)));
+    expect_same(alone[i], checked[i]);
+  }
+}
+
+void expect_same(const std::vector<tinygltf::BufferView>& alone, const std::vector<gltf::BufferView>& checked) {
+  ASSERT_EQ(alone.size(), checked.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(index_of(alone[i].buffer), checked[i].buffer) << i;
+    EXPECT_EQ(alone[i].byteOffset, checked[i].byte_offset) << i;
+    EXPECT_EQ(alone[i].byteLength, checked[i].byte_length) << i;
+    EXPECT_EQ(alone[i].byteStride, checked[i].byte_stride) << i;
+  }
+}
+
+int number_of(gltf::ElementType type) {
+  constexpr int kNumbers[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4,
+                              TINYGLTF_TYPE_MAT2,   TINYGLTF_TYPE_MAT3, TINYGLTF_TYPE_MAT4};
+  return kNumbers[static_cast<std::size_t>(type)];
+}
+
+void expect_same(const std::vector<tinygltf::Accessor>& alone, const std::vector<gltf::Accessor>& checked) {
+  ASSERT_EQ(alone.size(), checked.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const auto& a = alone[i];
+    const auto& c = checked[i];
+    EXPECT_EQ(index_of(a.bufferView), c.buffer_view) << i;
+    EXPECT_EQ(a.byteOffset, c.byte_offset) << i;
+    EXPECT_EQ(a.count, c.count) << i;
+    EXPECT_EQ(a.componentType, static_cast<int>(c.component_type)) << i;
+    EXPECT_EQ(a.type, number_of(c.type)) << i;
+    EXPECT_EQ(a.normalized, c.normalized) << i;
+    EXPECT_EQ(a.minValues, c.min) << i;
+    EXPECT_EQ(a.maxValues, c.max) << i;
+    ASSERT_EQ(a.sparse.isSparse, c.sparse.count > 0) << i;
+    if (!a.sparse.isSparse) continue;
+    EXPECT_EQ(std::uint64_t(a.sparse.count), c.sparse.count) << i;
+    EXPECT_EQ(index_of(a.sparse.indices.bufferView), c.sparse.indices_view) << i;
+    EXPECT_EQ(std::uint64_t(a.sparse.indices.byteOffset), c.sparse.indices_offset) << i;
+    EXPECT_EQ(a.sparse.indices.componentType, static_cast<int>(c.sparse.index_type)) << i;
+    EXPECT_EQ(index_of(a.sparse.values.bufferView), c.sparse.values_view) << i;
+    EXPECT_EQ(std::uint64_t(a.sparse.values.byteOffset), c.sparse.values_offset) << i;
+  }
+}
+
+template <class Texture>
+void expect_same_texture(const Texture& alone, const gltf::TextureInfo& checked, std::size_t material) {
+  EXPECT_EQ(index_of(alone.index), checked.index) << material;
+  EXPECT_EQ(index_of(alone.texCoord), checked.texcoord) << material;
+}
+
+void expect_same(const std::vector<tinygltf::Material>& alone, const std::vector<gltf::Material>& checked) {
+  ASSERT_EQ(alone.size(), checked.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const auto& a = alone[i];
+    const auto& c = checked[i];
+    const auto& surface = a.pbrMetallicRoughness;
+    EXPECT_EQ(a.name, c.name) << i;
+    EXPECT_TRUE(std::equal(surface.baseColorFactor.begin(), surface.baseColorFactor.end(), c.base_color.begin())) << i;
+    EXPECT_TRUE(std::equal(a.emissiveFactor.begin(), a.emissiveFactor.end(), c.emissive.begin())) << i;
+    EXPECT_EQ(surface.metallicFactor, c.metallic) << i;
+    EXPECT_EQ(surface.roughnessFactor, c.roughness) << i;
+    EXPECT_EQ(a.normalTexture.scale, c.normal_scale) << i;
+    EXPECT_EQ(a.occlusionTexture.strength, c.occlusion_strength) << i;
+    EXPECT_EQ(a.alphaCutoff, c.alpha_cutoff) << i;
+    EXPECT_EQ(a.alphaMode, c.alpha_mode) << i;
+    EXPECT_EQ(a.doubleSided, c.double_sided) << i;
+    expect_same_texture(surface.baseColorTexture, c.base_color_texture, i);
+    expect_same_texture(surface.metallicRoughnessTexture, c.metallic_roughness_texture, i);
+    expect_same_texture(a.normalTexture, c.normal_texture, i);
+    expect_same_texture(a.occlusionTexture, c.occlusion_texture, i);
+    expect_same_texture(a.emissiveTexture, c.emissive_texture, i);
+  }
+}
+
+void expect_same(const std::vector<tinygltf::Animation>& alone, const std::vector<gltf::Animation>& checked) {
+  ASSERT_EQ(alone.size(), checked.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    const auto& a = alone[i];
+    auto c = checked[i];
+    EXPECT_EQ(a.name, c.name) << i;
+    ASSERT_EQ(a.samplers.size(), c.samplers.size()) << i;
+    for (std::size_t s = 0; s < a.samplers.size(); ++s) {
+      EXPECT_EQ(index_of(a.samplers[s].input), c.samplers[s].input) << i;
+      EXPECT_EQ(index_of(a.samplers[s].output), c.samplers[s].output) << i;
+      EXPECT_EQ(a.samplers[s].interpolation, c.samplers[s].interpolation) << i;
+    }
+    std::erase_if(c.channels, [](const auto& channel) { return channel.node == kNone; });  // as tinygltf does
+    ASSERT_EQ(a.channels.size(), c.channels.size()) << i;
+    for (std::size_t k = 0; k < a.channels.size(); ++k) {
+      EXPECT_EQ(index_of(a.channels[k].sampler), c.channels[k].sampler) << i;
+      EXPECT_EQ(index_of(a.channels[k].target_node), c.channels[k].node) << i;
+      EXPECT_EQ(a.channels[k].target_path, c.channels[k].path) << i;
+    }
+  }
+}
+
+void expect_same(const tinygltf::Model& alone, const gltf::Document& checked) {
+  EXPECT_EQ(alone.asset.generator, checked.generator);
+  EXPECT_EQ(alone.asset.copyright, checked.copyright);
+  EXPECT_EQ(alone.asset.version, checked.version);
+  EXPECT_EQ(alone.asset.minVersion, checked.min_version);
+  EXPECT_EQ(alone.extensionsUsed, checked.extensions_used);
+  EXPECT_EQ(alone.extensionsRequired, checked.extensions_required);
+  EXPECT_EQ(index_of(alone.defaultScene), checked.scene);
+  EXPECT_EQ(alone.buffers.size(), checked.buffers.size());
+  EXPECT_EQ(alone.images.size(), checked.images.size());
+  expect_same("mesh", alone.meshes, checked.meshes);
+  expect_same("node", alone.nodes, checked.nodes);
+  expect_same("skin", alone.skins, checked.skins);
+  expect_same("texture", alone.textures, checked.textures);
+  expect_same("sampler", alone.samplers, checked.samplers);
+  expect_same("camera", alone.cameras, checked.cameras);
+  expect_same("scene", alone.scenes, checked.scenes);
+  expect_same(alone.animations, checked.animations);
+  expect_same(alone.bufferViews, checked.buffer_views);
+  expect_same(alone.accessors, checked.accessors);
+  expect_same(alone.materials, checked.materials);
+}
+
+std::vector<std::byte> bytes_in(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto bytes = bytes_of(text);
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(tinygltf_view, of_every_model_is_that_of_the_importer) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  std::size_t compared = 0, refused = 0;
+  for (const fs::path& path : corpus_files("models", {".gltf", ".glb"})) {
+    SCOPED_TRACE(path.string());
+    const auto bytes = bytes_in(path);
+    if (const auto alone = read_alone(bytes, path.parent_path().string())) {
+      expect_same(*alone, read_checked(bytes));
+      ++compared;
+    } else {
+      ++refused;  // for what the importer reads past: primitives' indices without bytes, empty buffers
+    }
+  }
+  EXPECT_GT(compared, 4 * refused);
+}
+
+TEST(tinygltf_view, of_what_both_writers_write_is_that_of_the_importer) {
+  if (!corpus()) GTEST_SKIP() << kNoCorpus;
+  RewriteOptions options;
+  options.drop = {"image-missing"};
+  std::size_t exported = 0, rewritten = 0;
+  for (const fs::path& path : corpus_files("models", {".gltf", ".glb"})) {
+    SCOPED_TRACE(path.string());
+    const auto file = import_gltf(path, carrying());
+    if (!file) continue;  // import_corpus says which may be refused
+    if (const auto glb = export_glb(file->scene))
+      if (const auto alone = read_alone(*glb, "")) {
+        expect_same(*alone, read_checked(*glb));
+        ++exported;
+      }
+    const auto again = rewrite_gltf(*file, options);
+    ASSERT_TRUE(again);
+    if (const auto alone = read_alone(again->file, "")) {
+      expect_same(*alone, read_checked(again->file));
+      ++rewritten;
+    }
+  }
+  EXPECT_GT(exported, 0u);
+  EXPECT_GT(rewritten, 0u);
+}
+
+/// What tinygltf alone reads otherwise, and the importer as the file says it.
+TEST(tinygltf_view, differs_where_tinygltf_loses_what_the_file_says) {
+  const std::string text = R"({"asset": {"version": "2.0"},
+    "nodes": [{"name": "first", "name": "last", "mesh": 0.0, "children": [1.0]},
+              {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "scale": [2, 2, 2],
+               "extensions": {"X": {"big": 4294967297, "list": [null, {}]}}}],
+    "meshes": [{"primitives": [{"attributes": {"a\u0000b": 1e0}, "mode": 1.0}],
+                "extras": {"targetNames": ["a", null, "c"]}}],
+    "accessors": [{"componentType": 5126, "count": 1, "type": "VEC3"},
+                  {"componentType": 5126, "count": 1, "type": "VEC3"}],
+    "animations": [{"samplers": [{"input": 0, "output": 1}],
+                    "channels": [{"sampler": 0, "target": {"path": "translation"}},
+                                 {"sampler": 0, "target": {"path": "pointer", "extensions":
+                                   {"KHR_animation_pointer": {"pointer": "/nodes/0/scale"}}}}]}],
+    "cameras": [{"type": "orthographic", "name": "no lens"}]})";
+  const gltf::Document document = read_checked(bytes_of(text));
+  const gltf::Node& node = document.nodes[0];
+  EXPECT_EQ(node.name, "last");
+  EXPECT_EQ(node.mesh, 0u);
+  EXPECT_EQ(node.children, Indices{1});
+  EXPECT_TRUE(document.nodes[1].has_matrix && document.nodes[1].has_trs);
+  EXPECT_EQ(document.nodes[1].extensions, Json::parse(R"({"X": {"big": 4294967297, "list": [null, {}]}})"));
+  EXPECT_TRUE(document.nodes[0].extensions.is_null());
+  EXPECT_EQ(document.meshes[0].primitives[0].mode, gltf::PrimitiveMode::lines);
+  EXPECT_TRUE(document.meshes[0].primitives[0].attributes.contains(std::string("a\0b", 3)));
+  EXPECT_EQ(document.meshes[0].target_names, (std::vector<std::string>{"a", "", "c"}));
+  const gltf::Animation& animation = document.animations[0];
+  ASSERT_EQ(animation.channels.size(), 2u);
+  EXPECT_EQ(animation.channels[0].node, kNone);
+  EXPECT_EQ(animation.channels[1].pointer, "/nodes/0/scale");
+  EXPECT_EQ(document.cameras[0].name, "no lens");
+
+  EXPECT_FALSE(read_alone(bytes_of(text), ""));
+}
+
+}  // namespace
+}  // namespace sinew::test
