@@ -353,8 +353,9 @@ class Finder:
             return
         if re.match(r'[\w.\[\]>-]+\.(reserve|shrink_to_fit)\(', text):  # templates hide what is called
             return
-        if self.between(start, end)[-1][2].startswith('"') and ' ' in self.between(start, end)[-1][2]:
-            return  # words for people
+        tokens = self.between(start, end)
+        if not tokens or tokens[-1][2].startswith('"') and ' ' in tokens[-1][2]:
+            return  # of a macro; words for people
         if kind == K.RETURN_STMT and parent.kind == K.COMPOUND_STMT:
             return
         self.add(start, end, 'statement', ';', 'if (mutation_is({n})) {{}} else ', '', shown='(nothing)')

@@ -2,29 +2,33 @@
 // Images between passes are made only where something changes, and pipelines are shared where their shaders agree.
 #include "viewer/passes/pass_resources.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "tests/viewer/device_fixture.h"
 
 namespace sinew::viewer {
 namespace {
 
-constexpr std::array<Target, kTargetCount> kTargets = {Target::depth,           Target::normals, Target::ao,
-                                                       Target::half_blurred_ao, Target::color,   Target::shadow};
+/// An image and whether a graph needs it.
+struct Wanted {
+  Target target;
+  bool wanted;
+};
+std::vector<Wanted> wanted_by(const FrameGraph& graph) {
+  return {{Target::depth, graph.depth_image},     {Target::normals, graph.normal_image},
+          {Target::ao, graph.ao_image},           {Target::half_blurred_ao, graph.half_blurred_ao},
+          {Target::color, graph.color_image},     {Target::shadow, graph.shadow_image},
+          {Target::color_samples, graph.sampled}, {Target::depth_samples, graph.sampled}};
+}
 
 class frame_targets : public DeviceTest {
  protected:
-  /// Which images a graph needs, in the order of Target.
-  static std::array<bool, kTargetCount> wanted(const FrameGraph& graph) {
-    return {graph.depth_image,     graph.normal_image, graph.ao_image,
-            graph.half_blurred_ao, graph.color_image,  graph.shadow_image};
-  }
-  static std::array<VkImageView, kTargetCount> views(const FrameTargets& targets) {
-    std::array<VkImageView, kTargetCount> out{};
-    for (std::size_t i = 0; i < kTargetCount; ++i) out[i] = targets.view(kTargets[i]);
+  static std::vector<VkImageView> views(const FrameTargets& targets) {
+    std::vector<VkImageView> out;
+    for (const Wanted& w : wanted_by(FrameGraph({}))) out.push_back(targets.view(w.target));
     return out;
   }
 };
@@ -32,19 +36,20 @@ class frame_targets : public DeviceTest {
 TEST_F(frame_targets, exist_exactly_where_the_graph_needs_them_and_stay_while_it_does) {
   FrameTargets targets(*test_device(), 2);
   const VkImageView nothing = targets.view(Target::color);
-  std::array<VkImageView, kTargetCount> before = views(targets);
+  std::vector<VkImageView> before = views(targets);
   for (const FrameNeeds& needs :
        {FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true, .blur = false},
         FrameNeeds{.opaque = true, .show = Show::depth}, FrameNeeds{.opaque = true, .occlusion = false},
         FrameNeeds{.opaque = true, .show = Show::normals}, FrameNeeds{.opaque = true, .shadows = true},
-        FrameNeeds{.opaque = true}}) {
+        FrameNeeds{.opaque = true, .smooth_edges = true}, FrameNeeds{.opaque = true}}) {
     const FrameGraph graph(needs);
     targets.fit(graph, {64, 48});
-    const auto now = views(targets);
-    for (std::size_t i = 0; i < kTargetCount; ++i) {
-      EXPECT_EQ(targets.exists(kTargets[i]), wanted(graph)[i]) << i;
-      EXPECT_EQ(now[i] == nothing, !wanted(graph)[i]) << "a black texel stands in";
-      if (before[i] != nothing && wanted(graph)[i]) {
+    const std::vector<VkImageView> now = views(targets);
+    const std::vector<Wanted> all = wanted_by(graph);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(targets.exists(all[i].target), all[i].wanted) << i;
+      EXPECT_EQ(now[i] == nothing, !all[i].wanted) << "a black texel stands in";
+      if (before[i] != nothing && all[i].wanted) {
         EXPECT_EQ(now[i], before[i]) << "it was there already";
       }
     }
