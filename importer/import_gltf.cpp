@@ -20,6 +20,7 @@
 #include "importer/file/check_capabilities.h"
 #include "importer/file/check_declarations.h"
 #include "importer/file/check_references.h"
+#include "importer/file/check_unused_objects.h"
 #include "importer/file/data_uri.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/gltf_shape.h"
@@ -98,7 +99,10 @@ class Import {
     if (!log_.ok()) return false;
     if (options_.thorough) check_declarations(json->root, log_);
     document_ = read_document(json->root);
-    check_references(document_, log_);
+    ReferencedEntries referenced;
+    check_references(document_, log_, options_.thorough ? &referenced : nullptr);
+    if (options_.thorough && log_.error_count() == 0)
+      check_unused_objects(json->root, document_, std::move(referenced), log_);
     if (!go_on()) return false;
     if (options_.thorough) check_position_bounds(document_, log_);
     check_accessor_layout(document_, log_);
@@ -220,7 +224,7 @@ ImportResult<ImportedFile> guarded(const std::string& name, IssueLog& log, Run r
 }  // namespace
 
 ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const ImportOptions& options) {
-  IssueLog log;
+  IssueLog log(options.max_listed_per_rule);
   const std::string name = file.string();
   return guarded(name, log, [&]() -> std::optional<ImportedFile> {
     SandboxedFiles files(file.parent_path(), options.max_file_bytes);
@@ -237,7 +241,7 @@ ImportResult<ImportedFile> import_gltf(const std::filesystem::path& file, const 
 
 ImportResult<ImportedFile> import_gltf(std::span<const std::byte> bytes, const std::string& name,
                                        const ImportOptions& options) {
-  IssueLog log;
+  IssueLog log(options.max_listed_per_rule);
   return guarded(name, log, [&]() -> std::optional<ImportedFile> {
     SandboxedFiles files(std::nullopt, options.max_file_bytes);
     if (!files.take(bytes.size())) {

@@ -24,7 +24,8 @@ struct ImportOptions {
   bool make_tangents = true;              ///< where a normal map needs tangents and the file has none
   bool make_centers_of_rotation = false;  ///< for skinned meshes (Skinning::center_of_rotation); may take long
   std::filesystem::path centers_cache;    ///< folder that caches centers of rotation; empty = no cache
-  bool thorough = false;                  ///< also check what nothing uses: min and max, spare accessors, declarations
+  bool thorough = false;                  ///< also check what the scene does not need: min and max, declarations, spare
+                                          ///< and unused parts; the only reports of severity info
   bool animate_default_weights = true;    ///< a channel that animates mesh.weights animates each node that shows the
                                           ///< mesh and has no weights; false: such channels are ignored
   bool carry_document = false;  ///< fill ImportedFile::carried, so that rewrite_gltf() can write the file again
@@ -34,6 +35,7 @@ struct ImportOptions {
   std::uint32_t max_nodes = 1'000'000;  ///< also accessors, buffer views and meshes; other lists have at most 65536
   std::uint32_t max_node_depth = 1'000'000;
   std::uint64_t max_image_pixels = std::uint64_t{1} << 28;
+  std::size_t max_listed_per_rule = 64;  ///< of each rule that is broken; further cases are counted in the last one
   /// Called on the thread that imports; may be empty.
   std::function<void(const char* stage, double done_0_to_1)> progress;
 };

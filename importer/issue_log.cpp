@@ -31,11 +31,20 @@ void IssueLog::add(Severity severity, Rule rule, std::string json_pointer, std::
       unlisted_error_ = true;
   }
   if (muted) return;
-  seen_.resize(all_rules().size(), 0);
-  const std::size_t seen = ++seen_[static_cast<std::size_t>(rule)];
-  if (seen > kMaxPerRule) return;
-  if (seen == kMaxPerRule) detail += " (further cases of this rule are not listed)";
+  tallies_.resize(all_rules().size());
+  Tally& tally = tallies_[static_cast<std::size_t>(rule)][static_cast<std::size_t>(severity)];
+  if (tally.listed >= listed_) {
+    ++issues_[tally.last].cases;
+    return;
+  }
+  ++tally.listed;
+  tally.last = issues_.size();
   issues_.push_back({severity, std::string(describe(rule).id), std::move(json_pointer), std::move(detail)});
+}
+
+void IssueLog::name_unlisted() {
+  for (ImportIssue& issue : issues_)
+    if (issue.cases > 1) issue.detail += " (" + std::to_string(issue.cases - 1) + " more of this rule are not listed)";
 }
 
 bool IssueLog::is_muted(std::string_view json_pointer) const {
@@ -51,14 +60,20 @@ std::optional<std::vector<std::string>> IssueLog::settle() {
   return std::exchange(fresh_places_, {});
 }
 
-std::vector<ImportIssue> IssueLog::take_warnings() { return std::exchange(issues_, {}); }
+std::vector<ImportIssue> IssueLog::take_warnings() {
+  name_unlisted();
+  tallies_.clear();
+  return std::exchange(issues_, {});
+}
 
 ImportError IssueLog::take_error(std::string file) {
+  name_unlisted();
+  tallies_.clear();
   ImportError error;
   error.file = std::move(file);
   bool first = true;
   for (auto& issue : issues_) {
-    if (issue.severity == Severity::warning)
+    if (issue.severity != Severity::error)
       error.warnings.push_back(std::move(issue));
     else if (std::exchange(first, false))
       error.issue = std::move(issue);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +21,9 @@ std::string in_quotes(std::string_view text);
 /// Between steps the import calls settle(), puts aside what is broken, and goes on or ends.
 class IssueLog {
  public:
+  /// in    listed   of each rule and severity, the reports that are kept; further ones are counted
+  explicit IssueLog(std::size_t listed = kMaxPerRule) : listed_(listed) {}
+
   /// in    json_pointer   the place, such as "/accessors/3/count"; empty for the whole file
   ///       detail         what is wrong here, with its numbers
   void report(Rule rule, std::string json_pointer, std::string detail);
@@ -40,7 +45,7 @@ class IssueLog {
   /// already known. Errors there still count.
   void mute(std::string json_pointer) { muted_.insert(std::move(json_pointer)); }
 
-  /// Moves the reports out, as import_gltf() returns them. Of each rule the first kMaxPerRule reports are kept.
+  /// Moves the reports out, as import_gltf() returns them.
   std::vector<ImportIssue> take_warnings();
   ImportError take_error(std::string file);
 
@@ -48,8 +53,16 @@ class IssueLog {
   static constexpr std::size_t kMaxPlaces = 4096;  ///< between two settle() calls
 
  private:
+  /// The reports of one rule and severity.
+  struct Tally {
+    std::size_t listed = 0;
+    std::size_t last = 0;  ///< place in issues_ of the last that is listed
+  };
+  void name_unlisted();
+
+  std::size_t listed_;
   std::vector<ImportIssue> issues_;
-  std::vector<std::size_t> seen_;
+  std::vector<std::array<Tally, 3>> tallies_;  ///< by rule, by severity
   void add(Severity severity, Rule rule, std::string json_pointer, std::string detail);
   bool is_muted(std::string_view json_pointer) const;
 

@@ -13,7 +13,8 @@ using gltf::Document;
 
 class ReferenceCheck {
  public:
-  ReferenceCheck(const Document& document, IssueLog& log) : d_(document), log_(log) {}
+  ReferenceCheck(const Document& document, IssueLog& log, ReferencedEntries* referenced)
+      : d_(document), log_(log), referenced_(referenced) {}
 
   void run() {
     check_data();
@@ -30,6 +31,7 @@ class ReferenceCheck {
   /// there.
   template <class List, class... Part>
   void index(std::uint32_t value, const List& list, const Part&... place) {
+    if (referenced_ != nullptr && value < list.size()) referenced_->mark(&list, value);
     if (value != kNone && value >= list.size())
       log_.report(Rule::reference, pointer(place...),
                   "index " + std::to_string(value) + " of " + std::to_string(list.size()) + " entries");
@@ -165,11 +167,14 @@ class ReferenceCheck {
 
   const Document& d_;
   IssueLog& log_;
+  ReferencedEntries* referenced_;
   std::vector<bool> is_child_;
 };
 
 }  // namespace
 
-void check_references(const Document& document, IssueLog& log) { ReferenceCheck(document, log).run(); }
+void check_references(const Document& document, IssueLog& log, ReferencedEntries* referenced) {
+  ReferenceCheck(document, log, referenced).run();
+}
 
 }  // namespace sinew

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -137,12 +138,12 @@ TEST(broken_rules, no_rule_is_without_a_file_that_breaks_it) {
   }
 }
 
-/// A rule that says "warning" lets the file load, one that says "error" does not.
+/// A rule that says "error" does not let the file load, another one does.
 TEST(broken_rules, severity_decides_whether_the_file_loads) {
   for (const auto& entry : fs::directory_iterator(broken_folder())) {
     const RuleText* rule = find_rule(entry.path().stem().string());
     ASSERT_NE(rule, nullptr) << entry.path();
-    EXPECT_EQ(import_gltf(entry.path()).has_value(), rule->severity == Severity::warning) << entry.path();
+    EXPECT_EQ(import_gltf(entry.path()).has_value(), rule->severity != Severity::error) << entry.path();
   }
 }
 
@@ -216,7 +217,29 @@ TEST(broken_rules, G68_a_flood_of_errors_is_cut_and_ends) {
   for (int n = 0; n < 20'000; ++n) text += R"(,{"mesh":1})";
   const auto issues = issues_of(import_gltf(bytes_of(text + "]}"), "x"));
   EXPECT_EQ(issues.size(), 64u);
-  EXPECT_NE(issues.back().detail.find("not listed"), std::string::npos);
+  EXPECT_NE(issues.back().detail.find("19937 more of this rule are not listed"), std::string::npos);
+  std::size_t cases = 0;
+  for (const auto& issue : issues) cases += issue.cases;
+  EXPECT_EQ(cases, 20'001u);
+  ImportOptions every;
+  every.max_listed_per_rule = 30'000;
+  const auto all = issues_of(import_gltf(bytes_of(text + "]}"), "x", every));
+  ASSERT_EQ(all.size(), 20'001u);
+  EXPECT_EQ(all.back().detail.find("not listed"), std::string::npos);
+}
+
+TEST(broken_rules, many_warnings_of_a_rule_do_not_hide_its_error) {
+  TinyGltf file;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (int i = 0; i < 100; ++i) file.scalars({nan});
+  file.add_triangle();
+  file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = file.vec3(std::vector<float>(9, nan));
+  ImportOptions thorough;
+  thorough.thorough = true;
+  const auto result = file.import(thorough);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().issue.rule, "not-finite");
+  EXPECT_EQ(result.error().issue.json_pointer, "/meshes/0/primitives/0/attributes/NORMAL");
 }
 
 }  // namespace

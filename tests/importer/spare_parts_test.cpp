@@ -23,7 +23,8 @@ std::set<std::string> warnings_of(const TinyGltf& file, bool silent_otherwise = 
   EXPECT_EQ(outcome(result), "ok");
   EXPECT_EQ(outcome(plain), "ok");
   if (result)
-    for (const ImportIssue& issue : result->warnings) out.insert(issue.rule + " at " + issue.json_pointer);
+    for (const ImportIssue& issue : result->warnings)
+      if (issue.severity == Severity::warning) out.insert(issue.rule + " at " + issue.json_pointer);
   if (plain && silent_otherwise) {
     EXPECT_TRUE(plain->warnings.empty()) << describe("file", plain->warnings[0]);
   }
@@ -130,6 +131,62 @@ TEST(spare_parts, G30_the_skeleton_of_a_skin_is_above_all_of_its_joints) {
   for (const auto& [joints, skeleton] : std::vector<std::pair<std::vector<int>, int>>{
            {{1, 2, 3}, 1}, {{0, 1}, 1}, {{2}, 3}, {{1}, 2}, {{1}, 4}, {{4}, 0}})
     EXPECT_EQ(warnings_of(skinned(joints, skeleton), false), Found{"skin-skeleton at /skins/0/skeleton"}) << skeleton;
+}
+
+/// Places of reports of severity info.
+Found infos_of(const TinyGltf& file) {
+  Found out;
+  const auto result = file.import(thorough()), plain = file.import();
+  EXPECT_EQ(outcome(result), "ok");
+  for (const ImportIssue& issue : result->warnings)
+    if (issue.severity == Severity::info) out.insert(issue.rule + " at " + issue.json_pointer);
+  EXPECT_EQ(outcome(plain), "ok");
+  for (const ImportIssue& issue : plain->warnings) EXPECT_NE(issue.severity, Severity::info) << issue.rule;
+  return out;
+}
+
+TEST(spare_parts, objects_that_nothing_refers_to_are_named) {
+  TinyGltf file;
+  file.add_triangle();
+  EXPECT_EQ(infos_of(file), Found{});
+  file.scalars({1, 2});
+  const std::string accessor = std::to_string(file.root["accessors"].size() - 1);
+  for (const char* list : {"materials", "samplers", "textures"}) file.root[list] = Json::parse("[{}]");
+  file.root["meshes"].push_back(file.root["meshes"][0]);
+  file.root["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}])");
+  file.root["extensionsUsed"] = {"KHR_lights_punctual"};
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([{"type": "point"}])");
+  EXPECT_EQ(infos_of(file),
+            (Found{"unused-object at /accessors/" + accessor, "unused-object at /cameras/0",
+                   "unused-object at /extensions/KHR_lights_punctual/lights/0", "unused-object at /materials/0",
+                   "unused-object at /meshes/1", "unused-object at /samplers/0", "unused-object at /textures/0"}));
+}
+
+TEST(spare_parts, what_an_extension_refers_to_is_used) {
+  TinyGltf file;
+  file.add_triangle();
+  file.root["meshes"][0]["primitives"][0]["material"] = 0;
+  file.root["textures"] = Json::parse("[{}, {}, {}]");
+  file.root["materials"] = Json::parse(R"([{"extensions": {"KHR_materials_clearcoat":
+    {"clearcoatTexture": {"index": 1, "texCoord": 0}}}}])");
+  file.root["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  EXPECT_EQ(infos_of(file), (Found{"unused-object at /textures/0", "unused-object at /textures/2"}));
+  file.root["extensionsUsed"].push_back("OWN_thing");
+  file.root["nodes"][0]["extensions"]["OWN_thing"]["picture"] = {{"any", {2}}};
+  EXPECT_EQ(infos_of(file), Found{"unused-object at /textures/0"})
+      << "a number of an unknown extension may be an index";
+  file.root["nodes"][0]["extras"]["extensions"]["OWN_thing"] = 0;
+  EXPECT_EQ(infos_of(file), Found{"unused-object at /textures/0"}) << "what applications store refers to nothing";
+}
+
+TEST(spare_parts, nodes_that_no_scene_shows_are_named_by_their_roots) {
+  TinyGltf file;
+  file.root["nodes"] = Json::parse(R"([{"children": [1]}, {}, {"children": [3]}, {}])");
+  EXPECT_EQ(infos_of(file), Found{}) << "without scenes all nodes are shown";
+  file.root["scenes"] = Json::parse(R"([{"nodes": [0]}])");
+  EXPECT_EQ(infos_of(file), Found{"node-outside-scenes at /nodes/2"});
+  file.root["scenes"].push_back({{"nodes", {2}}});
+  EXPECT_EQ(infos_of(file), Found{});
 }
 
 }  // namespace
