@@ -97,9 +97,9 @@ ExitCode verify_poses(const VerifyOptions& options) {
   const auto distance = parse_length(options.tolerance.value_or("0"));
   if (!distance) return fail_with(ExitCode::wrong_usage, "--tolerance: " + distance.error());
   const auto golden = read_poses(options.golden);
-  if (!golden) return fail_with(ExitCode::input_at_fault, options.golden, golden.error());
+  if (!golden) return fail_with(ExitCode::cannot_read, options.golden, golden.error());
   if (options.exact && !golden->bits.contains("pose")) {
-    return fail_with(ExitCode::input_at_fault, options.golden,
+    return fail_with(ExitCode::cannot_read, options.golden,
                      {Severity::error, "pose-format", "/clips", "holds no bits: sample the file again"});
   }
   ImportOptions import;
@@ -107,7 +107,7 @@ ExitCode verify_poses(const VerifyOptions& options) {
   if (holds_centers(*golden, options.exact)) ask_for_centers(import, options.cache);
   import.animate_default_weights = false;  // a pose file holds only what channels of nodes animate
   const auto file = load_file(options.file, import);
-  if (!file) return ExitCode::input_at_fault;
+  if (!file) return ExitCode::cannot_read;
 
   PoseTolerance tolerance;
   tolerance.exact = options.exact;
@@ -115,10 +115,10 @@ ExitCode verify_poses(const VerifyOptions& options) {
   if (options.tolerance) tolerance.distance_m = distance->metres + distance->of_model * tolerance.model_size_m;
   PoseComparison comparison(tolerance, kWorstShown);
   if (const auto done = compare_all(file->scene, options, *golden, comparison); !done)
-    return fail_with(ExitCode::input_at_fault, done.error());
+    return fail_with(ExitCode::cannot_read, done.error());
   print_outcome(comparison, options);
   if (comparison.compared() == 0) {
-    return fail_with(ExitCode::input_at_fault, options.golden,
+    return fail_with(ExitCode::cannot_read, options.golden,
                      {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
   }
   if (comparison.failed() == 0) return ExitCode::done;
@@ -133,7 +133,8 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "verify",
       "Sample a file again, and tell where it differs from poses that were written earlier\n"
       "The file is sampled at the times of a pose file that `sinew sample` wrote. Exit status 0 when every pose still "
-      "matches; else 1, and the worst differences are listed.\n"
+      "matches; 1 when one has moved, and the worst differences are listed; 4 when a file cannot be read, so that "
+      "nothing was compared.\n"
       "\n"
       "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
       "anew. Exit status 0 when every frame is as it was written, and within what was asked.");

@@ -43,6 +43,9 @@ TEST(verify_cache_command, decodes_every_frame_and_sees_a_byte_that_changed) {
   EXPECT_EQ(damaged.status, 1);
   EXPECT_THAT(damaged.err, HasSubstr("cache-frame: frame 30"));
   EXPECT_EQ(run_tool({"info", out}).status, 0) << "it reads no frames";
+  bytes.resize(bytes.size() - 1);
+  write_file(out, bytes);
+  EXPECT_EQ(run_tool({"verify", out}).status, 4) << "no frame was looked at";
 }
 
 TEST(verify_cache_command, measures_anew_against_the_clip_it_was_baked_from) {

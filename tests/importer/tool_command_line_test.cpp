@@ -207,7 +207,7 @@ TEST(command_line, verify_exact_needs_a_golden_file_with_bits) {
   std::ofstream(golden) << poses;
   EXPECT_EQ(run_tool({"verify", model.path(), golden}).status, 0);
   const CommandOutcome outcome = run_tool({"verify", model.path(), golden, "--exact"});
-  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.status, 4);
   EXPECT_THAT(outcome.err, HasSubstr("holds no bits"));
 }
 
@@ -249,9 +249,18 @@ TEST(command_line, verify_refuses_a_golden_file_that_is_none) {
   std::ofstream(empty) << R"({"clips": []})";
   for (const std::string& golden : {empty, model.path(), model.beside("missing.json")}) {
     const CommandOutcome outcome = run_tool({"verify", model.path(), golden});
-    EXPECT_EQ(outcome.status, 1) << golden;
+    EXPECT_EQ(outcome.status, 4) << golden;
     EXPECT_THAT(outcome.err, HasSubstr("sinew: " + golden)) << golden;
   }
+}
+
+TEST(command_line, verify_tells_a_model_that_cannot_be_read_from_one_that_moved) {
+  const ToolModelFile model;
+  const std::string golden = model.beside("golden.json");
+  ASSERT_EQ(run_tool({"sample", model.path(), "-o", golden}).status, 0);
+  EXPECT_EQ(run_tool({"verify", model.beside("missing.glb"), golden}).status, 4);
+  std::ofstream(model.beside("broken.gltf")) << R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 5}]})";
+  EXPECT_EQ(run_tool({"verify", model.beside("broken.gltf"), golden}).status, 4);
 }
 
 TEST(command_line, plan_names_each_stage_with_its_reason) {

@@ -105,18 +105,21 @@ std::size_t print_errors(const GeometryCache& cache, const Errors& errors) {
   return above;
 }
 
+/// A file at fault before anything was compared is told from a frame that has changed.
+ExitCode unread(ExitCode code) { return code == ExitCode::input_at_fault ? ExitCode::cannot_read : code; }
+
 }  // namespace
 
 std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<TakeSource> source) {
   const auto read = read_cache(file, true);
   if (!read) return std::nullopt;
-  if (!*read) return read->error();
+  if (!*read) return unread(read->error());
   const CacheFile& in = **read;
   std::optional<GeometryTake> take;
   if (source) {
     ask_for_streams(in.cache, *source);
     auto truth = read_take(*source);
-    if (!truth) return truth.error();
+    if (!truth) return unread(truth.error());
     if (const std::string other = other_shape(*truth, in.cache); !other.empty())
       return fail_with(ExitCode::input_at_fault, fmt::format("{}: verify-shape: {}", source->file, other));
     take = std::move(*truth);

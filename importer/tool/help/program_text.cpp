@@ -32,7 +32,8 @@ constexpr const char* kEnding =
     "  sinew bake fox.glb --clip Walk -o walk.sgeo         every vertex of every frame\n"
     "  sinew cost fox.glb -o costs/                        what accuracy costs in time, with charts\n\n"
     "Results go to stdout, messages to stderr.\n\n"
-    "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something.";
+    "Exit status: 0 done, 1 the input is at fault, 2 wrong usage, 3 the machine lacks something, "
+    "4 `sinew verify` cannot read a file. Of several files the worst counts.";
 
 using Generator = std::string (*)(const CLI::App&);
 const std::map<std::string, Generator> kGenerators = {
