@@ -2,22 +2,35 @@
 #include "importer/tool/load_file.h"
 
 #include <utility>
+#include <vector>
 
+#include "importer/tool/batch/read_input.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/progress_line.h"
 
 namespace sinew::tool {
 
-std::optional<ImportedFile> load_file(const std::string& file, ImportOptions options) {
+void say_error_of_import(const std::string& file, const ImportError& error) {
+  std::vector<ImportIssue> errors{error.issue};
+  errors.insert(errors.end(), error.more_errors.begin(), error.more_errors.end());
+  say_issues(file, error.warnings);
+  say_issues(file, errors);
+}
+
+ImportResult<ImportedFile> import_with_progress(const std::string& file, ImportOptions options) {
   ProgressLine progress;
   options.progress = [&](const char* stage, double done) { progress.show(stage, done); };
-  auto imported = import_gltf(file, options);
-  progress.wipe();
-  for (const ImportIssue& warning : imported ? imported->warnings : imported.error().warnings) say_issue(file, warning);
-  if (imported) return std::move(*imported);
-  say_issue(file, imported.error().issue);
-  for (const ImportIssue& error : imported.error().more_errors) say_issue(file, error);
-  return std::nullopt;
+  return read_input(file, options);
+}
+
+std::optional<ImportedFile> load_file(const std::string& file, const ImportOptions& options) {
+  auto imported = import_with_progress(file, options);
+  if (!imported) {
+    say_error_of_import(file, imported.error());
+    return std::nullopt;
+  }
+  say_issues(file, imported->warnings);
+  return std::move(*imported);
 }
 
 }  // namespace sinew::tool

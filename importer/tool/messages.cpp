@@ -6,20 +6,46 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "importer/tool/batch/captured_output.h"
+#include "importer/tool/issue_groups.h"
 #include "importer/visible_text.h"
 
 namespace sinew::tool {
+namespace {
 
-void say_error(std::string_view text) { fmt::print(stderr, "sinew: {}\n", visible_text(text)); }
-
-std::string counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+void say_line(const std::string& line) {
+  if (CapturedOutput* kept = CapturedOutput::current())
+    kept->messages += "sinew: " + line + '\n';
+  else
+    fmt::print(stderr, "sinew: {}\n", line);
 }
 
-void say_issue(std::string_view file, const ImportIssue& issue) {
-  fmt::print(stderr, "sinew: {}: {}{}{}: {}{}\n", visible_text(file), visible_text(issue.json_pointer),
-             issue.json_pointer.empty() ? "" : ": ", issue.rule, issue.severity == Severity::warning ? "warning: " : "",
-             visible_text(issue.detail));
+void say_rule(std::string_view file, const ImportIssue& issue, std::string_view rule) {
+  const std::string severity = issue.severity == Severity::error ? "" : std::string(name_of(issue.severity)) + ": ";
+  say_line(fmt::format("{}: {}{}{}: {}{}", visible_text(file), visible_text(issue.json_pointer),
+                       issue.json_pointer.empty() ? "" : ": ", rule, severity, visible_text(issue.detail)));
+}
+
+}  // namespace
+
+void print_result_text(std::string_view text) {
+  if (CapturedOutput* kept = CapturedOutput::current())
+    kept->results += text;
+  else
+    std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void say_error(std::string_view text) { say_line(visible_text(text)); }
+
+std::string counted(std::size_t count, std::string_view thing) {
+  const char* plural = thing.ends_with("sh") ? "es" : "s";
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : plural);
+}
+
+void say_issue(std::string_view file, const ImportIssue& issue) { say_rule(file, issue, issue.rule); }
+
+void say_issues(std::string_view file, std::span<const ImportIssue> issues) {
+  for (const IssueGroup& group : group_issues(issues)) say_rule(file, *group.first, group.rule_text());
 }
 
 ExitCode fail_with(ExitCode code, std::string_view text) {
@@ -38,6 +64,10 @@ std::string in_quotes(std::string_view name) {
 
 std::string json_text(const nlohmann::ordered_json& result) {
   return visible_json(result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+std::string json_line(const nlohmann::ordered_json& result) {
+  return visible_json(result.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace sinew::tool

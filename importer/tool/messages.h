@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
 #include "importer/import_error.h"
@@ -15,12 +18,24 @@ namespace sinew::tool {
 /// results can be piped.
 void say_error(std::string_view text);
 
-/// "1 clip", "2 clips".
+/// Prints a result to stdout. Commands that take several files print with this and the functions below, and with
+/// nothing else: the output of jobs side by side is kept until it is their turn (batch/captured_output.h).
+void print_result_text(std::string_view text);
+
+template <class... Args>
+void print_result(fmt::format_string<Args...> format, Args&&... args) {
+  print_result_text(fmt::format(format, std::forward<Args>(args)...));
+}
+
+/// "1 clip", "2 clips", "2 meshes".
 std::string counted(std::size_t count, std::string_view thing);
 
 /// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left
 /// out when the whole file is meant.
 void say_issue(std::string_view file, const ImportIssue& issue);
+
+/// The same for many: one line for each rule, with the number of its cases and the first of them.
+void say_issues(std::string_view file, std::span<const ImportIssue> issues);
 
 /// Prints the message and returns `code`, for a command that ends here.
 ExitCode fail_with(ExitCode code, std::string_view text);
@@ -31,5 +46,8 @@ std::string in_quotes(std::string_view name);
 
 /// A result as indented JSON, control characters escaped. Bytes of a file that are not UTF-8 are replaced.
 std::string json_text(const nlohmann::ordered_json& result);
+
+/// The same in one line, with its end.
+std::string json_line(const nlohmann::ordered_json& result);
 
 }  // namespace sinew::tool

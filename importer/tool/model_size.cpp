@@ -8,24 +8,30 @@
 
 namespace sinew::tool {
 
-double model_size_m(const Scene& scene) {
+std::optional<RestBox> rest_box(const Scene& scene) {
   PoseSampler sampler(
       scene,
       {.linear = true, .dual_quaternion = false, .center_of_rotation = false, .vertices_per_primitive = kAllVertices});
-  if (sampler.run(kNone, 0.0) != ErrorCode::ok) return kSizeWithoutVertices;
-  double lower[3], upper[3];
-  std::fill_n(lower, 3, std::numeric_limits<double>::infinity());
-  std::fill_n(upper, 3, -std::numeric_limits<double>::infinity());
+  if (sampler.run(kNone, 0.0) != ErrorCode::ok) return std::nullopt;
+  RestBox box;
+  box.lower.fill(std::numeric_limits<double>::infinity());
+  box.upper.fill(-std::numeric_limits<double>::infinity());
   for (std::size_t p = 0; p < sampler.primitive_count(); ++p) {
     const PrimitivePose primitive = sampler.primitive(p);
     const std::vector<double>& positions = primitive.of(VertexKind::positions);
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      lower[i % 3] = std::min(lower[i % 3], positions[i]);
-      upper[i % 3] = std::max(upper[i % 3], positions[i]);
+      box.lower[i % 3] = std::min(box.lower[i % 3], positions[i]);
+      box.upper[i % 3] = std::max(box.upper[i % 3], positions[i]);
     }
   }
+  if (box.lower[0] > box.upper[0]) return std::nullopt;
+  return box;
+}
+
+double model_size_m(const Scene& scene) {
+  const auto box = rest_box(scene);
   double size = kSizeWithoutVertices;
-  for (int axis = 0; axis < 3; ++axis) size = std::max(size, upper[axis] - lower[axis]);
+  for (std::size_t axis = 0; box && axis < 3; ++axis) size = std::max(size, box->upper[axis] - box->lower[axis]);
   return size;
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/cache_folder.h"
 #include "importer/tool/left_out_joints.h"
@@ -17,13 +18,14 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
 #include "importer/tool/skinning_choice.h"
+#include "importer/visible_text.h"
 #include "runtime/plan/run_plan.h"
 
 namespace sinew::tool {
 namespace {
 
 struct PlanOptions {
-  std::string file;
+  BatchOptions files;
   std::optional<std::string> clip;
   std::vector<std::string> needs;
   std::uint32_t layers = Needs{}.max_layers;
@@ -31,7 +33,6 @@ struct PlanOptions {
   std::string normals = "linear";
   std::optional<std::string> joint_tolerance;
   std::string cache;
-  bool json = false;
 };
 
 /// What --needs may name, besides kMasks.
@@ -126,41 +127,62 @@ tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOpt
                  compile_skeleton_lod(scene, asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
 }
 
-void print_json(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
+/// What a plan came to, for one file.
+struct Outcome {
+  const Plan& plan;
+  const std::optional<LeftOut>& left_out;
+  const std::optional<WorkCounters>& work;
+};
+
+/// in   file   empty = not named
+std::string plan_json(const Outcome& outcome, const std::string& file) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-  for (const PlanStage& stage : plan.stages())
+  for (const PlanStage& stage : outcome.plan.stages())
     stages.push_back({{"stage", stage.stage},
                       {"runs", stage.runs},
                       {"reason", stage.reason},
                       {"count", stage.count},
                       {"bytes", stage.bytes}});
-  nlohmann::ordered_json report = {{"stages", stages}, {"frame_bytes", plan.frame_bytes()}};
-  if (left_out) report["left_out_joints"] = left_out_json(plan.scene(), left_out->within, left_out->asked_m);
-  if (work) report["work"] = work_json(*work);
-  fmt::print("{}\n", json_text(report));
+  nlohmann::ordered_json report;
+  if (!file.empty()) report["file"] = file;
+  report["stages"] = stages;
+  report["frame_bytes"] = outcome.plan.frame_bytes();
+  if (const auto& left_out = outcome.left_out)
+    report["left_out_joints"] = left_out_json(outcome.plan.scene(), left_out->within, left_out->asked_m);
+  if (outcome.work) report["work"] = work_json(*outcome.work);
+  return file.empty() ? json_text(report) + '\n' : json_line(report);
 }
 
-void print_text(const Plan& plan, const std::optional<LeftOut>& left_out, const std::optional<WorkCounters>& work) {
+void print_text(const Outcome& outcome) {
+  const auto& [plan, left_out, work] = outcome;
   std::size_t widest = 5;
   for (const PlanStage& stage : plan.stages()) widest = std::max(widest, stage.stage.size());
-  fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
+  print_result("{:<{}}  {:<8} {:>10} {:>12}  {}\n", "stage", widest, "", "count", "bytes", "reason");
   for (const PlanStage& stage : plan.stages())
-    fmt::print("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out", stage.count,
-               stage.bytes, stage.reason);
-  fmt::print("one frame buffer of a character takes {} bytes\n", plan.frame_bytes());
-  if (left_out) fmt::print("{}", left_out_text(plan.scene(), left_out->within, left_out->asked_m));
+    print_result("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out",
+                 stage.count, stage.bytes, stage.reason);
+  print_result("one frame buffer of a character takes {} bytes\n", plan.frame_bytes());
+  if (left_out) print_result("{}", left_out_text(plan.scene(), left_out->within, left_out->asked_m));
   if (!work) return;
-  fmt::print("work done by one frame:\n");
+  print_result("work done by one frame:\n");
   const nlohmann::ordered_json counts = work_json(*work);
-  for (const auto& [name, count] : counts.items()) fmt::print("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
+  for (const auto& [name, count] : counts.items()) print_result("  {:<34} {:>10}\n", name, count.get<std::uint64_t>());
 }
 
-ExitCode plan_file(const PlanOptions& options) {
+/// One line: how many stages run, how large a character's frame is.
+std::string plan_line(const Outcome& outcome, const std::string& file) {
+  const auto& stages = outcome.plan.stages();
+  const auto running = std::count_if(stages.begin(), stages.end(), [](const PlanStage& stage) { return stage.runs; });
+  return fmt::format("{}: {} of {} stages run, a frame buffer takes {} bytes\n", visible_text(file), running,
+                     stages.size(), outcome.plan.frame_bytes());
+}
+
+ExitCode plan_file(const PlanOptions& options, const std::string& path, bool many) {
   ImportOptions import;
   import.decode_images = false;
   for (const std::string& method : options.skinning)
     if (kSkinningNames.at(method) == Skinning::center_of_rotation) ask_for_centers(import, options.cache);
-  const auto file = load_file(options.file, import);
+  const auto file = load_file(path, import);
   if (!file) return ExitCode::input_at_fault;
   const auto chosen = choose_clips(file->scene, options.clip);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
@@ -177,11 +199,16 @@ ExitCode plan_file(const PlanOptions& options) {
   std::optional<WorkCounters> work;
   if (options.clip) {
     const auto counted = work_of_one_frame(plan, chosen->front());
-    if (!counted)
-      return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(counted.error())));
+    if (!counted) return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", path, describe(counted.error())));
     work = *counted;
   }
-  options.json ? print_json(plan, *left_out, work) : print_text(plan, *left_out, work);
+  const Outcome outcome{plan, *left_out, work};
+  if (options.files.json)
+    print_result_text(plan_json(outcome, many ? path : ""));
+  else if (many)
+    print_result_text(plan_line(outcome, path));
+  else
+    print_text(outcome);
   return ExitCode::done;
 }
 
@@ -190,8 +217,11 @@ ExitCode plan_file(const PlanOptions& options) {
 void add_plan(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command =
-      program.add_subcommand("plan", "Show the stages that a frame of a file runs or leaves out, each with the reason");
-  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+      program.add_subcommand("plan",
+                             "Show the stages that a frame of a file runs or leaves out, each with the reason\n"
+                             "Several files have one line each.");
+  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      ->required();
   command
       ->add_option("--clip", options->clip,
                    "Also run one frame in the middle of this clip (none: the rest pose) and count its work")
@@ -225,8 +255,13 @@ void add_plan(CLI::App& program, ExitCode& outcome) {
                       kLengthHelp))
       ->type_name("LENGTH");
   add_cache_option(*command, options->cache);
-  command->add_flag("--json", options->json, "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}");
-  command->callback([options, &outcome] { outcome = plan_file(*options); });
+  command->add_flag("--json", options->files.json,
+                    "Print JSON: {stages: [{stage, runs, reason, count, bytes}], ...}, of several files one document a "
+                    "line, with the file");
+  command->callback([options, &outcome] {
+    outcome =
+        run_batch(options->files, {[&](const Input& file, bool many) { return plan_file(*options, file.path, many); }});
+  });
 }
 
 }  // namespace sinew::tool

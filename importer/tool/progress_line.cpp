@@ -8,13 +8,16 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/batch/captured_output.h"
+
 namespace sinew::tool {
 namespace {
 constexpr std::chrono::milliseconds kQuiet{300};  // work shorter than this shows nothing
 constexpr std::chrono::milliseconds kInterval{100};
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1), next_(Clock::now() + kQuiet) {}
+ProgressLine::ProgressLine()
+    : terminal_(CapturedOutput::current() == nullptr && isatty(STDERR_FILENO) == 1), next_(Clock::now() + kQuiet) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 
@@ -29,6 +32,7 @@ void ProgressLine::show(std::string_view work, double done_0_to_1) {
 void ProgressLine::wipe() {
   if (!visible_) return;
   visible_ = false;
+  next_ = Clock::now();
   fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
 }

@@ -5,8 +5,8 @@
 
 namespace sinew::tool {
 
-/// One line on the terminal that shows how far long work is. It is silent when stderr is not a terminal, and during the
-/// first moment, so that quick work prints nothing.
+/// One line on the terminal that shows how far long work is. It is silent when stderr is not a terminal, in a job
+/// beside others, and during the first moment, so that quick work prints nothing.
 class ProgressLine {
  public:
   ProgressLine();
@@ -15,7 +15,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(std::string_view work, double done_0_to_1);
-  void wipe();  ///< before a message is printed
+  void wipe();  ///< before a message is printed; the next show() draws the line again at once
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -80,7 +80,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/geometry_cache", "importer/tool",
       "tests"}},
     {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
-    {"tbb/", {"runtime/threads", "importer", "viewer/light", "tests"}},
+    {"tbb/", {"runtime/threads", "importer", "importer/tool", "viewer/light", "tests"}},
     {"oneapi/", {"runtime/threads", "importer", "viewer/light", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},
     {"OpenEXR/", {"viewer/light", "tests"}},

@@ -16,11 +16,14 @@
 #include "importer/file/regular_file.h"
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/read_cache.h"
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/info/info_json.h"
 #include "importer/tool/info/info_text.h"
+#include "importer/tool/info/node_tree.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
+#include "importer/visible_text.h"
 #include "runtime/clip/clip_file.h"
 
 namespace sinew::tool {
@@ -61,8 +64,18 @@ Json json_of(const Clip& clip) {
   return out;
 }
 
+struct InfoOptions {
+  BatchOptions files;
+  bool tree = false, all = false;
+};
+
+/// Prints a result as JSON: alone indented, of many in one line.
+void print_json(const Json& result, bool many) {
+  print_result_text(many ? json_line(result) : json_text(result) + '\n');
+}
+
 /// Prints what a file of compiled clips holds; nothing when the file is none.
-std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
+std::optional<ExitCode> tell_about_clips(const std::string& file, bool json, bool many) {
   if (!looks_like_clips(read_head(file, kClipFileHead))) return std::nullopt;
   const std::vector<std::byte> bytes = read_head(file, std::numeric_limits<std::uint64_t>::max());
   const auto clips = load_clips(bytes);
@@ -73,45 +86,50 @@ std::optional<ExitCode> tell_about_clips(const std::string& file, bool json) {
   if (json) {
     Json out{{"file", file}, {"version", kClipFileVersion}, {"bytes", bytes.size()}, {"compiled_clips", Json::array()}};
     for (const Clip& clip : *clips) out["compiled_clips"].push_back(json_of(clip));
-    fmt::print("{}\n", json_text(out));
+    print_json(out, many);
     return ExitCode::done;
   }
-  fmt::print("{}\ncompiled clips, version {}: {} in {} bytes\n{}", file, kClipFileVersion, clips->size(), bytes.size(),
-             certificate_table(*clips, {}));
+  print_result("{}{}compiled clips, version {}: {} in {} bytes\n", visible_text(file), many ? ": " : "\n",
+               kClipFileVersion, clips->size(), bytes.size());
+  if (!many) print_result_text(certificate_table(*clips, {}));
   return ExitCode::done;
 }
 
 /// Prints what a geometry cache holds; nothing when the file is none. Reads its head only.
-std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json) {
+std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json, bool many) {
   const auto read = read_cache(file, false);
   if (!read) return std::nullopt;
   if (!*read) return read->error();
   const GeometryCache& cache = (*read)->cache;
-  if (json)
-    fmt::print("{}\n", json_text({{"file", file}, {"geometry_cache", geometry_json(cache)}}));
-  else
-    fmt::print("{}\ngeometry cache, version {}\n{}", file, kGeometryFileVersion, geometry_table(cache));
+  if (json) {
+    print_json({{"file", file}, {"geometry_cache", geometry_json(cache)}}, many);
+    return ExitCode::done;
+  }
+  print_result("{}{}geometry cache, version {}\n", visible_text(file), many ? ": " : "\n", kGeometryFileVersion);
+  if (!many) print_result_text(geometry_table(cache));
   return ExitCode::done;
 }
 
-struct InfoOptions {
-  std::string file;
-  bool json = false;
-};
-
-ExitCode tell_about(const InfoOptions& options) {
-  if (const auto outcome = tell_about_clips(options.file, options.json)) return *outcome;
-  if (const auto outcome = tell_about_geometry(options.file, options.json)) return *outcome;
+ExitCode tell_about(const InfoOptions& options, const std::string& path, bool many) {
+  if (const auto outcome = tell_about_clips(path, options.files.json, many)) return *outcome;
+  if (const auto outcome = tell_about_geometry(path, options.files.json, many)) return *outcome;
   ImportOptions import;
   import.decode_images = false;
   import.probe_images = true;
-  const auto file = load_file(options.file, import);
-  if (!file) return ExitCode::input_at_fault;
-  const nlohmann::ordered_json info = info_json(options.file, *file);
-  if (options.json)
-    fmt::print("{}\n", json_text(info));
+  import.carry_document = true;
+  const auto file = import_with_progress(path, import);
+  if (!file) {
+    say_error_of_import(path, file.error());
+    return ExitCode::input_at_fault;
+  }
+  Json info = info_json(path, *file);
+  if (options.tree) info["node_list"] = node_list_json(file->scene);
+  if (options.files.json)
+    print_json(info, many);
+  else if (!many)
+    print_result_text(info_text(info, options.all));
   else
-    fmt::print("{}", info_text(info));
+    print_result("{}{}", info_line(info), options.tree ? node_tree_text(info["node_list"]) : std::string());
   return ExitCode::done;
 }
 
@@ -120,10 +138,20 @@ ExitCode tell_about(const InfoOptions& options) {
 void add_info(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand(
-      "info", "Show what a file holds: nodes, meshes, skins, clips, materials, images, extensions");
-  command->add_option("FILE", options->file, "A .gltf or .glb file, compiled clips, or a geometry cache")->required();
-  command->add_flag("--json", options->json, "Print the same as JSON");
-  command->callback([options, &outcome] { outcome = tell_about(*options); });
+      "info",
+      "Show what files hold: nodes, meshes, skins, clips, materials, images, extensions\n"
+      "Also bounds, warnings, and what `sinew convert` would lose. Several files have one line each.");
+  add_batch_options(
+      *command, options->files,
+      ".gltf or .glb files, compiled clips, geometry caches, and folders of models; - is the standard input")
+      ->required();
+  command->add_flag("--tree", options->tree, "Also show the tree of nodes, and what hangs on each");
+  command->add_flag("--all", options->all, "List every warning and joint, not one warning of each rule");
+  command->add_flag("--json", options->files.json, "Print the same as JSON, of several files one document a line");
+  command->callback([options, &outcome] {
+    outcome = run_batch(options->files,
+                        {[&](const Input& file, bool many) { return tell_about(*options, file.path, many); }});
+  });
 }
 
 }  // namespace sinew::tool

@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "importer/read/property_pointer.h"
+#include "importer/rewrite_gltf.h"
+#include "importer/tool/info/node_tree.h"
 #include "importer/tool/info/skin_statistics.h"
+#include "importer/tool/model_size.h"
 #include "importer/tool/vrm/vrm_info.h"
 
 namespace sinew::tool {
@@ -62,6 +68,23 @@ Json primitive_json(const Primitive& primitive) {
   return out;
 }
 
+Json box_json(const std::optional<RestBox>& box) {
+  if (!box) return nullptr;
+  return {{"lower", box->lower}, {"upper", box->upper}};
+}
+
+/// The box of a mesh in its own space.
+Json mesh_box_json(const Mesh& mesh) {
+  Aabb box;
+  for (const Primitive& primitive : mesh.primitives)
+    if (!primitive.bounds.empty()) {
+      box.add(primitive.bounds.lower);
+      box.add(primitive.bounds.upper);
+    }
+  if (box.empty()) return nullptr;
+  return {{"lower", {box.lower.x, box.lower.y, box.lower.z}}, {"upper", {box.upper.x, box.upper.y, box.upper.z}}};
+}
+
 Json mesh_json(const Mesh& mesh) {
   std::size_t vertices = 0, triangles = 0;
   Json primitives = Json::array();
@@ -73,7 +96,11 @@ Json mesh_json(const Mesh& mesh) {
     for (std::size_t t = 0; t < deltas.size() && t < primitive.morphs.targets.size(); ++t)
       deltas[t] += non_zero_deltas(primitive.morphs.targets[t]);
   }
-  Json out = {{"name", mesh.name}, {"vertices", vertices}, {"triangles", triangles}, {"primitives", primitives}};
+  Json out = {{"name", mesh.name},
+              {"vertices", vertices},
+              {"triangles", triangles},
+              {"bounds", mesh_box_json(mesh)},
+              {"primitives", primitives}};
   if (mesh.target_count() == 0) return out;
   Json targets = Json::array();
   for (std::size_t t = 0; t < mesh.target_count(); ++t)
@@ -115,6 +142,7 @@ Json clip_json(const Scene& scene, const Animation& animation, const Clip& clip)
   }
   return {{"name", animation.name},
           {"duration_s", animation.duration_s},
+          {"animated_nodes", animated_nodes(scene, animation)},
           {"channels", tally.channels},
           {"channels_by_property", tally.by_property},
           {"modes", tally.by_mode},
@@ -135,7 +163,21 @@ Json instance_json(const Scene& scene, const MeshInstance& instance) {
           {"copies", std::max<std::size_t>(instance.copies.size(), 1)}};
 }
 
-Json material_json(const Material& material) {
+/// The image of each texture that a material uses; null for a texture without one.
+Json texture_images(const Scene& scene, const Material& material) {
+  Json out = Json::object();
+  const auto add = [&](const char* name, const TextureUse& use) {
+    if (use.used()) out[name] = index_or_null(scene.textures[use.texture].image);
+  };
+  add("base_color", material.base_color_texture);
+  add("metallic_roughness", material.metallic_roughness_texture);
+  add("normal", material.normal_texture);
+  add("occlusion", material.occlusion_texture);
+  add("emissive", material.emissive_texture);
+  return out;
+}
+
+Json material_json(const Scene& scene, const Material& material) {
   return {{"name", material.name},
           {"alpha", name_of(material.alpha_mode, kAlphaNames)},
           {"double_sided", material.double_sided},
@@ -148,15 +190,19 @@ Json material_json(const Material& material) {
             {"metallic_roughness", material.metallic_roughness_texture.used()},
             {"normal", material.normal_texture.used()},
             {"occlusion", material.occlusion_texture.used()},
-            {"emissive", material.emissive_texture.used()}}}};
+            {"emissive", material.emissive_texture.used()}}},
+          {"texture_images", texture_images(scene, material)}};
 }
 
 Json skin_json(const Scene& scene, std::uint32_t index) {
   const SkinStatistics statistics = skin_statistics(scene, index);
   Json histogram = Json::object();
   for (const auto& [count, vertices] : statistics.vertices_by_influences) histogram[std::to_string(count)] = vertices;
+  Json names = Json::array();
+  for (const std::uint32_t joint : scene.skins[index].joints) names.push_back(scene.skeleton.names[joint]);
   return {{"name", scene.skins[index].name},
           {"joints", scene.skins[index].joints.size()},
+          {"joint_names", names},
           {"joints_with_weight", statistics.joints_with_weight},
           {"root", index_or_null(node_of(scene, scene.skins[index].skeleton_root))},
           {"vertices_by_influences", histogram}};
@@ -207,6 +253,21 @@ Json extensions_json(const ImportedFile::Facts& facts) {
   return out;
 }
 
+Json issue_json(const ImportIssue& issue) {
+  return {{"rule", issue.rule}, {"pointer", issue.json_pointer}, {"message", issue.detail}, {"cases", issue.cases}};
+}
+
+/// What `sinew convert` refuses to lose unless it is told to, or why it would fail.
+std::vector<ImportIssue> lost_by_convert(const ImportedFile& file) {
+  if (file.carried == nullptr) return {};
+  RewriteOptions options;
+  options.drop = {"all"};
+  options.buffer_uri = "any.bin";  // a document without its binary part is smaller
+  auto written = rewrite_gltf(file, options);
+  if (!written) return {written.error().issue};
+  return std::move(written->drops);
+}
+
 /// A JSON array with `entry(element)` for each element of `list`.
 template <class T, class Entry>
 Json array_of(const std::vector<T>& list, const Entry& entry) {
@@ -227,7 +288,8 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
               {"extensions", extensions_json(file.facts)},
               {"nodes", nodes_json(scene.skeleton)},
               {"scenes", scene.scenes.size()},
-              {"default_scene", index_or_null(scene.default_scene)}};
+              {"default_scene", index_or_null(scene.default_scene)},
+              {"bounds", box_json(rest_box(scene))}};
   out["meshes"] = array_of(scene.meshes, mesh_json);
   out["mesh_instances"] = array_of(scene.instances, [&](const MeshInstance& i) { return instance_json(scene, i); });
   out["skins"] = Json::array();
@@ -237,14 +299,13 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
     out["clips"].push_back(clip_json(scene, scene.animations[i], scene.clips[i]));
   out["hidden_nodes"] = array_of(scene.hidden_joints, [&](std::uint32_t joint) { return node_of(scene, joint); });
   out["variants"] = scene.variants;
-  out["materials"] = array_of(scene.materials, material_json);
+  out["materials"] = array_of(scene.materials, [&](const Material& m) { return material_json(scene, m); });
   out["images"] = array_of(scene.images, image_json);
   out["cameras"] = array_of(scene.cameras, [&](const Camera& c) { return camera_json(scene, c); });
   out["lights"] = array_of(scene.lights, [&](const Light& l) { return light_json(scene, l); });
   if (file.vrm) out["vrm"] = vrm_json(*file.vrm, scene);
-  out["warnings"] = array_of(file.warnings, [](const ImportIssue& issue) {
-    return Json{{"rule", issue.rule}, {"pointer", issue.json_pointer}, {"message", issue.detail}};
-  });
+  out["warnings"] = array_of(file.warnings, issue_json);
+  out["lost_by_convert"] = array_of(lost_by_convert(file), issue_json);
   return out;
 }
 

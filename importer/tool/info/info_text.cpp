@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/info/node_tree.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 #include "importer/tool/vrm/vrm_info.h"
@@ -52,18 +55,31 @@ std::string number(const Json& value) { return value.is_number() ? fmt::format("
 
 std::string flag(const Json& value, const char* word) { return value.get<bool>() ? word : ""; }
 
-/// The textures that a material uses: "base color, normal".
-std::string texture_names(const Json& textures) {
+/// The textures that a material uses, and their images: "base color: image 0, normal: no image".
+std::string texture_names(const Json& images) {
   std::string out;
-  for (const auto& [name, used] : textures.items())
-    if (used.get<bool>()) out += (out.empty() ? "" : ", ") + name;
+  for (const auto& [name, image] : images.items())
+    out +=
+        fmt::format("{}{}: {}", out.empty() ? "" : ", ", name, image.is_null() ? "no image" : "image " + image.dump());
   std::replace(out.begin(), out.end(), '_', ' ');
   return out;
 }
 
+/// "(1, 2, 3)".
+std::string point(const Json& p) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+}
+
+/// How many places the reports of a list stand for.
+std::size_t case_count(const Json& issues) {
+  std::size_t count = 0;
+  for (const Json& issue : issues) count += issue["cases"].get<std::size_t>();
+  return count;
+}
+
 class InfoText {
  public:
-  explicit InfoText(const Json& info) : info_(info) {}
+  InfoText(const Json& info, bool all) : info_(info), all_(all) {}
 
   std::string make() {
     head();
@@ -77,9 +93,9 @@ class InfoText {
     cameras();
     lights();
     if (info_.contains("vrm")) text_ += vrm_text(info_["vrm"]);
-    line("warnings: {}", info_["warnings"].size());
-    for (const Json& w : info_["warnings"])
-      line("  {}: {}: {}", shown(w["pointer"]), text_of(w["rule"]), shown(w["message"]));
+    if (info_.contains("node_list")) text_ += "node tree:\n" + node_tree_text(info_["node_list"]);
+    issues("warnings", info_["warnings"]);
+    issues("lost by convert", info_["lost_by_convert"]);
     return std::move(text_);
   }
 
@@ -98,7 +114,18 @@ class InfoText {
     const Json& nodes = info_["nodes"];
     line("nodes: {}, {} roots, {} levels deep; scenes: {}", nodes["count"].dump(), nodes["roots"].dump(),
          nodes["depth"].dump(), info_["scenes"].dump());
+    bounds();
     if (!info_["hidden_nodes"].empty()) line("hidden nodes: {}", info_["hidden_nodes"].size());
+  }
+
+  void bounds() {
+    const Json& box = info_["bounds"];
+    if (box.is_null()) return;
+    const auto side = [&](std::size_t axis) {
+      return box["upper"][axis].get<double>() - box["lower"][axis].get<double>();
+    };
+    line("bounds at rest: {} to {}, {:.4g} x {:.4g} x {:.4g} m", point(box["lower"]), point(box["upper"]), side(0),
+         side(1), side(2));
   }
 
   /// A heading with the number of entries, then one row per entry. `cells` gives what follows its number and name.
@@ -145,14 +172,28 @@ class InfoText {
     table("skins", info_["skins"], {"joints", "with weight", "vertices by number of influences"}, [](const Json& s) {
       return std::vector{s["joints"].dump(), s["joints_with_weight"].dump(), pairs(s["vertices_by_influences"], ": ")};
     });
+    for (std::size_t i = 0; i < info_["skins"].size(); ++i) joints(i, info_["skins"][i]["joint_names"]);
+  }
+
+  void joints(std::size_t skin, const Json& all_names) {
+    if (std::all_of(all_names.begin(), all_names.end(), [](const Json& name) { return text_of(name).empty(); })) return;
+    constexpr std::size_t kShown = 24;
+    Json list = all_names;
+    if (!all_ && list.size() > kShown) list.erase(list.begin() + kShown, list.end());
+    const std::string title = fmt::format("joints of skin {}: ", skin);
+    std::string text = names(list);
+    if (list.size() < all_names.size())
+      text += fmt::format(" and {} more (--all lists them)", all_names.size() - list.size());
+    line("{}{}", title, wrapped(text, 2, title.size()));
   }
 
   void clips() {
     table("clips", info_["clips"],
-          {"seconds", "channels", "keys", "most keys", "constant", "size of keys", "size compiled", "modes",
+          {"seconds", "nodes", "channels", "keys", "most keys", "constant", "size of keys", "size compiled", "modes",
            "properties"},
           [](const Json& c) {
             return std::vector{number(c["duration_s"]),
+                               std::to_string(c["animated_nodes"].size()),
                                c["channels"].dump(),
                                c["keys"].dump(),
                                c["most_keys_of_a_channel"].dump(),
@@ -168,8 +209,9 @@ class InfoText {
     if (!info_["variants"].empty()) line("material variants: {}", names(info_["variants"]));
     table("materials", info_["materials"], {"alpha", "sides", "lighting", "metallic", "roughness", "textures"},
           [](const Json& m) {
-            return std::vector{text_of(m["alpha"]),   flag(m["double_sided"], "both"), flag(m["unlit"], "unlit"),
-                               number(m["metallic"]), number(m["roughness"]),          texture_names(m["textures"])};
+            return std::vector{text_of(m["alpha"]),       flag(m["double_sided"], "both"),
+                               flag(m["unlit"], "unlit"), number(m["metallic"]),
+                               number(m["roughness"]),    texture_names(m["texture_images"])};
           });
   }
 
@@ -207,12 +249,42 @@ class InfoText {
     });
   }
 
+  /// Reports of one rule share a line, with the first of them.
+  void issues(const char* title, const Json& list) {
+    line("{}: {}", title, case_count(list));
+    std::map<std::string, std::size_t> cases;
+    for (const Json& issue : list) cases[text_of(issue["rule"])] += issue["cases"].get<std::size_t>();
+    for (const Json& issue : list) {
+      const std::string rule = text_of(issue["rule"]);
+      const std::size_t count = all_ ? 1 : std::exchange(cases[rule], 0);
+      if (count > 0)
+        line("  {}: {}{}: {}", shown(issue["pointer"]), rule, count > 1 ? fmt::format(" x{}", count) : "",
+             shown(issue["message"]));
+    }
+  }
+
   const Json& info_;
+  bool all_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string info_text(const nlohmann::ordered_json& info) { return InfoText(info).make(); }
+std::string info_text(const nlohmann::ordered_json& info, bool all) { return InfoText(info, all).make(); }
+
+std::string info_line(const nlohmann::ordered_json& info) {
+  std::size_t vertices = 0, triangles = 0;
+  for (const Json& mesh : info["meshes"]) {
+    vertices += mesh["vertices"].get<std::size_t>();
+    triangles += mesh["triangles"].get<std::size_t>();
+  }
+  const auto size = [&](const char* list, const char* word) { return counted(info[list].size(), word); };
+  std::string line =
+      fmt::format("{}: {}, {}, {}, {} vertices, {}, {}, {}", shown(info["file"]), size_text(info["bytes"]),
+                  counted(info["nodes"]["count"].get<std::size_t>(), "node"), size("meshes", "mesh"), vertices,
+                  counted(triangles, "triangle"), size("skins", "skin"), size("clips", "clip"));
+  if (const std::size_t warnings = case_count(info["warnings"])) line += ", " + counted(warnings, "warning");
+  return line + '\n';
+}
 
 }  // namespace sinew::tool

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "importer/tool/exit_code.h"
+
+namespace sinew::tool {
+
+/// What one file came to: the end of its job, and what it printed.
+struct JobOutcome {
+  ExitCode code = ExitCode::done;
+  std::string results, messages;
+};
+
+/// Most outcomes that wait for the one before them, for each job.
+inline constexpr std::size_t kWaitingPerJob = 4;
+
+/// Calls work(0), work(1), ... on up to `jobs` threads, and show() with each outcome in that order, as early as
+/// possible.
+/// in    work   is called on any thread, several at a time; show is called by one thread at a time
+///       jobs   1 or more
+/// cost  at most `jobs` calls of `work` run, and at most kWaitingPerJob * jobs outcomes exist, whatever `count` is
+void run_in_order(std::size_t count, std::size_t jobs, const std::function<JobOutcome(std::size_t)>& work,
+                  const std::function<void(std::size_t, JobOutcome&&)>& show);
+
+}  // namespace sinew::tool

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/batch/input_list.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace sinew::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_model(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
+}
+
+/// Walks one folder that was given.
+class FolderWalk {
+ public:
+  FolderWalk(bool recursive, std::vector<Input>& out) : recursive_(recursive), out_(out) {}
+
+  void run(const fs::path& folder) {
+    const std::size_t before = out_.size();
+    enter(folder, {});
+    if (out_.size() > before) return;
+    remark(folder,
+           has_folders_ && !recursive_ ? "holds no .glb, .gltf or .vrm file itself; --recursive looks into its folders"
+                                       : "holds no .glb, .gltf or .vrm file",
+           true);
+  }
+
+ private:
+  void remark(const fs::path& folder, std::string text, bool fault) {
+    out_.push_back({folder.string(), {}, std::move(text), fault, {}});
+  }
+
+  void enter(const fs::path& folder, const fs::path& below) {
+    std::error_code error;
+    const fs::path real = fs::canonical(folder, error);
+    if (!error && !entered_.insert(real).second)
+      return remark(folder, "leads to a folder that was looked into already; it is left out", false);
+    std::set<fs::path> names;
+    fs::directory_iterator entries(folder, error);  // clears the error, or meets it again
+    for (; !error && entries != fs::directory_iterator(); entries.increment(error))
+      names.insert(entries->path().filename());
+    if (error) remark(folder, "cannot be read: " + error.message(), true);
+    for (const fs::path& name : names) visit(folder / name, below / name);
+  }
+
+  void visit(const fs::path& path, const fs::path& below) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      has_folders_ = true;
+      if (recursive_) enter(path, below);
+    } else if (is_model(path)) {
+      out_.push_back({path.string(), below.string(), {}, false, {}});
+    }
+  }
+
+  bool recursive_;
+  bool has_folders_ = false;
+  std::vector<Input>& out_;
+  std::set<fs::path> entered_;
+};
+
+}  // namespace
+
+std::size_t InputList::file_count() const {
+  return static_cast<std::size_t>(
+      std::count_if(inputs.begin(), inputs.end(), [](const Input& input) { return input.remark.empty(); }));
+}
+
+InputList list_inputs(const std::vector<std::string>& arguments, bool recursive) {
+  InputList list;
+  list.many = arguments.size() > 1;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (argument != kStandardInput && fs::is_directory(argument, error)) {
+      list.many = true;
+      FolderWalk(recursive, list.inputs).run(argument);
+    } else {
+      list.inputs.push_back({argument, fs::path(argument).filename().string(), {}, false, {}});
+    }
+  }
+  return list;
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+namespace sinew::tool {
+
+/// The argument that stands for the standard input.
+inline constexpr const char* kStandardInput = "-";
+
+/// One entry of the list of inputs: a file, or a remark about a folder in its place.
+struct Input {
+  std::string path;    ///< as it is opened and shown
+  std::string below;   ///< path below the folder that was given; of a file that was given, its name. Names outputs
+  std::string remark;  ///< not empty = no file; a sentence about the folder `path`
+  bool fault = false;  ///< of a remark: files may be missing, so that the command fails
+  std::string output;  ///< of many files: where the result of this one goes (output_folder.h)
+};
+
+struct InputList {
+  std::vector<Input> inputs;
+  bool many = false;  ///< several arguments, or a folder: one line a file, and a summary
+
+  std::size_t file_count() const;
+};
+
+/// Finds the files that arguments name. A folder stands for the .glb, .gltf and .vrm files in it, by name; with
+/// `recursive` also for those in its folders. A folder is entered once, so that loops of symbolic links end. Folders
+/// that cannot be read, that hold no such file, or that links lead to again are remarks.
+/// in    arguments   files, folders and "-"; files need not exist
+InputList list_inputs(const std::vector<std::string>& arguments, bool recursive);
+
+}  // namespace sinew::tool

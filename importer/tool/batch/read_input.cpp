@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/batch/read_input.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include "importer/tool/batch/input_list.h"
+
+namespace sinew::tool {
+namespace {
+
+/// All bytes of the standard input, but no more than one above `most`; nothing where it cannot be read.
+std::optional<std::vector<std::byte>> read_standard_input(std::uint64_t most) {
+  constexpr std::size_t kPiece = std::size_t{1} << 16;
+  std::vector<std::byte> bytes;
+  while (bytes.size() <= most) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kPiece);
+    ssize_t count = 0;
+    do count = ::read(STDIN_FILENO, bytes.data() + before, kPiece);
+    while (count < 0 && errno == EINTR);
+    bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count < 0) return std::nullopt;
+    if (count == 0) break;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+ImportResult<ImportedFile> read_input(const std::string& file, const ImportOptions& options) {
+  if (file != kStandardInput) return import_gltf(file, options);
+  const auto bytes = read_standard_input(options.max_file_bytes);
+  if (bytes) return import_gltf(*bytes, file, options);
+  return tl::unexpected(ImportError{file, {Severity::error, "file-unreadable", "", std::strerror(errno)}, {}, {}});
+}
+
+}  // namespace sinew::tool

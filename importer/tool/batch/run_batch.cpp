@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/batch/run_batch.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+#include <nlohmann/json.hpp>
+
+#include "importer/tool/batch/batch_progress.h"
+#include "importer/tool/batch/captured_output.h"
+#include "importer/tool/batch/in_order.h"
+#include "importer/tool/batch/output_folder.h"
+#include "importer/tool/messages.h"
+#include "importer/visible_text.h"
+
+namespace sinew::tool {
+namespace {
+
+constexpr std::uint32_t kMostJobs = 256;
+
+ExitCode worse(ExitCode a, ExitCode b) {
+  constexpr std::array kRising = {ExitCode::done, ExitCode::input_at_fault, ExitCode::cannot_read,
+                                  ExitCode::machine_lacks, ExitCode::wrong_usage};
+  return std::find(kRising.begin(), kRising.end(), a) > std::find(kRising.begin(), kRising.end(), b) ? a : b;
+}
+
+/// The line of a file for which the command had no result.
+std::string failure_line(const std::string& path, const std::string& messages, bool json) {
+  if (!json) return visible_text(path) + ": failed\n";
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  std::istringstream stream(messages);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line.starts_with("sinew: ") ? line.substr(7) : line);
+  return json_line({{"file", path}, {"failed", true}, {"messages", lines}});
+}
+
+/// Runs the command on one file so that its end, whatever it is, does not end the others.
+JobOutcome outcome_of(const Input& input, const BatchOptions& options, const BatchWork& work) {
+  CapturedOutput output;
+  JobOutcome out;
+  try {
+    if (input.remark.empty()) {
+      out.code = work.run(input, true);
+    } else {
+      out.code = input.fault ? ExitCode::input_at_fault : ExitCode::done;
+      say_error(input.path + ": " + input.remark);
+    }
+  } catch (const std::bad_alloc&) {
+    out.code = fail_with(ExitCode::machine_lacks, input.path + ": not enough memory");
+  } catch (const std::exception& error) {
+    out.code = fail_with(ExitCode::machine_lacks, input.path + ": " + error.what());
+  }
+  if (out.code != ExitCode::done && output.results.empty() && input.remark.empty())
+    output.results = failure_line(input.path, output.messages, options.json);
+  out.results = std::move(output.results);
+  out.messages = std::move(output.messages);
+  return out;
+}
+
+/// Shows outcomes as they come, and counts them.
+class Report {
+ public:
+  explicit Report(const InputList& list) : list_(list), progress_(list.inputs.size()) {}
+
+  void show(std::size_t index, const JobOutcome& outcome) {
+    if (results_on_terminal_ || !outcome.messages.empty()) progress_.hide();
+    if (!outcome.messages.empty()) std::fflush(stdout);  // both streams may be one terminal
+    std::fwrite(outcome.messages.data(), 1, outcome.messages.size(), stderr);
+    std::fwrite(outcome.results.data(), 1, outcome.results.size(), stdout);
+    progress_.show(index + 1);
+    code_ = worse(code_, outcome.code);
+    if (list_.inputs[index].remark.empty()) ++(outcome.code == ExitCode::done ? done_ : failed_);
+  }
+
+  /// "1000 files: 950 done, 50 failed; TOTALS"
+  std::string summary(const std::string& totals) {
+    progress_.hide();
+    return fmt::format("{}: {} done, {} failed{}{}", counted(done_ + failed_, "file"), done_, failed_,
+                       totals.empty() ? "" : "; ", totals);
+  }
+
+  ExitCode code() const { return code_; }
+
+ private:
+  const InputList& list_;
+  BatchProgress progress_;
+  const bool results_on_terminal_ = isatty(STDOUT_FILENO) == 1;
+  ExitCode code_ = ExitCode::done;
+  std::size_t done_ = 0, failed_ = 0;
+};
+
+}  // namespace
+
+CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what) {
+  command.add_flag("--recursive", options.recursive, "Also look into the folders of a folder that is given");
+  command
+      .add_option("--jobs", options.jobs,
+                  "Files to work on at a time, which changes nothing that is printed (default: one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1u, kMostJobs));
+  return command.add_option("FILE", options.inputs, what)->type_name("")->expected(1, -1);
+}
+
+ExitCode run_batch(const BatchOptions& options, const BatchWork& work) {
+  if (std::count(options.inputs.begin(), options.inputs.end(), kStandardInput) > 1)
+    return fail_with(ExitCode::wrong_usage, "-: the standard input can be read once");
+  InputList list = list_inputs(options.inputs, options.recursive);
+  if (!list.many) return work.run(list.inputs.front(), false);
+  if (work.output) {
+    if (work.output->folder.empty())
+      return fail_with(ExitCode::wrong_usage, "several files need a folder to write to: -o FOLDER");
+    if (const auto named = name_outputs(list, work.output->folder, work.output->extension); !named)
+      return fail_with(ExitCode::wrong_usage, named.error());
+  }
+  const std::size_t cores = static_cast<std::size_t>(tbb::info::default_concurrency());
+  Report report(list);
+  run_in_order(
+      list.inputs.size(), options.jobs > 0 ? options.jobs : cores,
+      [&](std::size_t i) { return outcome_of(list.inputs[i], options, work); },
+      [&](std::size_t i, JobOutcome&& outcome) { report.show(i, outcome); });
+  const std::string summary = report.summary(work.totals ? work.totals() : std::string());
+  options.json ? say_error(summary) : print_result("{}\n", summary);
+  return report.code();
+}
+
+}  // namespace sinew::tool

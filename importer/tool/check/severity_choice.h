@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "importer/import_error.h"
+
+namespace sinew::tool {
+
+/// What rules count as, where a user wants it otherwise than the table of rules.
+class SeverityChoice {
+ public:
+  /// in    texts   "weights-sum=error", "unused-object=off"; of several for one rule the last counts
+  /// err   a sentence: no such rule, no such severity
+  static tl::expected<SeverityChoice, std::string> parse(const std::vector<std::string>& texts);
+
+  /// Gives reports their severity, and leaves out those that are off.
+  void apply(std::vector<ImportIssue>& issues) const;
+
+ private:
+  std::map<std::string, std::optional<Severity>, std::less<>> of_rule_;  ///< nothing = off
+};
+
+}  // namespace sinew::tool

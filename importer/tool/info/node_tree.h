@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/model/scene.h"
+
+namespace sinew::tool {
+
+/// The nodes of the file that an animation moves, shows or hides, or whose morph weights it changes.
+std::set<std::uint32_t> animated_nodes(const Scene& scene, const Animation& animation);
+
+/// All nodes by the file's numbers: name, parent, children, and what hangs on each.
+nlohmann::ordered_json node_list_json(const Scene& scene);
+
+/// The nodes as a tree, one line each, children below their parents.
+/// in   list   what node_list_json() made
+std::string node_tree_text(const nlohmann::ordered_json& list);
+
+}  // namespace sinew::tool
