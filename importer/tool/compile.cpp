@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/output_check.h"
@@ -25,7 +26,8 @@ namespace sinew::tool {
 namespace {
 
 struct CompileOptions {
-  std::string in, out, budget = "0.1mm";
+  BatchOptions files;
+  std::string out, budget = "0.1mm";
   std::vector<std::string> clips;
 };
 
@@ -55,25 +57,24 @@ std::vector<Clip> compile_clips(const Scene& scene, const ClipChoice& chosen, do
   return clips;
 }
 
-ExitCode compile_file(const CompileOptions& options) {
+ExitCode compile_file(const CompileOptions& options, const std::string& in, const std::string& out, bool many) {
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
   import.decode_images = import.make_tangents = false;
-  const auto file = load_file(options.in, import);
+  const auto file = load_file(in, import);
   if (!file) return ExitCode::input_at_fault;
-  if (const auto why = objection_to_output(options.out, file->facts.files))
-    return fail_with(ExitCode::wrong_usage, *why);
+  if (const auto why = objection_to_output(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   const std::vector<Clip> clips = compile_clips(file->scene, *chosen, metres_of(*budget, file->scene));
   std::vector<const Clip*> saved;
   for (const Clip& clip : clips) saved.push_back(&clip);
   const std::vector<std::byte> bytes = save_clips(saved);
-  if (const auto fault = write::replace_file(options.out, bytes))
-    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
-  fmt::print("{}{}: {}, {}\n", certificate_table(clips, file->scene.skeleton.names), options.out,
-             counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
+  if (const auto fault = write::replace_file(out, bytes))
+    return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});
+  if (!many) print_result_text(certificate_table(clips, file->scene.skeleton.names));
+  print_result("{}: {}, {}\n", out, counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
 
@@ -87,8 +88,11 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
                              "At no time is a vertex farther than the budget from where the file puts it. Prints what "
                              "was measured of each clip; OUT stores that as well, and `sinew info OUT` shows it again. "
                              "OUT belongs to the skeleton of FILE; load_clips (runtime/clip/clip_file.h) reads it.");
-  command->add_option("FILE", options->in, "A .gltf or .glb file")->required();
-  command->add_option("-o,--output", options->out, "The file to write")->required()->type_name("OUT");
+  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      ->required();
+  command->add_option("-o,--output", options->out, "The file to write; of several files the folder for their .sinew")
+      ->required()
+      ->type_name("OUT");
   command
       ->add_option("--clip", options->clips,
                    "A clip to compile, by number or name; may be given several times (default: all clips)")
@@ -98,7 +102,14 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       ->add_option("--budget", options->budget,
                    fmt::format("Largest error, {}; 0 keeps every bit (default: {})", kLengthHelp, options->budget))
       ->type_name("LENGTH");
-  command->callback([options, &outcome] { outcome = compile_file(*options); });
+  command->callback([options, &outcome] {
+    outcome =
+        run_batch(options->files, {[&](const Input& file, bool many) {
+                                     return compile_file(*options, file.path, many ? file.output : options->out, many);
+                                   },
+                                   {},
+                                   BatchOutput{options->out, ".sinew"}});
+  });
 }
 
 }  // namespace sinew::tool

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/cache_folder.h"
 #include "importer/tool/files/output_check.h"
@@ -23,11 +24,13 @@
 #include "importer/tool/progress_line.h"
 #include "importer/tool/sample_times.h"
 #include "importer/tool/skinning_choice.h"
+#include "importer/visible_text.h"
 
 namespace sinew::tool {
 namespace {
 
 struct SampleOptions {
+  BatchOptions files;
   std::string file, output;
   std::optional<std::string> clip, times;
   std::optional<double> fps;
@@ -155,6 +158,15 @@ ExitCode sample_file(SampleOptions options) {
   return write_poses(file->scene, *tasks, options, content);
 }
 
+ExitCode sample_input(SampleOptions options, const Input& input, bool many) {
+  options.file = input.path;
+  if (many) options.output = input.output;
+  if (options.output == "-") options.output.clear();
+  const ExitCode code = sample_file(options);
+  if (many && code == ExitCode::done) print_result("{}: written\n", visible_text(options.output));
+  return code;
+}
+
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
   for (const auto& [name, format] : kFormatNames) names.push_back(name);
@@ -170,7 +182,8 @@ void add_sample(CLI::App& program, ExitCode& outcome) {
                              "Write poses: world matrices of nodes, morph weights, deformed vertices\n"
                              "Without --clip: the rest pose and all clips. Without --times or --fps: the start, the "
                              "first and last key, and some keys and middles between them.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
+      ->required();
   command->add_option("--clip", options->clip, "One clip only; none = the rest pose")->type_name("INDEX|NAME|none");
   auto* times = command->add_option("--times", options->times, "Seconds in the clip, for example 0,0.5,1.25")
                     ->type_name("T,T,...");
@@ -196,10 +209,17 @@ void add_sample(CLI::App& program, ExitCode& outcome) {
                    "ends in, else json)")
       ->type_name("FORMAT")
       ->check(CLI::IsMember(format_names()));
-  command->add_option("-o,--output", options->output, "Write here (compressed if it ends in .gz), not to stdout")
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "Write here (compressed if it ends in .gz), not to stdout; of several files the folder for their poses")
       ->type_name("OUT");
   add_cache_option(*command, options->cache);
-  command->callback([options, &outcome] { outcome = sample_file(*options); });
+  command->callback([options, &outcome] {
+    const auto run = [&](const Input& file, bool many) { return sample_input(*options, file, many); };
+    outcome =
+        run_batch(options->files, {run, {}, BatchOutput{options->output, "." + options->format_name.value_or("json")}});
+  });
 }
 
 }  // namespace sinew::tool

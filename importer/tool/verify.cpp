@@ -2,6 +2,7 @@
 #include "importer/tool/commands.h"
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/bake/verify_geometry.h"
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/files/cache_folder.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
@@ -23,6 +25,7 @@ namespace sinew::tool {
 namespace {
 
 struct VerifyOptions {
+  BatchOptions files;
   std::string file, golden;
   TakeSource against;  // of a geometry cache
   std::optional<std::string> tolerance;
@@ -71,17 +74,18 @@ tl::expected<void, std::string> compare_all(const Scene& scene, const VerifyOpti
   return {};
 }
 
-void print_outcome(const PoseComparison& comparison, const VerifyOptions& options) {
-  fmt::print("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance\n", options.file,
-             comparison.compared(), options.golden, comparison.largest_m(), comparison.failed());
+void print_outcome(const PoseComparison& comparison, const VerifyOptions& options, bool many) {
+  print_result("{}: {} values compared with {}, largest distance {:.3g} m, {} out of tolerance\n", options.file,
+               comparison.compared(), options.golden, comparison.largest_m(), comparison.failed());
+  if (many) return;
   for (const Deviation& worst : comparison.worst()) {
     if (std::isinf(worst.amount))
-      fmt::print("  {}: missing\n", worst.where);
+      print_result("  {}: missing\n", worst.where);
     else if (std::string_view(worst.unit) == "bits")
-      fmt::print("  {}: not the same bits\n", worst.where);
+      print_result("  {}: not the same bits\n", worst.where);
     else
-      fmt::print("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
-                 worst.unit, worst.tolerance);
+      print_result("  {}: off by {:.6g}{}{}, allowed {:.3g}\n", worst.where, worst.amount, *worst.unit ? " " : "",
+                   worst.unit, worst.tolerance);
   }
 }
 
@@ -93,7 +97,7 @@ ExitCode verify_cache(const VerifyOptions& options) {
                                                      : "GOLDEN is required: the poses to compare with");
 }
 
-ExitCode verify_poses(const VerifyOptions& options) {
+ExitCode verify_poses(const VerifyOptions& options, bool many) {
   const auto distance = parse_length(options.tolerance.value_or("0"));
   if (!distance) return fail_with(ExitCode::wrong_usage, "--tolerance: " + distance.error());
   const auto golden = read_poses(options.golden);
@@ -116,13 +120,33 @@ ExitCode verify_poses(const VerifyOptions& options) {
   PoseComparison comparison(tolerance, kWorstShown);
   if (const auto done = compare_all(file->scene, options, *golden, comparison); !done)
     return fail_with(ExitCode::cannot_read, done.error());
-  print_outcome(comparison, options);
+  print_outcome(comparison, options, many);
   if (comparison.compared() == 0) {
     return fail_with(ExitCode::cannot_read, options.golden,
                      {Severity::error, "pose-format", "/clips", "holds no pose to compare with"});
   }
   if (comparison.failed() == 0) return ExitCode::done;
   return fail_with(ExitCode::input_at_fault, fmt::format("{}: poses differ from {}", options.file, options.golden));
+}
+
+/// The poses that `sinew sample` wrote for a file of a folder.
+std::string golden_of(const std::string& folder, const Input& file) {
+  const std::filesystem::path poses = (std::filesystem::path(folder) / file.below).replace_extension(".json");
+  std::error_code error;
+  return std::filesystem::exists(poses, error) ? poses.string() : poses.string() + ".gz";
+}
+
+ExitCode verify_input(VerifyOptions options, const Input& file, bool many) {
+  options.file = file.path;
+  if (many) options.golden = golden_of(options.golden, file);
+  return verify_poses(options, many);
+}
+
+ExitCode verify_files(const VerifyOptions& options) {
+  if (options.golden.empty()) return verify_cache(options);
+  BatchOptions files = options.files;
+  files.inputs = {options.file};
+  return run_batch(files, {[&](const Input& file, bool many) { return verify_input(options, file, many); }});
 }
 
 }  // namespace
@@ -138,8 +162,12 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "\n"
       "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
       "anew. Exit status 0 when every frame is as it was written, and within what was asked.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file, or a geometry cache")->required();
-  auto* golden = command->add_option("GOLDEN", options->golden, "Poses to compare with, .json or .json.gz");
+  command->add_option("FILE", options->file, "A .gltf or .glb file, a folder of them, or a geometry cache")->required();
+  auto* golden =
+      command->add_option("GOLDEN", options->golden,
+                          "Poses to compare with, .json or .json.gz; for a folder the one that `sinew sample "
+                          "FOLDER -o GOLDEN` wrote");
+  add_batch_flags(*command, options->files);
   auto* against = command->add_option("--against", options->against.file, "What the geometry cache was baked from")
                       ->type_name("SOURCE")
                       ->excludes(golden);
@@ -156,8 +184,7 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
                       kLengthHelp))
       ->type_name("LENGTH");
   add_cache_option(*command, options->cache);
-  command->callback(
-      [options, &outcome] { outcome = options->golden.empty() ? verify_cache(*options) : verify_poses(*options); });
+  command->callback([options, &outcome] { outcome = verify_files(*options); });
 }
 
 }  // namespace sinew::tool

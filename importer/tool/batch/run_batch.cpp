@@ -100,13 +100,17 @@ class Report {
 
 }  // namespace
 
-CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what) {
+void add_batch_flags(CLI::App& command, BatchOptions& options) {
   command.add_flag("--recursive", options.recursive, "Also look into the folders of a folder that is given");
   command
       .add_option("--jobs", options.jobs,
                   "Files to work on at a time, which changes nothing that is printed (default: one for each core)")
       ->type_name("N")
       ->check(CLI::Range(1u, kMostJobs));
+}
+
+CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what) {
+  add_batch_flags(command, options);
   return command.add_option("FILE", options.inputs, what)->type_name("")->expected(1, -1);
 }
 

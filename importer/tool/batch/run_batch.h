@@ -21,7 +21,10 @@ struct BatchOptions {
   bool json = false;       ///< results are JSON: of several files one document a line
 };
 
-/// Adds --recursive and --jobs, and FILE... as the command's inputs.
+/// Adds --recursive and --jobs.
+void add_batch_flags(CLI::App& command, BatchOptions& options);
+
+/// The same, and FILE... as the command's inputs.
 /// out   the option FILE
 CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what);
 

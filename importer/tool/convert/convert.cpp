@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "importer/rewrite_gltf.h"
+#include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/convert/fit_keys.h"
 #include "importer/tool/convert/output_files.h"
@@ -22,10 +24,12 @@
 namespace sinew::tool {
 namespace {
 
+constexpr const char* kStandardOutput = "-";
 constexpr double kNoBudget = std::numeric_limits<double>::infinity();
 
 struct ConvertOptions {
-  std::string in, out;
+  BatchOptions files;
+  std::string in, out;  // "-" as OUT is the standard output
   std::optional<std::string> budget;
   std::optional<double> fps;
   bool quantize = false, meshopt = false;
@@ -45,15 +49,36 @@ ExitCode refuse(const std::string& in, const ImportError& error) {
 }
 
 std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t before) {
-  return fmt::format("{}: {} bytes, {} before ({:.1f} %)\n", out, bytes, before,
+  return fmt::format("{}: {} bytes, {} before ({:.1f} %)", out, bytes, before,
                      100.0 * static_cast<double>(bytes) / static_cast<double>(before));
 }
 
-ExitCode convert_file(const ConvertOptions& options) {
-  const auto outputs = output_files(options.out);
-  if (!outputs)
-    return fail_with(ExitCode::wrong_usage,
-                     fmt::format("{}: OUT must end in .glb or .gltf, which says what is written", options.out));
+/// Writes the files, or the .glb to the standard output.
+ExitCode write_output(const ConvertOptions& options, const OutputFiles& outputs, const RewrittenFile& written) {
+  if (options.out == kStandardOutput) {
+    std::fwrite(written.file.data(), 1, written.file.size(), stdout);
+    return ExitCode::done;
+  }
+  if (const auto fault = write_files(outputs, written))
+    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
+  return ExitCode::done;
+}
+
+/// The files to write; none for the standard output.
+/// err   a sentence
+tl::expected<OutputFiles, std::string> outputs_of(const ConvertOptions& options) {
+  if (options.out == kStandardOutput) {
+    if (options.budget || options.fps)
+      return tl::unexpected(std::string("-: cannot be read again and measured, as --budget and --fps do"));
+    return OutputFiles{};
+  }
+  if (auto outputs = output_files(options.out)) return *std::move(outputs);
+  return tl::unexpected(options.out + ": OUT must end in .glb or .gltf, which says what is written");
+}
+
+ExitCode convert_file(const ConvertOptions& options, bool many) {
+  const auto outputs = outputs_of(options);
+  if (!outputs) return fail_with(ExitCode::wrong_usage, outputs.error());
   const auto budget = parse_length(options.budget.value_or("0"));
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
@@ -61,7 +86,8 @@ ExitCode convert_file(const ConvertOptions& options) {
   import.carry_document = true;
   const auto model = load_file(options.in, import);
   if (!model) return ExitCode::input_at_fault;
-  for (const std::filesystem::path& output : outputs->all())
+  const bool to_files = options.out != kStandardOutput;
+  for (const std::filesystem::path& output : to_files ? outputs->all() : std::vector<std::filesystem::path>())
     if (const auto why = objection_to_output(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
 
   RewriteOptions rewrite;
@@ -77,13 +103,28 @@ ExitCode convert_file(const ConvertOptions& options) {
   const auto written = rewrite_gltf(*model, rewrite);
   if (!written) return refuse(options.in, written.error());
   for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
-  if (const auto fault = write_files(*outputs, *written))
-    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
-  if (options.budget || options.fps)
-    if (const auto error = print_certificates(model->scene, outputs->file, budget_m))
-      return refuse(options.out, *error);
-  fmt::print("{}", size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes));
+  if (const ExitCode code = write_output(options, *outputs, *written); code != ExitCode::done) return code;
+  if (options.budget || options.fps) {
+    const auto table = certificates(model->scene, outputs->file, budget_m);
+    if (!table) return refuse(options.out, table.error());
+    if (!many) print_result_text(*table);
+  }
+  const std::string sizes =
+      size_line(options.out, written->file.size() + written->buffer.size(), model->facts.file_bytes);
+  to_files ? print_result("{}\n", sizes) : say_error(sizes);
   return ExitCode::done;
+}
+
+ExitCode convert_files(const ConvertOptions& options) {
+  BatchOptions files = options.files;
+  files.inputs = {options.in};
+  const auto run = [&](const Input& file, bool many) {
+    ConvertOptions own = options;
+    own.in = file.path;
+    if (many) own.out = file.output;
+    return convert_file(own, many);
+  };
+  return run_batch(files, {run, {}, BatchOutput{options.out, ".glb"}});
 }
 
 }  // namespace
@@ -104,8 +145,14 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
       "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
       "\n"
       "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
-  command->add_option("IN", options->in, "A .gltf or .glb file")->required();
-  command->add_option("OUT", options->out, "The .glb or .gltf file to write")->required();
+  command->add_option("IN", options->in, "A .gltf or .glb file, or a folder of them; - is the standard input")
+      ->required();
+  command
+      ->add_option("OUT", options->out,
+                   "The .glb or .gltf file to write; for a folder the one for the .glb files; - writes a .glb to the "
+                   "standard output")
+      ->required();
+  add_batch_flags(*command, options->files);
   command
       ->add_option("--budget", options->budget,
                    fmt::format("Largest distance by which leaving out keys may move anything, {}", kLengthHelp))
@@ -123,7 +170,7 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
   command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]");
-  command->callback([options, &outcome] { outcome = convert_file(*options); });
+  command->callback([options, &outcome] { outcome = convert_files(*options); });
 }
 
 }  // namespace sinew::tool

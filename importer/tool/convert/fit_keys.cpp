@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/convert/fit_keys.h"
 
-#include <optional>
-
-#include <fmt/format.h>
-
 #include "importer/import_gltf.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/progress_line.h"
@@ -38,13 +34,12 @@ std::vector<Animation> fit_keys(const Scene& scene, double budget_m) {
   return reduced;
 }
 
-std::optional<ImportError> print_certificates(const Scene& scene, const std::filesystem::path& file, double budget_m) {
+ImportResult<std::string> certificates(const Scene& scene, const std::filesystem::path& file, double budget_m) {
   ImportOptions plain;
   plain.decode_images = plain.make_tangents = false;
   const auto again = import_gltf(file, plain);
-  if (!again) return again.error();
-  fmt::print("{}", certificate_table(certify_clips(scene, again->scene.animations, budget_m), scene.skeleton.names));
-  return std::nullopt;
+  if (!again) return tl::unexpected(again.error());
+  return certificate_table(certify_clips(scene, again->scene.animations, budget_m), scene.skeleton.names);
 }
 
 }  // namespace sinew::tool

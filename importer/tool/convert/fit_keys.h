@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "importer/import_error.h"
@@ -12,8 +12,8 @@ namespace sinew::tool {
 /// The scene's animations without the keys that the budget allows to leave out. Progress is shown on a terminal.
 std::vector<Animation> fit_keys(const Scene& scene, double budget_m);
 
-/// Reads the written file again and prints how far its clips move anything from where `scene` has it.
-/// out   nothing, or why the file cannot be read
-std::optional<ImportError> print_certificates(const Scene& scene, const std::filesystem::path& file, double budget_m);
+/// Reads the written file again; a table of how far its clips move anything from where `scene` has it.
+/// err   as import_gltf()
+ImportResult<std::string> certificates(const Scene& scene, const std::filesystem::path& file, double budget_m);
 
 }  // namespace sinew::tool
