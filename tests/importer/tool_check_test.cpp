@@ -106,7 +106,7 @@ TEST(check_command, the_table_of_rules_names_every_rule_within_100_columns) {
   const CommandOutcome outcome = run_tool({"check", "--rules"});
   EXPECT_EQ(outcome.status, 0);
   for (const RuleText& rule : all_rules())
-    EXPECT_THAT(outcome.out, HasSubstr("\n" + std::string(rule.id) + " ")) << rule.id;
+    EXPECT_THAT("\n" + outcome.out, HasSubstr("\n" + std::string(rule.id) + " ")) << rule.id;
   std::istringstream stream(outcome.out);
   for (std::string line; std::getline(stream, line);) EXPECT_LE(line.size(), 100u) << line;
   const json rules = json::parse(run_tool({"check", "--rules", "--json"}).out);

@@ -105,8 +105,7 @@ void add_check(CLI::App& program, ExitCode& outcome) {
                    "What a rule counts as here: error, warning, info or off. It changes no file and no loading")
       ->type_name("RULE=SEVERITY[,...]")
       ->delimiter(',')
-      ->expected(1)
-      ->take_all();
+      ->allow_extra_args(false);
   command->add_flag("--rules", options->rules, "List all rules with their severities, and check nothing");
   command->callback([options, &outcome] { outcome = check_files(*options); });
 }
