@@ -12,8 +12,8 @@ namespace sinew {
 std::uint64_t allowed_bytes(std::uint64_t file_bytes, std::uint64_t most) noexcept;
 
 /// Adds up how many bytes the document will grow to as vertices, keys and indices, and by lists that multiply with each
-/// other, before anything grows. Many primitives may share one accessor, and an accessor without a view costs no bytes in
-/// the file (G68).
+/// other, before anything grows. Many primitives may share one accessor, and an accessor without a view costs no bytes
+/// in the file (G68).
 /// in    references in range
 ///       file_bytes   with all buffers
 ///       most         upper limit, whatever the size of the file
