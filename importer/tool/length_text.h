@@ -14,7 +14,8 @@ struct Length {
 };
 
 /// Ends the help of an option that takes a length.
-inline constexpr const char* kLengthHelp = "such as 0.1mm, 0.01% (of the model's size) or 1e-4; 1 m is the file's unit";
+inline constexpr const char* kLengthHelp =
+    "such as 0.1mm, 0.01% (of the model's size) or 1e-4 (in the file's unit, which m stands for)";
 
 /// Reads "0.1mm", "2 cm", "5um", "0.001m", a plain number of metres such as "1e-4", or "0.01%" of the model's size. For
 /// a file that is not in metres its own unit takes the place of the metre.
