@@ -108,9 +108,12 @@ TEST_F(OutputFolder, an_output_never_takes_the_place_of_any_input) {
   const CommandOutcome same = run({"convert", in_, in_});
   EXPECT_EQ(same.status, 2);
   EXPECT_THAT(same.err, HasSubstr("d.glb is read; it is left as it is"));
+  EXPECT_THAT(files_in(in_), ElementsAre("a.gltf", "b/c.gltf", "d.glb")) << "no other job has begun";
   fs::create_directory(out_);
   fs::create_hard_link(in_ + "/a.gltf", out_ + "/d.sinew");
-  EXPECT_EQ(run({"compile", in_, "-o", out_}).status, 2) << "the input of another job, by a hard link";
+  const CommandOutcome other = run({"compile", in_, "-o", out_});
+  EXPECT_EQ(other.status, 2) << "the input of another job, by a hard link";
+  EXPECT_THAT(other.err, HasSubstr("d.sinew is read; it is left as it is"));
   EXPECT_EQ(read(in_ + "/d.glb"), before);
   EXPECT_EQ(read(in_ + "/a.gltf"), tool_model());
 }
