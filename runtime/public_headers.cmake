@@ -132,11 +132,14 @@ set(sinew_public_headers ${sinew_public_headers} CACHE INTERNAL "")
 # Programs outside of this tree read the headers from build/include, and an installed package holds that folder: there they include
 # each other as <sinew/...>, so that an engine may have a folder `runtime` of its own.
 list(TRANSFORM sinew_public_headers PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sinew_public_sources)
+list(TRANSFORM sinew_public_headers PREPEND ${PROJECT_BINARY_DIR}/include/sinew/ OUTPUT_VARIABLE sinew_written_headers)
 set(sinew_headers_list ${PROJECT_BINARY_DIR}/public_headers.txt)
 list(JOIN sinew_public_headers "\n" sinew_headers_text)
 file(CONFIGURE OUTPUT ${sinew_headers_list} CONTENT "${sinew_headers_text}\n")
 set(sinew_write_headers ${PROJECT_SOURCE_DIR}/runtime/write_public_headers.cmake)
+# The headers are named as by-products, so that what includes them is compiled again in the same build that writes them anew.
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/public_headers.stamp
+  BYPRODUCTS ${sinew_written_headers}
   COMMAND ${CMAKE_COMMAND} -DLIST=${sinew_headers_list} -DFROM=${PROJECT_SOURCE_DIR} -DTO=${PROJECT_BINARY_DIR}/include/sinew -P ${sinew_write_headers}
   COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/public_headers.stamp
   DEPENDS ${sinew_public_sources} ${sinew_headers_list} ${sinew_write_headers} COMMENT "Writing the public headers" VERBATIM)
