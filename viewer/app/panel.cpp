@@ -75,7 +75,7 @@ void time_controls(const Scene& scene, Playback& playback) {
 
   double time = playback.time_s();
   const double start = 0.0, end = playback.duration_s();
-  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("turn light  ").x);
+  ImGui::SetNextItemWidth(-ImGui::CalcTextSize("variant  ").x);
   const bool moved =
       ImGui::SliderScalar("time", ImGuiDataType_Double, &time, &start, &end, "%.3f", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemActive()) playback.pause();  // pauses while the slider is held
@@ -125,7 +125,7 @@ void light_controls(Settings& settings) {
   settings.backdrop = static_cast<Backdrop>(backdrop);
   settings.tone_curve = static_cast<ToneCurve>(tone);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
-  ImGui::SliderFloat("turn light", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
+  ImGui::SliderFloat("turn", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("turns the light that comes from all around");
 }
 
@@ -216,7 +216,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("variant  ").x);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("backdrop  ").x);
     exhibit_choice(facts, wishes);
     ImGui::Separator();
     time_controls(*facts.scene, playback);
