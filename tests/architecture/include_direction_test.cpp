@@ -57,7 +57,7 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
   if (from == "importer") return to == "importer" || kAssets.contains(to);
-  if (from == "viewer/light") return to == from || to == "runtime/base";
+  if (from == "viewer/light") return to == from || to == "runtime/base" || to == "runtime/math";
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
   if (from == "runtime") return to == "runtime/c";  // sinew.h
   const auto row = runtime_rows().find(from);

@@ -129,6 +129,18 @@ TEST(panorama, lies_around_with_plus_x_in_the_middle_and_plus_y_above) {
   }
 }
 
+TEST(panorama, brightest_light_that_a_file_can_hold_stays_finite) {
+  std::string texels;
+  for (int i = 0; i < 8 * 4; ++i) texels += {char(255), char(255), char(255), char(255)};  // 255 * 2^119 each
+  const auto panorama = decoded(radiance(8, 4, texels));
+  ASSERT_TRUE(panorama) << panorama.error();
+  const auto sky = make_environment(cube_from(*panorama, 64));
+  for (const glm::vec3& coefficient : sky->diffuse) EXPECT_TRUE(std::isfinite(coefficient.x)) << coefficient.x;
+  EXPECT_GT(sky->diffuse[0].x, 1e29f);
+  for (const CubeMap& level : sky->reflected)
+    for (const glm::vec3& texel : level.texels) ASSERT_TRUE(std::isfinite(texel.x)) << level.size;
+}
+
 TEST(panorama, small_bright_light_keeps_its_energy_on_a_coarse_cube) {
   Panorama panorama{512, 256, std::vector<glm::vec3>(512 * 256, glm::vec3(0.0f))};
   for (std::uint32_t y = 126; y < 130; ++y)

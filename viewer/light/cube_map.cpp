@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "runtime/math/interpolate.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -83,8 +85,8 @@ glm::vec3 sample(const CubeMap& cube, const glm::vec3& direction) noexcept {
   const Between x = between(point.u, cube.size), y = between(point.v, cube.size);
   const glm::vec3* face = &cube.texels[std::size_t{point.face} * cube.size * cube.size];
   const glm::vec3 *above = face + std::size_t{y.first} * cube.size, *below = face + std::size_t{y.second} * cube.size;
-  const glm::vec3 upper = glm::mix(above[x.first], above[x.second], x.share);
-  return glm::mix(upper, glm::mix(below[x.first], below[x.second], x.share), y.share);
+  const glm::vec3 upper = lerp(above[x.first], above[x.second], x.share);
+  return lerp(upper, lerp(below[x.first], below[x.second], x.share), y.share);
 }
 
 }  // namespace sinew::viewer

@@ -41,9 +41,12 @@ bool starts_with(Bytes bytes, std::string_view text) noexcept {
   return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
 }
 
-/// What is no light: negative, infinite or not a number. It is black then.
+/// The brightest light, so that sums over all texels stay finite. An infinite one would spoil the whole picture.
+constexpr float kMostLight = 1e30f;
+
+/// What is no light is black: negative, infinite or not a number.
 glm::vec3 as_light(float r, float g, float b) noexcept {
-  const auto channel = [](float v) { return std::isfinite(v) && v > 0.0f ? v : 0.0f; };
+  const auto channel = [](float v) { return std::isfinite(v) && v > 0.0f ? std::min(v, kMostLight) : 0.0f; };
   return {channel(r), channel(g), channel(b)};
 }
 

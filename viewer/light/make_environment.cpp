@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <tbb/parallel_for.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "runtime/base/contract.h"
+#include "runtime/math/interpolate.h"
 #include "viewer/light/environment.h"
 #include "viewer/light/reflected_directions.h"
 
@@ -67,7 +67,7 @@ glm::vec3 sample(std::span<const CubeMap> levels, const glm::vec3& direction, fl
   const float at = std::clamp(level, 0.0f, static_cast<float>(levels.size() - 1));
   const auto first = static_cast<std::size_t>(at);
   const std::size_t second = std::min(first + 1, levels.size() - 1);
-  return glm::mix(sample(levels[first], direction), sample(levels[second], direction), at - static_cast<float>(first));
+  return lerp(sample(levels[first], direction), sample(levels[second], direction), at - static_cast<float>(first));
 }
 
 /// One texel of a level: the mean over the directions that light is reflected from. Each sample reads the level of the

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "runtime/math/interpolate.h"
 
 namespace sinew::viewer {
 namespace {
@@ -27,9 +28,9 @@ glm::vec3 sample(const Panorama& panorama, const glm::vec3& direction) {
   const auto above = static_cast<std::uint32_t>(y), below = std::min(above + 1, panorama.height - 1);
   const auto row = [&](std::uint32_t at) {
     const glm::vec3* texels = &panorama.texels[std::size_t{at} * panorama.width];
-    return glm::mix(texels[column(left)], texels[column(left + 1.0f)], x - left);
+    return lerp(texels[column(left)], texels[column(left + 1.0f)], x - left);
   };
-  return glm::mix(row(above), row(below), y - static_cast<float>(above));
+  return lerp(row(above), row(below), y - static_cast<float>(above));
 }
 
 }  // namespace

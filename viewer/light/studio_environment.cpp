@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "runtime/math/interpolate.h"
 #include "viewer/light/environment.h"
 
 namespace sinew::viewer {
@@ -33,8 +34,8 @@ glm::vec3 from_panel(const Panel& panel, const glm::vec3& d) {
 
 glm::vec3 room(const glm::vec3& d) {
   constexpr glm::vec3 floor(0.10f, 0.095f, 0.09f), wall(0.17f, 0.17f, 0.18f), ceiling(0.24f, 0.25f, 0.27f);
-  return d.y < 0.0f ? glm::mix(wall, floor, glm::smoothstep(0.0f, 0.5f, -d.y))
-                    : glm::mix(wall, ceiling, glm::smoothstep(0.0f, 1.0f, d.y));
+  return d.y < 0.0f ? lerp(wall, floor, glm::smoothstep(0.0f, 0.5f, -d.y))
+                    : lerp(wall, ceiling, glm::smoothstep(0.0f, 1.0f, d.y));
 }
 
 glm::vec3 studio(const glm::vec3& d) {
