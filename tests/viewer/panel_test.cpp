@@ -6,20 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/viewer/imgui_fixture.h"
+
 namespace sinew::viewer {
 namespace {
 
-// ImGui without window or device: the panel is laid out and can be clicked, but is not drawn.
-class PanelTest : public testing::Test {
+class PanelTest : public ImguiTest {
  protected:
-  PanelTest() : context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {1280, 720};
-    io.DeltaTime = 1.0f / 60.0f;
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+  PanelTest() {
     for (const double duration : {2.0, 3.0}) scene_.animations.emplace_back().duration_s = duration;
     scene_.skins.emplace_back();
     facts_.name = "test";
@@ -27,7 +21,6 @@ class PanelTest : public testing::Test {
     facts_.needs = &needs_;
     facts_.exhibits = names_;
   }
-  ~PanelTest() override { ImGui::DestroyContext(context_); }
 
   PanelWishes frame(Playback& playback) {
     ImGui::NewFrame();
@@ -74,7 +67,6 @@ class PanelTest : public testing::Test {
     return wishes;
   }
 
-  ImGuiContext* context_;
   Scene scene_;
   Needs needs_;
   std::vector<std::string> names_{"first", "second"};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/viewer/imgui_fixture.h"
 #include "viewer/app/keys.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/plan_panel.h"
@@ -19,16 +20,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-class PanelText : public testing::Test {
+class PanelText : public ImguiTest {
  protected:
-  PanelText() : context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {1280, 720};
-    io.DeltaTime = 1.0f / 60.0f;
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+  PanelText() {
     for (const char* name : {"walk", "run", ""}) {
       Animation& animation = scene_.animations.emplace_back();
       animation.name = name;
@@ -38,7 +32,6 @@ class PanelText : public testing::Test {
     facts_.scene = &scene_;
     facts_.needs = &needs_;
   }
-  ~PanelText() override { ImGui::DestroyContext(context_); }
 
   /// What a window says in a frame after some in which it finds its size. The log goes to the clipboard when the window
   /// ends.
@@ -76,7 +69,6 @@ class PanelText : public testing::Test {
     return *window;
   }
 
-  ImGuiContext* context_;
   Scene scene_;
   Needs needs_;
   PanelFacts facts_;
