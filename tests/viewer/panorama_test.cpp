@@ -129,6 +129,22 @@ TEST(panorama, lies_around_with_plus_x_in_the_middle_and_plus_y_above) {
   }
 }
 
+TEST(panorama, radiance_with_run_lengths_is_read_and_refused_wherever_it_is_cut) {
+  std::string rows;
+  for (int y = 0; y < 4; ++y) {
+    rows += {2, 2, 0, 8};
+    for (const char value : {char(128), char(64), char(32), char(129)})
+      rows += {char(128 + 5), value, 3, value, value, value};
+  }
+  const auto panorama = decoded(radiance(8, 4, rows));
+  ASSERT_TRUE(panorama) << panorama.error();
+  for (const glm::vec3& texel : panorama->texels) EXPECT_EQ(texel, glm::vec3(1.0f, 0.5f, 0.25f));
+  for (std::size_t length = 16; length < rows.size(); ++length)
+    EXPECT_THAT(why(radiance(8, 4, rows.substr(0, length))), HasSubstr("run lengths")) << length;
+  rows[4] = 0;
+  EXPECT_THAT(why(radiance(8, 4, rows)), HasSubstr("run lengths")) << "a run of nothing";
+}
+
 TEST(panorama, brightest_light_that_a_file_can_hold_stays_finite) {
   std::string texels;
   for (int i = 0; i < 8 * 4; ++i) texels += {char(255), char(255), char(255), char(255)};  // 255 * 2^119 each

@@ -57,6 +57,34 @@ std::string fault_of_size(std::int64_t width, std::int64_t height) {
   return {};
 }
 
+/// What follows the header of a Radiance file: a blank line ends its fields, one more line has the size.
+Bytes rows_of_radiance(Bytes bytes) noexcept {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t fields = text.find("\n\n"), size = fields == text.npos ? fields : text.find('\n', fields + 2);
+  return size == text.npos ? Bytes() : bytes.subspan(size + 1);
+}
+
+/// False where run lengths end too early, or one of them is 0: stb_image would read on for ever.
+bool run_lengths_fit(Bytes rows, std::uint32_t width, std::uint32_t height) noexcept {
+  std::size_t at = 0;
+  const auto byte = [&](std::size_t i) { return std::to_integer<std::uint32_t>(rows[i]); };
+  for (std::uint32_t y = 0; y < height; ++y) {
+    if (rows.size() - at < 4) return false;
+    if (byte(at) != 2 || byte(at + 1) != 2 || byte(at + 2) >= 128) return true;  // plain texels from here
+    at += 4;
+    for (std::uint32_t channel = 0; channel < 4; ++channel)
+      for (std::uint32_t x = 0; x < width;) {
+        if (at == rows.size()) return false;
+        const std::uint32_t code = byte(at), count = code > 128 ? code - 128 : code;
+        const std::size_t stored = code > 128 ? 2 : 1 + count;
+        if (count == 0 || rows.size() - at < stored) return false;
+        at += stored;
+        x += count;
+      }
+  }
+  return true;
+}
+
 Decoded decode_radiance(Bytes bytes) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
@@ -66,6 +94,9 @@ Decoded decode_radiance(Bytes bytes) {
   if (std::string fault = fault_of_size(width, height); !fault.empty()) return fails(std::move(fault));
   // Run lengths store a row in at least 4 bytes and two for each 127 of its values.
   if (bytes.size() / 4 < static_cast<std::size_t>(height)) return fails("Radiance: the file ends too early");
+  if (width >= 8 &&
+      !run_lengths_fit(rows_of_radiance(bytes), static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)))
+    return fails("Radiance: the run lengths of a row are damaged");
   const std::unique_ptr<float, void (*)(void*)> values(
       stbi_loadf_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
   if (!values) return fails(std::string("Radiance: ") + stbi_failure_reason());
