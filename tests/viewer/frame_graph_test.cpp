@@ -41,6 +41,16 @@ TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {
   EXPECT_TRUE(FrameGraph({.opaque = true, .blended = true}).has(Pass::transparent));
 }
 
+TEST(frame_graph, draws_the_ground_over_what_is_opaque_and_before_it_for_occlusion) {
+  EXPECT_THAT(passes({.opaque = true, .blended = true, .occlusion = false, .ground = true}),
+              ElementsAre(Pass::opaque, Pass::ground, Pass::transparent, Pass::tonemap));
+  EXPECT_FALSE(FrameGraph({.opaque = true, .occlusion = false, .ground = true}).ground_occluded);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .ground = true}).ground_occluded);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .ground = true, .show = Show::ao}).ground_occluded);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .ground = true, .show = Show::normals}).ground_occluded);
+  EXPECT_TRUE(FrameGraph({.shadows = true, .ground = true}).has(Pass::shadow)) << "the caster may be out of view";
+}
+
 TEST(frame_graph, leaves_the_blur_and_its_image_out_when_it_is_off) {
   const FrameGraph graph({.opaque = true, .blur = false});
   EXPECT_TRUE(graph.has(Pass::ssao) && graph.ao_image);

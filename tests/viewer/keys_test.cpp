@@ -20,6 +20,7 @@ TEST(keys, codes_are_those_of_glfw) {
   EXPECT_EQ(action_of_key(GLFW_KEY_ESCAPE), Action::quit);
   EXPECT_EQ(action_of_key(GLFW_KEY_Q), Action::quit);
   EXPECT_EQ(action_of_key(GLFW_KEY_A), Action::toggle_ao);
+  EXPECT_EQ(action_of_key(GLFW_KEY_G), Action::next_ground);
   EXPECT_EQ(action_of_key(GLFW_KEY_U), Action::next_updates);
   EXPECT_EQ(action_of_key(GLFW_KEY_Z), std::nullopt);
 }

@@ -39,7 +39,7 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
   EXPECT_THAT(stages,
               ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao", "blur_horizontal",
-                          "blur_vertical", "opaque", "transparent", "tonemap", "show", "overlay"));
+                          "blur_vertical", "opaque", "ground", "transparent", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -124,7 +124,7 @@ TEST(live_plan, becomes_a_table_of_text) {
 }
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
-  for (std::uint32_t bits = 0; bits < 128; ++bits)
+  for (std::uint32_t bits = 0; bits < 256; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
@@ -133,6 +133,7 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
                              .ambient = (bits & 8) != 0,
                              .occlusion = (bits & 16) != 0,
                              .blur = (bits & 32) != 0,
+                             .ground = (bits & 128) != 0,
                              .show = show};
       const FrameGraph graph(needs);
       for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 2, {64, 48}, {32, 24}})) {
@@ -152,6 +153,8 @@ TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
   EXPECT_THAT(why({.opaque = false}, Pass::blur_vertical), HasSubstr("nothing opaque"));
   EXPECT_THAT(why({.opaque = true, .blur = false}, Pass::blur_vertical), HasSubstr("blur is switched off"));
   EXPECT_THAT(why({.opaque = true}, Pass::transparent), HasSubstr("nothing blended"));
+  EXPECT_THAT(why({.opaque = true}, Pass::ground), HasSubstr("no ground is asked for"));
+  EXPECT_THAT(why({.ground = true, .show = Show::ao}, Pass::ground), HasSubstr("a buffer instead"));
   EXPECT_THAT(why({.opaque = true}, Pass::shadow), HasSubstr("no light casts"));
   EXPECT_THAT(why({.shadows = true}, Pass::shadow), HasSubstr("nothing is in view"));
   EXPECT_THAT(why({.opaque = true, .shadows = true, .show = Show::ao}, Pass::shadow), HasSubstr("a buffer instead"));

@@ -34,6 +34,10 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.height, 720u);
   EXPECT_TRUE(options.ambient_occlusion && options.shadows);
   EXPECT_FALSE(accepted({"--no-shadows"}).shadows);
+  EXPECT_EQ(options.ground, GroundLook::shadows);
+  EXPECT_EQ(accepted({"--ground", "none"}).ground, GroundLook::none);
+  EXPECT_EQ(accepted({"--ground", "shadows"}).ground, GroundLook::shadows);
+  EXPECT_EQ(accepted({"--ground", "grid"}).ground, GroundLook::grid);
   EXPECT_FALSE(options.smooth_edges.has_value());
   EXPECT_EQ(accepted({"--smoothing", "on"}).smooth_edges, true);
   EXPECT_EQ(accepted({"--smoothing", "off"}).smooth_edges, false);

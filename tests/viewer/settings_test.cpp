@@ -19,6 +19,7 @@ TEST(settings, begin_as_the_command_line_says) {
   options.exposure_ev = -2.0f;
   options.backdrop = Backdrop::blurred;
   options.tone_curve = ToneCurve::none;
+  options.ground = GroundLook::grid;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
@@ -33,11 +34,20 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_EQ(light.tone_curve, ToneCurve::none);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).smooth_edges);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).shadows.on);
+  EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).ground.look, GroundLook::grid);
   EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).backdrop, Backdrop::blurred);
   EXPECT_TRUE(settings.panel);
   EXPECT_FALSE(settings.skeleton);
   options.skeleton = true;
   EXPECT_TRUE(settings_from(options, scene).skeleton);
+}
+
+TEST(settings, ground_changes_in_turn) {
+  Settings settings;
+  for (const GroundLook next : {GroundLook::grid, GroundLook::none, GroundLook::shadows}) {
+    next_ground(settings);
+    EXPECT_EQ(settings.ground, next);
+  }
 }
 
 TEST(settings, pictures_are_evaluated_in_every_frame_unless_asked_otherwise) {

@@ -55,7 +55,9 @@ std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb
                   [](const Light& light) { return light.kind == Light::Kind::directional; }))
     return std::nullopt;
   if (!scene.lights.empty()) return glm::vec3(0.0f);
-  return -glm::normalize(Lighting{}.to_key) * glm::length(reached.upper - reached.lower);
+  const glm::vec3 to_key = glm::normalize(Lighting{}.to_key);
+  return -to_key * glm::length(reached.upper - reached.lower) /
+         to_key.y;  // as far as the ground, from the highest point
 }
 
 void leave_out(const CulledInstances& culled, bool joints_watched, FrameInput& input) {

@@ -20,6 +20,7 @@ enum class Action {
   toggle_ao,
   toggle_ao_only,
   next_show,
+  next_ground,
   toggle_skeleton,
   next_skinning,
   next_updates,

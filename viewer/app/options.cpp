@@ -160,6 +160,12 @@ void add_light_options(CLI::App& app, Options& options) {
   };
   app.add_flag_callback(
       "--no-shadows", [&] { options.shadows = false; }, "leave the shadows of the key light or the sun out");
+  text_option(app, "--ground", "LOOK", "below the scene: none, shadows, or grid with them (shadows)",
+              [&](const std::string& text) {
+                options.ground = named<GroundLook>(
+                    "--ground", text,
+                    {{"none", GroundLook::none}, {"shadows", GroundLook::shadows}, {"grid", GroundLook::grid}});
+              });
   app.add_option("--environment", options.environment,
                  "light from all around: studio, plain, none, or a panorama .hdr or .exr (studio)")
       ->type_name("LIGHT");

@@ -42,6 +42,7 @@ struct Options {
   Show show = Show::color;
   bool ambient_occlusion = true;
   bool shadows = true;
+  GroundLook ground = GroundLook::shadows;
   std::optional<bool> smooth_edges;    ///< unset = in pictures, and in the window of a graphics card
   std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
   float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above

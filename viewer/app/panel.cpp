@@ -119,9 +119,12 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
 }
 
 void light_controls(Settings& settings) {
-  int backdrop = static_cast<int>(settings.backdrop), tone = static_cast<int>(settings.tone_curve);
+  int backdrop = static_cast<int>(settings.backdrop), tone = static_cast<int>(settings.tone_curve),
+      ground = static_cast<int>(settings.ground);
+  ImGui::Combo("ground", &ground, "none\0shadows\0grid\0");
   ImGui::Combo("backdrop", &backdrop, "plain\0blurred\0sharp\0");
   ImGui::Combo("tone", &tone, "neutral\0aces\0none\0");
+  settings.ground = static_cast<GroundLook>(ground);
   settings.backdrop = static_cast<Backdrop>(backdrop);
   settings.tone_curve = static_cast<ToneCurve>(tone);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");

@@ -18,6 +18,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.environment_intensity = options.environment_intensity;
   settings.exposure_ev = options.exposure_ev;
   settings.shadows = options.shadows;
+  settings.ground = options.ground;
   settings.smooth_edges = options.smooth_edges.value_or(true);
   settings.backdrop = options.backdrop;
   settings.tone_curve = options.tone_curve;
@@ -56,6 +57,14 @@ void next_skinning(Settings& settings) noexcept {
   }
 }
 
+void next_ground(Settings& settings) noexcept {
+  switch (settings.ground) {
+    case GroundLook::none: settings.ground = GroundLook::shadows; break;
+    case GroundLook::shadows: settings.ground = GroundLook::grid; break;
+    case GroundLook::grid: settings.ground = GroundLook::none; break;
+  }
+}
+
 void next_show(Settings& settings) noexcept {
   switch (settings.show) {
     case Show::color: settings.show = Show::ao; break;
@@ -75,6 +84,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);
   options.shadows = {settings.shadows, bounds.reached};
+  options.ground.look = settings.ground;
   options.smooth_edges = settings.smooth_edges;
   options.backdrop = settings.backdrop;
   options.lighting.tone_curve = settings.tone_curve;

@@ -13,6 +13,7 @@ struct Settings {
   Show show = Show::color;
   bool ambient_occlusion = true;
   bool shadows = true;
+  GroundLook ground = GroundLook::shadows;
   bool smooth_edges = true;
   Backdrop backdrop = Backdrop::plain;
   ToneCurve tone_curve = ToneCurve::neutral;
@@ -53,6 +54,9 @@ void next_updates(Settings& settings) noexcept;
 
 /// Cycles through linear, dual quaternion, center of rotation.
 void next_skinning(Settings& settings) noexcept;
+
+/// Cycles through none, shadows, grid.
+void next_ground(Settings& settings) noexcept;
 
 /// Cycles through color, ao, normals, depth.
 void next_show(Settings& settings) noexcept;

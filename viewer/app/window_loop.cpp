@@ -177,6 +177,7 @@ bool WindowLoop::act_on_look(Action action) {
     case Action::toggle_ao: settings_.ambient_occlusion = !settings_.ambient_occlusion; return true;
     case Action::toggle_ao_only: toggle_ao_only(settings_); return true;
     case Action::next_show: next_show(settings_); return true;
+    case Action::next_ground: next_ground(settings_); return true;
     case Action::toggle_skeleton: settings_.skeleton = !settings_.skeleton; return true;
     case Action::next_skinning: next_skinning(settings_); return true;
     case Action::next_updates: next_updates(settings_); return true;

@@ -29,6 +29,15 @@ constexpr std::uint32_t kTonemapFrag[] =
 constexpr std::uint32_t kShowFrag[] =
 #include "show.frag.inc"
     ;
+constexpr std::uint32_t kGroundVert[] =
+#include "ground.vert.inc"
+    ;
+constexpr std::uint32_t kGroundNormalFrag[] =
+#include "ground_normal.frag.inc"
+    ;
+constexpr std::uint32_t kGroundFrag[] =
+#include "ground.frag.inc"
+    ;
 constexpr std::uint32_t kLineVert[] =
 #include "line.vert.inc"
     ;
@@ -48,6 +57,9 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
     case Shader::ssao_blur_frag: return kSsaoBlurFrag;
     case Shader::tonemap_frag: return kTonemapFrag;
     case Shader::show_frag: return kShowFrag;
+    case Shader::ground_vert: return kGroundVert;
+    case Shader::ground_normal_frag: return kGroundNormalFrag;
+    case Shader::ground_frag: return kGroundFrag;
     case Shader::line_vert: return kLineVert;
     default: return kLineFrag;
   }

@@ -17,6 +17,9 @@ enum class Shader : std::uint8_t {
   ssao_blur_frag,
   tonemap_frag,
   show_frag,
+  ground_vert,
+  ground_normal_frag,
+  ground_frag,
   line_vert,
   line_frag
 };

@@ -7,7 +7,7 @@ namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
-      "shadow",      "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque",
+      "shadow",      "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque", "ground",
       "transparent", "tonemap",      "show", "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
@@ -27,12 +27,14 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   }
   if (picture) {
     add(Pass::opaque);
+    if (needs.ground) add(Pass::ground);
     if (needs.blended) add(Pass::transparent);
     add(Pass::tonemap);
   } else {
     add(Pass::show);
   }
   if (needs.overlay) add(Pass::overlay);
+  ground_occluded = occlusion && needs.ground;
   sampled = picture && needs.smooth_edges;
   depth_image = prepass || !sampled;
   normal_image = occlusion || needs.show == Show::normals;

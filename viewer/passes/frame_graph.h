@@ -16,12 +16,13 @@ enum class Pass : std::uint8_t {
   blur_horizontal,
   blur_vertical,
   opaque,
+  ground,  ///< shadows and contact on a level ground, and its grid
   transparent,
   tonemap,
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 10;
+inline constexpr std::size_t kPassCount = 11;
 
 std::string_view name_of(Pass pass) noexcept;
 
@@ -34,11 +35,12 @@ struct FrameNeeds {
   bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
+  bool ground = false;        ///< it is switched on and seen from above
   bool smooth_edges = false;  ///< 4 samples a pixel
   Show show = Show::color;
 
   /// Some pass reads the shadow map.
-  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended); }
+  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended || ground); }
 
   /// Some pass reads ambient access.
   bool occluded() const noexcept {
@@ -57,7 +59,8 @@ class FrameGraph {
   std::size_t size() const noexcept { return count_; }
 
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
-  bool sampled = false;  ///< colour and depth of 4 samples a pixel, averaged into the colour image
+  bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
+  bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image
   bool ao_image = false,
        half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
 

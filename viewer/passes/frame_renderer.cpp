@@ -123,6 +123,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .ambient = inputs.options.lighting.ambient(),
           .occlusion = inputs.options.ao.has_effect(),
           .blur = inputs.options.ao.blur,
+          .ground = ground_is_seen(inputs.view, inputs.options.ground),
           .smooth_edges = inputs.options.smooth_edges,
           .show = inputs.options.show};
 }

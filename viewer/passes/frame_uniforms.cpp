@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -71,6 +72,45 @@ void write_shadow(const View& view, const ShadowView& map, FrameUniforms& u) {
   u.shadow_texel_m = static_cast<float>(map.texel_m);
 }
 
+/// The part of the ground that is drawn, from its middle: a grid all around, else no more than what may be darker.
+/// in   to_light  of the light that casts shadows; zero = none does
+///      contact_m  how far ambient occlusion reaches
+glm::vec4 ground_reach(const Ground& ground, const glm::dvec3& to_light, double contact_m) {
+  const double radius = ground.radius_m;
+  glm::dvec2 least(-radius), most(radius);
+  if (ground.look != GroundLook::grid && !ground.bounds.empty()) {
+    least = glm::dvec2(radius);
+    most = -least;
+    const auto add = [&](const glm::dvec3& p) {
+      const glm::dvec2 at(p.x - ground.middle.x, p.z - ground.middle.z);
+      least = glm::clamp(glm::min(least, at - contact_m), -radius, radius);
+      most = glm::clamp(glm::max(most, at + contact_m), -radius, radius);
+    };
+    for (int c = 0; c < 8; ++c) {
+      const Aabb& box = ground.bounds;
+      const glm::dvec3 corner(c & 1 ? box.upper.x : box.lower.x, c & 2 ? box.upper.y : box.lower.y,
+                              c & 4 ? box.upper.z : box.lower.z);
+      add(corner);
+      if (to_light.y > 0.0) add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
+    }
+  }
+  return {static_cast<float>(least.x), static_cast<float>(least.y), static_cast<float>(most.x),
+          static_cast<float>(most.y)};
+}
+
+void write_ground(const View& view, const RenderOptions& options, const ShadowLight& shadow, FrameUniforms& u) {
+  const Ground& ground = options.ground;
+  u.ground_middle = glm::vec3(transform_point(view.view_from_world, ground.middle));
+  u.ground_radius_m = ground.radius_m;
+  u.ground_x = into_view(view, {1.0f, 0.0f, 0.0f});
+  u.ground_z = into_view(view, {0.0f, 0.0f, 1.0f});
+  const double step = ground.grid_step_m;
+  u.ground_grid_step_m = ground.grid_step_m;
+  u.ground_grid_offset = {static_cast<float>(ground.middle.x - step * std::floor(ground.middle.x / step)),
+                          static_cast<float>(ground.middle.z - step * std::floor(ground.middle.z / step))};
+  u.ground_reach = ground_reach(ground, shadow.to_light, options.ao.has_effect() ? options.ao.radius_m : 0.0);
+}
+
 }  // namespace
 
 float linear_from_srgb(float encoded) noexcept {
@@ -100,6 +140,12 @@ ShadowLight shadow_light(const View& view, const RenderOptions& options, std::sp
   return {};
 }
 
+bool ground_is_seen(const View& view, const Ground& ground) noexcept {
+  if (ground.look == GroundLook::none) return false;
+  if (view.parallel()) return view.view_from_world.row[2].y > 0.0;
+  return eye_of(view).y > ground.middle.y;
+}
+
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
                                   std::span<const PlacedLight> lights, const ShadowLight& shadow,
                                   const SsaoKernel& kernel) {
@@ -120,6 +166,7 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.farthest_shown_m = std::max(options.depth_range.farthest_m, options.depth_range.nearest_m + 1e-6f);
   write_environment(view, options.lighting, u);
   if (shadow.index != kNone) write_shadow(view, shadow_view(options.shadows.bounds, shadow.to_light), u);
+  if (ground_is_seen(view, options.ground)) write_ground(view, options, shadow, u);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)
     u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);

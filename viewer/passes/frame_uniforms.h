@@ -5,6 +5,8 @@
 #include <span>
 
 #include <vulkan/vulkan.h>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "runtime/model/scene.h"
@@ -41,12 +43,21 @@ struct FrameUniforms {
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
   std::array<glm::vec4, 3> shadow_from_view{};       ///< rows of ShadowView::map_from_world, from view space
-  glm::vec4 background{0.0f};                        ///< linear
+  glm::vec3 ground_middle{0.0f};                     ///< view space
+  float ground_radius_m = 0.0f;
+  glm::vec3 ground_x{0.0f};  ///< x and z of the world in view space
+  float ground_grid_step_m = 0.0f;
+  glm::vec3 ground_z{0.0f};
+  float padding = 0.0f;
+  glm::vec2 ground_grid_offset{0.0f};  ///< metres from a corner of the grid to the middle of the ground
+  glm::vec2 more_padding{0.0f};
+  glm::vec4 ground_reach{0.0f};  ///< least x and z, most x and z of what is drawn, from the middle
+  glm::vec4 background{0.0f};    ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (20 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (25 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
@@ -62,6 +73,9 @@ struct ShadowLight {
 
 /// None where shadows are off, have no bounds, or no directional light shines.
 ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
+
+/// It is switched on, and the eye is above it (a parallel view looks down on it).
+bool ground_is_seen(const View& view, const Ground& ground) noexcept;
 
 /// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
 ///      shadow  its map is fitted to options.shadows.bounds

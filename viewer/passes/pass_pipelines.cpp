@@ -119,6 +119,26 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
 
+namespace {
+
+void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
+  const bool prepass = key.pass == Pass::normal_depth;
+  shape.vertex = Shader::ground_vert;
+  shape.fragment = prepass ? Shader::ground_normal_frag : Shader::ground_frag;
+  shape.color_format = prepass ? kNormalFormat : kColorFormat;
+  shape.samples = !prepass && key.frame.smooth_edges ? kSmoothSamples : 1;
+  shape.depth = true;
+  shape.depth_write = prepass;
+  shape.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+  shape.blend = !prepass;
+  shape.constants[0] = key.grid;
+  shape.constants[id_light_count] = key.frame.light_count;
+  shape.constants[id_ambient] = key.frame.ambient;
+  shape.constants[id_shadow_light] = key.frame.shadow_light;
+}
+
+}  // namespace
+
 VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   VkPipeline& pipeline = screen_[key];
   if (pipeline) return pipeline;
@@ -149,6 +169,8 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
       shape.constants[1] = occlusion_.blur_reach;
       shape.constants[2] = occlusion_.keep_edges;
       break;
+    case Pass::normal_depth:
+    case Pass::ground: shape_ground(key, shape); break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:
       shape.vertex = Shader::line_vert;

@@ -91,10 +91,12 @@ struct MeshPipelineKey {
   auto operator<=>(const MeshPipelineKey&) const = default;
 };
 
-/// The properties of a pipeline that covers the target, or draws the lines of the overlay.
+/// The properties of a pipeline that covers the target, or draws the ground (normal_depth: its prepass) or the lines of
+/// the overlay.
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
   Show show = Show::color;  ///< Pass::show: which buffer
+  bool grid = false;        ///< Pass::ground
   FrameFeatures frame;
 
   auto operator<=>(const ScreenPipelineKey&) const = default;

@@ -40,6 +40,9 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::transparent:
       if (!needs.blended) return "nothing blended is in view";
       return picture ? "blended surfaces, from far to near" : "the picture shows a buffer instead";
+    case Pass::ground:
+      if (!needs.ground) return "no ground is asked for, or the eye is below it";
+      return picture ? "darkens what is behind, by shadows and contact" : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
     case Pass::opaque: return picture ? "shades what is opaque or alpha-tested" : "the picture shows a buffer instead";
@@ -55,6 +58,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::normal_depth:
     case Pass::opaque: return work.opaque_draws;
     case Pass::transparent: return work.blended_draws;
+    case Pass::ground: return 1;
     case Pass::overlay: return work.lines;
     case Pass::ssao:
     case Pass::blur_horizontal:

@@ -98,6 +98,16 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
   }
 }
 
+/// in   pass  ground, or normal_depth for its prepass
+void draw_ground(const PassContext& context, Pass pass) {
+  const VkDescriptorSet set = context.set.set();
+  const bool grid = pass == Pass::ground && context.inputs.options.ground.look == GroundLook::grid;
+  vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
+  vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                    context.pipelines.screen({.pass = pass, .grid = grid, .frame = context.features}));
+  vkCmdDraw(context.commands, 6, 1, 0, 0);
+}
+
 /// Covers the target with one triangle.
 void draw_screen(const PassContext& context, VkPipeline pipeline, VkDescriptorSet set) {
   vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &set, 0, nullptr);
@@ -128,6 +138,7 @@ void record_normal_depth(const PassContext& context) {
                                                  .depth_write = true,
                                                  .extent = context.targets.extent()});
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::normal_depth, .depth_only = !normals});
+    if (context.graph.ground_occluded) draw_ground(context, Pass::normal_depth);
   }
   context.targets.next_use(context.commands, Target::depth, kReadDepth);
   if (normals) context.targets.next_use(context.commands, Target::normals, kReadInShader);
@@ -157,7 +168,7 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
   context.targets.next_use(context.commands, to, kReadInShader);
 }
 
-/// The images that the scene is shaded into. With 4 samples a pixel, the last pass of the scene averages them.
+/// The images that the scene is shaded into. With 4 samples a pixel, the last pass over the scene averages them.
 struct SceneTargets {
   Target color, depth;
   bool sampled;
@@ -168,8 +179,11 @@ struct SceneTargets {
         sampled(graph.sampled) {}
 };
 
-VkImageView resolved(const PassContext& context, bool last_of_scene) {
-  if (!context.graph.sampled || !last_of_scene) return VK_NULL_HANDLE;
+VkImageView resolved(const PassContext& context, Pass pass) {
+  const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent
+                    : context.graph.has(Pass::ground)    ? Pass::ground
+                                                         : Pass::opaque;
+  if (!context.graph.sampled || pass != last) return VK_NULL_HANDLE;
   context.targets.next_use(context.commands, Target::color, kWriteColor, false);
   return context.targets.view(Target::color);
 }
@@ -192,7 +206,7 @@ void record_opaque(const PassContext& context) {
   const bool depth_is_there = scene.sampled || context.graph.has(Pass::normal_depth);
   context.targets.next_use(context.commands, scene.color, kWriteColor, false);
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kWriteDepth, false);
-  const VkImageView resolve = resolved(context, !context.graph.has(Pass::transparent));
+  const VkImageView resolve = resolved(context, Pass::opaque);
   {
     const Rendering rendering(context.commands, {.color = context.targets.view(scene.color),
                                                  .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
@@ -205,15 +219,24 @@ void record_opaque(const PassContext& context) {
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kReadDepth);
 }
 
-void record_transparent(const PassContext& context) {
+/// Attachments of a pass that blends over what is opaque.
+Attachments over_opaque(const PassContext& context, Pass pass) {
   const SceneTargets scene(context.graph);
   context.targets.next_use(context.commands, scene.color, kWriteColor);
-  const VkImageView resolve = resolved(context, true);
-  const Rendering rendering(context.commands, {.color = context.targets.view(scene.color),
-                                               .load = VK_ATTACHMENT_LOAD_OP_LOAD,
-                                               .resolve = resolve,
-                                               .depth = context.targets.view(scene.depth),
-                                               .extent = context.targets.extent()});
+  return {.color = context.targets.view(scene.color),
+          .load = VK_ATTACHMENT_LOAD_OP_LOAD,
+          .resolve = resolved(context, pass),
+          .depth = context.targets.view(scene.depth),
+          .extent = context.targets.extent()};
+}
+
+void record_ground(const PassContext& context) {
+  const Rendering rendering(context.commands, over_opaque(context, Pass::ground));
+  draw_ground(context, Pass::ground);
+}
+
+void record_transparent(const PassContext& context) {
+  const Rendering rendering(context.commands, over_opaque(context, Pass::transparent));
   draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
 }
 
@@ -225,8 +248,10 @@ void record_tonemap(const PassContext& context) {
 
 void record_show(const PassContext& context) {
   const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
-  draw_screen(context, context.pipelines.screen({Pass::show, context.inputs.options.show, context.features}),
-              context.set.set());
+  draw_screen(
+      context,
+      context.pipelines.screen({.pass = Pass::show, .show = context.inputs.options.show, .frame = context.features}),
+      context.set.set());
 }
 
 void record_overlay(const PassContext& context) {
@@ -256,6 +281,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::blur_horizontal: return record_ssao_blur(context, false);
     case Pass::blur_vertical: return record_ssao_blur(context, true);
     case Pass::opaque: return record_opaque(context);
+    case Pass::ground: return record_ground(context);
     case Pass::transparent: return record_transparent(context);
     case Pass::tonemap: return record_tonemap(context);
     case Pass::show: return record_show(context);

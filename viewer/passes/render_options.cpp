@@ -2,6 +2,7 @@
 #include "viewer/passes/render_options.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -25,9 +26,24 @@ AmbientOcclusion ambient_occlusion_for(const Aabb& bounds) {
   return ao;
 }
 
+Ground ground_for(const Aabb& bounds) {
+  constexpr float kBelow = 0.002f;  // of half the diagonal
+  const float half = half_diagonal(bounds);
+  Ground ground;
+  ground.bounds = bounds;
+  if (!bounds.empty()) {
+    ground.middle = 0.5 * (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper));
+    ground.middle.y = static_cast<double>(bounds.lower.y) - static_cast<double>(kBelow * half);
+  }
+  ground.radius_m = 3.0f * half;
+  ground.grid_step_m = std::pow(10.0f, std::floor(std::log10(ground.radius_m / 3.0f)));
+  return ground;
+}
+
 RenderOptions render_options_for(const Aabb& bounds, const glm::dvec3& eye) {
   RenderOptions options;
   options.ao = ambient_occlusion_for(bounds);
+  options.ground = ground_for(bounds);
   const glm::vec3 centre = bounds.empty() ? glm::vec3(0.0f) : 0.5f * (bounds.lower + bounds.upper);
   const float distance = static_cast<float>(glm::length(eye - glm::dvec3(centre)));
   const float radius = half_diagonal(bounds);

@@ -71,6 +71,25 @@ struct Shadows {
   Aabb bounds;  ///< world space: everything that casts or receives them; empty = none
 };
 
+enum class GroundLook : std::uint8_t {
+  none,
+  shadows,  ///< shadows and contact alone: what is behind is seen through the ground
+  grid      ///< a grid besides
+};
+
+/// A level ground below the scene.
+struct Ground {
+  GroundLook look = GroundLook::none;
+  Aabb bounds;               ///< world space: what casts shadows on it
+  glm::dvec3 middle{0.0};    ///< world space
+  float radius_m = 1.0f;     ///< it fades out from 0.6 of this distance to all of it
+  float grid_step_m = 1.0f;  ///< lines are at multiples of this, in world space
+};
+
+/// Just below the bounds, so that feet do not touch it; as wide as shadows of a high light reach. Without a look.
+/// eq   radius = 1.5 * diagonal; the step is the largest power of 10 that has at least 3 lines in the radius
+Ground ground_for(const Aabb& bounds);
+
 struct DepthRange {
   float nearest_m = 0.0f, farthest_m = 10.0f;
 };
@@ -80,6 +99,7 @@ struct RenderOptions {
   AmbientOcclusion ao;
   Lighting lighting;
   Shadows shadows;
+  Ground ground;
   DepthRange depth_range;     ///< for Show::depth
   bool smooth_edges = false;  ///< coverage and depth of 4 samples a pixel; shading stays one a pixel
   Backdrop backdrop = Backdrop::plain;
@@ -87,7 +107,7 @@ struct RenderOptions {
   glm::vec3 background{0.13f, 0.14f, 0.16f};  ///< sRGB, as displayed
 };
 
-/// Options for a scene of these bounds seen from `eye`: lengths of ambient occlusion, and the depth range.
+/// Options for a scene of these bounds seen from `eye`: lengths of ambient occlusion, ground, and depth range.
 RenderOptions render_options_for(const Aabb& bounds, const glm::dvec3& eye);
 
 }  // namespace sinew::viewer

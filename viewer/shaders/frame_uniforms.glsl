@@ -28,6 +28,13 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
   vec4 shadow_from_view[3];   // rows: x and y of the shadow map in [-1, 1], and its depth (viewer/passes/shadow_view.h)
+  vec3 ground_middle;         // view space
+  float ground_radius_m;
+  vec3 ground_x;              // x and z of the world in view space
+  float ground_grid_step_m;
+  vec3 ground_z;
+  vec2 ground_grid_offset;    // metres from a corner of the grid to the middle of the ground
+  vec4 ground_reach;          // least x and z, most x and z of what is drawn, from the middle
   vec4 background;            // linear, as displayed
   vec4 offsets[64];           // of the occlusion samples, random lengths; as many as there are samples
   vec4 noise[16];             // unit vectors, one per pixel of a 4 x 4 tile

@@ -30,7 +30,8 @@ vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
 
 // eq   KHR_lights_punctual: inverse square with a smooth end at the range, and a smooth edge of the cone of a spot light
 // The kind and the range of the light select values, not branches, because they are uniforms (surface_features.glsl).
-vec3 from_light(Light light, Surface s, vec3 p) {
+// out  irradiance of a surface at p that faces the light
+vec3 arriving(Light light, vec3 p, out vec3 to_light) {
   vec3 towards = light.position - p;
   float d2 = max(dot(towards, towards), 1e-8), d = sqrt(d2);
   vec3 to_point = towards / d;
@@ -39,8 +40,14 @@ vec3 from_light(Light light, Surface s, vec3 p) {
   float edge = clamp((dot(light.to_light, to_point) - light.cos_outer) * light.inverse_cone_width, 0.0, 1.0);
   float cone = mix(1.0, edge * edge, light.kind == 2u);
   bool directional = light.kind == 0u;
-  vec3 to_light = mix(to_point, light.to_light, bvec3(directional));
-  return reflected(s, to_light, light.color * mix(1.0 / d2 * within * cone, 1.0, directional));
+  to_light = mix(to_point, light.to_light, bvec3(directional));
+  return light.color * mix(1.0 / d2 * within * cone, 1.0, directional);
+}
+
+vec3 from_light(Light light, Surface s, vec3 p) {
+  vec3 to_light;
+  vec3 irradiance = arriving(light, p, to_light);
+  return reflected(s, to_light, irradiance);
 }
 
 // Irradiance / pi on a surface.

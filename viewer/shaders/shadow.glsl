@@ -3,23 +3,27 @@
 
 const float kOffsetTexels = 2.0;   // along the normal: a surface must not shadow itself, nor its filtered neighbours
 
+// Sum of the weights of 2 x 2 texels that a point of this depth is not behind.
+// in   corner  between the texels, in [0, 1];   columns, rows  weights
+float lit_texels(vec2 corner, float depth, vec2 columns, vec2 rows) {
+  vec4 lit = vec4(lessThanEqual(textureGather(shadow_image, corner), vec4(depth)));
+  return dot(lit, vec4(columns.x * rows.y, columns.y * rows.y, columns.y * rows.x, columns.x * rows.x));
+}
+
 // Share of the light that arrives at a point: the mean of 3 x 3 texels that moves evenly between texels.
 // in   p, n, to_light  view space; n on the seen side
 float light_share(vec3 p, vec3 n, vec3 to_light) {
   float grazing = sqrt(max(0.0, 1.0 - dot(n, to_light) * dot(n, to_light)));
   vec4 from = vec4(p + n * (frame.shadow_texel_m * (0.5 + kOffsetTexels * grazing)), 1.0);
   vec2 map = vec2(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from));
-  float depth = dot(frame.shadow_from_view[2], from);   // larger = nearer to the light
-  ivec2 last = textureSize(shadow_image, 0) - 1;
-  vec2 at = (map * 0.5 + 0.5) * vec2(last + 1) - 1.5;   // of the upper left of the 4 x 4 texels
-  ivec2 first = ivec2(floor(at));
-  vec2 part = at - vec2(first);
-  float sum = 0.0;
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 4; ++x) {
-      ivec2 texel = clamp(first + ivec2(x, y), ivec2(0), last);
-      vec2 weight = vec2(x == 0 ? 1.0 - part.x : x == 3 ? part.x : 1.0, y == 0 ? 1.0 - part.y : y == 3 ? part.y : 1.0);
-      sum += weight.x * weight.y * float(depth >= texelFetch(shadow_image, texel, 0).r);
-    }
+  float depth = max(dot(frame.shadow_from_view[2], from), 0.0);   // larger = nearer to the light; 0 = behind all casters
+  vec2 size = vec2(textureSize(shadow_image, 0));
+  vec2 at = (map * 0.5 + 0.5) * size - 1.5;   // of the upper left of the 4 x 4 texels
+  vec2 first = floor(at), part = at - first, corner = (first + 1.0) / size;
+  vec2 two = 2.0 / size, before = 1.0 - part;
+  float sum = lit_texels(corner, depth, vec2(before.x, 1.0), vec2(before.y, 1.0)) +
+              lit_texels(corner + vec2(two.x, 0.0), depth, vec2(1.0, part.x), vec2(before.y, 1.0)) +
+              lit_texels(corner + vec2(0.0, two.y), depth, vec2(before.x, 1.0), vec2(1.0, part.y)) +
+              lit_texels(corner + two, depth, vec2(1.0, part.x), vec2(1.0, part.y));
   return sum / 9.0;
 }

@@ -1,0 +1,61 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// A ground that has the colours of what is behind it, as much darker as a diffuse floor is there in shadow.
+// eq   coverage by black = 1 - (irradiance) / (irradiance without shadows and occlusion), both as luminance
+#include "frame_uniforms.glsl"
+#include "projection.glsl"
+#include "view_position.glsl"
+#include "octahedral.glsl"
+#include "same_surface.glsl"
+#include "ambient_access.glsl"
+#include "lighting.glsl"
+#include "shadow.glsl"
+
+layout(constant_id = 0) const bool kGrid = false;
+layout(constant_id = 13) const int kLightCount = 1;
+layout(constant_id = 15) const bool kAmbient = true;   // there is an environment
+layout(constant_id = 17) const int kShadowLight = -1;  // index of the light that casts shadows, -1 = none
+
+const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+const float kFadeStart = 0.6;       // part of the radius
+const float kLineCoverage = 0.3;
+const float kLineLight = 0.4;       // as displayed without a tone curve
+
+layout(location = 0) in vec3 view_position;
+layout(location = 1) in vec2 from_middle;
+layout(location = 2) flat in vec3 normal;   // a uniform would be branched on (surface_features.glsl)
+
+layout(location = 0) out vec4 color;   // premultiplied
+
+// Share of a pixel that grid lines cover: each is a pixel wide on either side. Lines that come too close fade out.
+float grid_coverage() {
+  vec2 at = (from_middle + frame.ground_grid_offset) / frame.ground_grid_step_m;
+  vec2 pixel = max(fwidth(at), vec2(1e-9));
+  vec2 away = 0.5 - abs(fract(at) - 0.5);   // from the next line, in steps
+  vec2 covered = clamp(1.0 - away / pixel, 0.0, 1.0) * clamp(1.0 - 4.0 * pixel, 0.0, 1.0);
+  return max(covered.x, covered.y);
+}
+
+float shadow_coverage() {
+  float unhindered = 0.0, hindered = 0.0;
+  if (kAmbient) {
+    unhindered = kPi * dot(diffuse_light(frame.environment_from_view * normal), kLuminance);
+    hindered = unhindered * ambient_access(ivec2(gl_FragCoord.xy), view_position, normal);
+  }
+  for (int i = 0; i < kLightCount; ++i) {
+    vec3 to_light;
+    float light = dot(arriving(frame.lights[i], view_position, to_light), kLuminance) * max(dot(normal, to_light), 0.0);
+    unhindered += light;
+    if (i == kShadowLight) light *= light_share(view_position, normal, to_light);
+    hindered += light;
+  }
+  return 1.0 - hindered / max(unhindered, 1e-9);
+}
+
+void main() {
+  float fade = 1.0 - smoothstep(kFadeStart, 1.0, length(from_middle) / frame.ground_radius_m);
+  float line = kGrid ? kLineCoverage * grid_coverage() * fade : 0.0;
+  float dark = shadow_coverage() * fade;
+  color = vec4(vec3(kLineLight / frame.exposure * line), line + dark * (1.0 - line));
+}
