@@ -44,18 +44,6 @@ std::string description_of(const std::string& file, const Scene& scene) {
 
 constexpr double kDoneBefore = 0.8;  // share of the progress line before the study of ambient occlusion
 
-/// Arguments for the study of ambient occlusion: the same clip of the same file, or its own built-in scene.
-std::vector<std::string> study_arguments(const CostOptions& options, const Scene& scene,
-                                         std::optional<std::uint32_t> clip) {
-  std::vector<std::string> arguments;
-  if (options.quick) arguments.push_back("--quick");
-  if (options.file.empty()) return arguments;
-  const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(scene);
-  arguments.insert(arguments.end(),
-                   {"--clip", looked_at == kNone ? "none" : std::to_string(looked_at), "--", options.file});
-  return arguments;
-}
-
 ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
   report.subject = subject;
   report.command = command_of(options);
@@ -76,7 +64,8 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   cost::Report report =
       cost::make_report(scenes, clip, options.quick ? cost::Effort::quick() : cost::Effort{}, show_part);
   show("ambient occlusion", kDoneBefore);
-  report.groups.push_back(cost::look_at_occlusion(study_arguments(options, *scenes.moving, clip)));
+  const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(*scenes.moving);
+  report.groups.push_back(cost::look_at_occlusion(cost::occlusion_arguments(options.file, looked_at, options.quick)));
   progress.wipe();
   return finish(std::move(report), subject, options);
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "importer/import_gltf.h"
 #include "importer/tool/model_size.h"
@@ -129,6 +130,74 @@ TEST(pose_sampler, N22_normals_of_unskinned_meshes_follow_the_inverse_transpose_
   EXPECT_NEAR(normals[0], -0.3 / length, kNear);
   EXPECT_NEAR(normals[1], 0.8 / length, kNear);
   EXPECT_NEAR(primitive_at(pose, 0).of(VertexKind::positions)[9], 0.0, kNear);
+}
+
+TEST(pose_sampler, a_thin_joint_turns_vertices_and_one_flattened_aslant_does_not) {
+  // A joint below `root`, which flattens y, and turned by 45 degrees: no column is short, the volume is.
+  for (const auto& [root_scale, tip_scale, turned, usable] :
+       {std::tuple(1.0f, 1e-7f, false, true), std::tuple(1e-13f, 1.0f, true, false)}) {
+    ImportedFile file = model();
+    Skeleton& skeleton = file.scene.skeleton;
+    skeleton.rest[skeleton.joint_of_node[1]].scale.y = root_scale;
+    skeleton.rest[skeleton.joint_of_node[2]].scale.y = tip_scale;
+    const float eighth = 0.39269908f;
+    if (turned) skeleton.rest[skeleton.joint_of_node[2]].rotation = {std::cos(eighth), 0, 0, std::sin(eighth)};
+    const Pose pose = *PoseSampler(file.scene, {}).sample(kNone, 0.0);
+    const std::vector<double>& dqs = primitive_at(pose, 0).of(VertexKind::dqs);
+    EXPECT_EQ(std::isfinite(dqs[9]), usable) << "vertex 3 follows the tip alone";
+    EXPECT_TRUE(std::isfinite(dqs[0])) << "the root is thin at most";
+  }
+}
+
+TEST(pose_sampler, tangents_of_unskinned_meshes_turn_with_the_node_and_keep_their_handedness) {
+  ImportedFile file = model();
+  Scene& scene = file.scene;
+  scene.instances[0].skin = kNone;
+  Primitive& strip = scene.meshes[0].primitives[0];
+  strip.influences = {};
+  strip.tangents = {{0.6f, 0.8f, 0, -1}, {0, 1, 0, 1}, {0, 1, 0, -1}, {0, 0, 1, 1}};
+  strip.source_vertex.clear();
+  scene.skeleton.rest[scene.skeleton.joint_of_node[0]].scale = {2.0f, 1.0f, 1.0f};
+  const Pose pose = *PoseSampler(scene, {}).sample(kNone, 0.0);
+  const double length = std::hypot(1.2, 0.8);
+  EXPECT_THAT(primitive_at(pose, 0).of(VertexKind::tangents),
+              near({1.2 / length, 0.8 / length, 0, -1, 0, 1, 0, 1, 0, 1, 0, -1, 0, 0, 1, 1}));
+}
+
+TEST(pose_sampler, each_primitive_of_a_mesh_has_vertices_of_its_own) {
+  for (const bool skinned : {true, false}) {
+    ImportedFile file = model();
+    Scene& scene = file.scene;
+    Primitive& first = scene.meshes[0].primitives[0];
+    first.tangents.assign(4, {0, 1, 0, 1});
+    if (!skinned) scene.instances[0].skin = kNone;
+    if (!skinned) first.influences = {};
+    for (int p = 1; p < 3; ++p) {
+      Primitive other = scene.meshes[0].primitives[0];
+      for (glm::vec3& position : other.positions) position.x += static_cast<float>(p);
+      for (glm::vec3& normal : other.normals) normal = {0, 0, p == 1 ? 1 : -1};
+      for (glm::vec4& tangent : other.tangents) tangent = {0, p == 1 ? 1 : -1, 0, -1};
+      scene.meshes[0].primitives.push_back(other);
+    }
+    const Pose pose = *PoseSampler(scene, {true, true, true, 64}).sample(kNone, 0.0);
+    for (const PrimitivePose& part : pose.primitives) {
+      if (part.node != 0) continue;
+      const double x = part.primitive, side = std::array{0.0, 1.0, -1.0}[part.primitive];
+      const auto first_of = [&](VertexKind kind, std::ptrdiff_t count) {
+        const std::vector<double>& all = part.of(kind);
+        return std::vector<double>(all.begin(), all.begin() + std::min<std::ptrdiff_t>(count, std::ssize(all)));
+      };
+      EXPECT_THAT(first_of(VertexKind::positions, 3), near({x, 0, 0}));
+      EXPECT_THAT(first_of(VertexKind::normals, 3), near({part.primitive == 0 ? 1.0 : 0.0, 0, side}));
+      EXPECT_THAT(first_of(VertexKind::tangents, 4),
+                  near({0, part.primitive == 2 ? -1.0 : 1.0, 0, part.primitive == 0 ? 1.0 : -1.0}));
+      if (!skinned) continue;
+      for (const VertexKind kind : {VertexKind::dqs, VertexKind::cors}) EXPECT_THAT(first_of(kind, 3), near({x, 0, 0}));
+      for (const VertexKind kind : {VertexKind::dqs_normals, VertexKind::cor_normals})
+        EXPECT_THAT(first_of(kind, 3), near({part.primitive == 0 ? 1.0 : 0.0, 0, side}));
+    }
+    EXPECT_EQ(pose.primitives.size(), 4u);
+  }
 }
 
 TEST(pose_sampler, G10_times_outside_the_clip_give_its_ends) {

@@ -10,6 +10,7 @@
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/run_beside.h"
 #include "importer/tool/cost/words.h"
+#include "runtime/base/index.h"
 
 namespace sinew::cost {
 namespace {
@@ -117,6 +118,14 @@ Group occlusion_group(const std::string& answer) {
   mark_pareto_front(group);
   group.findings = findings(group, read);
   return group;
+}
+
+std::vector<std::string> occlusion_arguments(const std::string& file, std::uint32_t clip, bool quick) {
+  std::vector<std::string> arguments;
+  if (quick) arguments.emplace_back("--quick");
+  if (file.empty()) return arguments;
+  arguments.insert(arguments.end(), {"--clip", clip == kNone ? "none" : std::to_string(clip), "--", file});
+  return arguments;
 }
 
 Group look_at_occlusion(const std::vector<std::string>& arguments) {

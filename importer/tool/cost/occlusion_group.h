@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,12 @@ namespace sinew::cost {
 /// Measures the viewer's ambient occlusion on the Vulkan device of this machine, each variant with its error against
 /// ray casting. A separate program (viewer/study) does it, so that this program needs no Vulkan. Where that fails, the
 /// group says why.
-/// in   arguments  of sinew-occlusion-study: FILE, --clip, --quick
+/// in   arguments  of sinew-occlusion-study
 Group look_at_occlusion(const std::vector<std::string>& arguments);
+
+/// Arguments for that program: a clip of a file, or its own built-in scene where `file` is empty.
+/// in   clip  kNone = the pose at rest
+std::vector<std::string> occlusion_arguments(const std::string& file, std::uint32_t clip, bool quick);
 
 /// Makes the group from the output of that program: JSON as viewer/study/main.cpp writes it.
 Group occlusion_group(const std::string& answer);

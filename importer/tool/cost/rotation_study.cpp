@@ -19,7 +19,6 @@ namespace {
 constexpr double kChance = 1.5;  // times the error of exact slerp, which is rounding: errors up to it count as equal
 constexpr double kFramesPerSecond = 60.0;
 constexpr std::size_t kCrowdJoints = 64;  // timed at least
-constexpr std::size_t kMomentsTimed = 16;
 constexpr std::size_t kMostFrames = 600;  // of incremental play
 
 using Sampler = std::function<void(const Clip& clip, double time_s, const PoseSpan& pose)>;
@@ -94,15 +93,6 @@ Difference difference_of(const Subject& subject, const Truth& truth, const Anima
   return difference;
 }
 
-/// Times spread over a clip, none of them on a key.
-std::vector<double> timed_moments(const Animation& animation) {
-  std::vector<double> times_s;
-  for (std::size_t i = 0; i < kMomentsTimed; ++i)
-    times_s.push_back(animation.duration_s * (static_cast<double>(i * 7 % kMomentsTimed) + 0.37) /
-                      static_cast<double>(kMomentsTimed));
-  return times_s;
-}
-
 std::size_t copies_of(const Animation& turned) {
   return (kCrowdJoints + turned.bones.size() - 1) / turned.bones.size();
 }
@@ -115,9 +105,9 @@ Work timed(const Subject& subject, const Animation& turned, const Variant& varia
     Sampler sample;
   };
   const Crowd crowd = crowd_of(subject.scene.skeleton, turned, copies_of(turned));
-  const auto play =
-      std::make_shared<Play>(Play{compile_clip(crowd.animation, crowd.skeleton, {}, {}, {}),
-                                  PoseMemory(crowd.skeleton.joint_count()), timed_moments(turned), variant.sample});
+  const auto play = std::make_shared<Play>(Play{compile_clip(crowd.animation, crowd.skeleton, {}, {}, {}),
+                                                PoseMemory(crowd.skeleton.joint_count()),
+                                                timed_moments(turned.duration_s), variant.sample});
   return {crowd.animation.bones.size() * play->times_s.size(), [play] {
             for (const double time_s : play->times_s) play->sample(play->clip, time_s, play->memory.span());
           }};

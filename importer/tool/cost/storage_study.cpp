@@ -141,11 +141,11 @@ void add_stored(Study& study, const Subject& subject, const std::string& name, C
   struct Play {
     Clip clip;
     PoseMemory memory;
-    double duration_s;
+    std::vector<double> times_s;
   };
   const double duration_s = subject.animation()->duration_s;
-  const auto play =
-      std::make_shared<Play>(Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), duration_s});
+  const auto play = std::make_shared<Play>(
+      Play{std::move(clip), PoseMemory(subject.scene.skeleton.joint_count()), timed_moments(duration_s)});
   const std::size_t joints = subject.animation()->bones.size();
   Point point;
   point.name = name;
@@ -155,14 +155,10 @@ void add_stored(Study& study, const Subject& subject, const std::string& name, C
   point.size = bytes / (static_cast<double>(joints) * std::max(1e-3, duration_s));
   point.values = {{"saved", bytes / 1024.0, "KiB"},
                   {"in memory", static_cast<double>(play->clip.byte_size()) / 1024.0, "KiB"}};
-  constexpr std::size_t kMoments = 16;
-  study.add(std::move(point),
-            {joints * kMoments, [play] {
-               for (std::size_t i = 0; i < kMoments; ++i) {
-                 const double share = (static_cast<double>(i * 7 % kMoments) + 0.37) / static_cast<double>(kMoments);
-                 run(SampleClipJob{&play->clip, share * play->duration_s, play->memory.span(), {}, {}});
-               }
-             }});
+  study.add(std::move(point), {joints * play->times_s.size(), [play] {
+                                 for (const double time_s : play->times_s)
+                                   run(SampleClipJob{&play->clip, time_s, play->memory.span(), {}, {}});
+                               }});
 }
 
 std::vector<std::string> findings(const Group& group, double hardly_seen_mm) {

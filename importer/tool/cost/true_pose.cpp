@@ -64,4 +64,12 @@ std::vector<double> telling_moments(const Animation& animation, std::size_t most
   return moments;
 }
 
+std::vector<double> timed_moments(double duration_s) {
+  constexpr std::size_t kMoments = 16;
+  std::vector<double> moments;
+  for (std::size_t i = 0; i < kMoments; ++i)
+    moments.push_back(duration_s * (static_cast<double>(i * 7 % kMoments) + 0.37) / static_cast<double>(kMoments));
+  return moments;
+}
+
 }  // namespace sinew::cost

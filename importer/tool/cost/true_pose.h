@@ -26,4 +26,8 @@ ModelPose model_pose(const Skeleton& skeleton, std::span<const Transformd> local
 /// keys.
 std::vector<double> telling_moments(const Animation& animation, std::size_t most_intervals);
 
+/// Times at which a clip is sampled while it is timed: one in each sixteenth of it, none at a usual key, in an order
+/// that leaps forwards and backwards.
+std::vector<double> timed_moments(double duration_s);
+
 }  // namespace sinew::cost
