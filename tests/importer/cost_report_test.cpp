@@ -369,6 +369,13 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
                                             "arithmetic", "geometry_cache", "occlusion"}));
 }
 
+TEST_F(CostCommand, says_what_it_looked_at_and_how_to_look_again) {
+  const Json report = Json::parse(text_of(folder() / "report.json"));
+  EXPECT_EQ(report["subject"], "model.gltf: 4 joints, 2 clips, 1 skin, 3 m large");
+  EXPECT_EQ(report["command"], "sinew cost " + model_->path() + " --quick -o " + folder().string());
+  EXPECT_THAT(report["groups"][0]["about"].get<std::string>(), HasSubstr("of the clip \"bend\"")) << "the busiest one";
+}
+
 TEST(cost_command, takes_a_geometry_cache_and_compares_the_ways_to_keep_its_frames) {
   const ToolModelFile model;
   const std::string cache = model.beside("out.sgeo");

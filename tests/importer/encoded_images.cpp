@@ -2,6 +2,7 @@
 #include "tests/importer/encoded_images.h"
 
 #include <avif/avif.h>
+#include <turbojpeg.h>
 #include <webp/encode.h>
 
 #include <memory>
@@ -34,6 +35,18 @@ std::vector<std::byte> encode_png(int width, int height, int channels, const std
 std::vector<std::byte> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
   std::vector<std::byte> out;
   stbi_write_jpg_to_func(append, &out, width, height, channels, pixels.data(), 95);
+  return out;
+}
+
+std::vector<std::byte> encode_progressive_jpeg(int width, int height, const std::vector<std::uint8_t>& rgb) {
+  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitCompress(), &tjDestroy);
+  unsigned char* encoded = nullptr;
+  unsigned long size = 0;
+  tjCompress2(handle.get(), rgb.data(), width, 0, height, TJPF_RGB, &encoded, &size, TJSAMP_444, 90,
+              TJFLAG_PROGRESSIVE);
+  std::vector<std::byte> out;
+  append(&out, encoded, static_cast<int>(size));
+  tjFree(encoded);
   return out;
 }
 

@@ -203,6 +203,22 @@ TEST(export_glb, G24_targets_that_move_nothing_take_no_bytes) {
   test::expect_equal(scene, round_trip(scene).scene);
 }
 
+TEST(export_glb, a_primitive_without_elements_comes_back_without_any) {
+  for (const Topology topology : {Topology::points, Topology::lines, Topology::triangles}) {
+    auto scenes = showcase::showcase();
+    Scene& scene = scenes[0].scene;
+    Primitive& primitive = scene.meshes[0].primitives[0];
+    primitive.topology = topology;
+    primitive.indices.clear();
+    finish_scene(scene);
+    const Scene after = round_trip(scene).scene;
+    ASSERT_FALSE(after.meshes.empty());
+    const Primitive& written = after.meshes[0].primitives[0];
+    EXPECT_TRUE(written.indices.empty()) << "one index would be a point";
+    EXPECT_EQ(written.positions.empty(), topology == Topology::points) << "vertices are kept where nothing shows them";
+  }
+}
+
 TEST(export_glb, writes_what_gltf_demands_of_skins_and_cameras) {
   auto scenes = showcase::showcase();
   Scene& scene = scenes[0].scene;

@@ -182,6 +182,43 @@ TEST(read_images, decode_jpeg_close_to_its_source) {
     EXPECT_NEAR(images[0].rgba[i], i % 4 == 3 ? 255 : 100, i % 4 == 3 ? 0 : 2);
 }
 
+/// One image of a file, as the import leaves it.
+Image imported_image(const std::vector<std::byte>& encoded) {
+  test::TinyGltf file;
+  file.root["images"] = test::Json::array({{{"bufferView", file.add_view(encoded)}, {"mimeType", "image/jpeg"}}});
+  auto result = file.import();
+  EXPECT_EQ(test::outcome(result), "ok");
+  return result ? result->scene.images.at(0) : Image{};
+}
+
+TEST(read_images, G66_a_jpeg_that_ends_early_shows_the_rows_that_it_has) {
+  test::FixedRandom random(2);
+  std::vector<std::uint8_t> pixels(3 * 64 * 64);  // grey bands of 8 rows, speckled so that rows take bytes
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = static_cast<std::uint8_t>(100 + 10 * (i / (3 * 64 * 8)) + random.below(3));
+  auto file = test::encode_jpeg(64, 64, 3, pixels);
+  file.resize(file.size() - file.size() / 4);
+  const Image image = imported_image(file);
+  EXPECT_EQ(image.missing_reason, "");
+  ASSERT_THAT(image.rgba, SizeIs(4 * 64 * 64));
+  for (const std::size_t row : {0, 8, 16}) EXPECT_NEAR(image.rgba[4 * 64 * row], pixels[3 * 64 * row], 8) << row;
+}
+
+/// The first scan of a progressive file again and again: every one takes the time of the whole picture.
+TEST(read_images, G68_a_jpeg_with_thousands_of_scans_is_missing) {
+  const auto file = test::encode_progressive_jpeg(16, 16, std::vector<std::uint8_t>(3 * 16 * 16, 100));
+  EXPECT_EQ(imported_image(file).missing_reason, "");
+  const auto scan_after = [&](auto from) {
+    return std::search_n(from, file.end(), 1, std::byte{0xff},
+                         [&](const std::byte& b, std::byte mark) { return b == mark && (&b)[1] == std::byte{0xda}; });
+  };
+  const auto first = scan_after(file.begin()), second = scan_after(first + 1);
+  std::vector<std::byte> scans(file.begin(), second);
+  for (int i = 0; i < 2000; ++i) scans.insert(scans.end(), first, second);
+  scans.insert(scans.end(), second, file.end());
+  EXPECT_THAT(imported_image(scans).missing_reason, HasSubstr("cannot be decoded"));
+}
+
 TEST(read_images, G66_an_image_that_was_not_found_keeps_its_reason_and_the_others_load) {
   IssueLog log;
   const auto images = read_decoded(document_of({{}, test::encode_png(2, 2, 4, kFourPixels)}), {}, log);

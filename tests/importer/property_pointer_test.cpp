@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "importer/export_glb.h"
 #include "tests/importer/tiny_gltf.h"
 
 namespace sinew::test {
@@ -121,6 +122,21 @@ TEST(property_pointer, G58_every_property_of_the_object_model_that_the_runtime_h
     EXPECT_EQ(track.values.values.size(), 2 * c.components);
     EXPECT_EQ(result->scene.clips[0].duration_s(), 1.0);
     EXPECT_FALSE(warns(result, "animation-pointer", kTarget));
+  }
+}
+
+TEST(property_pointer, G58_a_written_file_points_at_the_same_properties) {
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.pointer);
+    const auto first = animated(c.pointer, c.components, "STEP").import();
+    ASSERT_EQ(outcome(first), "ok");
+    const auto bytes = export_glb(first->scene);
+    ASSERT_TRUE(bytes);
+    const auto again = import_gltf(*bytes, "again.glb");
+    ASSERT_EQ(outcome(again), "ok");
+    const auto &before = first->scene.animations[0].properties, &after = again->scene.animations[0].properties;
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i].target, after[i].target);
   }
 }
 
