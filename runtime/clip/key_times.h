@@ -45,6 +45,8 @@ class KeyTimes {
 
   std::span<const float> times_s() const noexcept { return times_s_; }
   std::size_t key_count() const noexcept { return times_s_.size(); }
+  /// Comparisons of one search, whatever its time and the one before: no cursor remembers where a clip was (P03).
+  std::size_t search_steps() const noexcept { return search_steps_; }
   std::size_t byte_size() const noexcept {
     return (times_s_.size() * sizeof(float)) + first_key_.size() * sizeof(std::uint32_t);
   }

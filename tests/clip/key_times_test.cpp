@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,33 @@ TEST(key_times, bucketed_search_answers_as_the_plain_one_on_beside_and_between_k
         asked.push_back(x);
     for (int i = 0; i < 200; ++i) asked.push_back(random.in(double(times.front()), double(times.back())));
     for (const double t : asked) expect_same_as_plain_search(times, t);
+  }
+}
+
+/// Keys at `fps`, each moved by up to a third of the way to the next.
+std::vector<float> nearly_even(std::size_t count, double fps, test::FixedRandom& random) {
+  std::vector<float> times;
+  for (std::size_t i = 0; i < count; ++i)
+    times.push_back(static_cast<float>((static_cast<double>(i) + random.in(0.0, 1.0 / 3.0)) / fps));
+  return times;
+}
+
+TEST(key_times, P03_a_search_takes_the_same_few_comparisons_however_many_keys_there_are) {
+  test::FixedRandom random(5);
+  for (const std::size_t count : {std::size_t{2}, std::size_t{10}, std::size_t{1'000}, std::size_t{100'000}})
+    for (const double fps : {24.0, 30.0, 1000.0})
+      EXPECT_LE(KeyTimes(nearly_even(count, fps, random)).search_steps(), 2u) << count << " keys at " << fps;
+  EXPECT_EQ(KeyTimes({1.5f}).search_steps(), 1u);
+}
+
+TEST(key_times, P03_crowded_keys_take_no_more_comparisons_than_a_binary_search) {
+  for (const std::size_t count : {std::size_t{100}, std::size_t{10'000}}) {
+    std::vector<float> times;  // all within a second, and one an hour later
+    for (std::size_t i = 0; i + 1 < count; ++i) times.push_back(static_cast<float>(i) / static_cast<float>(count));
+    times.push_back(3600.0f);
+    const KeyTimes keys(times);
+    EXPECT_GE(keys.search_steps(), static_cast<std::size_t>(std::bit_width(count / 50))) << "they share few buckets";
+    EXPECT_LE(keys.search_steps(), static_cast<std::size_t>(std::bit_width(count)));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,13 +10,19 @@
 
 namespace sinew::test {
 
-/// The values of one attribute of a triangle: as many floats a vertex as the attribute has components.
+/// The values of one attribute: as many floats a vertex as the attribute has components.
 using TriangleValues = std::map<std::string, std::vector<float>>;
 
-/// A triangle as a Draco stream that is not quantised. `ids` gets the number of each attribute.
+/// Triangles as a Draco stream that is not quantised, in an order of vertices that the encoder chooses.
+/// in   corners  [3 * triangles] vertices of `values`, each used by some corner and unlike all others
+/// out  ids      the number of each attribute
+std::vector<std::byte> draco_stream(const TriangleValues& values, const std::vector<std::uint32_t>& corners,
+                                    std::map<std::string, int>& ids);
+
+/// One triangle.
 std::vector<std::byte> draco_triangle(const TriangleValues& values, std::map<std::string, int>& ids);
 
-/// A document with one primitive: the triangle under KHR_draco_mesh_compression. JOINTS_0 is of bytes.
-TinyGltf draco_document(const TriangleValues& values);
+/// A document with one primitive: the triangles under KHR_draco_mesh_compression. JOINTS_0 is of bytes.
+TinyGltf draco_document(const TriangleValues& values, const std::vector<std::uint32_t>& corners = {0, 1, 2});
 
 }  // namespace sinew::test
