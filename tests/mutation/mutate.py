@@ -35,7 +35,7 @@ def arguments():
     parser.add_argument('--again', action='store_true', help='try survivors again, after tests were added')
     parser.add_argument('--listed', action='store_true', help='only those that survivors.txt lists')
     parser.add_argument('--fresh', action='store_true', help='forget earlier verdicts')
-    parser.add_argument('--corpus', action='store_true', help='tests of the corpus as well')
+    parser.add_argument('--corpus', action='store_true', help='with the files of a corpus, where there is one')
     parser.add_argument('--headers', choices=['with', 'without', 'only'], default='with')
     parser.add_argument('--check', action='store_true', help='fail when one survives that survivors.txt does not list')
     parser.add_argument('--table', action='store_true', help='only print the table of what is known')

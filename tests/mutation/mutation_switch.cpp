@@ -40,7 +40,17 @@ class Recorder : public testing::EmptyTestEventListener {
  public:
   explicit Recorder(const char* path) : out_(path) {}
 
-  void OnTestStart(const testing::TestInfo&) override { reached.reset(); }
+  void OnTestSuiteStart(const testing::TestSuite&) override {
+    reached.reset();
+    in_suite_ = false;
+  }
+
+  /// What a suite sets up once is reached by each of its tests.
+  void OnTestStart(const testing::TestInfo&) override {
+    if (!in_suite_) of_suite_ = reached;
+    in_suite_ = true;
+    reached = of_suite_;
+  }
 
   void OnTestEnd(const testing::TestInfo& test) override {
     const testing::TestResult& result = *test.result();
@@ -53,6 +63,8 @@ class Recorder : public testing::EmptyTestEventListener {
 
  private:
   std::ofstream out_;
+  std::bitset<kMutantLimit> of_suite_;
+  bool in_suite_ = false;
 };
 
 const bool recording = [] {

@@ -51,6 +51,7 @@ class MutationTest(unittest.TestCase):
             ('clamped', 'arithmetic', 'std::min(value, high) + kLocal - kLocal', 'std::min(value, high) + kLocal + kLocal'),
             ('clamped', 'arithmetic', 'std::min(value, high) + kLocal', 'std::min(value, high) - kLocal'),
             ('clamped', 'call', 'std::min(value, high)', 'std::max(value, high)'),
+            ('tripled', 'arithmetic', '3 * x', '3 / x'), ('tripled', 'constant', '3', '4'),
             ('sum', 'arithmetic', 'kTable[0] - 1', 'kTable[0] + 1'), ('sum', 'constant', '0', '1'),
             ('sum', 'constant', '1', '2'), ('sum', 'comparison', 'i < count', 'i <= count'),
             ('sum', 'statement', 'total += numbers[i]', '(nothing)'), ('sum', 'arithmetic', 'total += numbers[i]', 'total -= numbers[i]'),

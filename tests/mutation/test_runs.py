@@ -23,14 +23,15 @@ class Programs:
 
     def __init__(self, build, corpus):
         self.build, self.tree = build, build.tree
-        self.filter = '*' if corpus else '-*corpus*'
+        # Files that others may not have do not count: the tests that read them have models of the project.
+        self.environment = {} if corpus else {'SINEW_CORPUS': f'{build.folder}/no_corpus'}
         self.records, self.broken, self.lock = {}, [], threading.Lock()
 
     def run(self, program, seconds, arguments, environment):
         """True, False or 'time': whether it passed."""
         folder = f'{self.build.folder}/run'
         os.makedirs(folder, exist_ok=True)
-        process = subprocess.Popen([program, *arguments], cwd=folder, env={**os.environ, 'TMPDIR': folder, **environment}, preexec_fn=limits,
+        process = subprocess.Popen([program, *arguments], cwd=folder, env={**os.environ, 'TMPDIR': folder, **self.environment, **environment}, preexec_fn=limits,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             return process.wait(seconds) == 0
@@ -54,7 +55,7 @@ class Programs:
         program, found = self.build.program(name), []
         if program is not None:
             out = f'{self.build.folder}/{name}.reached'
-            self.run(program, 1800, ['--gtest_filter=' + self.filter], {'SINEW_MUTANT': '-1', 'SINEW_MUTATION_RECORD': out})
+            self.run(program, 1800, [], {'SINEW_MUTANT': '-1', 'SINEW_MUTATION_RECORD': out})
             with open(out, encoding='utf-8') as file:
                 for line in file:
                     test, state, milliseconds, *numbers = line.split()
@@ -95,6 +96,6 @@ class Programs:
         own = self.tree.tests_of_room(mutant.file)
         for name in own + [name for name in sorted(self.tree.programs) if name not in own]:
             program = self.build.program(name)
-            if program and self.run(program, 1800, ['--gtest_filter=' + self.filter, '--gtest_fail_fast'], {}) is not True:
+            if program and self.run(program, 1800, ['--gtest_fail_fast'], {}) is not True:
                 return 'killed', name
         return 'survived', 'all tests'

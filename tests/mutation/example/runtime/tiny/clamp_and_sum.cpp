@@ -19,6 +19,8 @@ int clamped(int value, int low, int high) {
   return std::min(value, high) + kLocal - kLocal;
 }
 
+int tripled(int x) { return 3 * x; }
+
 int sum(const int* numbers, int count) {
   int total = kTable[0] - 1;
   for (int i = 0; i < count; ++i) {

@@ -4,6 +4,8 @@
 /// What stands between `low` and `high` and is nearest to `value`.
 int clamped(int value, int low, int high);
 
+int tripled(int x);
+
 /// The sum of the first `count` numbers; nothing calls it.
 int sum(const int* numbers, int count);
 

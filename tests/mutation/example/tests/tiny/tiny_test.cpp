@@ -13,3 +13,12 @@ TEST(tiny, distance) {
   EXPECT_EQ(twice_apart(1, 4), 6);
   EXPECT_EQ(twice_apart(4, 1), 6);
 }
+
+/// Runs the code once, before its first test.
+class Prepared : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { value_ = tripled(2); }
+  static inline int value_ = 0;
+};
+
+TEST_F(Prepared, value) { EXPECT_EQ(value_, 6); }
