@@ -153,9 +153,8 @@ TEST(bake_command, info_refuses_a_damaged_cache) {
 }
 
 TEST(bake_command_corpus, point_caches_beside_their_meshes_are_baked_within_the_budget) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   const ToolModelFile model;
-  for (const auto& points : corpus_files("cache", {".mdd", ".pc2"})) {
+  for (const auto& points : files_for_tests("cache", {".mdd", ".pc2"})) {
     std::filesystem::path obj = points;
     obj.replace_extension(".obj");
     const std::string out = model.beside("out.sgeo");

@@ -35,11 +35,10 @@ std::size_t expect_holds(const Scene& scene, const Plan& plan, std::uint32_t cli
 }
 
 TEST(clip_bounds_corpus, G54_holds_every_vertex_of_every_file) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   ImportOptions options;
   options.decode_images = false;
   std::size_t boxes = 0;
-  for (const auto& file : corpus_files("models", {".gltf", ".glb"})) {
+  for (const auto& file : files_for_tests("models", {".gltf", ".glb"})) {
     const auto imported = import_gltf(file, options);
     if (!imported) continue;  // other tests tell
     Needs needs;

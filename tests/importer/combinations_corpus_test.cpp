@@ -12,11 +12,10 @@ namespace sinew::test {
 namespace {
 
 TEST(combinations_corpus, C06_give_every_file_the_bits_of_vertices_that_blend_for_themselves) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   ImportOptions options;
   options.decode_images = false;
   std::uint64_t blended = 0;
-  for (const auto& file : corpus_files("models", {".gltf", ".glb"})) {
+  for (const auto& file : files_for_tests("models", {".gltf", ".glb"})) {
     const auto imported = import_gltf(file, options);
     if (!imported) continue;  // other tests tell
     const Plan combined = compile_plan(imported->scene, {}), plain = without_combinations(combined);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Samples every model of the corpus with the sinew program and compares with the reference poses, by the corpus' own
-compare_poses.py. Models that need an unsupported extension are named and skipped.
+"""Samples the project's own models, and every model of the corpus where there is one, with the sinew program and compares with the
+reference poses, by the compare_poses.py of each. Models that need an unsupported extension are named and skipped.
 
-usage: compare_with_corpus.py SINEW CORPUS SCRATCH     (the environment variable SINEW_CORPUS wins over CORPUS)
-Exit status: 0 all within tolerance, 1 something is not, 77 there is no corpus.
+usage: compare_with_corpus.py SINEW GENERATED CORPUS SCRATCH     (the environment variable SINEW_CORPUS wins over CORPUS)
+Exit status: 0 all within tolerance, 1 something is not.
 """
 import gzip, json, os, pathlib, subprocess, sys
 
@@ -49,16 +49,11 @@ def sample(sinew, model, reference, scratch):
     return merged, ''
 
 
-def main():
-    sinew, scratch = sys.argv[1], pathlib.Path(sys.argv[3])
-    corpus = pathlib.Path(os.environ.get('SINEW_CORPUS') or sys.argv[2])
-    if not (corpus / 'models').is_dir() or not (corpus / 'poses' / 'compare_poses.py').exists():
-        print('no corpus at %s' % corpus)
-        return 77
-    scratch.mkdir(parents=True, exist_ok=True)
+def compare(sinew, models, poses, comparer, scratch):
+    """Counts of models: within tolerance, skipped, failed."""
     failed = skipped = passed = 0
-    for model in sorted(p for p in (corpus / 'models').rglob('*') if p.suffix in ('.gltf', '.glb')):
-        reference_file = reference_of(corpus / 'poses', model.stem)
+    for model in sorted(p for p in models.rglob('*') if p.suffix in ('.gltf', '.glb')):
+        reference_file = reference_of(poses, model.stem)
         if reference_file is None:
             continue
         reference = load(reference_file)
@@ -73,17 +68,29 @@ def main():
             continue
         candidate_file = scratch / (model.stem + '.json')
         candidate_file.write_text(json.dumps(candidate))
-        compare = [sys.executable, str(corpus / 'poses' / 'compare_poses.py'), '--require', ','.join(kinds_in(reference)),
-                   str(reference_file), str(candidate_file)]
-        result = subprocess.run(compare, capture_output=True, text=True)
-        print(result.stdout, end='')
+        command = [sys.executable, str(comparer), '--require', ','.join(kinds_in(reference)), str(reference_file), str(candidate_file)]
+        result = subprocess.run(command, capture_output=True, text=True)
         if result.returncode == 0:
             passed += 1
         else:
-            print(result.stderr, end='')
+            print('%s\n%s%s' % (model.stem, result.stdout, result.stderr), end='')
             failed += 1
-    print('%d models within tolerance, %d skipped, %d failed' % (passed, skipped, failed))
-    return 1 if failed or not passed else 0
+    return passed, skipped, failed
+
+
+def main():
+    sinew, generated, scratch = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[4])
+    corpus = pathlib.Path(os.environ.get('SINEW_CORPUS') or sys.argv[3])
+    own_comparer = pathlib.Path(__file__).parent.parent / 'generated' / 'compare_poses.py'
+    scratch.mkdir(parents=True, exist_ok=True)
+    good = True
+    for folder, comparer in ((generated, own_comparer), (corpus, corpus / 'poses' / 'compare_poses.py')):
+        if folder is corpus and not ((corpus / 'models').is_dir() and comparer.exists()):
+            continue
+        passed, skipped, failed = compare(sinew, folder / 'models', folder / 'poses', comparer, scratch)
+        print('%s: %d models within tolerance, %d skipped, %d failed' % (folder, passed, skipped, failed))
+        good = good and passed > 0 and failed == 0
+    return 0 if good else 1
 
 
 if __name__ == '__main__':

@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kExtensions{".gltf", ".glb"};
 
 TEST(import_corpus, every_model_loads_or_requires_what_is_not_supported) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   std::size_t loaded = 0;
-  for (const fs::path& file : corpus_files("models", kExtensions)) {
+  for (const fs::path& file : files_for_tests("models", kExtensions)) {
     const auto result = import_gltf(file);
     if (result) {
       ++loaded;
@@ -35,10 +34,9 @@ TEST(import_corpus, every_model_loads_or_requires_what_is_not_supported) {
 }
 
 TEST(import_corpus, poses_do_not_depend_on_images_or_made_vectors) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   ImportOptions bare;
   bare.decode_images = bare.make_normals = bare.make_tangents = false;
-  for (const fs::path& file : corpus_files("models", kExtensions)) {
+  for (const fs::path& file : files_for_tests("models", kExtensions)) {
     const auto full = import_gltf(file), lean = import_gltf(file, bare);
     ASSERT_EQ(full.has_value(), lean.has_value()) << file;
     if (!full) continue;
@@ -177,11 +175,10 @@ std::vector<ImportIssue> all_issues(ImportResult<ImportedFile> result) {
 }
 
 TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validator_finds_them_bad) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   ImportOptions thorough;
   thorough.thorough = true;
   std::size_t answered = 0;
-  for (const fs::path& file : corpus_files("malformed", kExtensions)) {
+  for (const fs::path& file : files_for_tests("malformed", kExtensions)) {
     SCOPED_TRACE(file.string());
     const auto start = std::chrono::steady_clock::now();
     const auto issues = all_issues(import_gltf(file, thorough));
@@ -203,8 +200,7 @@ TEST(import_corpus, T1_malformed_files_are_answered_where_an_independent_validat
 
 /// Truncations and single changed bytes of every small file: an answer each time.
 TEST(import_corpus, U25_damaged_models_end_in_a_scene_or_a_message) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
-  for (const fs::path& file : corpus_files("models", {".glb"})) {
+  for (const fs::path& file : files_for_tests("models", {".glb"})) {
     if (fs::file_size(file) > 5000) continue;
     std::ifstream stream(file, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(stream), {}};

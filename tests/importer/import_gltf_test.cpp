@@ -68,12 +68,11 @@ bool is_packed(const ImportedFile& file) {
 }
 
 TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_the_file_and_the_tree_of_their_json) {
-  if (!test::corpus()) GTEST_SKIP() << test::kNoCorpus;
   constexpr std::size_t kFixed = std::size_t{16} << 10;
   ImportOptions options;
   options.decode_images = false;  // they are packed
   std::size_t compared = 0;
-  for (const fs::path& path : test::corpus_files("models", {".gltf", ".glb"})) {
+  for (const fs::path& path : test::files_for_tests("models", {".gltf", ".glb"})) {
     const test::PeakMemory peak;
     const auto file = import_gltf(path, options);
     const std::size_t most = peak.bytes();

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -165,6 +166,15 @@ TEST(report_text, G47_a_target_with_another_number_of_vertices_is_one_error) {
     EXPECT_THAT(said(file.import()), ElementsAre("mesh-attribute-count at /meshes/0/primitives/0/targets/0/POSITION: " +
                                                  std::to_string(count) + " entries for 3 vertices"));
   }
+}
+
+TEST(report_text, G47_a_target_of_a_type_that_gltf_does_not_allow_is_not_read) {
+  Json* attributes = nullptr;
+  TinyGltf file = morphed_triangle(&attributes);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  (*attributes)["POSITION"] = file.vec4(std::vector<float>(12, nan));
+  EXPECT_THAT(said(file.import()), ElementsAre("mesh-attribute-format at /meshes/0/primitives/0/targets/0/POSITION: "
+                                               "has a type that glTF does not allow for this attribute"));
 }
 
 TEST(report_text, G24_a_sparse_target_adds_to_what_lies_under_it) {

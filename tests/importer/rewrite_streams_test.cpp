@@ -282,11 +282,10 @@ TEST(rewrite_streams, G37_two_sets_of_weights_stay_floats_and_far_joints_stay_wi
 }
 
 TEST(rewrite_streams_corpus, every_model_takes_less_room_and_keeps_its_parts) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   for (const bool meshopt : {false, true}) {
     RewriteOptions options = how(true, meshopt);
     options.drop = {"image-missing"};
-    for (const auto& path : corpus_files("models", {".gltf", ".glb"})) {
+    for (const auto& path : files_for_tests("models", {".gltf", ".glb"})) {
       SCOPED_TRACE(path.string() + (meshopt ? " compressed" : ""));
       const auto file = import_gltf(path, carrying());
       if (!file) continue;

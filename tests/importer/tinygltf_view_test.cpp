@@ -269,9 +269,8 @@ std::vector<std::byte> bytes_in(const fs::path& file) {
 }
 
 TEST(tinygltf_view, of_every_model_is_that_of_the_importer) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   std::size_t compared = 0, refused = 0;
-  for (const fs::path& path : corpus_files("models", {".gltf", ".glb"})) {
+  for (const fs::path& path : files_for_tests("models", {".gltf", ".glb"})) {
     SCOPED_TRACE(path.string());
     const auto bytes = bytes_in(path);
     if (const auto alone = read_alone(bytes, path.parent_path().string())) {
@@ -285,11 +284,10 @@ TEST(tinygltf_view, of_every_model_is_that_of_the_importer) {
 }
 
 TEST(tinygltf_view, of_what_both_writers_write_is_that_of_the_importer) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   RewriteOptions options;
   options.drop = {"image-missing"};
   std::size_t exported = 0, rewritten = 0;
-  for (const fs::path& path : corpus_files("models", {".gltf", ".glb"})) {
+  for (const fs::path& path : files_for_tests("models", {".gltf", ".glb"})) {
     SCOPED_TRACE(path.string());
     const auto file = import_gltf(path, carrying());
     if (!file) continue;  // import_corpus says which may be refused

@@ -234,11 +234,10 @@ TEST(budgets, of_verify_and_plan_may_be_shares_too) {
 
 /// At times that the compiler did not look at.
 TEST(convert_budget_corpus, every_clip_of_every_model_stays_within_its_budget) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   constexpr double kBudget = 1e-3;
   FixedRandom random(13);
   std::size_t clips = 0;
-  for (const auto& path : corpus_files("models", {".gltf", ".glb"})) {
+  for (const auto& path : files_for_tests("models", {".gltf", ".glb"})) {
     const auto file = import_gltf(path, {.decode_images = false});
     if (!file) continue;
     const Scene& scene = file->scene;

@@ -14,15 +14,14 @@ namespace {
 
 std::map<std::string, std::filesystem::path> models_by_name() {
   std::map<std::string, std::filesystem::path> models;
-  for (const auto& file : corpus_files("models", {".gltf", ".glb"})) models[file.stem().string()] = file;
+  for (const auto& file : files_for_tests("models", {".gltf", ".glb"})) models[file.stem().string()] = file;
   return models;
 }
 
 TEST(tool_corpus, verify_holds_for_all_reference_poses) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   const auto models = models_by_name();
   std::size_t verified = 0;
-  for (const auto& poses : corpus_files("poses", {".json", ".gz"})) {
+  for (const auto& poses : files_for_tests("poses", {".json", ".gz"})) {
     std::string name = poses.filename().string();
     name.resize(name.find(".json"));
     const auto model = models.find(name);
@@ -39,7 +38,6 @@ TEST(tool_corpus, verify_holds_for_all_reference_poses) {
 }
 
 TEST(tool_corpus, info_check_and_plan_answer_for_all_models) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
   for (const auto& [name, model] : models_by_name())
     for (const char* command : {"info", "check", "plan"}) {
       const CommandOutcome outcome = run_tool({command, model.string(), "--json"});
@@ -53,8 +51,7 @@ TEST(tool_corpus, info_check_and_plan_answer_for_all_models) {
 }
 
 TEST(tool_corpus, check_ends_with_0_or_1_for_malformed_files) {
-  if (!corpus()) GTEST_SKIP() << kNoCorpus;
-  for (const auto& file : corpus_files("malformed", {".gltf", ".glb"})) {
+  for (const auto& file : files_for_tests("malformed", {".gltf", ".glb"})) {
     const CommandOutcome outcome = run_tool({"check", file.string(), "--json"});
     EXPECT_TRUE(outcome.status == 0 || outcome.status == 1) << file << outcome.err;
     const auto report = nlohmann::json::parse(outcome.out, nullptr, false);

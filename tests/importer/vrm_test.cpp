@@ -159,8 +159,8 @@ TEST(vrm, wrong_values_are_reported_and_the_rest_is_read) {
 }
 
 TEST(vrm_corpus, files_have_bones_springs_or_constraints) {
-  const auto files = corpus_files("vrm", {".gltf", ".glb", ".vrm", ".vrma"});
-  if (files.empty()) GTEST_SKIP() << kNoCorpus;
+  const auto files = files_for_tests("vrm", {".gltf", ".glb", ".vrm", ".vrma"});
+  ASSERT_FALSE(files.empty());
   for (const auto& file : files) {
     const auto result = import_gltf(file);
     ASSERT_TRUE(result) << file;

@@ -7,6 +7,22 @@
 namespace sinew::test {
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<fs::path> files_below(const fs::path& folder, const std::vector<std::string>& extensions) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() &&
+        std::find(extensions.begin(), extensions.end(), entry.path().extension().string()) != extensions.end())
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
 std::optional<fs::path> corpus() {
   const char* named = std::getenv("SINEW_CORPUS");
   const fs::path folder = named && *named ? fs::path(named) : fs::path(SINEW_SOURCE_DIR).parent_path() / "shared";
@@ -16,15 +32,14 @@ std::optional<fs::path> corpus() {
 }
 
 std::vector<fs::path> corpus_files(const std::string& folder, const std::vector<std::string>& extensions) {
-  std::vector<fs::path> files;
   const auto root = corpus();
-  std::error_code ignored;
-  if (!root || !fs::is_directory(*root / folder, ignored)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(*root / folder))
-    if (entry.is_regular_file() &&
-        std::find(extensions.begin(), extensions.end(), entry.path().extension().string()) != extensions.end())
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  return root ? files_below(*root / folder, extensions) : std::vector<fs::path>{};
+}
+
+std::vector<fs::path> files_for_tests(const std::string& folder, const std::vector<std::string>& extensions) {
+  std::vector<fs::path> files = files_below(fs::path(SINEW_GENERATED_MODELS) / folder, extensions);
+  const std::vector<fs::path> others = corpus_files(folder, extensions);
+  files.insert(files.end(), others.begin(), others.end());
   return files;
 }
 

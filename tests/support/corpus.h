@@ -7,14 +7,15 @@
 
 namespace sinew::test {
 
-/// The corpus folder: $SINEW_CORPUS, else `../shared` beside the checkout; nothing when neither exists. Corpus tests
-/// enumerate the files below it and never name one; without it they skip with kNoCorpus.
+/// The corpus folder: $SINEW_CORPUS, else `../shared` beside the checkout; nothing when neither exists.
 std::optional<std::filesystem::path> corpus();
-
-inline constexpr const char* kNoCorpus =
-    "no corpus: set SINEW_CORPUS to a folder with models/ poses/ numeric/ malformed/";
 
 /// All files below `folder` of the corpus with one of the extensions (".gltf", ".glb", ...), sorted.
 std::vector<std::filesystem::path> corpus_files(const std::string& folder, const std::vector<std::string>& extensions);
+
+/// The same of the project's own models, poses and broken files (tests/generated), and of the corpus where there is one.
+/// Tests enumerate them and never name one.
+std::vector<std::filesystem::path> files_for_tests(const std::string& folder,
+                                                   const std::vector<std::string>& extensions);
 
 }  // namespace sinew::test
