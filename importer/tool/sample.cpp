@@ -86,6 +86,12 @@ tl::expected<std::vector<Task>, std::string> tasks_for(const Scene& scene, const
   return tasks;
 }
 
+std::size_t sample_count(const std::vector<Task>& tasks) {
+  std::size_t count = 0;
+  for (const Task& task : tasks) count += task.times_s.size();
+  return count;
+}
+
 /// Samples all tasks.
 /// err  as run_plan
 ErrorCode sample_all(const Scene& scene, const std::vector<Task>& tasks, PoseSampler& sampler, PoseWriter& writer) {
@@ -114,12 +120,11 @@ ExitCode write_poses(const Scene& scene, const std::vector<Task>& tasks, const S
   errno = 0;
   StreamedFile out(options.output);
   if (!out.opened()) return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", name, std::strerror(errno)));
-  const auto writer = make_pose_writer(options.format, scene, out);
+  const auto writer = make_pose_writer(options.format, scene, sample_count(tasks), out);
   writer->begin(options.file, model_size_m(scene));
   if (const ErrorCode code = sample_all(scene, tasks, sampler, *writer); code != ErrorCode::ok)
     return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", options.file, describe(code)));
-  if (const std::string why = writer->end(); !why.empty())
-    return fail_with(ExitCode::wrong_usage, fmt::format("{}: {}", name, why));
+  writer->end();
   if (out.finish()) return ExitCode::done;
   return fail_with(ExitCode::machine_lacks, name + ": cannot be written to the end");
 }

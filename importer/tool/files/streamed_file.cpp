@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/files/streamed_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
 #include <system_error>
 #include <utility>
 
@@ -20,10 +21,15 @@ StreamedFile::StreamedFile(const std::string& file_or_empty) {
   target_ = std::filesystem::canonical(file_or_empty, error);
   if (error) target_ = file_or_empty;  // a new file
   unfinished_ = target_.string() + "." + std::to_string(getpid()) + ".tmp";
-  file_ = gzopen(unfinished_.c_str(), file_or_empty.ends_with(".gz") ? "wbx6" : "wbxT");
+  const bool compressed = file_or_empty.ends_with(".gz");
+  const int file = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return;
+  file_ = gzdopen(file, compressed ? "wb6" : "wbT");
+  if (!compressed) placed_ = file;
 }
 
 StreamedFile::~StreamedFile() {
+  if (waiting_ != nullptr) std::fclose(waiting_);
   if (file_ == nullptr) return;
   gzclose(static_cast<gzFile>(file_));
   if (!unfinished_.empty()) unlink(unfinished_.c_str());
@@ -38,7 +44,35 @@ void StreamedFile::write(std::string_view bytes) {
   }
 }
 
+void StreamedFile::write_at(std::uint64_t place, std::string_view bytes) {
+  if (placed_ < 0) {
+    waiting_ = std::tmpfile();
+    failed_ = failed_ || waiting_ == nullptr;
+    placed_ = failed_ ? -1 : fileno(waiting_);
+  }
+  while (!failed_ && !bytes.empty()) {
+    const ssize_t count = pwrite(placed_, bytes.data(), bytes.size(), static_cast<off_t>(place));
+    failed_ = count <= 0;
+    if (failed_) return;
+    place += static_cast<std::uint64_t>(count);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// Writes what waits.
+void StreamedFile::copy_placed() {
+  std::array<char, std::size_t{1} << 16> block;
+  std::rewind(waiting_);
+  while (!failed_) {
+    const std::size_t count = std::fread(block.data(), 1, block.size(), waiting_);
+    if (count == 0) break;
+    write({block.data(), count});
+  }
+  failed_ = failed_ || std::ferror(waiting_) != 0;
+}
+
 bool StreamedFile::finish() {
+  if (waiting_ != nullptr) copy_placed();
   const int closed = gzclose(static_cast<gzFile>(std::exchange(file_, nullptr)));
   const bool written = closed == Z_OK && !failed_;
   if (unfinished_.empty()) return written;

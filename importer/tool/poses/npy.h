@@ -9,23 +9,26 @@
 
 namespace sinew::tool {
 
-/// An array as NumPy stores it: little-endian, the last index varies fastest.
+/// What NumPy is told of an array. Numbers follow it little-endian, the last index varies fastest.
 struct NpyArray {
   std::string name;  ///< in an .npz
   std::string type;  ///< NumPy's "descr": "<f4", "<f8", "<i4", "<U12"
   std::vector<std::size_t> shape;
-  std::string bytes;
+
+  std::uint64_t byte_size() const;  ///< of the numbers
 };
 
-/// An array of texts ("<U", as wide as the longest).
-/// in   texts   UTF-8; bytes that are none become U+FFFD
-NpyArray text_array(std::string name, std::span<const std::string> texts);
+/// What stands before the numbers in a .npy file, format 1.0 (numpy.lib.format). They begin at a multiple of 64 bytes.
+std::string npy_head(const NpyArray& array);
 
-/// A .npy file, format 1.0 (numpy.lib.format).
-std::string npy_file(const NpyArray& array);
+/// The number of code points of the longest text; at least 1.
+/// in   texts   UTF-8; bytes that are none count as U+FFFD
+std::size_t text_width(std::span<const std::string> texts);
 
-/// A .npz file: a zip of .npy files that are not compressed.
-/// out  empty when it would be larger than 4 GiB, which is the most of a plain zip
-std::string npz_file(std::span<const NpyArray> arrays);
+/// The type of an array of texts: "<U12".
+std::string text_type(std::size_t width);
+
+/// An entry of an array of texts: `width` code points of four bytes, zeros behind the text.
+std::string text_entry(std::string_view text, std::size_t width);
 
 }  // namespace sinew::tool

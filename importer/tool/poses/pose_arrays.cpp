@@ -9,76 +9,107 @@ namespace sinew::tool {
 namespace {
 
 template <class T>
-void append(NpyArray& array, T number) {
-  array.bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+std::string bytes_of(T number) {
+  return {reinterpret_cast<const char*>(&number), sizeof number};
 }
 
-void append_floats(NpyArray& array, const std::vector<double>& numbers) {
-  for (const double number : numbers) append(array, static_cast<float>(number));
+std::string floats(const std::vector<double>& numbers) {
+  std::string bytes;
+  bytes.reserve(numbers.size() * sizeof(float));
+  for (const double number : numbers) bytes += bytes_of(static_cast<float>(number));
+  return bytes;
+}
+
+constexpr const char* kWorld = "world";
+
+/// World matrices by rows.
+std::vector<double> world_matrices(const Pose& pose) {
+  std::vector<double> numbers;
+  numbers.reserve(16 * pose.nodes.size());
+  for (const NodeWorld& node : pose.nodes)
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column) numbers.push_back(node.world[4 * column + row]);
+  return numbers;
 }
 
 }  // namespace
 
-/// The array of a name, made when it is first asked for. Its shape is that of one sample until finish_shapes().
-NpyArray& PoseArrays::array(const std::string& name, const char* type, std::vector<std::size_t> shape_of_sample) {
-  const auto [found, is_new] = by_name_.try_emplace(name, arrays_.size());
-  if (is_new) arrays_.push_back({name, type, std::move(shape_of_sample), {}});
-  return arrays_[found->second];
+void WorldArray::begin_sample(const Pose& pose) {
+  if (first_) out_.write(npy_head({kWorld, "<f4", {samples_, pose.nodes.size(), 4, 4}}));
+  first_ = false;
+  out_.write(floats(world_matrices(pose)));
+}
+
+/// The array of a name, made when it is first asked for: an entry of that shape for each sample.
+std::size_t PoseArrays::array(const std::string& name, const char* type, std::vector<std::size_t> shape_of_sample) {
+  const auto [found, is_new] = by_name_.try_emplace(name, 0);
+  if (is_new) {
+    shape_of_sample.insert(shape_of_sample.begin(), samples_);
+    found->second = file_.add({name, type, std::move(shape_of_sample)});
+  }
+  return found->second;
+}
+
+void PoseArrays::append_floats(const std::string& name, std::vector<std::size_t> shape_of_sample,
+                               const std::vector<double>& numbers) {
+  file_.append(array(name, "<f4", std::move(shape_of_sample)), floats(numbers));
 }
 
 void PoseArrays::begin_clip(std::uint32_t clip, std::string_view name) {
   clip_ = clip;
-  clip_name_ = name;
+  clips_.push_back({std::string(name)});
 }
 
 void PoseArrays::begin_sample(const Pose& pose) {
-  ++samples_;
-  NpyArray& world = array("world", "<f4", {pose.nodes.size(), 4, 4});
-  for (const NodeWorld& node : pose.nodes)
-    for (std::size_t row = 0; row < 4; ++row)
-      for (std::size_t column = 0; column < 4; ++column)
-        append(world, static_cast<float>(node.world[4 * column + row]));
-  if (!all_) return;
-  append(array("time_s", "<f8", {}), pose.time_s);
-  append(array("clip", "<i4", {}), clip_ == kNone ? -1 : static_cast<std::int32_t>(clip_));
-  clip_names_.push_back(clip_name_);
+  ++clips_.back().samples;
+  append_floats(kWorld, {pose.nodes.size(), 4, 4}, world_matrices(pose));
+  file_.append(array("time_s", "<f8", {}), bytes_of(pose.time_s));
+  file_.append(array("clip", "<i4", {}), bytes_of(clip_ == kNone ? -1 : static_cast<std::int32_t>(clip_)));
   for (const NodeWeights& node : pose.weights)
-    append_floats(array(fmt::format("weights_{}", node.node), "<f4", {node.weights.size()}), node.weights);
+    append_floats(fmt::format("weights_{}", node.node), {node.weights.size()}, node.weights);
   for (const PrimitivePose& primitive : pose.primitives) add(primitive);
 }
 
+/// Numbers of vertices are the same in every sample, and so are there once.
+void PoseArrays::append_vertices(const std::string& name, const std::vector<std::uint32_t>& vertices) {
+  const auto [found, is_new] = by_name_.try_emplace(name, 0);
+  if (!is_new) return;
+  found->second = file_.add({name, "<i4", {vertices.size()}});
+  for (const std::uint32_t vertex : vertices) file_.append(found->second, bytes_of(static_cast<std::int32_t>(vertex)));
+}
+
 void PoseArrays::add(const PrimitivePose& primitive) {
-  if (!all_) return;
   const std::string name = fmt::format("node{}_primitive{}_", primitive.node, primitive.primitive);
-  const std::string vertices = name + "vertices";
-  if (!by_name_.contains(vertices))
-    for (const std::uint32_t vertex : primitive.vertices)
-      append(array(vertices, "<i4", {primitive.vertices.size()}), static_cast<std::int32_t>(vertex));
+  if (!primitive.vertices.empty()) append_vertices(name + "vertices", primitive.vertices);
   for (std::size_t kind = 0; kind < kVertexKinds.size(); ++kind)
     if (!primitive.values[kind].empty())
-      append_floats(array(name + kVertexKinds[kind].key, "<f4", {primitive.vertices.size(), kVertexKinds[kind].width}),
+      append_floats(name + kVertexKinds[kind].key, {primitive.vertices.size(), kVertexKinds[kind].width},
                     primitive.values[kind]);
 }
 
-/// Numbers of vertices are the same in every sample; everything else has an entry for each.
-void PoseArrays::finish_shapes() {
-  for (NpyArray& array : arrays_)
-    if (!array.name.ends_with("_vertices")) array.shape.insert(array.shape.begin(), samples_);
+void PoseArrays::add_clip_names() {
+  std::vector<std::string> names;
+  for (const ClipSamples& clip : clips_) names.push_back(clip.name);
+  const std::size_t width = text_width(names);
+  const std::size_t array = file_.add({"clip_name", text_type(width), {samples_}});
+  for (const ClipSamples& clip : clips_) {
+    const std::string entry = text_entry(clip.name, width);
+    for (std::size_t s = 0; s < clip.samples; ++s) file_.append(array, entry);
+  }
 }
 
-std::string PoseArrays::end() {
-  finish_shapes();
-  if (!all_) {
-    out_.write(npy_file(arrays_.at(0)));
-    return {};
-  }
-  std::vector<std::string> nodes;
-  for (const std::uint32_t joint : scene_.skeleton.joint_of_node) nodes.push_back(scene_.skeleton.names[joint]);
-  arrays_.push_back(text_array("clip_name", clip_names_));
-  arrays_.push_back(text_array("node_name", nodes));
-  const std::string file = npz_file(arrays_);
-  out_.write(file);
-  return file.empty() ? "is more than an .npz file of 4 GiB can hold" : "";
+void PoseArrays::add_node_names() {
+  std::vector<std::string> names;
+  for (const std::uint32_t joint : scene_.skeleton.joint_of_node) names.push_back(scene_.skeleton.names[joint]);
+  const std::size_t width = text_width(names);
+  const std::size_t array = file_.add({"node_name", text_type(width), {names.size()}});
+  for (const std::string& name : names) file_.append(array, text_entry(name, width));
+}
+
+void PoseArrays::end() {
+  add_clip_names();
+  add_node_names();
+  file_.finish();
 }
 
 }  // namespace sinew::tool

@@ -19,7 +19,7 @@ class PoseCsv final : public PoseWriter {
   void add(const PrimitivePose&) override {}
   void end_sample() override;
   void end_clip() override {}
-  std::string end() override { return {}; }
+  void end() override {}
 
  private:
   const Scene& scene_;

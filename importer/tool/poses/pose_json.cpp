@@ -97,10 +97,9 @@ void PoseJson::add(const PrimitivePose& primitive) {
 
 void PoseJson::end_clip() { put(text_, "]}}"); }
 
-std::string PoseJson::end() {
+void PoseJson::end() {
   put(text_, "\n ]}}\n");
   flush();
-  return {};
 }
 
 void PoseJson::flush() {

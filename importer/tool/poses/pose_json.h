@@ -18,7 +18,7 @@ class PoseJson final : public PoseWriter {
   void add(const PrimitivePose& primitive) override;
   void end_sample() override;
   void end_clip() override;
-  std::string end() override;
+  void end() override;
 
  private:
   void add_nodes(const Pose& pose);

@@ -16,11 +16,12 @@ PoseFormat format_of_name(std::string_view file) noexcept {
 
 bool holds_vertices(PoseFormat format) noexcept { return format == PoseFormat::json || format == PoseFormat::npz; }
 
-std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, StreamedFile& out) {
+std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, std::size_t samples,
+                                             StreamedFile& out) {
   switch (format) {
     case PoseFormat::csv: return std::make_unique<PoseCsv>(scene, out);
-    case PoseFormat::npy:
-    case PoseFormat::npz: return std::make_unique<PoseArrays>(scene, out, format == PoseFormat::npz);
+    case PoseFormat::npy: return std::make_unique<WorldArray>(samples, out);
+    case PoseFormat::npz: return std::make_unique<PoseArrays>(scene, samples, out);
     case PoseFormat::json: break;
   }
   return std::make_unique<PoseJson>(out);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <string_view>
 
 #include "importer/tool/files/streamed_file.h"
@@ -22,9 +22,7 @@ class PoseWriter {
   virtual void add(const PrimitivePose& primitive) = 0;
   virtual void end_sample() = 0;
   virtual void end_clip() = 0;
-
-  /// out  why the format cannot hold what was written, a sentence; empty when it can
-  virtual std::string end() = 0;
+  virtual void end() = 0;
 };
 
 /// The formats of `sinew sample`.
@@ -36,7 +34,9 @@ PoseFormat format_of_name(std::string_view file) noexcept;
 /// Whether a format holds deformed vertices, and not only nodes.
 bool holds_vertices(PoseFormat format) noexcept;
 
-/// in  scene, out  must outlive the writer
-std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, StreamedFile& out);
+/// in   scene, out  must outlive the writer
+///      samples     how many there will be, of all clips together
+std::unique_ptr<PoseWriter> make_pose_writer(PoseFormat format, const Scene& scene, std::size_t samples,
+                                             StreamedFile& out);
 
 }  // namespace sinew::tool

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "importer/tool/files/streamed_file.h"
+#include "importer/tool/poses/npy.h"
+
+namespace sinew::tool {
+
+/// An .npz file, a zip of .npy files that are not compressed, whose arrays grow side by side: shapes are known before
+/// the first number, so each array has its place in the file. Where the file or an array takes 4 GiB or more, it has
+/// the longer fields of ZIP64.
+/// cost  holds at most kHeld bytes of numbers, and the names
+class NpzFile {
+ public:
+  static constexpr std::size_t kHeld = std::size_t{1} << 22;
+
+  /// in   out  must outlive this
+  explicit NpzFile(StreamedFile& out) : out_(out) {}
+
+  /// Gives an array the next place in the file.
+  /// out   its number
+  std::size_t add(const NpyArray& array);
+
+  /// The next numbers of an array. A contract holds that an array takes no more than its shape says.
+  void append(std::size_t array, std::string_view bytes);
+
+  /// Writes what is held, and the directory. A contract holds that every array is full.
+  void finish();
+
+ private:
+  struct Entry {
+    std::string name;
+    std::uint64_t at = 0, size = 0;       // of the header in the zip; of the .npy file
+    std::uint64_t data_at = 0, done = 0;  // of the .npy file; how much of it is written
+    std::uint32_t checksum = 0;
+    std::string held;
+  };
+  void flush(Entry& entry);
+  void flush_all();
+
+  StreamedFile& out_;
+  std::vector<Entry> entries_;
+  std::uint64_t end_ = 0;  // of the last entry
+  std::size_t held_ = 0;
+};
+
+}  // namespace sinew::tool
