@@ -89,9 +89,9 @@ void print_outcome(const PoseComparison& comparison, const VerifyOptions& option
   }
 }
 
-ExitCode verify_cache(const VerifyOptions& options) {
+ExitCode verify_cache(const VerifyOptions& options, const std::string& file, bool many) {
   const bool has_source = !options.against.file.empty();
-  const auto outcome = verify_geometry(options.file, has_source ? std::optional(options.against) : std::nullopt);
+  const auto outcome = verify_geometry(file, has_source ? std::optional(options.against) : std::nullopt, many);
   if (outcome) return *outcome;
   return fail_with(ExitCode::wrong_usage, has_source ? "--against: FILE is no geometry cache"
                                                      : "GOLDEN is required: the poses to compare with");
@@ -138,15 +138,18 @@ std::string golden_of(const std::string& folder, const Input& file) {
 
 ExitCode verify_input(VerifyOptions options, const Input& file, bool many) {
   options.file = file.path;
-  if (many) options.golden = golden_of(options.golden, file);
+  std::error_code error;
+  if (many || std::filesystem::is_directory(options.golden, error)) options.golden = golden_of(options.golden, file);
   return verify_poses(options, many);
 }
 
 ExitCode verify_files(const VerifyOptions& options) {
-  if (options.golden.empty()) return verify_cache(options);
-  BatchOptions files = options.files;
-  files.inputs = {options.file};
-  return run_batch(files, {[&](const Input& file, bool many) { return verify_input(options, file, many); }});
+  if (!options.golden.empty())
+    return run_batch(options.files,
+                     {.run = [&](const Input& file, bool many) { return verify_input(options, file, many); },
+                      .bad_folder = ExitCode::cannot_read});
+  const auto run = [&](const Input& file, bool many) { return verify_cache(options, file.path, many); };
+  return run_batch(options.files, {.run = run, .kind = FileKind::geometry_caches, .bad_folder = ExitCode::cannot_read});
 }
 
 }  // namespace
@@ -162,12 +165,14 @@ void add_verify(CLI::App& program, ExitCode& outcome) {
       "\n"
       "A geometry cache (.sgeo) is decoded frame by frame, which compares its checksums; with --against also measured "
       "anew. Exit status 0 when every frame is as it was written, and within what was asked.");
-  command->add_option("FILE", options->file, "A .gltf or .glb file, a folder of them, or a geometry cache")->required();
-  auto* golden =
-      command->add_option("GOLDEN", options->golden,
-                          "Poses to compare with, .json or .json.gz; for a folder the one that `sinew sample "
-                          "FOLDER -o GOLDEN` wrote");
-  add_batch_flags(*command, options->files);
+  const InputsAndLast arguments = add_inputs_and_last(
+      *command, options->files, options->golden,
+      {"FILE", ".gltf or .glb files, and folders of them; or geometry caches, and folders of them, without GOLDEN"},
+      {"GOLDEN",
+       "Poses to compare with, .json or .json.gz; of several files the folder that `sinew sample FILE... -o GOLDEN` "
+       "filled"},
+      [](const std::string& last) { return !is_named_as(FileKind::geometry_caches, last); });
+  CLI::Option* golden = arguments.last->required(false);
   auto* against = command->add_option("--against", options->against.file, "What the geometry cache was baked from")
                       ->type_name("SOURCE")
                       ->excludes(golden);

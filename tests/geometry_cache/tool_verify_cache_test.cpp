@@ -62,6 +62,25 @@ TEST(verify_cache_command, measures_anew_against_the_clip_it_was_baked_from) {
   EXPECT_THAT(other.err, HasSubstr("verify-shape"));
 }
 
+TEST(verify_cache_command, takes_many_caches_and_folders_of_them) {
+  const ToolModelFile model;
+  const std::string folder = model.beside("caches"), a = folder + "/a.sgeo", b = folder + "/b.SGEO";
+  std::filesystem::create_directory(folder);
+  ASSERT_EQ(run_tool({"bake", model.path(), "--clip", "0", "-o", a}).status, 0);
+  std::filesystem::copy_file(a, b);
+  const std::string lines = a + ": 31 frames decoded, every checksum is right\n" + b +
+                            ": 31 frames decoded, every checksum is right\n2 files: 2 done, 0 failed\n";
+  EXPECT_EQ(run_tool({"verify", a, b}).out, lines);
+  EXPECT_EQ(run_tool({"verify", folder}).out, lines);
+  const CommandOutcome against = run_tool({"verify", folder, "--against", model.path(), "--clip", "0"});
+  EXPECT_EQ(against.status, 0) << against.err;
+  EXPECT_EQ(against.out, lines) << "errors are told one file at a time";
+  std::vector<std::byte> bytes = read_file(b);
+  bytes.resize(bytes.size() - 1);
+  write_file(b, bytes);
+  EXPECT_EQ(run_tool({"verify", folder}).status, 4);
+}
+
 TEST(verify_cache_command, a_source_that_moved_farther_than_was_asked_is_told) {
   const ToolModelFile model;
   const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");

@@ -225,10 +225,51 @@ TEST(shell_files, bash_completes_commands_options_and_values) {
   EXPECT_THAT(offered(folder, "sinew sample x.glb -o ou"), ElementsAre(""));
 }
 
-TEST(shell_files, zsh_and_fish_take_their_completions) {
-  if (!is_installed("zsh") || !is_installed("fish")) GTEST_SKIP() << "no zsh or no fish";
+/// What zsh lists when Tab is pressed behind some words, in an interactive shell on a terminal of its own.
+std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words) {
+  const std::string functions = folder.beside("functions"), script = folder.beside("tab.zsh");
+  std::filesystem::create_directory(functions);
+  std::ofstream(functions + "/_sinew") << run_tool({"--generate", "zsh"}).out;
+  std::ofstream(script) << R"(zmodload zsh/zpty
+zpty tab zsh -f -i
+zpty -w tab 'PS1=; TERM=dumb; unsetopt zle_bracketed_paste prompt_cr prompt_sp; stty -echo cols 200 rows 500'
+zpty -w tab "fpath=($1 \$fpath); autoload -U compinit; compinit -D -u; LISTMAX=0"
+zpty -w tab 'tab() { zle list-choices; zle -R; print -n "li""sted" }; zle -N tab; bindkey "^I" tab; echo "rea""dy"'
+zpty -r tab before '*ready*'
+zpty -w -n tab "$2"$'\t'
+zpty -r tab listed '*listed*'
+print -r -- $listed
+zpty -d tab
+)";
+  const std::string shown =
+      printed(folder, "timeout 60 zsh -f " + script + " " + functions + " '" + words + "' </dev/null");
+  const std::size_t first = shown.find(words), again = shown.find(words, first + 1);  // as they were typed, drawn again
+  EXPECT_NE(first, shown.npos) << shown;
+  if (first == shown.npos || again == shown.npos) return {};
+  return shown.substr(first + words.size(), again - first - words.size());
+}
+
+TEST(shell_files, zsh_completes_commands_options_values_and_files) {
+  if (!is_installed("zsh")) GTEST_SKIP() << "no zsh";
   const ToolModelFile folder;
   EXPECT_EQ(printed(folder, "zsh -n " + made(folder, "zsh")), "");
+  const std::string all = listed_by_zsh(folder, "sinew ");
+  for (const std::string& command : commands()) EXPECT_THAT(all, HasSubstr("\n" + command + " "));
+  const std::string option = listed_by_zsh(folder, "sinew sample --v");
+  EXPECT_THAT(option, HasSubstr("--vertices"));
+  EXPECT_THAT(option, Not(HasSubstr("--version")));
+  const std::string values = listed_by_zsh(folder, "sinew sample x.glb --format n");
+  EXPECT_THAT(values, HasSubstr("npy  npz"));
+  EXPECT_THAT(values, Not(HasSubstr("csv")));
+  EXPECT_THAT(listed_by_zsh(folder, "sinew plan x.glb --needs joints,p"), HasSubstr("palettes"));
+  const std::string model = listed_by_zsh(folder, "sinew info " + folder.beside("mod"));
+  EXPECT_THAT(model, HasSubstr("model.gltf"));
+  EXPECT_THAT(listed_by_zsh(folder, "sinew sample x.glb -o " + folder.beside("mod")), HasSubstr("model.gltf"));
+}
+
+TEST(shell_files, fish_completes_commands_and_values) {
+  if (!is_installed("fish")) GTEST_SKIP() << "no fish";
+  const ToolModelFile folder;
   EXPECT_EQ(printed(folder, "fish --no-execute " + made(folder, "fish")), "");
   const std::string values = printed(
       folder, "fish --no-config -c 'source " + folder.beside("fish") + "; complete -C \"sinew sample --format \"'");

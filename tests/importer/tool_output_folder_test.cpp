@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "tests/importer/tool_model.h"
 
@@ -80,6 +81,51 @@ TEST_F(OutputFolder, is_what_verify_compares_a_folder_with) {
   EXPECT_THAT(outcome.err, HasSubstr("sinew: " + in_ + "/b/c.gltf: poses differ from " + out_ + "/b/c.json\n"));
   fs::remove(out_ + "/a.json");
   EXPECT_EQ(run({"verify", in_, out_}).status, 4) << "not being able to compare is worse than a pose that moved";
+}
+
+TEST_F(OutputFolder, convert_writes_gltf_with_buffers_where_the_format_says_so) {
+  const CommandOutcome outcome = run({"convert", in_, out_, "--format", "gltf"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(files_in(out_), ElementsAre("a.bin", "a.gltf", "b/c.bin", "b/c.gltf"));
+  EXPECT_EQ(run({"convert", out_, place_.beside("again"), "--format", "glb"}).status, 0);
+  EXPECT_EQ(run({"convert", in_, place_.beside("at_once")}).status, 0);
+  for (const char* file : {"/a.glb", "/b/c.glb"})
+    EXPECT_TRUE(read(place_.beside("again") + file) == read(place_.beside("at_once") + file));
+}
+
+TEST_F(OutputFolder, a_format_that_the_name_of_the_output_contradicts_is_wrong_usage) {
+  const std::string glb = place_.beside("x.glb"), gltf = place_.beside("x.gltf");
+  for (const auto& [out, format] : {std::pair(glb, "gltf"), {gltf, "glb"}, {"-", "gltf"}}) {
+    const CommandOutcome outcome = run_tool({"convert", in_ + "/a.gltf", out, "--format", format});
+    EXPECT_EQ(outcome.status, 2) << out;
+    EXPECT_THAT(outcome.err, HasSubstr(out)) << out;
+  }
+  EXPECT_EQ(run_tool({"convert", in_ + "/a.gltf", gltf, "--format", "gltf"}).status, 0);
+}
+
+TEST_F(OutputFolder, convert_takes_files_and_folders_in_one_list) {
+  const CommandOutcome outcome = run_tool({"convert", in_ + "/a.gltf", in_ + "/b", "--quantize", out_});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n2 files: 2 done, 0 failed\n"));
+  EXPECT_THAT(files_in(out_), ElementsAre("a.glb", "c.glb"));
+  EXPECT_EQ(run_tool({"convert", in_ + "/a.gltf"}).status, 2) << "OUT is missing";
+  const CommandOutcome to_stdout = run_tool({"convert", in_ + "/a.gltf", in_ + "/b", "-"});
+  EXPECT_EQ(to_stdout.status, 2);
+  EXPECT_THAT(to_stdout.err, HasSubstr("several files need a folder"));
+  EXPECT_FALSE(fs::exists("-"));
+}
+
+TEST_F(OutputFolder, verify_takes_files_and_folders_in_one_list) {
+  ASSERT_EQ(run_tool({"sample", in_ + "/a.gltf", in_ + "/b", "-o", out_}).status, 0);
+  const CommandOutcome several = run_tool({"verify", in_ + "/a.gltf", in_ + "/b", "--exact", out_});
+  EXPECT_EQ(several.status, 0) << several.err;
+  EXPECT_THAT(several.out, HasSubstr("\n2 files: 2 done, 0 failed\n"));
+  EXPECT_EQ(run_tool({"verify", in_ + "/a.gltf", out_}).status, 0) << "one file, and the folder of its poses";
+  EXPECT_EQ(run_tool({"verify", in_ + "/a.gltf"}).status, 2) << "GOLDEN is missing";
+  const CommandOutcome no_golden = run_tool({"verify", in_});
+  EXPECT_EQ(no_golden.status, 4) << "nothing was compared";
+  EXPECT_THAT(no_golden.err, HasSubstr("holds no geometry cache"));
+  EXPECT_EQ(run_tool({"verify", in_, place_.beside("none")}).status, 4);
 }
 
 TEST_F(OutputFolder, one_bad_file_does_not_stop_the_others) {

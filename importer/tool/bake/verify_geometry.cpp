@@ -90,17 +90,18 @@ class Check {
   Errors errors_;
 };
 
-/// Prints each stream's error; how many are above what was asked.
-std::size_t print_errors(const GeometryCache& cache, const Errors& errors) {
+/// Prints each stream's error unless it is to be brief; how many are above what was asked.
+std::size_t print_errors(const GeometryCache& cache, const Errors& errors, bool brief) {
   std::size_t above = 0, stream = 0;
   for (const GeometryMesh& mesh : cache.meshes())
     for (const GeometryStream& s : mesh.streams) {
       const double error = errors[stream++];
       const bool kept = error <= s.asked * (1.0 + kRounding);
       above += kept ? 0 : 1;
-      fmt::print("  {} of {}: {} measured anew, {} in the file, {} asked{}\n", name_of(s.kind), in_quotes(mesh.name),
-                 error_text(s.kind, error), error_text(s.kind, s.measured), error_text(s.kind, s.asked),
-                 kept ? "" : ": NOT kept");
+      if (brief) continue;
+      print_result("  {} of {}: {} measured anew, {} in the file, {} asked{}\n", name_of(s.kind), in_quotes(mesh.name),
+                   error_text(s.kind, error), error_text(s.kind, s.measured), error_text(s.kind, s.asked),
+                   kept ? "" : ": NOT kept");
     }
   return above;
 }
@@ -110,7 +111,7 @@ ExitCode unread(ExitCode code) { return code == ExitCode::input_at_fault ? ExitC
 
 }  // namespace
 
-std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<TakeSource> source) {
+std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<TakeSource> source, bool brief) {
   const auto read = read_cache(file, true);
   if (!read) return std::nullopt;
   if (!*read) return unread(read->error());
@@ -129,12 +130,12 @@ std::optional<ExitCode> verify_geometry(const std::string& file, std::optional<T
     return fail_with(ExitCode::input_at_fault,
                      fmt::format("{}: byte {}: cache-frame: frame {} is not as it was written", file,
                                  in.cache.frames()[*damaged].offset, *damaged));
-  fmt::print("{}: {} decoded, every checksum is right\n", file, counted(in.cache.frame_count(), "frame"));
+  print_result("{}: {} decoded, every checksum is right\n", file, counted(in.cache.frame_count(), "frame"));
   if (!take) {
-    fmt::print("{}", geometry_table(in.cache));
+    if (!brief) print_result_text(geometry_table(in.cache));
     return ExitCode::done;
   }
-  if (const std::size_t above = print_errors(in.cache, check.errors()); above > 0)
+  if (const std::size_t above = print_errors(in.cache, check.errors(), brief); above > 0)
     return fail_with(ExitCode::input_at_fault,
                      fmt::format("{}: {} of {} differ from {} by more than was asked", file, above,
                                  counted(check.errors().size(), "stream"), source->file));

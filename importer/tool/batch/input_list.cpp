@@ -13,26 +13,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_model(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
+const char* file_of(FileKind kind) {
+  return kind == FileKind::models ? ".glb, .gltf or .vrm file" : "geometry cache (.sgeo)";
 }
 
 /// Walks one folder that was given.
 class FolderWalk {
  public:
-  FolderWalk(bool recursive, std::vector<Input>& out) : recursive_(recursive), out_(out) {}
+  FolderWalk(bool recursive, FileKind kind, std::vector<Input>& out) : recursive_(recursive), kind_(kind), out_(out) {}
 
   void run(const fs::path& folder) {
     const std::size_t before = out_.size();
     enter(folder, {});
     if (out_.size() > before) return;
-    remark(folder,
-           has_folders_ && !recursive_ ? "holds no .glb, .gltf or .vrm file itself; --recursive looks into its folders"
-                                       : "holds no .glb, .gltf or .vrm file",
-           true);
+    const bool may_be_below = has_folders_ && !recursive_;
+    remark(
+        folder,
+        std::string("holds no ") + file_of(kind_) + (may_be_below ? " itself; --recursive looks into its folders" : ""),
+        true);
   }
 
  private:
@@ -58,12 +56,13 @@ class FolderWalk {
     if (fs::is_directory(path, error)) {
       has_folders_ = true;
       if (recursive_) enter(path, below);
-    } else if (is_model(path)) {
+    } else if (is_named_as(kind_, path.string())) {
       out_.push_back({path.string(), below.string(), {}, false, {}});
     }
   }
 
   bool recursive_;
+  FileKind kind_;
   bool has_folders_ = false;
   std::vector<Input>& out_;
   std::set<fs::path> entered_;
@@ -71,19 +70,27 @@ class FolderWalk {
 
 }  // namespace
 
+bool is_named_as(FileKind kind, const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (kind == FileKind::geometry_caches) return extension == ".sgeo";
+  return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
+}
+
 std::size_t InputList::file_count() const {
   return static_cast<std::size_t>(
       std::count_if(inputs.begin(), inputs.end(), [](const Input& input) { return input.remark.empty(); }));
 }
 
-InputList list_inputs(const std::vector<std::string>& arguments, bool recursive) {
+InputList list_inputs(const std::vector<std::string>& arguments, bool recursive, FileKind kind) {
   InputList list;
   list.many = arguments.size() > 1;
   for (const std::string& argument : arguments) {
     std::error_code error;
     if (argument != kStandardInput && fs::is_directory(argument, error)) {
       list.many = true;
-      FolderWalk(recursive, list.inputs).run(argument);
+      FolderWalk(recursive, kind, list.inputs).run(argument);
     } else {
       list.inputs.push_back({argument, fs::path(argument).filename().string(), {}, false, {}});
     }

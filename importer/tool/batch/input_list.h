@@ -24,10 +24,16 @@ struct InputList {
   std::size_t file_count() const;
 };
 
-/// Finds the files that arguments name. A folder stands for the .glb, .gltf and .vrm files in it, by name; with
-/// `recursive` also for those in its folders. A folder is entered once, so that loops of symbolic links end. Folders
+/// What a folder stands for: the .glb, .gltf and .vrm files in it, or the .sgeo files.
+enum class FileKind { models, geometry_caches };
+
+/// Whether the name of a file ends as those of a kind do, in letters of either case.
+bool is_named_as(FileKind kind, const std::string& file);
+
+/// Finds the files that arguments name. A folder stands for the files of a kind in it, by name; with `recursive` also
+/// for those in its folders. A folder is entered once, so that loops of symbolic links end. Folders
 /// that cannot be read, that hold no such file, or that links lead to again are remarks.
 /// in    arguments   files, folders and "-"; files need not exist
-InputList list_inputs(const std::vector<std::string>& arguments, bool recursive);
+InputList list_inputs(const std::vector<std::string>& arguments, bool recursive, FileKind kind = FileKind::models);
 
 }  // namespace sinew::tool

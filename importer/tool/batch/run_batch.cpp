@@ -51,7 +51,7 @@ JobOutcome outcome_of(const Input& input, const BatchOptions& options, const Bat
     if (input.remark.empty()) {
       out.code = work.run(input, true);
     } else {
-      out.code = input.fault ? ExitCode::input_at_fault : ExitCode::done;
+      out.code = input.fault ? work.bad_folder : ExitCode::done;
       say_error(input.path + ": " + input.remark);
     }
   } catch (const std::bad_alloc&) {
@@ -98,6 +98,15 @@ class Report {
   std::size_t done_ = 0, failed_ = 0;
 };
 
+/// Where the outputs of several files go.
+/// err   a sentence
+tl::expected<void, std::string> prepare_outputs(const BatchOutput& output, InputList& list) {
+  if (output.folder.empty()) return tl::unexpected(std::string("several files need a folder to write to: -o FOLDER"));
+  if (output.folder == kStandardInput)
+    return tl::unexpected(std::string("-: several files need a folder to write to, not the standard output"));
+  return name_outputs(list, output.folder, output.extension);
+}
+
 }  // namespace
 
 void add_batch_flags(CLI::App& command, BatchOptions& options) {
@@ -114,17 +123,34 @@ CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const s
   return command.add_option("FILE", options.inputs, what)->type_name("")->expected(1, -1);
 }
 
+InputsAndLast add_inputs_and_last(CLI::App& command, BatchOptions& options, std::string& last_value,
+                                  const ArgumentText& inputs, const ArgumentText& last,
+                                  bool (*is_last)(const std::string& argument)) {
+  add_batch_flags(command, options);
+  // The inputs take all arguments, since only then it is known which one is the last, and hand that one on.
+  const auto take = [&command, &options, is_last, name = std::string(last.name)](const std::vector<std::string>& all) {
+    options.inputs = all;
+    if (all.size() < 2 || !is_last(all.back())) return;
+    options.inputs.pop_back();
+    command.get_option(name)->add_result(all.back());
+  };
+  InputsAndLast out;
+  out.inputs = command.add_option_function<std::vector<std::string>>(inputs.name, take, inputs.about)
+                   ->type_name("")
+                   ->expected(1, -1)
+                   ->required();
+  out.last = command.add_option(last.name, last_value, last.about)->required();
+  return out;
+}
+
 ExitCode run_batch(const BatchOptions& options, const BatchWork& work) {
   if (std::count(options.inputs.begin(), options.inputs.end(), kStandardInput) > 1)
     return fail_with(ExitCode::wrong_usage, "-: the standard input can be read once");
-  InputList list = list_inputs(options.inputs, options.recursive);
+  InputList list = list_inputs(options.inputs, options.recursive, work.kind);
   if (!list.many) return work.run(list.inputs.front(), false);
-  if (work.output) {
-    if (work.output->folder.empty())
-      return fail_with(ExitCode::wrong_usage, "several files need a folder to write to: -o FOLDER");
-    if (const auto named = name_outputs(list, work.output->folder, work.output->extension); !named)
-      return fail_with(ExitCode::wrong_usage, named.error());
-  }
+  if (work.output)
+    if (const auto prepared = prepare_outputs(*work.output, list); !prepared)
+      return fail_with(ExitCode::wrong_usage, prepared.error());
   const std::size_t cores = static_cast<std::size_t>(tbb::info::default_concurrency());
   Report report(list);
   run_in_order(

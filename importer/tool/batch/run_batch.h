@@ -28,6 +28,22 @@ void add_batch_flags(CLI::App& command, BatchOptions& options);
 /// out   the option FILE
 CLI::Option* add_batch_options(CLI::App& command, BatchOptions& options, const std::string& what);
 
+/// Adds --recursive and --jobs, and positional arguments as `cp` has them: inputs, and one that comes last.
+/// in    inputs, last  names for the help, what they are
+///       is_last       whether the last of several arguments is the one: else all are inputs
+/// out   the options of both; that of the last one is required unless the caller says otherwise
+struct InputsAndLast {
+  CLI::Option* inputs = nullptr;
+  CLI::Option* last = nullptr;
+};
+struct ArgumentText {
+  const char* name;
+  std::string about;
+};
+InputsAndLast add_inputs_and_last(CLI::App& command, BatchOptions& options, std::string& last_value,
+                                  const ArgumentText& inputs, const ArgumentText& last,
+                                  bool (*is_last)(const std::string& argument));
+
 /// The outputs of many files: one each, in a folder.
 struct BatchOutput {
   std::string folder;     ///< empty = the command line names none
@@ -43,6 +59,8 @@ struct BatchWork {
   std::function<std::string()> totals = {};
   /// For commands that write a file for each.
   std::optional<BatchOutput> output = std::nullopt;
+  FileKind kind = FileKind::models;                ///< what folders stand for
+  ExitCode bad_folder = ExitCode::input_at_fault;  ///< where a folder holds none of these, or cannot be read
 };
 
 /// Runs a command on all of its files. One file that is named prints what the command prints. Of several files each has

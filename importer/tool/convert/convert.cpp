@@ -29,7 +29,8 @@ constexpr double kNoBudget = std::numeric_limits<double>::infinity();
 
 struct ConvertOptions {
   BatchOptions files;
-  std::string in, out;  // "-" as OUT is the standard output
+  std::string in, out;                // "-" as OUT is the standard output
+  std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
   std::optional<std::string> budget;
   std::optional<double> fps;
   bool quantize = false, meshopt = false;
@@ -68,12 +69,17 @@ ExitCode write_output(const ConvertOptions& options, const OutputFiles& outputs,
 /// err   a sentence
 tl::expected<OutputFiles, std::string> outputs_of(const ConvertOptions& options) {
   if (options.out == kStandardOutput) {
+    if (options.format == "gltf") return tl::unexpected(std::string("-: a .gltf needs a place for its .bin"));
     if (options.budget || options.fps)
       return tl::unexpected(std::string("-: cannot be read again and measured, as --budget and --fps do"));
     return OutputFiles{};
   }
-  if (auto outputs = output_files(options.out)) return *std::move(outputs);
-  return tl::unexpected(options.out + ": OUT must end in .glb or .gltf, which says what is written");
+  auto outputs = output_files(options.out);
+  if (!outputs) return tl::unexpected(options.out + ": OUT must end in .glb or .gltf, which says what is written");
+  if (options.format && outputs->file.extension() != "." + *options.format)
+    return tl::unexpected(
+        fmt::format("{}: --format {} writes a file that ends in .{}", options.out, *options.format, *options.format));
+  return *std::move(outputs);
 }
 
 ExitCode convert_file(const ConvertOptions& options, bool many) {
@@ -116,15 +122,13 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
 }
 
 ExitCode convert_files(const ConvertOptions& options) {
-  BatchOptions files = options.files;
-  files.inputs = {options.in};
   const auto run = [&](const Input& file, bool many) {
     ConvertOptions own = options;
     own.in = file.path;
     if (many) own.out = file.output;
     return convert_file(own, many);
   };
-  return run_batch(files, {run, {}, BatchOutput{options.out, ".glb"}});
+  return run_batch(options.files, {run, {}, BatchOutput{options.out, "." + options.format.value_or("glb")}});
 }
 
 }  // namespace
@@ -145,14 +149,18 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
       "from where it was. --fps resamples clips. Either way the written file is read again and measured.\n"
       "\n"
       "--quantize and --meshopt make the file smaller. The first rounds numbers, the second compresses them.");
-  command->add_option("IN", options->in, "A .gltf or .glb file, or a folder of them; - is the standard input")
-      ->required();
+  add_inputs_and_last(*command, options->files, options->out,
+                      {"IN", ".gltf or .glb files, and folders of them; - is the standard input"},
+                      {"OUT",
+                       "The .glb or .gltf file to write; of several files the folder for them; - writes a .glb to the "
+                       "standard output"},
+                      [](const std::string&) { return true; });
   command
-      ->add_option("OUT", options->out,
-                   "The .glb or .gltf file to write; for a folder the one for the .glb files; - writes a .glb to the "
-                   "standard output")
-      ->required();
-  add_batch_flags(*command, options->files);
+      ->add_option("--format", options->format,
+                   "glb: one file; gltf: a .gltf with a .bin beside it (default: what OUT's name ends in; of several "
+                   "files glb)")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"glb", "gltf"}));
   command
       ->add_option("--budget", options->budget,
                    fmt::format("Largest distance by which leaving out keys may move anything, {}", kLengthHelp))
