@@ -213,18 +213,21 @@ std::string occlusion_answer() {
   const auto add = [&](const char* name, int samples, bool full, bool blur, double error, double ms) {
     trials.push_back({{"name", name},
                       {"note", "as said"},
+                      {"method", std::string(name).find("slice") == std::string::npos ? "ssao" : "gtao"},
                       {"samples", samples},
                       {"full_size", full},
                       {"blur", blur},
-                      {"default", std::string(name) == "14 samples"},
+                      {"default", std::string(name) == "2 slices of 12"},
                       {"error", error},
                       {"milliseconds", {ms, 1.01 * ms, 0.99 * ms}}});
   };
-  add("4 samples", 4, false, true, 0.08, 1.0);
-  add("14 samples", 14, false, true, 0.05, 2.0);
-  add("64 samples", 64, false, true, 0.049, 6.0);
-  add("14 full size", 14, true, true, 0.048, 8.0);
-  add("14 no blur", 14, false, false, 0.07, 1.2);
+  add("14 samples", 14, false, true, 0.065, 1.9);
+  add("64 samples", 64, false, true, 0.03, 6.0);
+  add("1 slice of 8", 8, false, true, 0.08, 1.0);
+  add("2 slices of 12", 24, false, true, 0.05, 2.0);
+  add("8 slices of 16", 128, false, true, 0.049, 6.0);
+  add("2 slices of 12 full size", 24, true, true, 0.048, 8.0);
+  add("2 slices of 12 no blur", 24, false, false, 0.07, 1.2);
   return Json{{"device", "a device"}, {"width", 100},         {"height", 50},    {"pixels", 3000},
               {"radius_m", 0.5},      {"error_without", 0.2}, {"trials", trials}}
       .dump();
@@ -232,15 +235,18 @@ std::string occlusion_answer() {
 
 TEST(cost_occlusion, says_how_many_samples_are_worth_it_and_on_what_device) {
   const cost::Group group = cost::occlusion_group(occlusion_answer());
-  ASSERT_EQ(group.points.size(), 5u) << group.left_out;
-  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").error, 5.0);
-  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").time_ns, 2e6 / 5000.0);
-  EXPECT_DOUBLE_EQ(point_named(group, "14 samples").values[0].value, 2.0);
-  EXPECT_TRUE(point_named(group, "14 samples").is_default && point_named(group, "14 samples").pareto);
-  EXPECT_TRUE(point_named(group, "14 no blur").pareto);
+  ASSERT_EQ(group.points.size(), 7u) << group.left_out;
+  EXPECT_DOUBLE_EQ(point_named(group, "2 slices of 12").error, 5.0);
+  EXPECT_DOUBLE_EQ(point_named(group, "2 slices of 12").time_ns, 2e6 / 5000.0);
+  EXPECT_DOUBLE_EQ(point_named(group, "2 slices of 12").values[0].value, 2.0);
+  EXPECT_TRUE(point_named(group, "2 slices of 12").is_default && point_named(group, "2 slices of 12").pareto);
+  EXPECT_TRUE(point_named(group, "2 slices of 12 no blur").pareto);
   EXPECT_THAT(group.findings.front(),
               testing::AllOf(HasSubstr("20.0 %"), HasSubstr("5.0 %"), HasSubstr("2 ms"), HasSubstr("a device")));
-  EXPECT_THAT(group.findings.back(), HasSubstr("14 samples are worth it here"));
+  EXPECT_THAT(group.findings[1], HasSubstr("14 of them, leave 6.5 %"));
+  EXPECT_THAT(group.findings[2], HasSubstr("4.8 %"));
+  EXPECT_THAT(group.findings[3], HasSubstr("7.0 %"));
+  EXPECT_THAT(group.findings.back(), HasSubstr("24 samples are worth it here: they leave 5.0 %, any number up to 128"));
   EXPECT_THAT(group.findings.back(), HasSubstr("3.00 times as long"));
   EXPECT_THAT(group.about, HasSubstr("3000 pixels"));
 }

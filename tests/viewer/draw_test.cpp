@@ -151,6 +151,7 @@ TEST_F(drawing, blended_surfaces_take_no_occlusion_from_what_is_behind_them) {
   glass.alpha_mode = AlphaMode::blend;
   built.add(facing_square(0.8f, 0.05f), built.add_material(glass));
   RenderOptions with, without, ao;
+  with.ao.radius_m = ao.ao.radius_m = 1.0f;
   without.ao.on = false;
   ao.show = Show::ao;
   EXPECT_LT(middle(draw(built, ao)).r, 0.95f) << "the wall behind is occluded";

@@ -130,6 +130,10 @@ TEST_F(occlusion_study, N34_ambient_occlusion_is_nearer_to_rays_than_none_and_th
   EXPECT_GT(study.pixels, 96u * 64u / 3);
   EXPECT_EQ(
       std::count_if(study.trials.begin(), study.trials.end(), [](const OcclusionTrial& t) { return t.is_default; }), 1);
+  const auto error_of = [&](const std::string& name) {
+    return std::find_if(study.trials.begin(), study.trials.end(), [&](const auto& t) { return t.name == name; })->error;
+  };
+  EXPECT_LT(error_of("2 slices of 12"), error_of("14 samples")) << "horizons are the default because they are nearer";
   for (const OcclusionTrial& trial : study.trials) {
     EXPECT_GT(trial.error, 0.0) << trial.name;
     EXPECT_LT(trial.error, study.error_without) << trial.name;
@@ -193,28 +197,31 @@ TEST_F(occlusion_study, every_way_is_a_list_of_different_shapes_with_the_default
     return study_occlusion(*test_device(), built.scene, built.frame(), view, {}, {16, 12, 1, 0, every_way}).trials;
   };
   const auto all = trials_of(true), few = trials_of(false);
-  EXPECT_EQ(all.size(), 13u);
-  EXPECT_EQ(few.size(), 5u);
+  EXPECT_EQ(all.size(), 16u);
+  EXPECT_EQ(few.size(), 8u);
   for (const auto* trials : {&all, &few}) {
     std::size_t defaults = 0, full_size = 0, unblurred = 0;
     for (const OcclusionTrial& a : *trials) {
       defaults += a.is_default;
       full_size += a.shape.step == 1;
       unblurred += !a.blur;
-      EXPECT_EQ(a.is_default, a.name == "14 samples") << a.name;
-      EXPECT_EQ(a.name.rfind(std::to_string(a.shape.samples), 0), 0u) << a.name;
+      const bool points = a.method == OcclusionMethod::ssao;
+      EXPECT_EQ(a.is_default, a.name == "2 slices of 12") << a.name;
+      EXPECT_EQ(a.name.rfind(std::to_string(points ? a.shape.samples : a.shape.slices), 0), 0u) << a.name;
+      EXPECT_EQ(a.name.find(" of " + std::to_string(2 * a.shape.steps)) != std::string::npos, !points) << a.name;
       EXPECT_EQ(a.name.find("full size") != std::string::npos, a.shape.step == 1) << a.name;
       EXPECT_EQ(a.name.find("no blur") != std::string::npos, !a.blur) << a.name;
       for (const OcclusionTrial& b : *trials)
-        EXPECT_TRUE(&a == &b || !(a.shape == b.shape) || a.blur != b.blur) << a.name << ", " << b.name;
+        EXPECT_TRUE(&a == &b || !(a.shape == b.shape) || a.blur != b.blur || a.method != b.method)
+            << a.name << ", " << b.name;
     }
     EXPECT_EQ(defaults, 1u);
     EXPECT_EQ(unblurred, 1u);
-    EXPECT_EQ(full_size, trials == &all ? 4u : 1u);
+    EXPECT_EQ(full_size, 2u);
   }
   for (const OcclusionTrial& t : all) {
-    EXPECT_EQ(t.shape.keep_edges, t.name != "14 plain blur") << t.name;
-    EXPECT_EQ(t.shape.blur_reach != OcclusionShape{}.blur_reach, t.name == "14 wide blur") << t.name;
+    EXPECT_EQ(t.shape.keep_edges, t.name != "2 slices of 12 plain blur") << t.name;
+    EXPECT_EQ(t.shape.blur_reach != OcclusionShape{}.blur_reach, t.name == "2 slices of 12 wide blur") << t.name;
   }
 }
 

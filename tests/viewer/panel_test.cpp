@@ -162,8 +162,16 @@ TEST_F(PanelTest, switches_change_the_settings) {
   EXPECT_EQ(settings_.skinning, Skinning::center_of_rotation);
   click("linear blend", playback);
   EXPECT_EQ(settings_.skinning, Skinning::linear);
-  click("ambient occlusion", playback);
+  choose("occlusion", "ssao: points", playback);
+  EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::ssao);
+  choose("occlusion", "none", playback);
   EXPECT_FALSE(settings_.ambient_occlusion);
+  choose("occlusion", "gtao: horizons", playback);
+  EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::gtao);
+  for (const auto& [name, look] : {std::pair{"none", GroundLook::none}, {"grid", GroundLook::grid}}) {
+    choose("ground", name, playback);
+    EXPECT_EQ(settings_.ground, look);
+  }
   click("skeleton", playback);
   EXPECT_TRUE(settings_.skeleton);
   click("ao", playback);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/viewer/reference_access.h"
 
+#include "tests/reference/gtao.h"
 #include "viewer/passes/ssao_kernel.h"
 
 namespace sinew::viewer {
@@ -13,7 +14,7 @@ reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKern
           static_cast<double>(ao.surface_epsilon_m),
           static_cast<double>(ao.fade_start_m),
           static_cast<double>(ao.fade_end_m),
-          static_cast<double>(ao.power),
+          2.0 * static_cast<double>(ao.power),
           kernel.offsets,
           kernel.noise,
           static_cast<int>(shape.step),
@@ -27,7 +28,10 @@ std::vector<double> reference_access(const reference::DepthAndNormals& image, co
                                      const OcclusionShape& shape) {
   const SsaoKernel kernel = make_ssao_kernel(shape.samples);
   const reference::SsaoSettings settings = settings_of(options, kernel, shape);
-  reference::HalfAccess half = reference::ssao(image, settings);
+  reference::HalfAccess half = options.ao.method == OcclusionMethod::ssao
+                                   ? reference::ssao(image, settings)
+                                   : reference::horizon_access(image, {settings.radius, static_cast<int>(shape.slices),
+                                                                       static_cast<int>(shape.steps), settings.step});
   if (options.ao.blur) {
     half = reference::blurred(image, settings, half, false);
     half = reference::blurred(image, settings, half, true);

@@ -20,6 +20,7 @@ TEST(settings, begin_as_the_command_line_says) {
   options.backdrop = Backdrop::blurred;
   options.tone_curve = ToneCurve::none;
   options.ground = GroundLook::grid;
+  options.occlusion_method = OcclusionMethod::ssao;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_FALSE(settings.ambient_occlusion);
@@ -35,6 +36,7 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).smooth_edges);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).shadows.on);
   EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).ground.look, GroundLook::grid);
+  EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).ao.method, OcclusionMethod::ssao);
   EXPECT_EQ(render_options(settings, environment, {}, {0, 0, 5}).backdrop, Backdrop::blurred);
   EXPECT_TRUE(settings.panel);
   EXPECT_FALSE(settings.skeleton);

@@ -120,8 +120,14 @@ void add_picture_options(CLI::App& app, Options& options) {
     options.show = named<Show>(
         "--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals}, {"depth", Show::depth}});
   });
+  auto* method = text_option(app, "--ao", "METHOD", "ambient occlusion: gtao (horizons) or ssao (points around) (gtao)",
+                             [&](const std::string& text) {
+                               options.occlusion_method = named<OcclusionMethod>(
+                                   "--ao", text, {{"gtao", OcclusionMethod::gtao}, {"ssao", OcclusionMethod::ssao}});
+                             });
   app.add_flag_callback(
-      "--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out");
+         "--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out")
+      ->excludes(method);
   text_option(app, "--smoothing", "HOW", "edges: on or off (on; off in a window that a software driver draws)",
               [&](const std::string& text) {
                 options.smooth_edges = named<bool>("--smoothing", text, {{"on", true}, {"off", false}});

@@ -41,6 +41,7 @@ struct Options {
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
   bool ambient_occlusion = true;
+  OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   bool shadows = true;
   GroundLook ground = GroundLook::shadows;
   std::optional<bool> smooth_edges;    ///< unset = in pictures, and in the window of a graphics card

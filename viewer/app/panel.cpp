@@ -2,6 +2,7 @@
 #include "viewer/app/panel.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -118,15 +119,20 @@ void updates_choice(const PanelFacts& facts, Settings& settings) {
   ImGui::PopTextWrapPos();
 }
 
+/// A list of the names of an enumeration, in its order.
+template <class Choice>
+void choice(const char* label, std::initializer_list<const char*> names, Choice& chosen) {
+  const auto at = static_cast<std::size_t>(chosen);
+  if (!ImGui::BeginCombo(label, names.begin()[at])) return;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (ImGui::Selectable(names.begin()[i], i == at)) chosen = static_cast<Choice>(i);
+  ImGui::EndCombo();
+}
+
 void light_controls(Settings& settings) {
-  int backdrop = static_cast<int>(settings.backdrop), tone = static_cast<int>(settings.tone_curve),
-      ground = static_cast<int>(settings.ground);
-  ImGui::Combo("ground", &ground, "none\0shadows\0grid\0");
-  ImGui::Combo("backdrop", &backdrop, "plain\0blurred\0sharp\0");
-  ImGui::Combo("tone", &tone, "neutral\0aces\0none\0");
-  settings.ground = static_cast<GroundLook>(ground);
-  settings.backdrop = static_cast<Backdrop>(backdrop);
-  settings.tone_curve = static_cast<ToneCurve>(tone);
+  choice("ground", {"none", "shadows", "grid"}, settings.ground);
+  choice("backdrop", {"plain", "blurred", "sharp"}, settings.backdrop);
+  choice("tone", {"neutral", "aces", "none"}, settings.tone_curve);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
   ImGui::SliderFloat("turn", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("turns the light that comes from all around");
@@ -174,9 +180,12 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   variant_choice(*facts.scene, settings);
   skinning_choice(facts, settings);
   updates_choice(facts, settings);
-  ImGui::Checkbox("ambient occlusion", &settings.ambient_occlusion);
-  ImGui::SameLine();
+  int occlusion = settings.ambient_occlusion ? 1 + static_cast<int>(settings.occlusion_method) : 0;
+  choice("occlusion", {"none", "ssao: points", "gtao: horizons"}, occlusion);
+  settings.ambient_occlusion = occlusion > 0;
+  if (occlusion > 0) settings.occlusion_method = static_cast<OcclusionMethod>(occlusion - 1);
   ImGui::Checkbox("skeleton", &settings.skeleton);
+  ImGui::SameLine();
   ImGui::Checkbox("shadows", &settings.shadows);
   ImGui::SameLine();
   ImGui::Checkbox("smooth edges", &settings.smooth_edges);

@@ -14,6 +14,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   Settings settings;
   settings.show = options.show;
   settings.ambient_occlusion = options.ambient_occlusion;
+  settings.occlusion_method = options.occlusion_method;
   settings.environment_turn_deg = options.environment_turn_deg;
   settings.environment_intensity = options.environment_intensity;
   settings.exposure_ev = options.exposure_ev;
@@ -79,6 +80,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   RenderOptions options = render_options_for(bounds.reached, eye);
   options.ao = ambient_occlusion_for(bounds.largest);
   options.ao.on = settings.ambient_occlusion;
+  options.ao.method = settings.occlusion_method;
   options.show = settings.show;
   options.lighting.environment = std::move(environment);
   options.lighting.environment_intensity = settings.environment_intensity;

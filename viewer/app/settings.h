@@ -12,6 +12,7 @@ namespace sinew::viewer {
 struct Settings {
   Show show = Show::color;
   bool ambient_occlusion = true;
+  OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   bool shadows = true;
   GroundLook ground = GroundLook::shadows;
   bool smooth_edges = true;

@@ -20,6 +20,9 @@ constexpr std::uint32_t kFullScreenVert[] =
 constexpr std::uint32_t kSsaoFrag[] =
 #include "ssao.frag.inc"
     ;
+constexpr std::uint32_t kGtaoFrag[] =
+#include "gtao.frag.inc"
+    ;
 constexpr std::uint32_t kSsaoBlurFrag[] =
 #include "ssao_blur.frag.inc"
     ;
@@ -54,6 +57,7 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
     case Shader::shade_frag: return kShadeFrag;
     case Shader::full_screen_vert: return kFullScreenVert;
     case Shader::ssao_frag: return kSsaoFrag;
+    case Shader::gtao_frag: return kGtaoFrag;
     case Shader::ssao_blur_frag: return kSsaoBlurFrag;
     case Shader::tonemap_frag: return kTonemapFrag;
     case Shader::show_frag: return kShowFrag;

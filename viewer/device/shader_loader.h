@@ -14,6 +14,7 @@ enum class Shader : std::uint8_t {
   shade_frag,
   full_screen_vert,
   ssao_frag,
+  gtao_frag,
   ssao_blur_frag,
   tonemap_frag,
   show_frag,

@@ -157,7 +157,7 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.pixels_per_metre = static_cast<float>(0.5 * clip[1][1] * extent.height);
   u.exposure = options.lighting.exposure;
   const AmbientOcclusion& ao = options.ao;
-  u.occlusion_power = ao.power;
+  u.occlusion_power = ao.method == OcclusionMethod::ssao ? 2.0f * ao.power : ao.power;
   u.occlusion_radius_m = ao.radius_m;
   u.surface_epsilon_m = ao.surface_epsilon_m;
   u.fade_start_m = ao.fade_start_m;

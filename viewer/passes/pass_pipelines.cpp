@@ -157,9 +157,10 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
       {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12}}};
   switch (key.pass) {
     case Pass::ssao:
-      shape.fragment = Shader::ssao_frag;
+      shape.fragment = key.occlusion == OcclusionMethod::ssao ? Shader::ssao_frag : Shader::gtao_frag;
       shape.color_format = kAoFormat;
-      shape.constants[0] = occlusion_.samples;
+      shape.constants[0] = key.occlusion == OcclusionMethod::ssao ? occlusion_.samples : occlusion_.slices;
+      shape.constants[1] = occlusion_.steps;
       break;
     case Pass::blur_horizontal:
     case Pass::blur_vertical:

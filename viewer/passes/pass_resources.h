@@ -95,8 +95,9 @@ struct MeshPipelineKey {
 /// the overlay.
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
-  Show show = Show::color;  ///< Pass::show: which buffer
-  bool grid = false;        ///< Pass::ground
+  Show show = Show::color;                            ///< Pass::show: which buffer
+  bool grid = false;                                  ///< Pass::ground
+  OcclusionMethod occlusion = OcclusionMethod::gtao;  ///< Pass::ssao
   FrameFeatures frame;
 
   auto operator<=>(const ScreenPipelineKey&) const = default;

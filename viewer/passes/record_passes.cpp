@@ -149,7 +149,10 @@ void record_ssao(const PassContext& context) {
   {
     const Rendering rendering(context.commands,
                               {.color = context.targets.view(Target::ao), .extent = context.targets.ao_extent()});
-    draw_screen(context, context.pipelines.screen({.pass = Pass::ssao, .frame = context.features}), context.set.set());
+    draw_screen(context,
+                context.pipelines.screen(
+                    {.pass = Pass::ssao, .occlusion = context.inputs.options.ao.method, .frame = context.features}),
+                context.set.set());
   }
   context.targets.next_use(context.commands, Target::ao, kReadInShader);
 }

@@ -30,15 +30,22 @@ enum class Backdrop : std::uint8_t {
   sharp     ///< the environment
 };
 
+/// How ambient occlusion looks for what is in the way.
+enum class OcclusionMethod : std::uint8_t {
+  ssao,  ///< points around the surface, looked up in the depth image
+  gtao   ///< horizons along lines through the pixel
+};
+
 /// Screen-space ambient occlusion. Lengths are metres in view space. They must follow the size of the scene: start from
 /// ambient_occlusion_for.
 struct AmbientOcclusion {
   bool on = true;
+  OcclusionMethod method = OcclusionMethod::gtao;
   float radius_m = 0.5f;            ///< distance up to which geometry occludes
   float surface_epsilon_m = 0.01f;  ///< smaller differences of depth are the surface itself
-  float fade_start_m = 0.2f;        ///< difference of depth up to which an occluder counts fully
-  float fade_end_m = 1.0f;          ///< difference of depth from which it does not count
-  float power = 2.0f;               ///< contrast: access = (1 - average occlusion)^power
+  float fade_start_m = 0.2f;        ///< ssao: difference of depth up to which an occluder counts fully
+  float fade_end_m = 1.0f;          ///< ssao: difference of depth from which it does not count
+  float power = 1.0f;               ///< contrast: access = open share^power; ssao: (1 - average occlusion)^(2 power)
   bool blur = true;
 
   /// It is on and not of strength 0.

@@ -28,14 +28,16 @@ Json json_of(const OcclusionStudy& study) {
               {"pixels", study.pixels}, {"radius_m", study.radius_m}, {"error_without", study.error_without},
               {"trials", Json::array()}};
   for (const OcclusionTrial& t : study.trials)
-    out["trials"].push_back({{"name", t.name},
-                             {"note", t.note},
-                             {"samples", t.shape.samples},
-                             {"full_size", t.shape.step == 1},
-                             {"blur", t.blur},
-                             {"default", t.is_default},
-                             {"error", t.error},
-                             {"milliseconds", t.milliseconds}});
+    out["trials"].push_back(
+        {{"name", t.name},
+         {"note", t.note},
+         {"method", t.method == OcclusionMethod::ssao ? "ssao" : "gtao"},
+         {"samples", t.method == OcclusionMethod::ssao ? t.shape.samples : 2 * t.shape.slices * t.shape.steps},
+         {"full_size", t.shape.step == 1},
+         {"blur", t.blur && t.shape.keep_edges && t.shape.blur_reach == OcclusionShape{}.blur_reach},
+         {"default", t.is_default},
+         {"error", t.error},
+         {"milliseconds", t.milliseconds}});
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include "viewer/study/occlusion_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -12,30 +13,55 @@
 namespace sinew::viewer {
 namespace {
 
-OcclusionTrial trial(std::string name, OcclusionShape shape, bool blur, std::string note) {
+OcclusionTrial trial(std::string name, OcclusionMethod method, OcclusionShape shape, bool blur, std::string note) {
   OcclusionTrial made;
   made.name = std::move(name);
   made.note = std::move(note);
+  made.method = method;
   made.shape = shape;
   made.blur = blur;
-  made.is_default = shape == OcclusionShape{} && blur;
+  made.is_default = method == AmbientOcclusion{}.method && shape == OcclusionShape{} && blur;
   return made;
 }
 
+OcclusionTrial points(OcclusionShape shape) {
+  const bool full = shape.step == 1;
+  return trial(
+      std::to_string(shape.samples) + (full ? " full size" : " samples"), OcclusionMethod::ssao, shape, true,
+      full ? "points, for every pixel, blurred on each surface" : "points, at half size, blurred on each surface");
+}
+
+std::string slices_of(const OcclusionShape& shape) {
+  return std::to_string(shape.slices) + (shape.slices == 1 ? " slice of " : " slices of ") +
+         std::to_string(2 * shape.steps);
+}
+
+OcclusionTrial horizons(OcclusionShape shape) {
+  const bool full = shape.step == 1;
+  return trial(
+      slices_of(shape) + (full ? " full size" : ""), OcclusionMethod::gtao, shape, true,
+      full ? "horizons, for every pixel, blurred on each surface" : "horizons, at half size, blurred on each surface");
+}
+
+OcclusionTrial other_blur(const std::string& which, OcclusionShape shape, bool blur, const std::string& note) {
+  return trial(slices_of(shape) + which, OcclusionMethod::gtao, shape, blur, "horizons, at half size, " + note);
+}
+
 std::vector<OcclusionTrial> trials_of(bool every_way) {
-  using Samples = std::vector<std::uint32_t>;
   std::vector<OcclusionTrial> trials;
-  for (const std::uint32_t samples : every_way ? Samples{4, 8, 14, 24, 32, 64} : Samples{4, 14, 64})
-    trials.push_back(trial(std::to_string(samples) + " samples", {.samples = samples}, true,
-                           "at half size, blurred on each surface"));
-  for (const std::uint32_t samples : every_way ? Samples{4, 14, 32, 64} : Samples{14})
-    trials.push_back(trial(std::to_string(samples) + " full size", {.samples = samples, .step = 1}, true,
-                           "for every pixel, blurred on each surface"));
-  trials.push_back(trial("14 no blur", {}, false, "at half size, as the samples are"));
+  for (const std::uint32_t samples : {4u, 14u, 64u}) trials.push_back(points({.samples = samples}));
+  trials.push_back(points({.step = 1}));
+  trials.push_back(horizons({.slices = 1}));
+  trials.push_back(horizons({}));
+  trials.push_back(horizons({.step = 1}));
+  trials.push_back(other_blur(" no blur", {}, false, "as the slices are"));
   if (!every_way) return trials;
-  trials.push_back(trial("14 plain blur", {.keep_edges = false}, true, "at half size, blurred across edges"));
-  trials.push_back(
-      trial("14 wide blur", {.blur_reach = 4}, true, "at half size, blurred twice as far on each surface"));
+  for (const std::uint32_t samples : {8u, 32u}) trials.push_back(points({.samples = samples}));
+  for (const auto& [slices, steps] :
+       std::array<std::pair<std::uint32_t, std::uint32_t>, 4>{{{1, 4}, {2, 4}, {4, 6}, {8, 8}}})
+    trials.push_back(horizons({.slices = slices, .steps = steps}));
+  trials.push_back(other_blur(" plain blur", {.keep_edges = false}, true, "blurred across edges"));
+  trials.push_back(other_blur(" wide blur", {.blur_reach = 4}, true, "blurred twice as far on each surface"));
   return trials;
 }
 
@@ -47,6 +73,7 @@ class Drawing {
       : headless_(device, scene, effort.width, effort.height, trial.shape) {
     options_.show = Show::ao;
     options_.ao = settings;
+    options_.ao.method = trial.method;
     options_.ao.on = true;
     options_.ao.blur = trial.blur;
     options_.transparent_background = true;

@@ -14,6 +14,7 @@ namespace sinew::viewer {
 /// One way to compute ambient occlusion, measured.
 struct OcclusionTrial {
   std::string name, note;
+  OcclusionMethod method = OcclusionMethod::ssao;
   OcclusionShape shape;
   bool blur = true;
   bool is_default = false;

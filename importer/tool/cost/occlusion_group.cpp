@@ -45,11 +45,14 @@ Point point_of(const Json& trial, double pixels) {
   return point;
 }
 
-/// The variants at half size with blur, sorted by their number of samples.
+/// The variants of the default's method at half size with its blur, sorted by their number of samples.
 std::vector<std::pair<int, const Point*>> by_samples(const Group& group, const Json& trials) {
+  const auto standard =
+      std::find_if(trials.begin(), trials.end(), [](const Json& t) { return t.at("default").get<bool>(); });
   std::vector<std::pair<int, const Point*>> rising;
   for (std::size_t i = 0; i < group.points.size(); ++i)
-    if (!trials[i].at("full_size").get<bool>() && group.points[i].name.ends_with(" samples"))
+    if (trials[i].at("method") == standard->at("method") && trials[i].at("full_size") == standard->at("full_size") &&
+        trials[i].at("blur") == standard->at("blur"))
       rising.emplace_back(trials[i].at("samples"), &group.points[i]);
   std::sort(rising.begin(), rising.end());
   return rising;
@@ -79,11 +82,14 @@ std::vector<std::string> findings(const Group& group, const Json& answer) {
       "leave {:.1f} % and take {:.2g} ms for {} x {} on {}.",
       100.0 * answer.at("error_without").get<double>(), standard.name, standard.error, standard.values[0].value,
       answer.at("width").get<int>(), answer.at("height").get<int>(), answer.at("device").get<std::string>())};
-  if (const Point* full = find(group, "14 full size"))
+  if (const Point* points = find(group, "14 samples"); points && points != &standard)
+    out.push_back(fmt::format("Points around the surface instead of horizons, 14 of them, leave {:.1f} %, which {}.",
+                              points->error, time_beside(group, *points, standard)));
+  if (const Point* full = find(group, standard.name + " full size"))
     out.push_back(
         fmt::format("At full size they leave {:.1f} %, which {}. What is left is what a picture of depths cannot know.",
                     full->error, time_beside(group, *full, standard)));
-  if (const Point* raw = find(group, "14 no blur"))
+  if (const Point* raw = find(group, standard.name + " no blur"))
     out.push_back(fmt::format("Without the blur they leave {:.1f} %, as noise, which {}.", raw->error,
                               time_beside(group, *raw, standard)));
   out.push_back(worth_it(group, answer.at("trials")));

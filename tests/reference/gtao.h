@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "tests/reference/ssao.h"
+
+namespace sinew::reference {
+
+struct HorizonSettings {
+  double radius = 0.5;
+  int slices = 2;
+  int steps = 6;  ///< on either side of a slice
+  int step = 2;   ///< pixels from texel to texel
+};
+
+/// Ambient access by horizons, of a perspective.
+/// eq   1 - mean over slices of |m| times the integral of max(cos(h - g), 0) |sin h| over the angles h to the line of sight
+///      that the horizons cover, by the midpoint rule; m = normal projected to the slice, g = its angle to the line of
+///      sight. A horizon is the highest of the surfaces nearer than the radius and more than 0.02 of their distance
+///      above the tangent plane, looked up at ((k + jitter) / steps)^1.5
+///      of the radius and one pixel farther
+HalfAccess horizon_access(const DepthAndNormals& image, const HorizonSettings& settings);
+
+}  // namespace sinew::reference

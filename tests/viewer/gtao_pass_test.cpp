@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Compares ambient access by horizons with plain double precision on depth and normals drawn by the GPU, and with what
+// is known in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "samples/showcase/shapes.h"
+#include "tests/viewer/device_fixture.h"
+#include "tests/viewer/reference_access.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr int kWidth = 63, kHeight = 48;
+
+class gtao_pass : public DeviceTest {};
+
+RenderOptions options_with(float radius) {
+  RenderOptions options;
+  options.show = Show::ao;
+  options.ao.method = OcclusionMethod::gtao;
+  options.ao.radius_m = radius;
+  options.ao.surface_epsilon_m = 0.02f * radius;
+  return options;
+}
+
+View view_of_floor() { return look_at({2.5, 2.2, 4.0}, {0.0, 0.4, 0.0}, 0.8, 0.05); }
+
+struct Difference {
+  double mean = 0.0, darkest = 1.0;
+  int far = 0;  ///< pixels that differ by more than 0.03
+};
+
+Difference compare(const FloatPicture& picture, const std::vector<double>& expected) {
+  Difference d;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const double error = std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
+    d.mean += error / static_cast<double>(expected.size());
+    d.far += error > 0.03;
+    d.darkest = std::min(d.darkest, expected[i]);
+  }
+  return d;
+}
+
+TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the_radius) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  for (const float radius : {0.6f, 1.4f})
+    for (const bool blur : {false, true})
+      for (const OcclusionShape& shape : {OcclusionShape{}, OcclusionShape{.slices = 1, .steps = 4, .step = 1},
+                                          OcclusionShape{.slices = 3, .steps = 2}}) {
+        RenderOptions options = options_with(radius);
+        options.ao.blur = blur;
+        const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
+        const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape),
+                                     reference_access(image, options, shape));
+        EXPECT_LT(d.darkest, 0.7) << "nothing is occluded: the comparison is empty";
+        EXPECT_LT(d.mean, 2e-3) << shape.slices << ' ' << blur;
+        // In float, a point on the border of two pixels, or at the radius, may fall to either side.
+        EXPECT_LT(d.far, kWidth * kHeight / 50) << shape.slices << ' ' << blur;
+      }
+}
+
+TEST_F(gtao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
+  for (const double height : {8.0, 2.0, 0.3}) {
+    BuiltScene built;
+    built.add(square(30.0f), built.add_material(matte({1, 1, 1})));
+    RenderOptions options = options_with(0.5f);
+    options.ao.blur = false;
+    const View view = look_at({0.0, height, 6.0}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+    for (const glm::vec4& pixel : render_float(built, 96, 64, view, options).pixels)
+      EXPECT_GT(pixel.r, 0.995f) << "eye at height " << height;
+  }
+}
+
+/// Access beside a wall that is wider and higher than the radius R, at the distance a < R.
+/// eq   rays at the angle t from the floor's normal towards the wall, and turned by f from its normal, meet it within R
+///      where sin t cos f >= a / R; the cosine-weighted share of these is
+///      (acos(a/R) - a/R sqrt(1 - (a/R)^2)) / pi
+double access_beside_wall(double part) {
+  return 1.0 - (std::acos(part) - part * std::sqrt(1.0 - part * part)) / std::numbers::pi;
+}
+
+TEST_F(gtao_pass, is_what_is_open_beside_a_wall) {
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  built.add(square(30.0f), white);
+  Affine upright;  // the plane x = 0, facing +x
+  upright.row[0] = {0, 1, 0, 0};
+  upright.row[1] = {-1, 0, 0, 0};
+  built.add(square(30.0f), white, upright);
+  const RenderOptions options = options_with(1.0f);
+  View down = look_at({2.0, 8.0, 0.0}, {1.0, 0.0, 0.0}, 0.5, 0.05);
+  const int width = 161, height = 121;
+  const FloatPicture picture =
+      render_float(built, width, height, down, options, {}, {.slices = 8, .steps = 16, .step = 1});
+  const auto image = gpu_depth_and_normals(built, width, height, down, options);
+  const Affined world_from_view = [&] {
+    Affined m;
+    const glm::dvec3 eye = eye_of(down);
+    for (int r = 0; r < 3; ++r)
+      m.row[static_cast<std::size_t>(r)] = glm::dvec4(down.view_from_world.row[0][r], down.view_from_world.row[1][r],
+                                                      down.view_from_world.row[2][r], eye[r]);
+    return m;
+  }();
+  int compared = 0;
+  double sum = 0.0;
+  for (int y = 35; y < height - 35; ++y)  // rays of a metre stay in the picture
+    for (int x = 35; x < width - 35; ++x) {
+      const auto i = static_cast<std::size_t>(y * width + x);
+      const glm::dvec3 p = transform_point(world_from_view, image.point(x, y));
+      if (std::abs(p.y) > 0.01 || p.x < 0.1 || p.x > 0.9) continue;
+      const double off = std::abs(static_cast<double>(picture.pixels[i].r) - access_beside_wall(p.x));
+      EXPECT_LT(off, 0.05) << "at " << p.x << " m";
+      sum += off;
+      ++compared;
+    }
+  EXPECT_GT(compared, 500);
+  EXPECT_LT(sum / compared, 0.025);
+}
+
+TEST_F(gtao_pass, N32_a_blocker_far_in_front_leaves_no_halo) {
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  built.add(square(30.0f), white);
+  built.add(showcase::box({0.0f, 5.0f, 0.0f}, {0.5f, 0.1f, 0.5f}), white);  // 5 m over the floor, seen from above
+  const View view = look_at({0.0, 9.0, 0.01}, {0.0, 0.0, 0.0}, 0.8, 0.05);
+  for (const glm::vec4& pixel : render_float(built, 64, 64, view, options_with(0.5f)).pixels) EXPECT_GT(pixel.r, 0.99f);
+}
+
+TEST_F(gtao_pass, fades_out_when_its_radius_is_below_three_pixels_and_is_steady) {
+  const BuiltScene built = box_and_sphere_on_floor();
+  const RenderOptions options = options_with(0.6f);
+  const auto at = [&](double distance) {
+    const View view = look_at(distance * glm::normalize(glm::dvec3(2.5, 2.2, 4.0)), {0.0, 0.4, 0.0}, 0.8, 0.05);
+    return render_float(built, kWidth, kHeight, view, options).pixels;
+  };
+  const auto darkest = [](const std::vector<glm::vec4>& pixels) {
+    return std::min_element(pixels.begin(), pixels.end(), [](const auto& a, const auto& b) { return a.r < b.r; })->r;
+  };
+  EXPECT_LT(darkest(at(5.0)), 0.7f);
+  EXPECT_EQ(darkest(at(0.6 * 0.5 / std::tan(0.4) * kHeight / 1.2)), 1.0f);  // radius = 1.2 pixels at the target
+  EXPECT_EQ(at(5.0), at(5.0));
+}
+
+}  // namespace
+}  // namespace sinew::viewer

@@ -1,0 +1,80 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Horizon-based ambient occlusion, at half size. In slices through the line of sight, the highest visible surface within
+// the radius on either side bounds the light from around the normal.
+// eq   Jimenez, Wu, Pesce and Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eqs. 6, 7:
+//      access = 1 - mean over slices of |m| * (cos g + g sin g - sum over both sides of arc(h))
+//      arc(h) = (cos g + 2 h sin g - cos(2 h - g)) / 4;   m = normal projected to the slice, g = its angle to the line of
+//      sight, h = horizon angle. cos g + g sin g is the sum for free horizons: without anything in the way, access is 1 in
+//      each slice, not only on average
+#include "frame_uniforms.glsl"
+#include "view_position.glsl"
+#include "octahedral.glsl"
+
+layout(constant_id = 0) const int kSlices = 2;   // OcclusionShape::slices
+layout(constant_id = 1) const int kSteps = 6;    // OcclusionShape::steps
+
+const float kPi = 3.14159265358979;
+// Least sine of the height of a surface above the tangent plane. Points at the middles of pixels lie beside the slice, so
+// without it a steep plane would rise above its own horizon. What is lower hides less than its square of the light.
+const float kLevel = 0.02;
+
+layout(location = 0) out vec4 access_distance_normal;
+
+// Cosine of the angle between the line of sight and the highest surface on one side.
+// in   way  pixels to the radius;   lowest  cosine for a free horizon
+float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float lowest) {
+  ivec2 last = textureSize(depth_image, 0) - 1;
+  float highest = lowest;
+  for (int i = 0; i < kSteps; ++i) {
+    float part = (float(i) + jitter) / float(kSteps);
+    vec2 at = way * part * sqrt(part);
+    ivec2 there = pixel + ivec2(round(at + normalize(way)));
+    if (any(lessThan(there, ivec2(0))) || any(greaterThan(there, last))) continue;
+    float far_r = distance_at(there);
+    vec3 to_r = view_point(there, far_r) - p;
+    float squared = dot(to_r, to_r), radius = frame.occlusion_radius_m;
+    if (far_r == 0.0 || squared == 0.0 || squared >= radius * radius) continue;
+    vec3 direction = to_r * inversesqrt(squared);
+    if (dot(direction, n) > kLevel) highest = max(highest, dot(direction, v));
+  }
+  return highest;
+}
+
+float arc(float h, float g) { return 0.25 * (cos(g) + 2.0 * h * sin(g) - cos(2.0 * h - g)); }
+
+float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels, vec3 p, vec3 n, vec3 v) {
+  vec2 along = vec2(cos(turn), sin(turn));
+  vec3 direction = vec3(along.x, -along.y, 0.0);
+  vec3 axis = normalize(cross(direction, v));
+  vec3 aside = direction - v * dot(direction, v);
+  vec3 m = n - axis * dot(n, axis);
+  float size = length(m);
+  float g = sign(dot(aside, m)) * acos(clamp(dot(m, v) / max(size, 1e-6), -1.0, 1.0));
+  float ahead = acos(clamp(horizon(pixel, along * radius_pixels, jitter, p, n, v, cos(g + 0.5 * kPi)), -1.0, 1.0));
+  float behind = acos(clamp(horizon(pixel, -along * radius_pixels, jitter, p, n, v, cos(g - 0.5 * kPi)), -1.0, 1.0));
+  return size * (cos(g) + g * sin(g) - arc(ahead, g) - arc(-behind, g));
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = full_pixel(texel);
+  float far_p = distance_at(pixel);
+  vec3 n = texelFetch(normal_image, pixel, 0).xyz;
+  access_distance_normal = vec4(1.0, far_p, pack_normal(n));
+  if (far_p == 0.0 || n == vec3(0.0)) return;
+  n = normalize(n);
+  float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(far_p);
+  float resolved = clamp(radius_pixels - 2.0, 0.0, 1.0);                        // fades out where the radius is below 3 pixels
+  if (resolved == 0.0) return;
+  vec3 p = view_point(pixel, far_p);
+  vec3 v = towards_viewer(p);
+  // A tile of 4 x 4 texels has 16 turns and 4 jitters; the blur averages them.
+  float turn = float((((texel.x + texel.y) & 3) << 2) + (texel.x & 3)) / 16.0;
+  float jitter = (float((texel.y - texel.x) & 3) + 0.5) / 4.0;
+  float sum = 0.0;
+  for (int i = 0; i < kSlices; ++i)
+    sum += slice_occlusion(pixel, (float(i) + turn) * kPi / float(kSlices), jitter, radius_pixels, p, n, v);
+  access_distance_normal.r = pow(clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), frame.occlusion_power);
+}
