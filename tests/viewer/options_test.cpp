@@ -37,6 +37,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.occlusion_method, OcclusionMethod::gtao);
   EXPECT_EQ(accepted({"--ao", "ssao"}).occlusion_method, OcclusionMethod::ssao);
   EXPECT_EQ(accepted({"--ao", "gtao"}).occlusion_method, OcclusionMethod::gtao);
+  EXPECT_EQ(options.framing, Framing::clip);
+  EXPECT_EQ(accepted({"--frame", "pose"}).framing, Framing::pose);
+  EXPECT_EQ(accepted({"--frame", "follow"}).framing, Framing::follow);
   EXPECT_EQ(options.ground, GroundLook::shadows);
   EXPECT_EQ(accepted({"--ground", "none"}).ground, GroundLook::none);
   EXPECT_EQ(accepted({"--ground", "shadows"}).ground, GroundLook::shadows);

@@ -177,6 +177,8 @@ TEST_F(PanelTest, switches_change_the_settings) {
   click("ao", playback);
   EXPECT_EQ(settings_.show, Show::ao);
   EXPECT_TRUE(click("frame all", playback).frame_all);
+  choose("frame", "follow", playback);
+  EXPECT_EQ(settings_.framing, Framing::follow);
 }
 
 TEST_F(PanelTest, every_section_opens_without_a_device) {

@@ -73,18 +73,30 @@ class PoseEvaluator {
   std::optional<CachePlayback> cache_;
 };
 
-OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
+/// Time of the first picture.
+double first_time_s(const Options& options, double duration_s) {
+  return options.frames ? picture_time_s(options.frames->first, options.fps, duration_s) : options.time_s.value_or(0.0);
+}
+
+OrbitCamera camera_for(const Options& options, const Exhibit& exhibit, const Outline& outline) {
   OrbitCamera camera;
   camera.fov_y_rad = options.fov_y_deg ? *options.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
-  camera.frame(bounds.outline.points(), static_cast<double>(options.width) / options.height);
+  camera.frame(outline.points(), static_cast<double>(options.width) / options.height);
   return camera;
 }
 
+/// Only what is framed otherwise than the whole clip.
+std::optional<Framed> framed_for(const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
+  if (options.framing == Framing::clip) return std::nullopt;
+  const double duration =
+      std::max(clip == kNone ? 0.0 : exhibit.scene.animations[clip].duration_s, cache_duration_s(exhibit));
+  return framed(options.framing, exhibit.scene, clip, first_time_s(options, duration), exhibit.cache.get());
+}
+
 // A placed camera bypasses OrbitCamera, which cannot look straight down.
-View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds) {
-  const OrbitCamera camera = camera_for(options, exhibit, bounds);
+View view_for(const Options& options, const Exhibit& exhibit, const ClipExtent& bounds, const OrbitCamera& camera) {
   const auto placed = options.camera ? options.camera : exhibit.camera;
-  if (!placed) return camera.view(bounds.reached);
+  if (!placed || options.framing != Framing::clip) return camera.view(bounds.reached);
   const glm::dvec3 eye(placed->eye);
   return look_at(eye, placed->target, camera.fov_y_rad, near_plane_for(eye, bounds.reached));
 }
@@ -95,7 +107,9 @@ class PictureMaker {
   PictureMaker(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip)
       : clip_(clip),
         bounds_(clip_extent(exhibit.scene, clip, exhibit.cache.get())),
-        view_(view_for(options, exhibit, bounds_)),
+        framed_(framed_for(options, exhibit, clip)),
+        framing_(camera_for(options, exhibit, framed_ ? framed_->outline : bounds_.outline)),
+        view_(view_for(options, exhibit, bounds_, framing_)),
         settings_(settings_from(options, exhibit.scene)),
         environment_(exhibit.environment),
         transparent_(options.transparent),
@@ -138,6 +152,7 @@ class PictureMaker {
  private:
   Picture draw(double time_s, const std::function<double(std::uint32_t)>& ahead_s) {
     if (camera_) view_ = camera_->at(clip_, time_s, aspect_, bounds_.reached);
+    if (framed_) view_ = view_gone_along(time_s);
     const CulledInstances culled = culling_.of(clip_, view_, aspect_, shadow_);
     const FrameResult& pose = evaluator_.at(time_s, ahead_s, culled, settings_.watches_joints());
     RenderOptions look = render_options(settings_, environment_, bounds_, eye_of(view_));
@@ -154,8 +169,16 @@ class PictureMaker {
     return picture;
   }
 
+  View view_gone_along(double time_s) const {
+    OrbitCamera camera = framing_;
+    camera.target += framed_->place_at(time_s);
+    return camera.view(bounds_.reached);
+  }
+
   std::uint32_t clip_;
   ClipExtent bounds_;
+  std::optional<Framed> framed_;  // set when it is not the whole clip
+  OrbitCamera framing_;
   View view_;
   Settings settings_;
   std::shared_ptr<const Environment> environment_;

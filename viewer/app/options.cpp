@@ -142,11 +142,18 @@ void add_picture_options(CLI::App& app, Options& options) {
     if (!options.camera) options.camera.emplace();
     options.camera->target = point(text, "--target");
   });
+  auto* frame = text_option(app, "--frame", "WHAT", "what the camera frames: clip, pose, or follow to go along (clip)",
+                            [&](const std::string& text) {
+                              options.framing = named<Framing>(
+                                  "--frame", text,
+                                  {{"clip", Framing::clip}, {"pose", Framing::pose}, {"follow", Framing::follow}});
+                            });
+  frame->excludes(eye);
   eye->needs(target);
   target->needs(eye);
   auto* camera = text_option(app, "--camera", "CAMERA", "look through a camera of the file: index or name",
                              [&](const std::string& text) { options.file_camera = text; });
-  camera->excludes(eye);
+  camera->excludes(eye)->excludes(frame);
   text_option(app, "--variant", "VARIANT", "show a material variant of the file: index or name",
               [&](const std::string& text) { options.variant = text; });
   auto* fov = text_option(app, "--fov", "DEGREES", "vertical field of view (45)", [&](const std::string& text) {

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "runtime/plan/needs.h"
+#include "viewer/app/framing.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/passes/render_options.h"
 
@@ -54,6 +55,7 @@ struct Options {
   bool skeleton = false;     ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
+  Framing framing = Framing::clip;
   std::optional<std::string> file_camera;  ///< index or name of a camera of the file
   std::optional<std::string> variant;      ///< index or name of a material variant
   std::optional<double> fov_y_deg;         ///< unset = 45, or what the built-in scene was made for

@@ -33,7 +33,7 @@ void Outline::add(const glm::vec3& point) noexcept {
   }
 }
 
-void Outline::add(const Scene& scene, const FrameResult& frame, const Aabb& box) noexcept {
+void Outline::add(const Scene& scene, const FrameResult& frame, const Aabb& box, const glm::vec3& origin) noexcept {
   for (std::size_t i = 0; i < frame.instances.size(); ++i) {
     const InstanceResult& instance = frame.instances[i];
     if (!instance.visible) continue;
@@ -46,7 +46,7 @@ void Outline::add(const Scene& scene, const FrameResult& frame, const Aabb& box)
         for (const auto& position : positions) {
           const glm::vec3 point = transform_point(world_from_copy, position);
           if (glm::all(glm::lessThanEqual(box.lower, point)) && glm::all(glm::lessThanEqual(point, box.upper)))
-            add(point);
+            add(point - origin);
         }
       });
     }

@@ -20,8 +20,10 @@ class Outline {
   void add(const glm::vec3& point) noexcept;
 
   /// Adds the vertices of a frame that lie in `box`, the box of what is drawn; other vertices belong to no triangle.
+  /// in   origin  is taken from each
   /// cost O(vertices * directions)
-  void add(const Scene& scene, const FrameResult& frame, const Aabb& box) noexcept;
+  void add(const Scene& scene, const FrameResult& frame, const Aabb& box,
+           const glm::vec3& origin = glm::vec3(0.0f)) noexcept;
 
   /// One extreme point for each direction; empty before the first point.
   std::span<const glm::vec3> points() const noexcept { return {points_.data(), any_ ? kDirections : 0}; }

@@ -199,6 +199,9 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   ImGui::RadioButton("depth", &show, static_cast<int>(Show::depth));
   settings.show = static_cast<Show>(show);
   light_controls(settings);
+  const Framing before = settings.framing;
+  choice("frame", {"clip", "pose", "follow"}, settings.framing);
+  wishes.frame_all |= settings.framing != before;
   if (ImGui::Button("frame all")) wishes.frame_all = true;
 }
 

@@ -24,6 +24,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.backdrop = options.backdrop;
   settings.tone_curve = options.tone_curve;
   settings.skinning = options.skinning;
+  settings.framing = options.framing;
   settings.cache_weight = options.cache_weight;
   settings.updates = options.updates.value_or(options.headless.empty() ? Updates::interpolated : Updates::every);
   settings.skeleton = options.skeleton || scene.instances.empty();

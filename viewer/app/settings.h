@@ -28,6 +28,7 @@ struct Settings {
 
   Skinning skinning = Skinning::linear;
   Updates updates = Updates::interpolated;
+  Framing framing = Framing::clip;
   std::uint32_t camera = kNone;   ///< camera of the scene; kNone = the user's own
   std::uint32_t variant = kNone;  ///< material variant of the scene; kNone = none
   float cache_weight = 1.0f;      ///< [0, 1] 0 = the pose, 1 = the geometry cache

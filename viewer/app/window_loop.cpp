@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -61,7 +62,8 @@ class WindowLoop {
  private:
   void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
   void place_camera();
-  void frame_all() { camera_.frame(shown_->bounds().outline.points(), aspect()); }
+  void frame_all();
+  void follow();
   void leave_file_camera();
   double aspect() const;
   void ask();
@@ -86,6 +88,9 @@ class WindowLoop {
   std::unique_ptr<ShownScene> shown_;
   std::uint32_t exhibit_ = 0;
   OrbitCamera camera_;
+  std::optional<Framed> followed_;  ///< set while the camera goes along
+  std::uint32_t followed_clip_ = kNone;
+  glm::dvec3 place_{0.0};  ///< where it has gone
   Settings settings_;
   LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
@@ -113,10 +118,33 @@ void WindowLoop::place_camera() {
   const auto placed = options_.camera ? options_.camera : exhibit.camera;
   camera_ = OrbitCamera();
   camera_.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
-  if (placed)
+  if (placed && settings_.framing == Framing::clip)
     camera_.place(placed->eye, placed->target);
   else
     frame_all();
+}
+
+void WindowLoop::frame_all() {
+  const Exhibit& exhibit = exhibits_[exhibit_];
+  Playback& playback = shown_->playback();
+  followed_.reset();
+  if (settings_.framing == Framing::clip) return camera_.frame(shown_->bounds().outline.points(), aspect());
+  Framed what = framed(settings_.framing, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get());
+  camera_.frame(what.outline.points(), aspect());
+  if (settings_.framing != Framing::follow) return;
+  place_ = what.place_at(playback.time_s());
+  camera_.target += place_;
+  followed_ = std::move(what);
+  followed_clip_ = playback.clip();
+}
+
+// Goes along with the pose. Another clip is framed anew.
+void WindowLoop::follow() {
+  if (!followed_) return;
+  if (followed_clip_ != shown_->playback().clip()) return frame_all();
+  const glm::dvec3 place = followed_->place_at(shown_->playback().time_s());
+  camera_.target += place - place_;
+  place_ = place;
 }
 
 // Continues from the view of the file's camera with the user's own camera.
@@ -133,6 +161,7 @@ double WindowLoop::aspect() const {
 
 // Requests the pose of the next picture, without what is out of view.
 void WindowLoop::ask() {
+  follow();
   const bool of_file = settings_.camera != kNone;
   const View view =
       of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/clip_poses.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "runtime/plan/run_plan.h"
+#include "viewer/app/cache/cache_playback.h"
+
+namespace sinew::viewer {
+
+std::vector<double> times_over(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache) {
+  constexpr int kPoses = 17;
+  const double duration = std::max(clip < scene.animations.size() ? scene.animations[clip].duration_s : 0.0,
+                                   cache ? cache->duration_s() : 0.0);
+  if (!(duration > 0.0)) return {0.0};
+  std::vector<double> times;
+  for (int i = 0; i < kPoses; ++i) times.push_back(duration * i / (kPoses - 1));
+  return times;
+}
+
+void for_each_pose(const Scene& scene, std::uint32_t clip, const CacheOnScene* cache, std::span<const double> times_s,
+                   const std::function<void(const FrameResult& pose)>& visit) {
+  Needs needs;
+  needs.normals = needs.tangents = false;
+  std::optional<CachePlayback> played;
+  if (cache) {
+    needs.cached_instances = cache->instances();
+    played.emplace(*cache, scene, CacheReader::Reads::at_once);
+  }
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  for (const double time_s : times_s) {
+    const ClipLayer layer{clip, time_s, 1.0f};
+    FrameInput input;
+    if (played) input.geometry = played->at(time_s, 1.0f);
+    if (clip < scene.animations.size()) input.layers = {&layer, 1};
+    if (run_plan(plan, input, frame) == ErrorCode::ok) visit(frame.result());
+  }
+}
+
+}  // namespace sinew::viewer
