@@ -13,8 +13,8 @@ std::optional<std::filesystem::path> corpus();
 /// All files below `folder` of the corpus with one of the extensions (".gltf", ".glb", ...), sorted.
 std::vector<std::filesystem::path> corpus_files(const std::string& folder, const std::vector<std::string>& extensions);
 
-/// The same of the project's own models, poses and broken files (tests/generated), and of the corpus where there is one.
-/// Tests enumerate them and never name one.
+/// The same of the project's own models, poses and broken files (tests/generated), and of the corpus where there is
+/// one. Tests enumerate them and never name one.
 std::vector<std::filesystem::path> files_for_tests(const std::string& folder,
                                                    const std::vector<std::string>& extensions);
 
