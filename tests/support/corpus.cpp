@@ -7,8 +7,6 @@
 namespace sinew::test {
 namespace fs = std::filesystem;
 
-namespace {
-
 std::vector<fs::path> files_below(const fs::path& folder, const std::vector<std::string>& extensions) {
   std::vector<fs::path> files;
   std::error_code ignored;
@@ -21,8 +19,6 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::vector<std:
   return files;
 }
 
-}  // namespace
-
 std::optional<fs::path> corpus() {
   const char* named = std::getenv("SINEW_CORPUS");
   const fs::path folder = named && *named ? fs::path(named) : fs::path(SINEW_SOURCE_DIR).parent_path() / "shared";
@@ -34,13 +30,6 @@ std::optional<fs::path> corpus() {
 std::vector<fs::path> corpus_files(const std::string& folder, const std::vector<std::string>& extensions) {
   const auto root = corpus();
   return root ? files_below(*root / folder, extensions) : std::vector<fs::path>{};
-}
-
-std::vector<fs::path> files_for_tests(const std::string& folder, const std::vector<std::string>& extensions) {
-  std::vector<fs::path> files = files_below(fs::path(SINEW_GENERATED_MODELS) / folder, extensions);
-  const std::vector<fs::path> others = corpus_files(folder, extensions);
-  files.insert(files.end(), others.begin(), others.end());
-  return files;
 }
 
 }  // namespace sinew::test
