@@ -2,6 +2,7 @@
 #include "importer/import_gltf.h"
 
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "importer/file/check_references.h"
 #include "importer/file/check_unused_objects.h"
 #include "importer/file/data_uri.h"
+#include "importer/file/document_size.h"
 #include "importer/file/glb_container.h"
 #include "importer/file/gltf_shape.h"
 #include "importer/file/load_buffers.h"
@@ -98,6 +100,7 @@ class Import {
     check_capabilities(json->root, options_.max_nodes, log_);
     if (!log_.ok()) return false;
     if (options_.thorough) check_declarations(json->root, log_);
+    if (!check_entry_bytes(json->root)) return false;
     document_ = read_document(json->root);
     ReferencedEntries referenced;
     check_references(document_, log_, options_.thorough ? &referenced : nullptr);
@@ -107,6 +110,17 @@ class Import {
     if (options_.thorough) check_position_bounds(document_, log_);
     check_accessor_layout(document_, log_);
     return go_on();
+  }
+
+  /// What entries take grows with the text, whatever its author may unpack. Entries of few characters take the most.
+  bool check_entry_bytes(const JsonNode& json) {
+    const std::uint64_t taken = entry_bytes(json), read = files_.bytes_read();
+    const std::uint64_t allowed = allowed_bytes(read, std::numeric_limits<std::uint64_t>::max());
+    if (taken > allowed)
+      log_.report(Rule::memory_budget, "",
+                  "its entries would take " + std::to_string(taken) + " bytes, a file of " + std::to_string(read) +
+                      " bytes may take " + std::to_string(allowed));
+    return taken <= allowed;
   }
 
   /// After each step: true when there is no error, or when everything broken has been put aside.
@@ -173,9 +187,9 @@ class Import {
   }
 
   void fill_facts(ImportedFile::Facts& facts) {
-    facts.generator = document_.generator;
-    facts.copyright = document_.copyright;
-    facts.version = document_.version;
+    facts.generator = document_.asset.generator;
+    facts.copyright = document_.asset.copyright;
+    facts.version = document_.asset.version;
     facts.extensions_used = document_.extensions_used;
     facts.extensions_required = document_.extensions_required;
     facts.file_bytes = files_.bytes_read();

@@ -154,7 +154,7 @@ class ClipBuilder {
   void add_mesh_weights(const ChannelTarget& target, std::uint32_t channel) {
     for (std::uint32_t n = 0; n < document_.nodes.size(); ++n) {
       const gltf::Node& node = document_.nodes[n];
-      if (node.mesh != target.node || !node.weights.empty()) continue;
+      if (static_cast<std::uint32_t>(node.mesh) != target.node || !node.weights.empty()) continue;
       const ChannelTarget own{AnimatedProperty::weights, n, target.element};
       if (!taken_by(own)) add_weights(target, instances_.of_node[n], channel);
     }

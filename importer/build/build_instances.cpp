@@ -36,24 +36,25 @@ Instances build_instances(const gltf::Document& document, const JointOrder& orde
   instances.of_node.assign(document.nodes.size(), kNone);
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n) {
     const gltf::Node& node = document.nodes[n];
-    if (node.mesh == kNone) {
-      if (node.skin != kNone)
+    if (node.mesh == gltf::kAbsent) {
+      if (node.skin != gltf::kAbsent)
         log.report(Rule::node_skin_without_mesh, pointer("nodes", n, "skin"), "the node has no mesh; ignored");
       if (!node.weights.empty())
         log.report(Rule::node_weights_count, pointer("nodes", n, "weights"), "the node has no mesh; ignored");
       continue;
     }
     auto copies = read_mesh_copies(document, n, log);
-    if (copies && node.skin != kNone) {
+    if (copies && node.skin != gltf::kAbsent) {
       log.report(Rule::instancing_skin, pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"),
                  "the mesh has a skin; shown once");
       copies.reset();
     }
     if (copies && copies->empty()) continue;
     const Mesh& mesh = meshes[node.mesh];
-    MeshInstance instance{order.joint_of_node[n], node.mesh, node.skin, rest_weights(node, n, mesh, log),
+    MeshInstance instance{order.joint_of_node[n], static_cast<std::uint32_t>(node.mesh),
+                          static_cast<std::uint32_t>(node.skin), rest_weights(node, n, mesh, log),
                           copies.value_or(std::vector<Transform>{})};
-    if (node.skin != kNone && !is_skinned(mesh)) {
+    if (node.skin != gltf::kAbsent && !is_skinned(mesh)) {
       log.report(Rule::node_skin_unused, pointer("nodes", n, "skin"),
                  "no primitive of the mesh has joints and weights; ignored");
       instance.skin = kNone;

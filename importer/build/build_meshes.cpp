@@ -22,7 +22,7 @@ namespace {
 std::vector<std::uint32_t> joint_limits(const gltf::Document& document) {
   std::vector<std::uint32_t> limits(document.meshes.size(), 65536);
   for (const auto& node : document.nodes)
-    if (node.mesh != kNone && node.skin != kNone)
+    if (node.mesh != gltf::kAbsent && node.skin != gltf::kAbsent)
       limits[node.mesh] =
           std::min(limits[node.mesh], static_cast<std::uint32_t>(document.skins[node.skin].joints.size()));
   return limits;
@@ -43,9 +43,9 @@ std::size_t target_count(const gltf::Document& document, std::uint32_t mesh, Iss
 /// The texture coordinate set of a material's normal map; kNone without a normal map.
 std::uint32_t normal_map_texcoord(const gltf::Document& document, std::uint32_t material) {
   if (material == kNone) return kNone;
-  const gltf::TextureInfo& info = document.materials[material].normal_texture;
+  const gltf::TextureInfo info = texture_info(document.materials[material], TextureSlot::normal);
   if (info.index == kNone) return kNone;
-  const gltf::Json* own = member(member(&info.extensions, "KHR_texture_transform"), "texCoord");
+  const gltf::Json* own = member(member(info.extensions, "KHR_texture_transform"), "texCoord");
   return own != nullptr && own->is_number_unsigned() ? own->get<std::uint32_t>() : info.texcoord;
 }
 

@@ -15,10 +15,11 @@ namespace {
 
 using gltf::Json;
 
-Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& log) {
+Camera build_camera(const tinygltf::Camera& source, std::uint32_t index, IssueLog& log) {
   Camera camera;
   camera.name = source.name;
-  camera.perspective = source.perspective;
+  camera.perspective = source.type != "orthographic";
+  const gltf::DepthRange depth = gltf::depth_range(source);
   const auto use = [&](double value, float& out, const char* name) {
     if (value > 0.0)
       out = static_cast<float>(value);
@@ -26,20 +27,21 @@ Camera build_camera(const gltf::Camera& source, std::uint32_t index, IssueLog& l
       log.report(Rule::camera_values, pointer("cameras", index),
                  std::string(name) + " is not above 0; " + std::to_string(out) + " is used");
   };
-  if (source.perspective) {
-    use(source.yfov, camera.fov_y_rad, "yfov");
-    camera.aspect = source.aspect > 0.0 ? static_cast<float>(source.aspect) : 0.0f;
+  if (camera.perspective) {
+    const double aspect = source.perspective.aspectRatio;
+    use(source.perspective.yfov, camera.fov_y_rad, "yfov");
+    camera.aspect = aspect > 0.0 ? static_cast<float>(aspect) : 0.0f;
   } else {
-    use(std::abs(source.xmag), camera.half_width, "xmag");
-    use(std::abs(source.ymag), camera.half_height, "ymag");
+    use(std::abs(source.orthographic.xmag), camera.half_width, "xmag");
+    use(std::abs(source.orthographic.ymag), camera.half_height, "ymag");
   }
-  if (source.perspective || source.znear > 0.0)
-    use(source.znear, camera.near_m, "znear");
+  if (camera.perspective || depth.near > 0.0)
+    use(depth.near, camera.near_m, "znear");
   else
     camera.near_m = 0.0f;
-  if (source.zfar > source.znear)
-    camera.far_m = static_cast<float>(source.zfar);
-  else if (source.zfar != 0.0)
+  if (depth.far > depth.near)
+    camera.far_m = static_cast<float>(depth.far);
+  else if (depth.far != 0.0)
     log.report(Rule::camera_values, pointer("cameras", index), "zfar is not above znear; infinite is used");
   return camera;
 }

@@ -104,7 +104,7 @@ class Vrm0Reader {
       const auto weight = static_cast<float>(bind.number("weight", 100.0, 0.0, 100.0) / 100.0);
       if (mesh == kNone) continue;
       for (std::size_t n = 0; n < document_.nodes.size(); ++n)
-        if (document_.nodes[n].mesh == mesh && instance_of_node_[n] != kNone) {
+        if (static_cast<std::uint32_t>(document_.nodes[n].mesh) == mesh && instance_of_node_[n] != kNone) {
           if (!takes(1, group)) return;
           expression.morphs.push_back({instance_of_node_[n], target, weight});
         }

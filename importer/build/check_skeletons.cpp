@@ -38,12 +38,12 @@ class Subtrees {
 
 void check_skeletons(const gltf::Document& document, const JointOrder& order, IssueLog& log) {
   const bool named = std::any_of(document.skins.begin(), document.skins.end(),
-                                 [](const gltf::Skin& skin) { return skin.skeleton != kNone; });
+                                 [](const tinygltf::Skin& skin) { return skin.skeleton != gltf::kAbsent; });
   if (!named) return;
   const Subtrees subtrees(order);
   for (std::size_t s = 0; s < document.skins.size(); ++s) {
-    const gltf::Skin& skin = document.skins[s];
-    if (skin.skeleton == kNone) continue;
+    const tinygltf::Skin& skin = document.skins[s];
+    if (skin.skeleton == gltf::kAbsent) continue;
     const auto strays = std::find_if(skin.joints.begin(), skin.joints.end(), [&](std::uint32_t node) {
       return !subtrees.lies_below(order.joint_of_node[node], order.joint_of_node[skin.skeleton]);
     });

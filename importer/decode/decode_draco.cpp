@@ -68,15 +68,15 @@ class DracoDecoder {
     const std::size_t errors = log_.error_count();
     check_shape(extension, kShape, place_, log_);
     if (log_.error_count() != errors) return;
-    const bool strip = primitive.mode == gltf::PrimitiveMode::triangle_strip;
-    if (!strip && primitive.mode != gltf::PrimitiveMode::triangles)
+    const bool strip = gltf::mode_of(primitive) == gltf::PrimitiveMode::triangle_strip;
+    if (!strip && gltf::mode_of(primitive) != gltf::PrimitiveMode::triangles)
       return fail("only triangles and strips can be compressed");
-    if (primitive.indices == kNone) return fail("the primitive has no indices");
+    if (primitive.indices == gltf::kAbsent) return fail("the primitive has no indices");
     const auto view = static_cast<std::uint32_t>(extension["bufferView"].get<double>());
     const auto mesh = mesh_of(view);
     if (mesh == nullptr) return;
 
-    primitive.mode = gltf::PrimitiveMode::triangles;  // the decoder's result, even for strips
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;  // the decoder's result, even for strips
     if (claim(primitive.indices, view, kNone)) fill_indices(*mesh, document_.accessors[primitive.indices], strip);
     for (const auto& [semantic, id] : extension["attributes"].items()) {
       if (log_.error_count() != errors) return;
@@ -120,13 +120,14 @@ class DracoDecoder {
   /// Finds the accessor for an attribute of a stream, or for its faces. Several primitives may name one accessor
   /// although each has a stream of its own: the first stream fills it, each other one gets a copy. in,out  accessor the
   /// one that the primitive names, then the one to fill out     false where it holds these elements already
-  bool claim(std::uint32_t& accessor, std::uint32_t view, std::uint32_t attribute) {
+  bool claim(int& named, std::uint32_t view, std::uint32_t attribute) {
+    const auto accessor = static_cast<std::uint32_t>(named);
     const auto [known, is_new] = filled_.try_emplace({accessor, view, attribute}, accessor);
     if (is_new && !taken_.insert(accessor).second) {
       known->second = static_cast<std::uint32_t>(document_.accessors.size());
       document_.accessors.push_back(gltf::Accessor(document_.accessors[accessor]));
     }
-    accessor = known->second;
+    named = static_cast<int>(known->second);
     return is_new;
   }
 

@@ -65,7 +65,7 @@ class ReferenceCheck {
         for (const auto& [name, accessor] : primitive.attributes)
           index(accessor, d_.accessors, place, "attributes", pointer_token(name));
         for (std::size_t t = 0; t < primitive.targets.size(); ++t)
-          for (const auto& [name, accessor] : primitive.targets[t].attributes)
+          for (const auto& [name, accessor] : primitive.targets[t])
             index(accessor, d_.accessors, place, "targets", t, pointer_token(name));
       }
   }
@@ -116,7 +116,7 @@ class ReferenceCheck {
   void check_skins() {
     for (std::size_t s = 0; s < d_.skins.size(); ++s) {
       const auto& skin = d_.skins[s];
-      index(skin.inverse_bind_matrices, d_.accessors, "skins", s, "inverseBindMatrices");
+      index(skin.inverseBindMatrices, d_.accessors, "skins", s, "inverseBindMatrices");
       index(skin.skeleton, d_.nodes, "skins", s, "skeleton");
       for (std::size_t j = 0; j < skin.joints.size(); ++j) index(skin.joints[j], d_.nodes, "skins", s, "joints", j);
     }
@@ -140,12 +140,13 @@ class ReferenceCheck {
     for (std::size_t m = 0; m < d_.materials.size(); ++m) {
       const auto& material = d_.materials[m];
       const std::string place = pointer("materials", m);
-      index(material.base_color_texture.index, d_.textures, place, "pbrMetallicRoughness", "baseColorTexture", "index");
-      index(material.metallic_roughness_texture.index, d_.textures, place, "pbrMetallicRoughness",
+      const auto& surface = material.pbrMetallicRoughness;
+      index(surface.baseColorTexture.index, d_.textures, place, "pbrMetallicRoughness", "baseColorTexture", "index");
+      index(surface.metallicRoughnessTexture.index, d_.textures, place, "pbrMetallicRoughness",
             "metallicRoughnessTexture", "index");
-      index(material.normal_texture.index, d_.textures, place, "normalTexture", "index");
-      index(material.occlusion_texture.index, d_.textures, place, "occlusionTexture", "index");
-      index(material.emissive_texture.index, d_.textures, place, "emissiveTexture", "index");
+      index(material.normalTexture.index, d_.textures, place, "normalTexture", "index");
+      index(material.occlusionTexture.index, d_.textures, place, "occlusionTexture", "index");
+      index(material.emissiveTexture.index, d_.textures, place, "emissiveTexture", "index");
     }
     for (std::size_t t = 0; t < d_.textures.size(); ++t) {
       index(d_.textures[t].source, d_.images, "textures", t, "source");

@@ -98,7 +98,7 @@ void report_nodes(const Document& document, IssueLog& log) {
   if (document.scenes.empty()) return;
   std::vector<bool> shown(document.nodes.size(), false), has_parent(document.nodes.size(), false);
   std::vector<std::uint32_t> open;
-  for (const gltf::Scene& scene : document.scenes) open.insert(open.end(), scene.nodes.begin(), scene.nodes.end());
+  for (const tinygltf::Scene& scene : document.scenes) open.insert(open.end(), scene.nodes.begin(), scene.nodes.end());
   while (!open.empty()) {
     const std::uint32_t node = open.back();
     open.pop_back();

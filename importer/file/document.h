@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/file/document_animations.h"
 #include "importer/file/document_materials.h"
+#include "importer/file/tinygltf.h"
 
 /// A parsed glTF 2.0 document as plain data: what the file says, with defaults filled in and nothing interpreted. The
-/// rest of the importer reads this instead of the JSON. Indices are the file's own, kNone where absent. After
-/// check_references() (importer/file/check_references.h) every index is in range. `extensions` members hold the JSON
-/// object of that name, null where there is none.
+/// rest of the importer reads this instead of the JSON. Scenes, nodes, meshes, skins, cameras and materials are as
+/// tinygltf reads them, with what it leaves out beside them. What says where bytes lie (buffers, views, accessors,
+/// images) and animations are our own: tinygltf would load the bytes, holds some of their sizes as int, drops channels
+/// that name no node, and takes five times the memory for a channel.
+/// Indices are the file's own, kNone where absent. After check_references() (importer/file/check_references.h) every
+/// index is in range. `extensions` members hold the JSON object of that name, null where there is none.
 namespace sinew::gltf {
 
 enum class ComponentType : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 enum class ElementType : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+/// In the order of tinygltf's numbers.
 enum class PrimitiveMode : std::uint8_t {
   points,
   lines,
@@ -62,70 +66,55 @@ struct Accessor {
   std::vector<double> min, max;
 };
 
-struct MorphTarget {
-  std::map<std::string, std::uint32_t> attributes;
+/// Stands in tinygltf's entries where an index is absent; kNone as an unsigned number.
+inline constexpr int kAbsent = -1;
+
+struct Primitive : tinygltf::Primitive {
+  Primitive() { mode = TINYGLTF_MODE_TRIANGLES; }
+  Primitive(tinygltf::Primitive&& read, Json own_extensions)
+      : tinygltf::Primitive(std::move(read)), extensions(std::move(own_extensions)) {}
+
+  Json extensions;  ///< hides tinygltf's, which stays empty
 };
 
-struct Primitive {
-  std::map<std::string, std::uint32_t> attributes;  ///< semantic -> accessor
-  std::uint32_t indices = kNone, material = kNone;
-  PrimitiveMode mode = PrimitiveMode::triangles;
-  std::vector<MorphTarget> targets;
-  Json extensions;
-};
+inline PrimitiveMode mode_of(const Primitive& primitive) noexcept { return static_cast<PrimitiveMode>(primitive.mode); }
 
-struct Mesh {
-  std::string name;
-  std::vector<Primitive> primitives;
-  std::vector<double> weights;
+struct Mesh : tinygltf::Mesh {
+  std::vector<Primitive> primitives;      ///< hides tinygltf's, which stays empty
   std::vector<std::string> target_names;  ///< extras.targetNames
 };
 
-struct Node {
-  std::string name;
-  std::vector<std::uint32_t> children;
-  std::uint32_t mesh = kNone, skin = kNone, camera = kNone;
-  bool has_matrix = false, has_trs = false;
-  std::array<double, 16> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};  ///< column-major
-  std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
-  std::array<double, 4> rotation{0, 0, 0, 1};  ///< xyzw
-  std::vector<double> weights;
-  Json extensions;
+struct Node : tinygltf::Node {
+  bool has_trs = false;  ///< also where there is a matrix, beside which tinygltf reads no translation, rotation, scale
+  Json extensions;       ///< hides tinygltf's, which stays empty
 };
 
-struct Skin {
-  std::string name;
-  std::vector<std::uint32_t> joints;
-  std::uint32_t inverse_bind_matrices = kNone, skeleton = kNone;
+/// Where a camera begins and ceases to see; 0 = absent.
+struct DepthRange {
+  double near = 0.0, far = 0.0;
 };
-
-struct Camera {
-  std::string name;
-  bool perspective = true;
-  double aspect = 0, yfov = 0, znear = 0, zfar = 0, xmag = 0, ymag = 0;  ///< 0 = absent
-};
-
-struct Scene {
-  std::string name;
-  std::vector<std::uint32_t> nodes;
-};
+inline DepthRange depth_range(const tinygltf::Camera& camera) noexcept {
+  const bool orthographic = camera.type == "orthographic";
+  return orthographic ? DepthRange{camera.orthographic.znear, camera.orthographic.zfar}
+                      : DepthRange{camera.perspective.znear, camera.perspective.zfar};
+}
 
 struct Document {
-  std::string generator, copyright, version, min_version;
+  tinygltf::Asset asset;
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<Buffer> buffers;
   std::vector<BufferView> buffer_views;
   std::vector<Accessor> accessors;
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
-  std::vector<Skin> skins;
+  std::vector<tinygltf::Skin> skins;
   std::vector<Animation> animations;
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
-  std::vector<TextureSampler> samplers;
-  std::vector<Camera> cameras;
-  std::vector<Scene> scenes;
+  std::vector<tinygltf::Sampler> samplers;
+  std::vector<tinygltf::Camera> cameras;
+  std::vector<tinygltf::Scene> scenes;
   std::uint32_t scene = kNone;
   Json extensions;  ///< of the root object, for example KHR_lights_punctual
 

@@ -8,7 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/animation/skeleton.h"  // kNone
+#include "importer/file/tinygltf.h"
+#include "runtime/animation/property_track.h"  // TextureSlot
+#include "runtime/animation/skeleton.h"        // kNone
 
 /// The part of gltf::Document (document.h) that describes how surfaces look.
 namespace sinew::gltf {
@@ -16,26 +18,24 @@ namespace sinew::gltf {
 using Json = nlohmann::json;
 using Bytes = std::span<const std::byte>;
 
+inline constexpr std::size_t kTextureSlots = 5;
+
+struct Material : tinygltf::Material {
+  Json extensions;                                     ///< hides tinygltf's, which stays empty
+  std::array<Json, kTextureSlots> texture_extensions;  ///< of the texture in each TextureSlot
+
+  Json& extensions_of(TextureSlot slot) { return texture_extensions[static_cast<std::size_t>(slot)]; }
+};
+
+/// A texture of a material. tinygltf has three types for the five slots.
 struct TextureInfo {
   std::uint32_t index = kNone, texcoord = 0;
-  Json extensions;
+  const Json* extensions = nullptr;  ///< of the material; stays valid as long as it does
 };
+TextureInfo texture_info(const Material& material, TextureSlot slot) noexcept;
 
-struct Material {
-  std::string name;
-  std::array<double, 4> base_color{1, 1, 1, 1};
-  double metallic = 1, roughness = 1, normal_scale = 1, occlusion_strength = 1, alpha_cutoff = 0.5;
-  std::array<double, 3> emissive{0, 0, 0};
-  TextureInfo base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture, emissive_texture;
-  std::string alpha_mode = "OPAQUE";
-  bool double_sided = false;
-  Json extensions;
-};
-
-struct Texture {
-  std::string name;
-  std::uint32_t source = kNone, sampler = kNone;
-  Json extensions;
+struct Texture : tinygltf::Texture {
+  Json extensions;  ///< hides tinygltf's, which stays empty
 };
 
 /// An image in its encoded form; importer/read/images.h decodes it. A missing image is no error (G66).
@@ -44,11 +44,6 @@ struct Image {
   std::uint32_t buffer_view = kNone;
   Bytes encoded;               ///< filled by load_images()
   std::string missing_reason;  ///< why `encoded` is empty; empty where it is not
-};
-
-struct TextureSampler {
-  int mag_filter = -1, min_filter = -1;  ///< GL numbers, -1 = absent
-  int wrap_s = 10497, wrap_t = 10497;
 };
 
 }  // namespace sinew::gltf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -136,7 +137,7 @@ class Emptying {
     for (auto& image : marked(d_.images, Quarantine::images)) *image = {};
   }
 
-  bool uses_broken_accessor(const std::map<std::string, std::uint32_t>& attributes) const {
+  bool uses_broken_accessor(const std::map<std::string, int>& attributes) const {
     return std::any_of(attributes.begin(), attributes.end(),
                        [&](const auto& entry) { return is(Quarantine::accessors, entry.second); });
   }
@@ -144,7 +145,7 @@ class Emptying {
   bool is_broken(const gltf::Primitive& primitive) const {
     return uses_broken_accessor(primitive.attributes) || is(Quarantine::accessors, primitive.indices) ||
            std::any_of(primitive.targets.begin(), primitive.targets.end(),
-                       [&](const auto& t) { return uses_broken_accessor(t.attributes); });
+                       [&](const auto& t) { return uses_broken_accessor(t); });
   }
 
   /// An emptied primitive keeps its number of targets, because the other primitives of the mesh are compared with it.
@@ -164,9 +165,9 @@ class Emptying {
 
   void empty_skins() {
     for (std::uint32_t s = 0; s < d_.skins.size(); ++s) {
-      if (is(Quarantine::accessors, d_.skins[s].inverse_bind_matrices)) {
+      if (is(Quarantine::accessors, d_.skins[s].inverseBindMatrices)) {
         log_.mute(pointer("skins", s, "inverseBindMatrices"));
-        d_.skins[s].inverse_bind_matrices = kNone;
+        d_.skins[s].inverseBindMatrices = gltf::kAbsent;
       }
       if (!broken_[Quarantine::nodes].empty()) log_.mute(pointer("skins", s, "joints"));  // trees are cut
     }
@@ -178,7 +179,9 @@ class Emptying {
     return is(Quarantine::meshes, mesh) || (first != primitives_.end() && first->first == mesh);
   }
 
-  bool has_broken_mesh(const gltf::Node& node) const { return node.mesh != kNone && has_broken_primitive(node.mesh); }
+  bool has_broken_mesh(const gltf::Node& node) const {
+    return node.mesh != gltf::kAbsent && has_broken_primitive(node.mesh);
+  }
 
   bool has_broken_copies(const gltf::Node& node) const {
     const Json::json_pointer place("/EXT_mesh_gpu_instancing/attributes");
@@ -194,7 +197,7 @@ class Emptying {
     for (std::uint32_t n = 0; n < d_.nodes.size(); ++n) {
       auto& node = d_.nodes[n];
       if (has_broken_copies(node)) log_.mute(pointer("nodes", n, "extensions", "EXT_mesh_gpu_instancing"));
-      if (is(Quarantine::skins, node.skin)) node.skin = kNone;
+      if (is(Quarantine::skins, node.skin)) node.skin = gltf::kAbsent;
       if (has_broken_mesh(node)) {
         log_.mute(pointer("nodes", n, "skin"));
         log_.mute(pointer("nodes", n, "weights"));

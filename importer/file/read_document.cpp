@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
+
+#include "importer/file/read_lists.h"
 
 namespace sinew {
 namespace {
@@ -59,19 +62,9 @@ class Fields {
   std::vector<double> numbers(const char* name) const {
     return list(name, [](const JsonNode& value) { return value.GetDouble(); });
   }
-  std::vector<std::uint32_t> indices(const char* name) const { return list(name, as_index); }
   std::vector<std::string> texts(const char* name) const {
     return list(name,
                 [](const JsonNode& value) { return value.IsString() ? std::string(text_of(value)) : std::string(); });
-  }
-
-  /// Fills an array whose length the shape has fixed; false where it is absent.
-  template <std::size_t N>
-  bool fill(const char* name, std::array<double, N>& out) const {
-    const JsonNode* values = find(name);
-    if (values == nullptr) return false;
-    for (rapidjson::SizeType i = 0; i < N; ++i) out[i] = (*values)[i].GetDouble();
-    return true;
   }
 
   static std::uint32_t as_index(const JsonNode& value) { return static_cast<std::uint32_t>(value.GetDouble()); }
@@ -79,13 +72,6 @@ class Fields {
  private:
   const JsonNode& object_;
 };
-
-std::map<std::string, std::uint32_t> index_map(const JsonNode& object) {
-  std::map<std::string, std::uint32_t> out;
-  for (const auto& [name, index] : object.GetObject())
-    out.insert_or_assign(std::string(text_of(name)), Fields::as_index(index));
-  return out;
-}
 
 gltf::ElementType element_type(std::string_view name) {
   constexpr std::string_view kNames[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
@@ -135,47 +121,44 @@ gltf::Accessor read_accessor(const JsonNode& json) {
           .max = in.numbers("max")};
 }
 
-gltf::Primitive read_primitive(const JsonNode& json) {
-  const Fields in(json);
-  return {.attributes = index_map(*in.find("attributes")),
-          .indices = in.index("indices"),
-          .material = in.index("material"),
-          .mode = static_cast<gltf::PrimitiveMode>(in.index("mode", 4)),
-          .targets = in.list("targets", [](const JsonNode& target) { return gltf::MorphTarget{index_map(target)}; }),
-          .extensions = in.part("extensions")};
+/// Attributes whose names hold a zero byte: tinygltf would cut the names short there.
+void add_names_with_zeros(const JsonNode& json, std::map<std::string, int>& attributes) {
+  for (const auto& [name, index] : json.GetObject())
+    if (text_of(name).find('\0') != std::string_view::npos)
+      attributes.insert_or_assign(std::string(text_of(name)), static_cast<int>(index.GetDouble()));
 }
 
-gltf::Mesh read_mesh(const JsonNode& json) {
+gltf::Primitive read_primitive(tinygltf::Primitive&& read, const JsonNode& json) {
   const Fields in(json);
-  gltf::Mesh out{
-      .name = in.text("name"), .primitives = in.list("primitives", read_primitive), .weights = in.numbers("weights")};
+  gltf::Primitive out(std::move(read), in.part("extensions"));
+  out.indices = static_cast<int>(in.index("indices"));
+  add_names_with_zeros(*in.find("attributes"), out.attributes);
+  for (rapidjson::SizeType t = 0; t < out.targets.size(); ++t)
+    add_names_with_zeros((*in.find("targets"))[t], out.targets[t]);
+  return out;
+}
+
+gltf::Mesh read_mesh(tinygltf::Mesh&& read, const JsonNode& json) {
+  const Fields in(json);
+  gltf::Mesh out{std::move(read)};
+  auto& primitives = static_cast<tinygltf::Mesh&>(out).primitives;
+  const JsonNode& list = *in.find("primitives");
+  expect_all("primitives", list.Size(), primitives.size());
+  out.primitives.reserve(primitives.size());
+  for (rapidjson::SizeType p = 0; p < list.Size(); ++p)
+    out.primitives.push_back(read_primitive(std::move(primitives[p]), list[p]));
+  primitives = {};
   if (const JsonNode* extras = in.find("extras"); extras != nullptr && extras->IsObject())
     if (const JsonNode* names = Fields(*extras).find("targetNames"); names != nullptr && names->IsArray())
       out.target_names = Fields(*extras).texts("targetNames");
   return out;
 }
 
-gltf::Node read_node(const JsonNode& json) {
+gltf::Node read_node(tinygltf::Node&& read, const JsonNode& json) {
   const Fields in(json);
-  gltf::Node out{.name = in.text("name"),
-                 .children = in.indices("children"),
-                 .mesh = in.index("mesh"),
-                 .skin = in.index("skin"),
-                 .camera = in.index("camera"),
-                 .weights = in.numbers("weights"),
-                 .extensions = in.part("extensions")};
-  out.has_matrix = in.fill("matrix", out.matrix);
-  const bool translated = in.fill("translation", out.translation), turned = in.fill("rotation", out.rotation);
-  out.has_trs = in.fill("scale", out.scale) || translated || turned;  // a matrix beside any of them is reported (T3)
-  return out;
-}
-
-gltf::Skin read_skin(const JsonNode& json) {
-  const Fields in(json);
-  return {.name = in.text("name"),
-          .joints = in.indices("joints"),
-          .inverse_bind_matrices = in.index("inverseBindMatrices"),
-          .skeleton = in.index("skeleton")};
+  const bool has_trs =
+      in.find("translation") != nullptr || in.find("rotation") != nullptr || in.find("scale") != nullptr;
+  return {std::move(read), has_trs, in.part("extensions")};
 }
 
 /// Channels without a node stay: they animate nothing, or name their target by a pointer (T2).
@@ -199,45 +182,24 @@ gltf::Animation read_animation(const JsonNode& json) {
       .name = in.text("name"), .samplers = in.list("samplers", sampler), .channels = in.list("channels", read_channel)};
 }
 
-/// A texture reference of a material. `factor` receives the strength that is stored with the texture.
-gltf::TextureInfo read_texture_info(const Fields& owner, const char* name, const char* factor_name = nullptr,
-                                    double* factor = nullptr) {
-  const JsonNode* json = owner.find(name);
-  if (json == nullptr) return {};
-  const Fields in(*json);
-  if (factor != nullptr) *factor = in.number(factor_name, *factor);
-  return {in.index("index"), in.index("texCoord", 0), in.part("extensions")};
-}
-
-gltf::Material read_material(const JsonNode& json) {
+gltf::Material read_material(tinygltf::Material&& read, const JsonNode& json) {
   const Fields in(json);
-  gltf::Material out;
-  out.name = in.text("name");
-  if (const JsonNode* surface_json = in.find("pbrMetallicRoughness")) {
-    const Fields surface(*surface_json);
-    surface.fill("baseColorFactor", out.base_color);
-    out.metallic = surface.number("metallicFactor", out.metallic);
-    out.roughness = surface.number("roughnessFactor", out.roughness);
-    out.base_color_texture = read_texture_info(surface, "baseColorTexture");
-    out.metallic_roughness_texture = read_texture_info(surface, "metallicRoughnessTexture");
-  }
-  out.normal_texture = read_texture_info(in, "normalTexture", "scale", &out.normal_scale);
-  out.occlusion_texture = read_texture_info(in, "occlusionTexture", "strength", &out.occlusion_strength);
-  out.emissive_texture = read_texture_info(in, "emissiveTexture");
-  in.fill("emissiveFactor", out.emissive);
-  out.alpha_mode = in.text("alphaMode", "OPAQUE");
-  out.alpha_cutoff = in.number("alphaCutoff", out.alpha_cutoff);
-  out.double_sided = in.flag("doubleSided");
-  out.extensions = in.part("extensions");
+  gltf::Material out{std::move(read), in.part("extensions"), {}};
+  const auto take_extensions = [&](const JsonNode* owner, const char* texture, TextureSlot slot) {
+    if (const JsonNode* info = owner == nullptr ? nullptr : find_member(*owner, texture))
+      out.extensions_of(slot) = Fields(*info).part("extensions");
+  };
+  const JsonNode* surface = in.find("pbrMetallicRoughness");
+  take_extensions(surface, "baseColorTexture", TextureSlot::base_color);
+  take_extensions(surface, "metallicRoughnessTexture", TextureSlot::metallic_roughness);
+  take_extensions(&json, "normalTexture", TextureSlot::normal);
+  take_extensions(&json, "occlusionTexture", TextureSlot::occlusion);
+  take_extensions(&json, "emissiveTexture", TextureSlot::emissive);
   return out;
 }
 
-gltf::Texture read_texture(const JsonNode& json) {
-  const Fields in(json);
-  return {.name = in.text("name"),
-          .source = in.index("source"),
-          .sampler = in.index("sampler"),
-          .extensions = in.part("extensions")};
+gltf::Texture read_texture(tinygltf::Texture&& read, const JsonNode& json) {
+  return {std::move(read), Fields(json).part("extensions")};
 }
 
 gltf::Image read_image(const JsonNode& json) {
@@ -248,56 +210,29 @@ gltf::Image read_image(const JsonNode& json) {
           .buffer_view = in.index("bufferView")};
 }
 
-gltf::TextureSampler read_texture_sampler(const JsonNode& json) {
-  const Fields in(json);
-  const auto gl = [&](const char* name, int fallback) { return static_cast<int>(in.number(name, fallback)); };
-  const gltf::TextureSampler usual;
-  return {gl("magFilter", usual.mag_filter), gl("minFilter", usual.min_filter), gl("wrapS", usual.wrap_s),
-          gl("wrapT", usual.wrap_t)};
-}
-
-gltf::Camera read_camera(const JsonNode& json) {
-  const Fields in(json);
-  gltf::Camera out{.name = in.text("name"), .perspective = in.text("type") == "perspective"};
-  if (const JsonNode* lens = in.find(out.perspective ? "perspective" : "orthographic")) {
-    const Fields of(*lens);
-    out.znear = of.number("znear", 0.0);
-    out.zfar = of.number("zfar", 0.0);
-    (out.perspective ? out.aspect : out.xmag) = of.number(out.perspective ? "aspectRatio" : "xmag", 0.0);
-    (out.perspective ? out.yfov : out.ymag) = of.number(out.perspective ? "yfov" : "ymag", 0.0);
-  }
-  return out;
-}
-
-gltf::Scene read_scene(const JsonNode& json) {
-  const Fields in(json);
-  return {.name = in.text("name"), .nodes = in.indices("nodes")};
-}
-
 }  // namespace
 
 gltf::Document read_document(const JsonNode& json) {
-  const Fields root(json), asset(*root.find("asset"));
-  return {.generator = asset.text("generator"),
-          .copyright = asset.text("copyright"),
-          .version = asset.text("version"),
-          .min_version = asset.text("minVersion"),
-          .extensions_used = root.texts("extensionsUsed"),
-          .extensions_required = root.texts("extensionsRequired"),
+  using tinygltf::Model;
+  const Fields root(json);
+  Model head = read_head(json);
+  return {.asset = std::move(head.asset),
+          .extensions_used = std::move(head.extensionsUsed),
+          .extensions_required = std::move(head.extensionsRequired),
           .buffers = root.list("buffers", read_buffer),
           .buffer_views = root.list("bufferViews", read_view),
           .accessors = root.list("accessors", read_accessor),
-          .meshes = root.list("meshes", read_mesh),
-          .nodes = root.list("nodes", read_node),
-          .skins = root.list("skins", read_skin),
+          .meshes = read_list(json, "meshes", &Model::meshes, read_mesh),
+          .nodes = read_list(json, "nodes", &Model::nodes, read_node),
+          .skins = read_list(json, "skins", &Model::skins),
           .animations = root.list("animations", read_animation),
-          .materials = root.list("materials", read_material),
-          .textures = root.list("textures", read_texture),
+          .materials = read_list(json, "materials", &Model::materials, read_material),
+          .textures = read_list(json, "textures", &Model::textures, read_texture),
           .images = root.list("images", read_image),
-          .samplers = root.list("samplers", read_texture_sampler),
-          .cameras = root.list("cameras", read_camera),
-          .scenes = root.list("scenes", read_scene),
-          .scene = root.index("scene"),
+          .samplers = read_list(json, "samplers", &Model::samplers),
+          .cameras = read_list(json, "cameras", &Model::cameras),
+          .scenes = read_list(json, "scenes", &Model::scenes),
+          .scene = static_cast<std::uint32_t>(head.defaultScene),
           .extensions = root.part("extensions")};
 }
 

@@ -151,7 +151,7 @@ std::vector<bool> filled_by_draco(const Document& document) {
     for (const auto& primitive : mesh.primitives) {
       if (!primitive.extensions.is_object() || !primitive.extensions.contains("KHR_draco_mesh_compression")) continue;
       for (const auto& [name, accessor] : primitive.attributes) filled[accessor] = true;
-      if (primitive.indices != kNone) filled[primitive.indices] = true;
+      if (primitive.indices != gltf::kAbsent) filled[primitive.indices] = true;
     }
   return filled;
 }

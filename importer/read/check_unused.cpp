@@ -25,9 +25,9 @@ class Uses {
       for (const auto& primitive : mesh.primitives) {
         mark(primitive.indices);
         mark_attributes(primitive.attributes);
-        for (const auto& target : primitive.targets) mark_attributes(target.attributes);
+        for (const auto& target : primitive.targets) mark_attributes(target);
       }
-    for (const auto& skin : document.skins) mark(skin.inverse_bind_matrices);
+    for (const auto& skin : document.skins) mark(skin.inverseBindMatrices);
     for (const auto& animation : document.animations)
       for (const auto& sampler : animation.samplers) {
         mark(sampler.input);
@@ -46,7 +46,7 @@ class Uses {
   }
 
   /// Attributes of an application are not read.
-  void mark_attributes(const std::map<std::string, std::uint32_t>& attributes) {
+  void mark_attributes(const std::map<std::string, int>& attributes) {
     for (const auto& [name, accessor] : attributes)
       if (parse_semantic(name)) mark(accessor);
   }

@@ -32,32 +32,33 @@ class MaterialReader {
   void read_metallic_roughness() {
     const std::string place = pointer(place_, "pbrMetallicRoughness");
     for (int c = 0; c < 4; ++c)
-      out_.base_color[c] = clamped(source_.base_color[static_cast<std::size_t>(c)], place, "baseColorFactor");
-    out_.metallic = clamped(source_.metallic, place, "metallicFactor");
-    out_.roughness = clamped(source_.roughness, place, "roughnessFactor");
-    out_.base_color_texture = read_texture_use(source_.base_color_texture, pointer(place, "baseColorTexture"), log_);
+      out_.base_color[c] = clamped(surface_.baseColorFactor[static_cast<std::size_t>(c)], place, "baseColorFactor");
+    out_.metallic = clamped(surface_.metallicFactor, place, "metallicFactor");
+    out_.roughness = clamped(surface_.roughnessFactor, place, "roughnessFactor");
+    out_.base_color_texture = texture(TextureSlot::base_color, pointer(place, "baseColorTexture"));
     out_.metallic_roughness_texture =
-        read_texture_use(source_.metallic_roughness_texture, pointer(place, "metallicRoughnessTexture"), log_);
+        texture(TextureSlot::metallic_roughness, pointer(place, "metallicRoughnessTexture"));
   }
 
   void read_surface() {
-    out_.normal_texture = read_texture_use(source_.normal_texture, pointer(place_, "normalTexture"), log_);
-    out_.normal_scale = static_cast<float>(source_.normal_scale);
-    out_.occlusion_texture = read_texture_use(source_.occlusion_texture, pointer(place_, "occlusionTexture"), log_);
-    out_.occlusion_strength = clamped(source_.occlusion_strength, pointer(place_, "occlusionTexture"), "strength");
-    out_.double_sided = source_.double_sided;
+    out_.normal_texture = texture(TextureSlot::normal, pointer(place_, "normalTexture"));
+    out_.normal_scale = static_cast<float>(source_.normalTexture.scale);
+    out_.occlusion_texture = texture(TextureSlot::occlusion, pointer(place_, "occlusionTexture"));
+    out_.occlusion_strength =
+        clamped(source_.occlusionTexture.strength, pointer(place_, "occlusionTexture"), "strength");
+    out_.double_sided = source_.doubleSided;
   }
 
   void read_alpha() {
-    const std::string& mode = source_.alpha_mode;
+    const std::string& mode = source_.alphaMode;
     out_.alpha_mode = mode == "MASK" ? AlphaMode::mask : mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
     if (out_.alpha_mode == AlphaMode::opaque && mode != "OPAQUE")
       log_.report(Rule::material_values, pointer(place_, "alphaMode"),
                   in_quotes(mode) + " is no alpha mode; OPAQUE is used");
-    out_.alpha_cutoff = static_cast<float>(source_.alpha_cutoff);
-    if (source_.alpha_cutoff < 0.0) {
+    out_.alpha_cutoff = static_cast<float>(source_.alphaCutoff);
+    if (source_.alphaCutoff < 0.0) {
       log_.report(Rule::material_values, pointer(place_, "alphaCutoff"),
-                  std::to_string(source_.alpha_cutoff) + "; 0 is used");
+                  std::to_string(source_.alphaCutoff) + "; 0 is used");
       out_.alpha_cutoff = 0.0f;
     }
   }
@@ -65,16 +66,16 @@ class MaterialReader {
   void read_emission() {
     const ExtensionFields extension(source_.extensions, place_, "KHR_materials_emissive_strength", log_);
     out_.emissive_strength = static_cast<float>(extension.number("emissiveStrength", 1.0, 0.0));
-    for (int c = 0; c < 3; ++c)
-      out_.emissive[c] = clamped(source_.emissive[static_cast<std::size_t>(c)], place_, "emissiveFactor");
-    out_.emissive_texture = read_texture_use(source_.emissive_texture, pointer(place_, "emissiveTexture"), log_);
+    for (std::size_t c = 0; c < source_.emissiveFactor.size(); ++c)
+      out_.emissive[static_cast<int>(c)] = clamped(source_.emissiveFactor[c], place_, "emissiveFactor");
+    out_.emissive_texture = texture(TextureSlot::emissive, pointer(place_, "emissiveTexture"));
   }
 
   bool has_metallic_roughness() const {
-    const gltf::Material plain;
-    return source_.base_color != plain.base_color || source_.metallic != plain.metallic ||
-           source_.roughness != plain.roughness || source_.base_color_texture.index != kNone ||
-           source_.metallic_roughness_texture.index != kNone;
+    const tinygltf::PbrMetallicRoughness plain;
+    return surface_.baseColorFactor != plain.baseColorFactor || surface_.metallicFactor != plain.metallicFactor ||
+           surface_.roughnessFactor != plain.roughnessFactor || surface_.baseColorTexture.index != gltf::kAbsent ||
+           surface_.metallicRoughnessTexture.index != gltf::kAbsent;
   }
 
   void read_specular_glossiness() {
@@ -104,8 +105,13 @@ class MaterialReader {
     gltf::TextureInfo info;
     info.index = field.index("index", document_.textures.size());
     if (const std::uint32_t set = field.index("texCoord", kNone); set != kNone) info.texcoord = set;
-    info.extensions = field.extensions();
+    const gltf::Json extensions = field.extensions();
+    info.extensions = &extensions;
     return read_texture_use(info, field.place(), log_);
+  }
+
+  TextureUse texture(TextureSlot slot, const std::string& place) {
+    return read_texture_use(texture_info(source_, slot), place, log_);
   }
 
   float clamped(double value, const std::string& place, const char* name) {
@@ -118,6 +124,7 @@ class MaterialReader {
 
   const gltf::Document& document_;
   const gltf::Material& source_;
+  const tinygltf::PbrMetallicRoughness& surface_ = source_.pbrMetallicRoughness;
   std::string place_;
   IssueLog& log_;
   Material out_;

@@ -44,8 +44,8 @@ class Users {
   explicit Users(const gltf::Document& document)
       : document_(document), meshes_(document.meshes.size()), cameras_(document.cameras.size()) {
     for (const auto& node : document.nodes) {
-      if (node.mesh != kNone) ++meshes_[node.mesh];
-      if (node.camera != kNone) ++cameras_[node.camera];
+      if (node.mesh != gltf::kAbsent) ++meshes_[node.mesh];
+      if (node.camera != gltf::kAbsent) ++cameras_[node.camera];
       lights_ += node.extensions.is_object() && node.extensions.contains("KHR_lights_punctual");
     }
   }
@@ -82,7 +82,7 @@ void add_names(const gltf::Document& document, Budget& budget) {
   const gltf::Json* lights = member(member(&document.extensions, "KHR_lights_punctual"), "lights");
   const std::size_t light_count = lights != nullptr && lights->is_array() ? lights->size() : 0;
   for (const auto& node : document.nodes) {
-    if (node.camera != kNone) budget.add_bytes(1, sizeof(Camera) + document.cameras[node.camera].name.size());
+    if (node.camera != gltf::kAbsent) budget.add_bytes(1, sizeof(Camera) + document.cameras[node.camera].name.size());
     const gltf::Json* use = member(member(&node.extensions, "KHR_lights_punctual"), "light");
     const std::uint32_t light = index_below(use, light_count);
     const gltf::Json* name = light == kNone ? nullptr : member(&(*lights)[light], "name");
@@ -106,7 +106,7 @@ void add_products(const gltf::Document& document, const Users& users, Budget& bu
   }
   std::uint64_t weights = 0, properties = 0;
   for (const auto& node : document.nodes)
-    if (node.mesh != kNone) weights += targets[node.mesh];
+    if (node.mesh != gltf::kAbsent) weights += targets[node.mesh];
   std::uint64_t tracks = 0;
   for (const auto& animation : document.animations)
     for (const auto& channel : animation.channels) {
@@ -135,7 +135,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
     for (const auto& primitive : mesh.primitives) {
       for (const auto& [name, accessor] : primitive.attributes) budget.add(accessor);
       for (const auto& target : primitive.targets)
-        for (const auto& [name, accessor] : target.attributes) budget.add(accessor);
+        for (const auto& [name, accessor] : target) budget.add(accessor);
       budget.add(primitive.indices, 3);  // a strip unrolls to three times its length
     }
   const Users users(document);
@@ -148,7 +148,7 @@ void check_memory_budget(const gltf::Document& document, std::uint64_t file_byte
   IssueLog unheard;  // build_instances reports what is odd about these
   for (std::uint32_t n = 0; n < document.nodes.size(); ++n)
     for (const auto& [name, accessor] : copy_attributes(document, n, unheard)) budget.add(accessor, 3);
-  for (const auto& skin : document.skins) budget.add(skin.inverse_bind_matrices);
+  for (const auto& skin : document.skins) budget.add(skin.inverseBindMatrices);
   const std::uint64_t allowed = allowed_bytes(file_bytes, most);
   if (budget.total() > allowed)
     log.report(Rule::memory_budget, "",

@@ -33,7 +33,7 @@ class PrimitiveReader {
         log_(log) {}
 
   PrimitiveData read() {
-    data_.primitive.topology = topology_of(source_.mode);
+    data_.primitive.topology = topology_of(mode_of(source_));
     data_.primitive.material = source_.material;
     const auto position = source_.attributes.find("POSITION");
     if (position == source_.attributes.end()) {

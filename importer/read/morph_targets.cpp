@@ -49,7 +49,7 @@ Displacements<V> read_displacements(const gltf::Document& document, std::uint32_
 TargetData read_morph_target(const gltf::Document& document, std::uint32_t mesh, std::uint32_t primitive,
                              std::uint32_t target, const Primitive& base, IssueLog& log) {
   TargetData out;
-  const auto& attributes = document.meshes[mesh].primitives[primitive].targets[target].attributes;
+  const auto& attributes = document.meshes[mesh].primitives[primitive].targets[target];
   for (const auto& [name, accessor] : attributes) {
     const std::string place = pointer("meshes", mesh, "primitives", primitive, "targets", target, pointer_token(name));
     const auto semantic = parse_semantic(name);

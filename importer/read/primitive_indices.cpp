@@ -97,7 +97,7 @@ Indices read_indices(const gltf::Document& document, const gltf::Primitive& prim
                      const std::string& place, IssueLog& log) {
   Indices indices;
   const std::string where = pointer(place, "indices");
-  if (primitive.indices == kNone) {
+  if (primitive.indices == gltf::kAbsent) {
     indices.resize(vertex_count);
     std::iota(indices.begin(), indices.end(), 0u);
   } else {
@@ -112,11 +112,11 @@ Indices read_indices(const gltf::Document& document, const gltf::Primitive& prim
                    std::to_string(vertex_count) + " vertices");
     return {};
   }
-  if (!count_fits(primitive.mode, indices.size()))
+  if (!count_fits(mode_of(primitive), indices.size()))
     log.report(
         Rule::mesh_mode, pointer(place, "mode"),
         std::to_string(indices.size()) + " vertices do not make whole elements of this mode; the rest is dropped");
-  return unroll(primitive.mode, std::move(indices));
+  return unroll(mode_of(primitive), std::move(indices));
 }
 
 }  // namespace sinew

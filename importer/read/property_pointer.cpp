@@ -93,10 +93,10 @@ std::size_t size_of(const gltf::Document& document, List list) {
   return lights == nullptr ? 0 : lights->size();
 }
 
-bool camera_defines(const gltf::Camera& camera, std::string_view path, Kind kind) {
-  if (camera.perspective != path.starts_with("perspective")) return false;
-  if (kind == Kind::camera_aspect) return camera.aspect != 0.0;
-  return kind != Kind::camera_far || camera.zfar != 0.0;
+bool camera_defines(const tinygltf::Camera& camera, std::string_view path, Kind kind) {
+  if (!path.starts_with(camera.type)) return false;
+  if (kind == Kind::camera_aspect) return camera.perspective.aspectRatio != 0.0;
+  return kind != Kind::camera_far || gltf::depth_range(camera).far != 0.0;
 }
 
 bool light_defines(const gltf::Document& document, std::uint32_t index, Kind kind) {
@@ -108,14 +108,14 @@ bool light_defines(const gltf::Document& document, std::uint32_t index, Kind kin
 
 bool material_defines(const gltf::Material& material, const PropertyTarget& target) {
   switch (target.kind) {
-    case Kind::normal_scale: return material.normal_texture.index != kNone;
-    case Kind::occlusion_strength: return material.occlusion_texture.index != kNone;
+    case Kind::normal_scale: return material.normalTexture.index != gltf::kAbsent;
+    case Kind::occlusion_strength: return material.occlusionTexture.index != gltf::kAbsent;
     case Kind::emissive_strength: return member(&material.extensions, "KHR_materials_emissive_strength") != nullptr;
     case Kind::texture_offset:
     case Kind::texture_rotation:
     case Kind::texture_scale: {
-      const gltf::TextureInfo& info = texture_in_slot(material, target.slot);
-      return info.index != kNone && member(&info.extensions, "KHR_texture_transform") != nullptr;
+      const gltf::TextureInfo info = texture_info(material, target.slot);
+      return info.index != kNone && member(info.extensions, "KHR_texture_transform") != nullptr;
     }
     default: return true;
   }

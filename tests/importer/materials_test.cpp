@@ -31,23 +31,30 @@ Reading read_one(const gltf::Material& source, std::size_t texture_count = 0) {
   return out;
 }
 
+template <class Info>
+void name_texture(Info& info, int index, int texcoord) {
+  info.index = index;
+  info.texCoord = texcoord;
+}
+
 TEST(read_materials, keep_every_value_of_a_full_material) {
   gltf::Material source;
   source.name = "steel";
-  source.base_color = {0.1, 0.2, 0.3, 0.4};
-  source.metallic = 0.5;
-  source.roughness = 0.6;
-  source.normal_scale = -2.0;
-  source.occlusion_strength = 0.7;
-  source.alpha_cutoff = 0.25;
-  source.alpha_mode = "MASK";
-  source.double_sided = true;
-  source.emissive = {0.25, 0.5, 1.0};
-  source.base_color_texture = {0, 1, {}};
-  source.metallic_roughness_texture = {1, 2, {}};
-  source.normal_texture = {2, 3, {}};
-  source.occlusion_texture = {3, 4, {}};
-  source.emissive_texture = {4, 5, {}};
+  auto& surface = source.pbrMetallicRoughness;
+  surface.baseColorFactor = {0.1, 0.2, 0.3, 0.4};
+  surface.metallicFactor = 0.5;
+  surface.roughnessFactor = 0.6;
+  source.normalTexture.scale = -2.0;
+  source.occlusionTexture.strength = 0.7;
+  source.alphaCutoff = 0.25;
+  source.alphaMode = "MASK";
+  source.doubleSided = true;
+  source.emissiveFactor = {0.25, 0.5, 1.0};
+  name_texture(surface.baseColorTexture, 0, 1);
+  name_texture(surface.metallicRoughnessTexture, 1, 2);
+  name_texture(source.normalTexture, 2, 3);
+  name_texture(source.occlusionTexture, 3, 4);
+  name_texture(source.emissiveTexture, 4, 5);
   const auto [m, warnings] = read_one(source, 5);
   EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(m.name, "steel");
@@ -83,13 +90,13 @@ TEST(read_materials, of_an_empty_material_are_the_defaults_of_the_specification)
 
 TEST(read_materials, clamp_factors_and_say_so) {
   gltf::Material source;
-  source.base_color = {2, 0, 0, 1};
-  source.metallic = -1;
-  source.roughness = 1.5;
-  source.occlusion_strength = 3;
-  source.alpha_cutoff = -1;
-  source.emissive = {0, 0, 7};
-  source.alpha_mode = "GLASS";
+  source.pbrMetallicRoughness.baseColorFactor = {2, 0, 0, 1};
+  source.pbrMetallicRoughness.metallicFactor = -1;
+  source.pbrMetallicRoughness.roughnessFactor = 1.5;
+  source.occlusionTexture.strength = 3;
+  source.alphaCutoff = -1;
+  source.emissiveFactor = {0, 0, 7};
+  source.alphaMode = "GLASS";
   const auto [m, warnings] = read_one(source);
   EXPECT_EQ(m.base_color.r, 1.0f);
   EXPECT_EQ(m.metallic, 0.0f);
@@ -109,9 +116,11 @@ TEST(read_materials, clamp_factors_and_say_so) {
 
 TEST(read_materials, G60_texture_transform_has_its_own_texcoord_and_keeps_defaults) {
   gltf::Material source;
-  source.base_color_texture = {0, 0, Json::parse(R"({"KHR_texture_transform":
-      {"offset": [0.5, -1], "rotation": 1.5, "scale": [2, 3], "texCoord": 1}})")};
-  source.normal_texture = {0, 2, Json::parse(R"({"KHR_texture_transform": {"rotation": -0.5}})")};
+  name_texture(source.pbrMetallicRoughness.baseColorTexture, 0, 0);
+  source.extensions_of(TextureSlot::base_color) = Json::parse(R"({"KHR_texture_transform":
+      {"offset": [0.5, -1], "rotation": 1.5, "scale": [2, 3], "texCoord": 1}})");
+  name_texture(source.normalTexture, 0, 2);
+  source.extensions_of(TextureSlot::normal) = Json::parse(R"({"KHR_texture_transform": {"rotation": -0.5}})");
   const auto [m, warnings] = read_one(source, 1);
   EXPECT_THAT(warnings, IsEmpty());
   EXPECT_EQ(m.base_color_texture.offset, glm::vec2(0.5f, -1.0f));
@@ -128,9 +137,10 @@ TEST(read_materials, take_wrong_extension_fields_as_absent) {
   gltf::Material source;
   source.extensions = Json::parse(R"({"KHR_materials_emissive_strength": {"emissiveStrength": "much"},
                                       "KHR_materials_unlit": 3})");
-  source.emissive = {1, 1, 1};
-  source.base_color_texture = {0, 0, Json::parse(R"({"KHR_texture_transform":
-      {"offset": [1], "rotation": null, "scale": [1, "x"], "texCoord": -1}})")};
+  source.emissiveFactor = {1, 1, 1};
+  name_texture(source.pbrMetallicRoughness.baseColorTexture, 0, 0);
+  source.extensions_of(TextureSlot::base_color) = Json::parse(R"({"KHR_texture_transform":
+      {"offset": [1], "rotation": null, "scale": [1, "x"], "texCoord": -1}})");
   const auto [m, warnings] = read_one(source, 1);
   EXPECT_EQ(m.emissive, glm::vec3(1));
   EXPECT_FALSE(m.unlit);
@@ -147,7 +157,7 @@ TEST(read_materials, take_wrong_extension_fields_as_absent) {
 
 TEST(read_materials, multiply_emission_by_its_strength) {
   gltf::Material source;
-  source.emissive = {0.5, 1, 0};
+  source.emissiveFactor = {0.5, 1, 0};
   source.extensions =
       Json::parse(R"({"KHR_materials_emissive_strength": {"emissiveStrength": 8}, "KHR_materials_unlit": {}})");
   const auto [m, warnings] = read_one(source);
@@ -175,7 +185,7 @@ TEST(read_materials, approximate_specular_glossiness_with_a_warning) {
 
 TEST(read_materials, prefer_the_files_own_metallic_roughness_version) {
   gltf::Material source;
-  source.roughness = 0.5;
+  source.pbrMetallicRoughness.roughnessFactor = 0.5;
   source.extensions = Json::parse(R"({"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.1}})");
   const auto [m, warnings] = read_one(source);
   EXPECT_THAT(warnings, IsEmpty());
@@ -215,11 +225,27 @@ TEST(to_metallic_roughness, stays_in_range_at_the_corners) {
     }
 }
 
+tinygltf::Sampler sampler(int magnify, int minify, int wrap_s, int wrap_t) {
+  tinygltf::Sampler out;
+  out.magFilter = magnify;
+  out.minFilter = minify;
+  out.wrapS = wrap_s;
+  out.wrapT = wrap_t;
+  return out;
+}
+
+gltf::Texture texture(int source, int sampler) {
+  gltf::Texture out;
+  out.source = source;
+  out.sampler = sampler;
+  return out;
+}
+
 TEST(read_textures, have_the_samplers_of_the_file_and_defaults_elsewhere) {
   gltf::Document document;
   document.images.resize(2);
-  document.samplers = {{9728, 9984, 33071, 33648}, {-1, 9729, 10497, 10497}, {7, 8, 9, 10}};
-  document.textures = {{"", 0, kNone, {}}, {"", 1, 0, {}}, {"", 1, 1, {}}, {"", 1, 2, {}}};
+  document.samplers = {sampler(9728, 9984, 33071, 33648), sampler(-1, 9729, 10497, 10497), sampler(7, 8, 9, 10)};
+  document.textures = {texture(0, -1), texture(1, 0), texture(1, 1), texture(1, 2)};
   IssueLog log;
   const auto textures = read_textures(document, log);
   ASSERT_THAT(textures, SizeIs(4));
@@ -243,8 +269,9 @@ TEST(read_textures, have_the_samplers_of_the_file_and_defaults_elsewhere) {
 TEST(read_textures, prefer_the_webp_image) {
   gltf::Document document;
   document.images.resize(2);
-  document.textures = {{"", 0, kNone, Json::parse(R"({"EXT_texture_webp": {"source": 1}})")},
-                       {"", 0, kNone, Json::parse(R"({"EXT_texture_webp": {"source": 2}})")}};
+  document.textures = {texture(0, -1), texture(0, -1)};
+  document.textures[0].extensions = Json::parse(R"({"EXT_texture_webp": {"source": 1}})");
+  document.textures[1].extensions = Json::parse(R"({"EXT_texture_webp": {"source": 2}})");
   IssueLog log;
   const auto textures = read_textures(document, log);
   EXPECT_EQ(textures[0].image, 1u);

@@ -222,6 +222,18 @@ TEST(memory_products, clips_take_memory_for_what_they_move_not_for_all_nodes_wei
   }
 }
 
+/// An entry of two characters takes two thousand bytes once it is read. Few are no trouble; many are refused unread.
+TEST(memory_products, G68_entries_of_few_characters_are_counted_before_they_are_read) {
+  TinyGltf file;
+  file.root["materials"] = repeated(60'000, Json::object());
+  const std::string text = file.text();
+  const PeakMemory peak;
+  EXPECT_EQ(outcome(import_gltf(bytes_of(text), "materials")), "memory-budget at ");
+  EXPECT_LT(peak.bytes(), (std::size_t{1} << 20) + kPerByte * text.size());
+  file.root["materials"] = repeated(20'000, Json::object());
+  EXPECT_EQ(outcome(file.import()), "ok");
+}
+
 TEST(memory_products, clips_of_a_real_size_stay_within_the_limit) {
   TinyGltf file;
   const std::size_t input = file.times({0}), output = file.vec3({1, 2, 3});

@@ -21,7 +21,8 @@ gltf::Document document() {
     d.buffer_views[i].buffer = i;
     d.accessors[i].buffer_view = i;
     d.images[i].buffer_view = i;
-    d.skins[i] = {"skin", {0, 1}, i, kNone};
+    d.skins[i].joints = {0, 1};
+    d.skins[i].inverseBindMatrices = static_cast<int>(i);
   }
   d.accessors[2].sparse = {1, 0, 1};
   d.accessors[3].sparse = {1, 1, 0};
@@ -38,11 +39,11 @@ gltf::Document document() {
   }
   d.meshes[1].primitives[0].indices = 1;
   d.meshes[2].primitives[0].indices = 0;
-  d.meshes[3].primitives[0].targets = {{{{"POSITION", 1}}}, {{{"POSITION", 0}}}};
+  d.meshes[3].primitives[0].targets = {{{"POSITION", 1}}, {{"POSITION", 0}}};
   d.nodes.resize(4);
   for (std::uint32_t n = 0; n < 2; ++n) {
     d.nodes[n].name = "node";
-    d.nodes[n].mesh = d.nodes[n].skin = n;
+    d.nodes[n].mesh = d.nodes[n].skin = static_cast<int>(n);
     d.nodes[2 + n].extensions["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = n;
   }
   d.animations.resize(1);
@@ -103,9 +104,9 @@ TEST(quarantine, a_broken_buffer_empties_what_lies_in_it_and_nothing_else) {
   EXPECT_EQ(d.meshes[1].primitives[0].indices, 1u);
   EXPECT_EQ(d.meshes[2].primitives[0].attributes.size(), 0u);
   EXPECT_EQ(d.meshes[3].primitives[0].attributes.size(), 0u);
-  EXPECT_EQ(d.skins[0].inverse_bind_matrices, kNone);
+  EXPECT_EQ(d.skins[0].inverseBindMatrices, gltf::kAbsent);
   EXPECT_EQ(d.skins[0].joints.size(), 2u);
-  EXPECT_EQ(d.skins[1].inverse_bind_matrices, 1u);
+  EXPECT_EQ(d.skins[1].inverseBindMatrices, 1);
 }
 
 TEST(quarantine, a_broken_buffer_mutes_what_only_follows_from_it) {
@@ -131,9 +132,9 @@ TEST(quarantine, a_broken_skin_is_taken_from_its_nodes_only) {
   ASSERT_TRUE(after.goes_on);
   EXPECT_TRUE(after.d.skins[0].joints.empty());
   EXPECT_EQ(after.d.skins[1].joints.size(), 2u);
-  EXPECT_EQ(after.d.nodes[0].skin, kNone);
+  EXPECT_EQ(after.d.nodes[0].skin, gltf::kAbsent);
   EXPECT_EQ(after.d.nodes[0].mesh, 0u);
-  EXPECT_EQ(after.d.nodes[1].skin, 1u);
+  EXPECT_EQ(after.d.nodes[1].skin, 1);
   EXPECT_FALSE(after.mutes("/skins/1/joints"));
 }
 

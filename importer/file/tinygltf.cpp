@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
 #define TINYGLTF_IMPLEMENTATION
-#include "importer/write/tinygltf.h"
+#include "importer/file/tinygltf.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// The one place that includes tiny_gltf.h: no image codec, no image writer and no file access of its own, JSON from
-/// the system's nlohmann-json. Only importer/write/ sees it.
+/// the system's nlohmann-json.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

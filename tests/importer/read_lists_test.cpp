@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Lists of a document are read by tinygltf, some entries at a time, from a text that has their core properties alone.
+#include "importer/file/read_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "importer/file/core_text.h"
+#include "importer/file/document_size.h"
+#include "importer/file/gltf_shape.h"
+#include "importer/file/parse_json.h"
+#include "importer/file/read_document.h"
+#include "tests/importer/tiny_gltf.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+std::unique_ptr<JsonTree> checked(const std::string& text) {
+  IssueLog log;
+  auto json = parse_json(bytes_of(text), log);
+  check_shape(json->root, gltf_shape(), "", log);
+  EXPECT_EQ(log.error_count(), 0u) << text.substr(0, 200);
+  return json;
+}
+
+/// The text of a list with one entry.
+std::string core_text(const char* list, const std::string& entry) {
+  const auto json = checked(R"({"asset": {"version": "2.0"}, ")" + std::string(list) + "\": [" + entry + "]}");
+  std::size_t next = 0;
+  return slice_text(list, *find_member(json->root, list), next);
+}
+
+TEST(core_text, are_those_that_the_shape_names_without_extensions) {
+  EXPECT_EQ(core_text("nodes", R"({"extensions": {"X": {}}, "extras": 1, "mesh": 2, "name": "a\n", "odd": [3]})"),
+            R"({"nodes":[{"mesh":2,"name":"a\n"}]})");
+}
+
+TEST(core_text, are_written_once_and_the_last_of_a_name_counts) {
+  EXPECT_EQ(core_text("skins", R"({"joints": [1], "joints": [2]})"), R"({"skins":[{"joints":[2]}]})");
+}
+
+TEST(core_text, integers_have_no_fraction) {
+  EXPECT_EQ(core_text("nodes", R"({"children": [1.0, 2e0], "scale": [1, 2.5, 3.0]})"),
+            R"({"nodes":[{"children":[1,2],"scale":[1,2.5,3.0]}]})");
+}
+
+TEST(core_text, leaves_out_indices_and_names_with_a_zero_byte) {
+  EXPECT_EQ(core_text("meshes", R"({"primitives": [{"attributes": {"A\u0000B": 1, "A": 2}, "indices": 3}]})"),
+            R"({"meshes":[{"primitives":[{"attributes":{"A":2}}]}]})");
+}
+
+TEST(core_text, a_camera_without_lens_has_one_of_zeros) {
+  EXPECT_EQ(
+      core_text("cameras", R"({"name": "c", "type": "orthographic"})"),
+      R"({"cameras":[{"type":"orthographic","name":"c","orthographic":{"xmag":0,"ymag":0,"zfar":0,"znear":0}}]})");
+}
+
+TEST(core_text, of_the_head_is_what_stands_outside_the_lists) {
+  const auto json = checked(R"({"nodes": [{}], "scenes": [{}], "scene": 0.0, "extensionsUsed": ["X"],
+                                "asset": {"version": "2.0", "generator": "g", "extras": {}}})");
+  EXPECT_EQ(head_text(json->root), R"({"asset":{"version":"2.0","generator":"g"},"extensionsUsed":["X"],"scene":0})");
+}
+
+TEST(read_lists, T10_numbers_keep_every_bit) {
+  FixedRandom random(5);
+  Json root{{"asset", {{"version", "2.0"}}}};
+  std::vector<double> numbers{0.0, -0.0, 5e-324, 3.4028234663852886e38, 0.1, 1.0 / 3.0};
+  for (int i = 0; i < 20'000; ++i) numbers.push_back((random.unit() - 0.5) * std::pow(10.0, random.in(-320, 38)));
+  root["nodes"] = Json::array({{{"weights", numbers}}});
+  const gltf::Document document = read_document(checked(root.dump())->root);
+  ASSERT_EQ(document.nodes[0].weights.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    EXPECT_EQ(document.nodes[0].weights[i], numbers[i]);
+    EXPECT_EQ(std::signbit(document.nodes[0].weights[i]), std::signbit(numbers[i])) << numbers[i];
+  }
+}
+
+/// Far more entries than one slice has; what is taken from the tree belongs to the right ones.
+TEST(read_lists, entries_of_many_slices_keep_their_order) {
+  constexpr std::uint32_t kCount = 3000;
+  Json root{{"asset", {{"version", "2.0"}}}};
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const Json extension{{"X", {{"i", i}}}};
+    root["nodes"].push_back({{"name", "node " + std::to_string(i)}, {"extensions", extension}});
+    root["materials"].push_back({{"alphaCutoff", i}, {"normalTexture", {{"index", i}, {"extensions", extension}}}});
+    root["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", i}}}, {"indices", i}}}}});
+    root["samplers"].push_back({{"wrapS", i}});
+  }
+  const gltf::Document document = read_document(checked(root.dump())->root);
+  ASSERT_EQ(document.nodes.size(), kCount);
+  ASSERT_EQ(document.materials.size(), kCount);
+  ASSERT_EQ(document.meshes.size(), kCount);
+  ASSERT_EQ(document.samplers.size(), kCount);
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    EXPECT_EQ(document.nodes[i].name, "node " + std::to_string(i));
+    EXPECT_EQ(document.nodes[i].extensions["X"]["i"], i);
+    EXPECT_EQ(document.materials[i].alphaCutoff, i);
+    const gltf::TextureInfo normal = texture_info(document.materials[i], TextureSlot::normal);
+    EXPECT_EQ(normal.index, i);
+    EXPECT_EQ((*normal.extensions)["X"]["i"], i);
+    EXPECT_EQ(document.meshes[i].primitives[0].attributes.at("POSITION"), static_cast<int>(i));
+    EXPECT_EQ(document.meshes[i].primitives[0].indices, static_cast<int>(i));
+    EXPECT_EQ(document.samplers[i].wrapS, static_cast<int>(i));
+  }
+}
+
+TEST(read_lists, an_entry_that_tinygltf_drops_is_a_fault_that_is_not_read_past) {
+  EXPECT_THROW(expect_all("nodes", 2, 1), std::runtime_error);
+  EXPECT_NO_THROW(expect_all("nodes", 2, 2));
+}
+
+TEST(document_size, counts_entries_and_primitives) {
+  const std::string head = R"({"asset": {"version": "2.0"})";
+  EXPECT_EQ(entry_bytes(checked(head + "}")->root), 0u);
+  EXPECT_EQ(entry_bytes(checked(head + R"(, "materials": [{}, {}], "nodes": [{}]})")->root),
+            2 * sizeof(gltf::Material) + sizeof(gltf::Node));
+  const std::string primitive = R"({"attributes": {"POSITION": 0}})";
+  EXPECT_EQ(
+      entry_bytes(checked(head + R"(, "meshes": [{"primitives": [)" + primitive + "," + primitive + "]}]}")->root),
+      sizeof(gltf::Mesh) + 2 * sizeof(gltf::Primitive));
+}
+
+}  // namespace
+}  // namespace sinew::test
