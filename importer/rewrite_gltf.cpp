@@ -80,7 +80,8 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   find_losses_outside(file, draft);
   rewrite::take_decoded(document, draft);
   find_unknown_offsets(draft);
-  if (!options.animations.empty()) rewrite::replace_keys(document, file.scene, options.animations, draft);
+  if (!options.animations.empty())
+    rewrite::replace_keys(document, file.scene, {options.animations, options.channels_to}, draft);
   recode(document, options, draft);
   rewrite::embed_images(document, draft);
   rewrite::remove_unused(draft);

@@ -16,6 +16,9 @@ struct RewriteOptions {
   /// Keys to write instead of the file's, parallel to Scene::animations; empty = the file's. Channels that the importer
   /// ignored, and channels of other properties than translation, rotation, scale and weights, keep their keys.
   std::span<const Animation> animations = {};
+  /// [joints of the scene] the joint that the channels of each joint move in the new file, for animations that were
+  /// mirrored; empty = the same one. `animations` has the keys of the joints that are moved then.
+  std::span<const std::uint32_t> channels_to = {};
   /// Smaller numbers, with a loss that importer/rewrite/quantize_streams.h bounds: normals and tangents in 8 bits
   /// (KHR_mesh_quantization), texture coordinates in 12, colours and weights in 8, rotation keys in 16 (12 with
   /// `meshopt`). Positions stay floats; with `meshopt` they keep 15 bits, and keys of translations and scales 16.

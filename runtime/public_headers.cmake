@@ -33,7 +33,10 @@ set(sinew_public_headers
   runtime/animation/bone_animation.h
   runtime/animation/close_loop.h
   runtime/animation/keyframe.h
+  runtime/animation/mirror_animation.h
+  runtime/animation/mirror_map.h
   runtime/animation/property_track.h
+  runtime/animation/side_names.h
   runtime/animation/skeleton.h
   runtime/animation/track.h
   runtime/animation/truth_pose.h
@@ -46,6 +49,7 @@ set(sinew_public_headers
   runtime/model/material.h
   runtime/model/mesh.h
   runtime/model/mesh_copies.h
+  runtime/model/mirror_scene.h
   runtime/model/morph_set.h
   runtime/model/pose_corrective.h
   runtime/model/pose_samples.h
@@ -58,6 +62,7 @@ set(sinew_public_headers
   runtime/pose/correct_pose.h
   runtime/pose/joint_palette.h
   runtime/pose/local_to_model.h
+  runtime/pose/mirror_pose.h
   runtime/pose/pose.h
   runtime/pose/pose_memory.h
   runtime/pose/sample_clip.h

@@ -106,9 +106,43 @@ class KeyWriter {
   std::map<std::vector<float>, std::uint32_t> times_;
 };
 
+/// The target that a channel has in the new file.
+ChannelTarget new_target(const Scene& scene, const NewKeys& keys, ChannelTarget target) {
+  if (!target.moves_joint() || keys.channels_to.empty()) return target;
+  target.node = scene.skeleton.node_of_joint[keys.channels_to[scene.skeleton.joint_of_node[target.node]]];
+  return target;
+}
+
+/// Names another node in a channel, which names it by its index or by a pointer (KHR_animation_pointer).
+void set_node(Json& target, std::uint32_t node) {
+  if (target["path"] != "pointer") {
+    target["node"] = node;
+    return;
+  }
+  static const std::string kNodes = "/nodes/";
+  Json& pointer = target["extensions"]["KHR_animation_pointer"]["pointer"];
+  std::string text = pointer.get<std::string>();
+  text.replace(kNodes.size(), text.find('/', kNodes.size()) - kNodes.size(), std::to_string(node));
+  pointer = text;
+}
+
+/// The channels of joints that other joints take over name the nodes of these, also where another channel has the same
+/// target already.
+void move_channels(const gltf::Document& document, const Scene& scene, const NewKeys& keys, std::uint32_t index,
+                   Json& animation) {
+  IssueLog unheard;  // the import has reported these channels
+  for (std::uint32_t c = 0; c < document.animations[index].channels.size() && !keys.channels_to.empty(); ++c) {
+    const auto target = read_channel_target(document, index, c, unheard);
+    if (!target || !target->moves_joint()) continue;
+    const std::uint32_t node = new_target(scene, keys, *target).node;
+    if (node != target->node) set_node(animation["channels"][c]["target"], node);
+  }
+}
+
 /// The channels of an animation that get new keys.
 std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, const Scene& scene, std::uint32_t index,
-                                               const Animation& after) {
+                                               const NewKeys& new_keys) {
+  const Animation& after = new_keys.animations[index];
   IssueLog unheard;  // the import has reported these channels
   std::set<ChannelTarget> seen;
   std::map<std::uint32_t, Keys> changed;
@@ -116,7 +150,7 @@ std::map<std::uint32_t, Keys> changed_channels(const gltf::Document& document, c
     const auto target = read_channel_target(document, index, c, unheard);
     if (!target || !seen.insert(*target).second) continue;
     if (!target->moves_joint() && target->property != AnimatedProperty::weights) continue;
-    auto keys = find_keys(scene, after, *target);
+    auto keys = find_keys(scene, after, new_target(scene, new_keys, *target));
     if (keys && keys != find_keys(scene, scene.animations[index], *target)) changed.emplace(c, *std::move(keys));
   }
   return changed;
@@ -138,13 +172,12 @@ void drop_samplers(Json& animation, const std::set<std::uint32_t>& candidates) {
 
 }  // namespace
 
-void replace_keys(const gltf::Document& document, const Scene& scene, std::span<const Animation> animations,
-                  Draft& draft) {
-  for (std::uint32_t a = 0; a < animations.size(); ++a) {
+void replace_keys(const gltf::Document& document, const Scene& scene, const NewKeys& new_keys, Draft& draft) {
+  for (std::uint32_t a = 0; a < new_keys.animations.size(); ++a) {
     Json& animation = list_of(draft, "animations")[a];
     KeyWriter writer(draft);
     std::set<std::uint32_t> left;
-    for (auto& [channel, keys] : changed_channels(document, scene, a, animations[a])) {
+    for (auto& [channel, keys] : changed_channels(document, scene, a, new_keys)) {
       const std::uint32_t sampler = document.animations[a].channels[channel].sampler;
       Json own = animation["samplers"][sampler];
       for (const char* end : {"input", "output"})
@@ -155,6 +188,7 @@ void replace_keys(const gltf::Document& document, const Scene& scene, std::span<
       left.insert(sampler);
     }
     drop_samplers(animation, left);
+    move_channels(document, scene, new_keys, a, animation);
     writer.finish();
   }
 }

@@ -7,10 +7,16 @@
 
 namespace sinew::rewrite {
 
-/// Gives the channels of each animation the keys of `animations`, which is parallel to `scene.animations`. A channel
+/// Keys to write, parallel to `scene.animations`, and the joint that the channels of each joint move with them.
+struct NewKeys {
+  std::span<const Animation> animations;
+  std::span<const std::uint32_t> channels_to;  ///< [J] or empty: each its own
+};
+
+/// Gives the channels of each animation the keys of `keys.animations`. A channel
 /// whose keys are those of the scene keeps its bytes; so does one that the importer ignored, and one that animates a
-/// property other than translation, rotation, scale and weights.
-void replace_keys(const gltf::Document& document, const Scene& scene, std::span<const Animation> animations,
-                  Draft& draft);
+/// property other than translation, rotation, scale and weights. Channels of joints that other joints take over name
+/// the node of these.
+void replace_keys(const gltf::Document& document, const Scene& scene, const NewKeys& keys, Draft& draft);
 
 }  // namespace sinew::rewrite

@@ -76,6 +76,7 @@ Result<Needs> needs_from(const PlanOptions& options, const Scene& scene) {
 nlohmann::ordered_json work_json(const WorkCounters& work) {
   return {{"tracks_sampled", work.tracks_sampled},
           {"properties_sampled", work.properties_sampled},
+          {"poses_mirrored", work.poses_mirrored},
           {"poses_blended", work.poses_blended},
           {"poses_added", work.poses_added},
           {"poses_interpolated", work.poses_interpolated},

@@ -182,7 +182,7 @@ std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint3
   if (keys.size() > kMaxBoundsPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMaxBoundsPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  const std::vector<JointMapping> joint_map = map_joints(scene, needs.skeleton_lod);
+  const std::vector<JointMapping> joint_map = map_joints(scene, needs.skeleton_lod, needs.mirror.get());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);

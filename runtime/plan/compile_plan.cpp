@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "runtime/animation/mirror_animation.h"
 #include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
@@ -15,6 +16,13 @@
 
 namespace sinew {
 namespace {
+
+/// Joints that a mirrored layer moves: the partners of those that clips move, and those that the mirror moves at rest.
+void add_mirrored_joints(const MirrorMap& map, const Skeleton& skeleton, std::vector<bool>& moved) {
+  const std::vector<bool> by_clips = moved;
+  for (std::uint32_t j = 0; j < moved.size(); ++j)
+    moved[j] = by_clips[j] || by_clips[map.joints[j].source] || is_moved_at_rest(map, skeleton, j);
+}
 
 /// Joints that some clip moves, by tracks or by a constant other than the rest pose, and all below them.
 std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
@@ -36,6 +44,7 @@ std::vector<std::uint32_t> moved_joints(const PlanAssets& assets) {
         if (block.property != Property::weight && block.property != Property::number)
           for (std::uint32_t i = 0; i < block.lane_count; ++i) moved[block.targets[i]] = true;
   }
+  if (assets.mirror != nullptr) add_mirrored_joints(*assets.mirror, *assets.skeleton, moved);
   std::vector<std::uint32_t> joints;
   for (std::uint32_t j = 0; j < moved.size(); ++j) {
     const std::uint32_t parent = assets.skeleton->parents[j];
@@ -67,6 +76,11 @@ bool are_instances(std::span<const std::uint32_t> named, std::size_t count) {
   return true;
 }
 
+bool fits(const MirrorMap& map, const Scene& scene) {
+  return map.joints.size() == scene.skeleton.joint_count() &&
+         (map.weight_source.empty() || map.weight_source.size() == scene.weight_count());
+}
+
 /// The weights of the joints that poses have.
 std::vector<float> mask_of_poses(const PlanAssets& assets, const std::vector<float>& mask) {
   std::vector<float> kept;
@@ -93,6 +107,7 @@ void choose_pose_stages(CompiledPlan& plan) {
   plan.properties = has_clips && ((needs.properties && !scene.properties.entries.empty()) || plan.hide_per_frame);
   plan.sample = has_clips && (plan.local_to_model || scene.weight_count() > 0 || plan.properties);
   plan.blend = plan.sample && (needs.max_layers > 1 || !needs.masks.empty());
+  plan.mirror = plan.sample && needs.mirror != nullptr;
   plan.add = plan.sample && needs.additive;
   plan.interpolate = plan.sample && needs.between_updates;
   plan.bounds = needs.bounds && !scene.instances.empty();
@@ -108,6 +123,7 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
     return any(plan.primitives, [=](const PrimitivePlan& p) { return p.skin.any() && p.skinning == kind; });
   };
   runs(Stage::sample, plan.sample);
+  runs(Stage::mirror, plan.mirror);
   runs(Stage::blend, plan.blend);
   runs(Stage::add, plan.add);
   runs(Stage::interpolate, plan.interpolate);
@@ -139,17 +155,19 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
   CONTRACT(are_instances(needs.cached_instances, scene.instances.size()));
   CONTRACT(needs.instance_skinning.empty() || needs.instance_skinning.size() == scene.instances.size());
+  CONTRACT(needs.mirror == nullptr || fits(*needs.mirror, scene));
   choose_instruction_set();
   const auto made = std::make_shared<CompiledPlan>();
   CompiledPlan& plan = *made;
   plan.scene = &scene;
   plan.needs = needs;
-  plan.assets = make_assets(scene, needs.skeleton_lod);
+  plan.assets = make_assets(scene, needs.skeleton_lod, needs.mirror);
   plan.rest_weights = rest_weights_of(scene);
   plan.clip_tracks = tracks_of(plan.assets.clips);
   plan.moved_joints = moved_joints(plan.assets);
   for (const std::vector<float>& mask : needs.masks) plan.masks.push_back(mask_of_poses(plan.assets, mask));
   choose_pose_stages(plan);
+  if (plan.mirror) plan.mirror_tables = make_mirror_tables(plan.assets.mirror->joints);
   plan.joint_scales = joint_scales(plan.assets, plan.add);
   plan_primitives(plan);
   const bool morphs = std::any_of(plan.primitives.begin(), plan.primitives.end(),

@@ -14,6 +14,7 @@
 #include "runtime/plan/joint_scales.h"
 #include "runtime/plan/plan_assets.h"
 #include "runtime/pose/joint_palette.h"
+#include "runtime/pose/mirror_pose.h"
 
 namespace sinew {
 
@@ -31,8 +32,8 @@ struct CompiledPlan {
   FrameLayout layout;
 
   // Which stages run. Of those that work on skins and vertices the tables below decide for each.
-  bool sample = false, blend = false, add = false, interpolate = false, correctives = false, properties = false,
-       local_to_model = false, bounds = false;
+  bool sample = false, mirror = false, blend = false, add = false, interpolate = false, correctives = false,
+       properties = false, local_to_model = false, bounds = false;
   bool hide = false, hide_per_frame = false;  ///< some joint may be hidden; clips decide it
   std::bitset<kStageCount> stages;            ///< all of them, for Plan::runs
 
@@ -41,6 +42,7 @@ struct CompiledPlan {
   std::vector<std::uint32_t> moved_joints;  ///< of poses, by some clip, or below such joints: the others have their
                                             ///< rest pose in every frame
   std::vector<JointScale> joint_scales;     ///< [joints of poses]
+  MirrorTables mirror_tables;               ///< of poses, where `mirror`
   std::vector<std::vector<float>> masks;    ///< [masks of the needs][joints of poses]
   std::vector<float> rest_weights;          ///< [W]
 

@@ -7,6 +7,7 @@
 #include "runtime/math/negligible.h"
 #include "runtime/pose/add_pose.h"
 #include "runtime/pose/blend_weights.h"
+#include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/sample_clip.h"
 
 namespace sinew {
@@ -32,8 +33,26 @@ LayerOutput output_of_layer(const CompiledPlan& plan, FrameMemory memory, std::s
           numbers_of_layer(memory, plan.layout.properties_at, plan.layout.layer_properties_at, properties, index)};
 }
 
-void sample(const CompiledPlan& plan, const ClipLayer& layer, LayerOutput output, bool with_weights, bool same_clip,
-            FrameWork& work) noexcept {
+/// Memory of a layer before it is mirrored. Properties have their place already.
+LayerOutput unmirrored(const CompiledPlan& plan, FrameMemory memory, const LayerOutput& output) noexcept {
+  return {memory.pose(plan.layout.unmirrored_pose_at, plan.assets.joint_count()),
+          memory.array<float>(plan.layout.unmirrored_weights_at, plan.rest_weights.size()), output.properties};
+}
+
+void mirror_weights(const CompiledPlan& plan, std::span<const float> from, std::span<float> to) noexcept {
+  const std::vector<std::uint32_t>& source = plan.assets.mirror->weight_source;
+  for (std::size_t w = 0; w < to.size(); ++w) to[w] = from[source.empty() ? w : source[w]];
+}
+
+void mirror(const CompiledPlan& plan, const PoseSpan& from, const PoseSpan& to, FrameWork& work) noexcept {
+  const MirrorPoseJob job{.tables = &plan.mirror_tables, .pose = from, .mirrored = to};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.poses_mirrored += 1;
+}
+
+void sample_plainly(const CompiledPlan& plan, const ClipLayer& layer, LayerOutput output, bool with_weights,
+                    bool same_clip, FrameWork& work) noexcept {
   const SampleClipJob job{.clip = &plan.assets.clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = output.pose,
@@ -46,6 +65,16 @@ void sample(const CompiledPlan& plan, const ClipLayer& layer, LayerOutput output
   work.tracks_sampled += tracks.joints + (with_weights ? tracks.weights : 0);
   if (!output.properties.empty()) work.properties_sampled += tracks.properties;
   work.spent_on(Stage::sample);
+}
+
+void sample(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, LayerOutput output, bool with_weights,
+            bool same_clip, FrameWork& work) noexcept {
+  if (!layer.mirrored) return sample_plainly(plan, layer, output, with_weights, same_clip, work);
+  const LayerOutput other_side = unmirrored(plan, memory, output);
+  sample_plainly(plan, layer, other_side, with_weights, false, work);
+  mirror(plan, other_side.pose, output.pose, work);
+  if (with_weights) mirror_weights(plan, other_side.weights, output.weights);
+  work.spent_on(Stage::mirror);
 }
 
 std::span<const float> mask_of(const CompiledPlan& plan, const ClipLayer& layer) noexcept {
@@ -65,7 +94,7 @@ PoseSpan blend(const CompiledPlan& plan, std::span<const ClipLayer> input, Frame
   for (const ClipLayer& layer : input) {
     if (!takes_part(plan, layer, false)) continue;
     const LayerOutput output = output_of_layer(plan, memory, count);
-    sample(plan, layer, output, own_weights, same_clip, work);
+    sample(plan, layer, memory, output, own_weights, same_clip, work);
     layers[count++] = {.pose = output.pose, .weight = layer.weight, .joint_weights = mask_of(plan, layer)};
   }
   if (own_weights && count == 0) std::copy(plan.rest_weights.begin(), plan.rest_weights.end(), first.weights.begin());
@@ -89,6 +118,29 @@ PoseSpan blend(const CompiledPlan& plan, std::span<const ClipLayer> input, Frame
   return first.pose;
 }
 
+/// What the difference of a layer that adds is taken from.
+struct AddReference {
+  PoseSpan pose;
+  std::span<const float> weights;
+};
+
+AddReference reference_of(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights,
+                          FrameWork& work) noexcept {
+  const PoseSpan rest = memory.pose(plan.layout.rest_pose_at, plan.assets.joint_count());
+  if (layer.kind == LayerKind::add_to_rest && !layer.mirrored) return {rest, plan.rest_weights};
+  const LayerOutput own{memory.pose(plan.layout.reference_pose_at, plan.assets.joint_count()),
+                        memory.array<float>(plan.layout.reference_weights_at, plan.rest_weights.size()),
+                        {}};
+  if (layer.kind == LayerKind::add_to_start) {
+    sample(plan, {.clip = layer.clip, .mirrored = layer.mirrored}, memory, own, own_weights, false, work);
+  } else {
+    mirror(plan, rest, own.pose, work);
+    mirror_weights(plan, plan.rest_weights, own.weights);
+    work.spent_on(Stage::mirror);
+  }
+  return {own.pose, own.weights};
+}
+
 /// Adds one layer to the frame's own pose, and to its morph weights unless the input gives them. Properties are not
 /// added.
 void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, bool own_weights,
@@ -97,16 +149,8 @@ void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, b
   const LayerOutput own = output_of_layer(plan, memory, 0);
   const LayerOutput added{
       memory.pose(plan.layout.added_pose_at, joints), memory.array<float>(plan.layout.added_weights_at, weights), {}};
-  LayerOutput reference{memory.pose(plan.layout.rest_pose_at, joints), {}, {}};
-  std::span<const float> reference_weights = plan.rest_weights;
-  sample(plan, layer, added, own_weights, false, work);
-  if (layer.kind == LayerKind::add_to_start) {
-    reference = {memory.pose(plan.layout.reference_pose_at, joints),
-                 memory.array<float>(plan.layout.reference_weights_at, weights),
-                 {}};
-    reference_weights = reference.weights;
-    sample(plan, {.clip = layer.clip}, reference, own_weights, false, work);
-  }
+  sample(plan, layer, memory, added, own_weights, false, work);
+  const AddReference reference = reference_of(plan, layer, memory, own_weights, work);
   const AddPoseJob job{.layer = added.pose,
                        .reference = reference.pose,
                        .weight = layer.weight,
@@ -117,7 +161,7 @@ void add(const CompiledPlan& plan, const ClipLayer& layer, FrameMemory memory, b
   work.poses_added += 1;
   if (own_weights)
     for (std::size_t i = 0; i < weights; ++i)
-      own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference_weights[i]));
+      own.weights[i] = flushed(own.weights[i] + layer.weight * (added.weights[i] - reference.weights[i]));
   work.spent_on(Stage::add);
 }
 

@@ -20,13 +20,13 @@ std::uint8_t out_of_view(const FrameInput& input, std::size_t instance) noexcept
   return !input.out_of_view.empty() && input.out_of_view[instance] != 0;
 }
 
-/// At most one clip plays, and alone makes up the pose: where it moves no joints they have their rest pose to the last
-/// bit.
+/// At most one clip plays, not mirrored, and alone makes up the pose: where it moves no joints they have their rest
+/// pose to the last bit.
 bool plays_alone(Layers layers) noexcept {
   std::size_t active = 0;
   for (const ClipLayer& layer : layers)
-    if (layer.weight != 0.0f &&
-        (++active > 1 || layer.weight < 1.0f || layer.mask != kNone || layer.kind != LayerKind::blend))
+    if (layer.weight != 0.0f && (++active > 1 || layer.weight < 1.0f || layer.mask != kNone ||
+                                 layer.kind != LayerKind::blend || layer.mirrored))
       return false;
   return true;
 }

@@ -23,13 +23,15 @@ struct ClipLayer {
   std::uint32_t mask = kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights and
                                ///< properties have no mask
   LayerKind kind = LayerKind::blend;
+  bool mirrored = false;  ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
+                          ///< Masks weigh joints of the mirrored pose; properties are not mirrored
 };
 
 /// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ.
 inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer> b) noexcept {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ClipLayer& x, const ClipLayer& y) {
     return x.clip == y.clip && same_bits(x.time_s, y.time_s) && same_bits(x.weight, y.weight) && x.mask == y.mask &&
-           x.kind == y.kind;
+           x.kind == y.kind && x.mirrored == y.mirrored;
   });
 }
 

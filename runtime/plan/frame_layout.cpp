@@ -138,6 +138,8 @@ void lay_out_frame(CompiledPlan& plan) {
   plan.layout.layer_poses_at = block.take(extra_layers * pose_bytes);
   plan.layout.layer_weights_at = block.take_array<float>(extra_layers * scene.weight_count());
   plan.layout.layer_properties_at = block.take_array<float>(extra_layers * numbers);
+  plan.layout.unmirrored_pose_at = block.take(plan.mirror ? pose_bytes : 0);
+  plan.layout.unmirrored_weights_at = block.take_array<float>(plan.mirror ? scene.weight_count() : 0);
   if (plan.correctives)
     for (const PoseCorrective& corrective : plan.assets.correctives)
       plan.layout.corrective_scratch_count = std::max(plan.layout.corrective_scratch_count, scratch_size(corrective));

@@ -34,6 +34,7 @@ struct TableLayout {
 struct FrameLayout {
   std::size_t rest_pose_at = 0, pose_at = 0, layer_poses_at = 0;  ///< layers after the first have a pose of their own
   std::size_t weights_at = 0, layer_weights_at = 0;
+  std::size_t unmirrored_pose_at = 0, unmirrored_weights_at = 0;  ///< of the layer that is being mirrored
   std::size_t properties_at = 0, layer_properties_at = 0;
   std::size_t corrective_scratch_at = 0, corrective_scratch_count = 0;  ///< of doubles, for one corrective at a time
   std::size_t added_pose_at = 0, reference_pose_at = 0;                 ///< of the layer that is being added

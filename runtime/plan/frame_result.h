@@ -52,6 +52,7 @@ struct SkinPalette {
 struct WorkCounters {
   std::uint64_t tracks_sampled = 0;
   std::uint64_t properties_sampled = 0;
+  std::uint64_t poses_mirrored = 0;
   std::uint64_t poses_blended = 0;
   std::uint64_t poses_added = 0;
   std::uint64_t poses_interpolated = 0;  ///< between two that are there

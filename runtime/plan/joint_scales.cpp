@@ -33,6 +33,15 @@ class SeenScales {
     seen_.kind = ScaleKind::uneven;
     seen_.may_change = true;
   }
+  /// What a joint gets from its partner in a mirrored layer: its scales, along other axes.
+  void add_mirrored(const SeenScales& partner, bool copies) noexcept {
+    if (!partner.any_) return;
+    const bool is_plain = copies && partner.seen_.kind != ScaleKind::uneven && seen_.kind != ScaleKind::uneven;
+    if (!is_plain && !(partner.is_one() && is_one())) return add_anything();
+    seen_.kind = std::max(seen_.kind, partner.seen_.kind);
+    seen_.may_change |= partner.seen_.may_change || partner.signs_ != signs_;
+    varies_ |= partner.varies_ || partner.first_ != first_;
+  }
   JointScale result(bool additive) const noexcept {
     JointScale seen = seen_;
     seen.may_change |= additive && varies_;
@@ -40,6 +49,8 @@ class SeenScales {
   }
 
  private:
+  bool is_one() const noexcept { return any_ && seen_.kind == ScaleKind::none; }
+
   JointScale seen_;
   std::array<float, 3> first_ = {};
   std::array<int, 3> signs_ = {};
@@ -73,6 +84,17 @@ void add_constants(const BaseNumbers& base, bool with_shared, std::vector<SeenSc
   }
 }
 
+bool copies_scale(const MirroredJoint& joint) noexcept {
+  return std::all_of(joint.scale.begin(), joint.scale.end(),
+                     [](const MirrorRow<3>& row) { return copied_entry(row) != 0; });
+}
+
+void add_mirrored(const MirrorMap& map, std::vector<SeenScales>& scales) {
+  const std::vector<SeenScales> by_clips = scales;
+  for (std::size_t j = 0; j < scales.size(); ++j)
+    scales[j].add_mirrored(by_clips[map.joints[j].source], copies_scale(map.joints[j]));
+}
+
 /// The scale of each joint by itself, without the joints above it.
 std::vector<SeenScales> own_scales(const PlanAssets& assets) {
   std::vector<SeenScales> scales(assets.joint_count());
@@ -89,6 +111,7 @@ std::vector<SeenScales> own_scales(const PlanAssets& assets) {
       for (const TrackBlock& block : group.blocks)
         if (block.property == Property::scale) add_keys(block, group.times.key_count(), scales);
   }
+  if (assets.mirror != nullptr) add_mirrored(*assets.mirror, scales);
   return scales;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "runtime/animation/mirror_map.h"
 #include "runtime/deform/skin_linear.h"
 #include "runtime/math/transform.h"
 
@@ -43,10 +45,11 @@ struct Needs {
   std::uint32_t max_layers = 4;  ///< most blended clip layers in one frame; 1 = no blending stage and no memory for it.
                                  ///< Layers that add do not count
   bool additive = false;         ///< some layers add to the pose
-  std::uint32_t max_additive_layers = 8;  ///< most of them whose input is remembered, where `additive`
-  bool between_updates = false;           ///< some frames lie between two poses (FrameInput::interpolation_factor)
-  std::vector<std::vector<float>> masks;  ///< [any][J] joint weights >= 0 that layers may name
-  SkeletonLod skeleton_lod;               ///< joints that poses do without
+  std::uint32_t max_additive_layers = 8;    ///< most of them whose input is remembered, where `additive`
+  bool between_updates = false;             ///< some frames lie between two poses (FrameInput::interpolation_factor)
+  std::shared_ptr<const MirrorMap> mirror;  ///< how layers are mirrored (ClipLayer::mirrored); null = none ever is
+  std::vector<std::vector<float>> masks;    ///< [any][J] joint weights >= 0 that layers may name
+  SkeletonLod skeleton_lod;                 ///< joints that poses do without
   std::vector<std::uint32_t> cached_instances;  ///< rising; mesh instances whose vertices FrameInput::geometry may give
   Skinning skinning = Skinning::linear;
   std::vector<Skinning> instance_skinning;  ///< [instances] overrides `skinning` per mesh instance; empty = no override

@@ -8,10 +8,13 @@
 namespace sinew {
 namespace {
 
-std::vector<bool> kept_joints(const Scene& scene, const SkeletonLod& detail) {
+std::vector<bool> kept_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror) {
   std::vector<bool> kept = detail.kept;
   for (const PoseCorrective& corrective : scene.correctives)
     for (const PoseDriver& driver : corrective.samples.drivers) kept[driver.joint] = true;
+  if (mirror != nullptr)
+    for (std::size_t j = 0; j < kept.size(); ++j)
+      if (kept[j]) kept[mirror->joints[j].source] = true;
   const std::vector<std::uint32_t>& parents = scene.skeleton.parents;
   for (std::size_t j = kept.size(); j-- > 0;)
     if (parents[j] == kNone)
@@ -49,6 +52,18 @@ Copies copy_parts(const Scene& scene, const std::vector<JointMapping>& map,
   return copies;
 }
 
+/// The same mirror for the joints that poses have. Partners are kept together.
+MirrorMap mirror_of_kept(const MirrorMap& mirror, const std::vector<JointMapping>& map,
+                         const std::vector<std::uint32_t>& kept) {
+  MirrorMap of_kept = mirror;
+  of_kept.joints.clear();
+  for (const std::uint32_t j : kept) {
+    of_kept.joints.push_back(mirror.joints[j]);
+    of_kept.joints.back().source = map[mirror.joints[j].source].pose_index;
+  }
+  return of_kept;
+}
+
 void point_at(const Skeleton& skeleton, const std::vector<Skin>& skins, std::span<const PoseCorrective> correctives,
               PlanAssets& assets) {
   assets.skeleton = &skeleton;
@@ -58,12 +73,12 @@ void point_at(const Skeleton& skeleton, const std::vector<Skin>& skins, std::spa
 
 }  // namespace
 
-std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail) {
+std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror) {
   const Skeleton& skeleton = scene.skeleton;
   CONTRACT(detail.kept.empty() || detail.kept.size() == skeleton.joint_count());
   CONTRACT(detail.held.empty() || detail.held.size() == skeleton.joint_count());
   const std::vector<bool> kept =
-      detail.kept.empty() ? std::vector<bool>(skeleton.joint_count(), true) : kept_joints(scene, detail);
+      detail.kept.empty() ? std::vector<bool>(skeleton.joint_count(), true) : kept_joints(scene, detail, mirror);
   std::vector<JointMapping> map(skeleton.joint_count());
   std::uint32_t count = 0;
   for (std::uint32_t j = 0; j < map.size(); ++j) {
@@ -78,18 +93,21 @@ std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& deta
   return map;
 }
 
-PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail) {
+PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail, const std::shared_ptr<const MirrorMap>& mirror) {
   PlanAssets assets;
-  assets.joint_map = map_joints(scene, detail);
+  assets.joint_map = map_joints(scene, detail, mirror.get());
   std::vector<std::uint32_t> kept;
   for (std::uint32_t j = 0; j < assets.joint_map.size(); ++j)
     if (assets.joint_map[j].is_kept) kept.push_back(j);
   if (kept.size() == assets.joint_map.size()) {
     assets.clips = scene.clips;
+    assets.mirror = mirror;
     point_at(scene.skeleton, scene.skins, scene.correctives, assets);
     return assets;
   }
   assets.clips = keep_joints(scene.clips, kept);
+  if (mirror != nullptr)
+    assets.mirror = std::make_shared<const MirrorMap>(mirror_of_kept(*mirror, assets.joint_map, kept));
   const auto copies = std::make_shared<const Copies>(copy_parts(scene, assets.joint_map, kept));
   point_at(copies->skeleton, copies->skins, copies->correctives, assets);
   assets.copies = copies;

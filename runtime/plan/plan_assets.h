@@ -26,19 +26,22 @@ struct PlanAssets {
   std::vector<Clip> clips;             ///< [clips of the scene when the plan was compiled]
   std::vector<const Skin*> skins;      ///< [skins of the scene] inverse bind matrices hold the way to a kept joint
   std::span<const PoseCorrective> correctives;
-  std::vector<JointMapping> joint_map;  ///< [J] of all joints of the scene
-  std::shared_ptr<const void> copies;   ///< what is pointed at, where joints are left out
+  std::shared_ptr<const MirrorMap> mirror;  ///< of the joints that poses have; null where the needs have none
+  std::vector<JointMapping> joint_map;      ///< [J] of all joints of the scene
+  std::shared_ptr<const void> copies;       ///< what is pointed at, where joints are left out
 
   std::size_t joint_count() const noexcept { return skeleton->joint_count(); }
   bool leaves_out() const noexcept { return joint_count() < joint_map.size(); }
 };
 
+/// in   mirror  keeps the partners of joints that are kept; null = none
 /// out  [J]     cost O(J)
-std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail);
+std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror = nullptr);
 
 /// The scene must outlive what is answered, but for its clips.
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
-PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail);
+PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail,
+                       const std::shared_ptr<const MirrorMap>& mirror = nullptr);
 
 /// World matrix of any joint of the scene.
 /// in   model[K]  of a frame (FrameResult::model)

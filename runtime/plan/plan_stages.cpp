@@ -59,6 +59,15 @@ PlanStage describe_sample(const CompiledPlan& plan) {
           tracks_of(*most), pose_bytes(plan)};
 }
 
+PlanStage describe_mirror(const CompiledPlan& plan) {
+  if (!plan.sample) return {"mirror", false, "nothing is sampled", 0, 0};
+  if (!plan.mirror) return {"mirror", false, "no mirrored layers are asked for", 0, 0};
+  const std::size_t pairs = paired_joints(*plan.assets.mirror);
+  return {"mirror", true,
+          "layers may play the other side; " + counted(pairs, "joint has a partner", "joints have partners"),
+          plan.assets.joint_count(), pose_bytes(plan)};
+}
+
 PlanStage describe_blend(const CompiledPlan& plan) {
   const std::uint64_t layers = plan.needs.max_layers;
   if (!plan.sample) return {"blend", false, "nothing is sampled", 0, 0};
@@ -336,6 +345,7 @@ std::vector<PlanStage> describe_stages(const CompiledPlan& plan) {
   const std::string no_split = "no primitive is skinned with dual quaternions or about centers of rotation";
   return {
       describe_sample(plan),
+      describe_mirror(plan),
       describe_blend(plan),
       describe_add(plan),
       describe_interpolate(plan),

@@ -9,6 +9,7 @@ namespace sinew {
 /// The stages of a frame, in the order in which they run. The order of Plan::stages and of FrameResult::stage_ns.
 enum class Stage : std::uint8_t {
   sample,
+  mirror,
   blend,
   add,
   interpolate,
@@ -27,7 +28,7 @@ enum class Stage : std::uint8_t {
   flat_normals,
   bounds
 };
-inline constexpr std::size_t kStageCount = 18;
+inline constexpr std::size_t kStageCount = 19;
 
 /// What a plan says of one stage: whether frames run it, and why.
 struct PlanStage {

@@ -36,6 +36,7 @@ ErrorCode check(const CompiledPlan& plan, std::span<const ClipLayer> layers) noe
     if (layer.mask != kNone && layer.mask >= plan.needs.masks.size()) return ErrorCode::index_out_of_range;
     const bool adds = layer.kind != LayerKind::blend;
     if (layer.weight < 0.0f || (adds && !plan.needs.additive)) return ErrorCode::unsupported;
+    if (layer.mirrored && plan.needs.mirror == nullptr) return ErrorCode::unsupported;
     if (adds) continue;
     active += layer.weight != 0.0f;
     total_weight += static_cast<double>(layer.weight);

@@ -58,4 +58,11 @@ DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const Ro
   return normalised(back * power(round, step.to_turns - step.from_turns) * to);
 }
 
+DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept {
+  const Quatd normal = quat_xyzw(plane_normal.x, plane_normal.y, plane_normal.z, 0.0);
+  const Vec3d along = translation_of(motion);
+  return dual_quat_from(normal * motion.real * quat_conjugate(normal),
+                        along - plane_normal * (2.0 * glm::dot(plane_normal, along)));
+}
+
 }  // namespace sinew

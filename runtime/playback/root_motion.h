@@ -40,4 +40,9 @@ DualQuatd root_place(const BoneAnimation& root, const Transform& rest, const Roo
 DualQuatd root_motion(const BoneAnimation& root, const Transform& rest, const RootMotionParts& parts,
                       const PlaybackStep& step) noexcept;
 
+/// The motion of a mirrored clip: that of the clip, reflected at the plane through the origin.
+/// eq   S D S:  q' = n q n^-1,  t' = t - 2 n (n . t), n the normal as a pure quaternion
+/// in   plane_normal  unit, in the space of the motion (MirrorMap::plane_normal for a root joint without parents)
+DualQuatd mirrored_motion(const DualQuatd& motion, const Vec3<double>& plane_normal) noexcept;
+
 }  // namespace sinew

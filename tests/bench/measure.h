@@ -54,6 +54,7 @@ void add_setup();
 void add_memory();
 void add_sample();
 void add_blend();
+void add_mirrors();
 void add_local_to_model();
 void add_instances();
 void add_crowd();

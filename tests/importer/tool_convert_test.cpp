@@ -240,5 +240,53 @@ TEST(convert_corpus, an_independent_validator_finds_no_new_error_in_clips_of_few
   expect_no_new_errors({"--budget", "1mm"}, ".glb");
 }
 
+/// Two arms on a body, of which the left one turns; its channels name nodes by index and by pointer.
+constexpr const char* kOneArm = R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_animation_pointer"],
+  "nodes": [{"name": "body", "children": [1, 2, 3]}, {"name": "arm.l", "translation": [1, 1, 0]},
+    {"name": "arm.r", "translation": [-1, 1, 0]}, {"name": "hat.l", "translation": [0.5, 2, 0]}],
+  "scenes": [{"nodes": [0]}],
+  "buffers": [{"byteLength": 56, "uri": "arm.bin"}],
+  "bufferViews": [{"buffer": 0, "byteLength": 56}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+    {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC4"},
+    {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"}],
+  "animations": [{"samplers": [{"input": 0, "output": 1}, {"input": 0, "output": 2}],
+    "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}},
+      {"sampler": 1, "target": {"path": "pointer",
+        "extensions": {"KHR_animation_pointer": {"pointer": "/nodes/1/translation"}}}}]}]})";
+
+void write_one_arm(const ToolModelFile& beside) {
+  const float numbers[] = {0, 1, 0.5f, 0.5f, 0.5f, 0.5f, 0, 0.6f, 0, 0.8f, 0, 0, 0, 0};
+  std::ofstream(beside.beside("arm.bin"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  std::ofstream(beside.beside("arm.gltf")) << kOneArm;
+}
+
+TEST(convert, mirrors_clips_key_by_key_and_names_joints_without_a_partner) {
+  const ToolModelFile model;
+  write_one_arm(model);
+  const std::string once = model.beside("once.gltf"), twice = model.beside("twice.gltf");
+  const CommandOutcome outcome = run_tool({"convert", model.beside("arm.gltf"), once, "--mirror"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              HasSubstr("mirrored across (1 0 0) at 0: 2 of 4 joints have partners; without a partner: \"hat.l\""));
+  const auto json = nlohmann::json::parse(content_of(once));
+  EXPECT_EQ(json["animations"][0]["channels"][0]["target"]["node"], 2);
+  EXPECT_EQ(json["animations"][0]["channels"][1]["target"]["extensions"]["KHR_animation_pointer"]["pointer"],
+            "/nodes/2/translation");
+  ASSERT_EQ(run_tool({"convert", once, twice, "--mirror"}).status, 0);
+  const auto before = import_gltf(model.beside("arm.gltf")), other = import_gltf(once), after = import_gltf(twice);
+  ASSERT_TRUE(before && other && after);
+  const BoneAnimation &a = before->scene.animations[0].bones[0], &b = other->scene.animations[0].bones[0],
+                      &c = after->scene.animations[0].bones[0];
+  EXPECT_EQ(b.joint, other->scene.skeleton.joint_of_node[2]);
+  EXPECT_EQ(b.rotation.values[0], quat_xyzw(0.5f, -0.5f, -0.5f, 0.5f));
+  EXPECT_EQ(b.translation.values[0], glm::vec3(-0.5f, 0.5f, 0.5f));
+  EXPECT_EQ(c.joint, a.joint);
+  EXPECT_EQ(c.rotation.values, a.rotation.values);
+  EXPECT_EQ(c.translation.values, a.translation.values);
+  EXPECT_EQ(run_tool({"convert", once, twice, "--mirror", "--fps", "30"}).status, 2);
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -31,6 +31,7 @@ TEST(compile_plan, a_prop_needs_nothing_but_its_place) {
   const Scene scene = prop_scene();
   EXPECT_EQ(dump(compile_plan(scene, {})),
             "- sample [0, 0 B]: no clips: the rest pose is written once\n"
+            "- mirror [0, 0 B]: nothing is sampled\n"
             "- blend [0, 0 B]: nothing is sampled\n"
             "- add [0, 0 B]: nothing is sampled\n"
             "- interpolate [0, 0 B]: nothing is sampled\n"
@@ -56,6 +57,7 @@ TEST(compile_plan, an_arm_is_sampled_and_skinned) {
   needs.max_layers = 1;
   EXPECT_EQ(dump(compile_plan(scene, needs)),
             "+ sample [1, 640 B]: 1 clip; the one with most tracks has 1 slerp\n"
+            "- mirror [0, 0 B]: no mirrored layers are asked for\n"
             "- blend [0, 0 B]: at most one layer is asked for\n"
             "- add [0, 0 B]: no layers that add are asked for\n"
             "- interpolate [0, 0 B]: no frames between updates are asked for\n"
@@ -85,6 +87,7 @@ TEST(compile_plan, a_face_is_morphed_and_bounded) {
   EXPECT_EQ(
       dump(compile_plan(scene, needs)),
       "+ sample [2, 648 B]: 1 clip; the one with most tracks has 2 linear\n"
+      "- mirror [0, 0 B]: no mirrored layers are asked for\n"
       "+ blend [1, 648 B]: up to 2 layers; a single one of full weight skips the stage\n"
       "- add [0, 0 B]: no layers that add are asked for\n"
       "- interpolate [0, 0 B]: no frames between updates are asked for\n"

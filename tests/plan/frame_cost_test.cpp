@@ -21,6 +21,7 @@ struct NamedCount {
 
 std::vector<NamedCount> work_of_stages(const WorkCounters& w) {
   return {{"sample", w.tracks_sampled},
+          {"mirror", w.poses_mirrored},
           {"blend", w.poses_blended},
           {"add", w.poses_added},
           {"interpolate", w.poses_interpolated},
@@ -178,6 +179,7 @@ TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
 /// Whether each stage did work, in the order of the stages.
 std::vector<bool> worked(const WorkCounters& w) {
   return {w.tracks_sampled > 0,
+          w.poses_mirrored > 0,
           w.poses_blended > 0,
           w.poses_added > 0,
           w.poses_interpolated > 0,
@@ -238,11 +240,25 @@ TEST(frame_cost, stages_are_named_in_the_order_of_their_times) {
   const Scene scene = random_scene(3);
   const std::vector<PlanStage> stages = compile_plan(scene, Needs{}).stages();
   ASSERT_EQ(stages.size(), kStageCount);
-  const char* names[kStageCount] = {
-      "sample",         "blend",          "add",         "interpolate",          "correctives",
-      "properties",     "local_to_model", "palette",     "split_palette",        "combinations",
-      "winding",        "morph",          "skin_linear", "skin_dual_quaternion", "skin_center_of_rotation",
-      "geometry_cache", "flat_normals",   "bounds"};
+  const char* names[kStageCount] = {"sample",
+                                    "mirror",
+                                    "blend",
+                                    "add",
+                                    "interpolate",
+                                    "correctives",
+                                    "properties",
+                                    "local_to_model",
+                                    "palette",
+                                    "split_palette",
+                                    "combinations",
+                                    "winding",
+                                    "morph",
+                                    "skin_linear",
+                                    "skin_dual_quaternion",
+                                    "skin_center_of_rotation",
+                                    "geometry_cache",
+                                    "flat_normals",
+                                    "bounds"};
   for (std::size_t s = 0; s < kStageCount; ++s) EXPECT_EQ(stages[s].stage, names[s]);
 }
 

@@ -5,6 +5,7 @@
 
 #include "runtime/math/decompose.h"
 #include "runtime/math/normal_transform.h"
+#include "tests/plan/slow_mirror.h"
 #include "tests/reference/pose_corrective.h"
 #include "tests/reference/sampling.h"
 #include "tests/reference/skinning.h"
@@ -31,11 +32,17 @@ Transformd sampled(const BoneAnimation& bone, double time_s, const Transformd& r
   return out;
 }
 
-Transformd joint_at(const Scene& scene, const ClipLayer& layer, std::uint32_t joint) {
+Transformd unmirrored_joint_at(const Scene& scene, const ClipLayer& layer, std::uint32_t joint) {
   const Transformd rest = to_double(scene.skeleton.rest[joint]);
   for (const BoneAnimation& bone : scene.animations[layer.clip].bones)
     if (bone.joint == joint) return sampled(bone, layer.time_s, rest);
   return rest;
+}
+
+Transformd joint_at(const Scene& scene, const Needs& needs, const ClipLayer& layer, std::uint32_t joint) {
+  if (!layer.mirrored) return unmirrored_joint_at(scene, layer, joint);
+  const MirroredJoint& to = needs.mirror->joints[joint];
+  return mirrored_plainly(to, unmirrored_joint_at(scene, layer, to.source));
 }
 
 void sample_into(const WeightTrack& track, double time_s, std::span<double> out) {
@@ -66,8 +73,8 @@ Transformd blended_joint(const Scene& scene, const Needs& needs, const FrameInpu
   Transformd sum{rest.translation * fill, rest.rotation * fill, rest.scale * fill};
   for (const ClipLayer& layer : input.layers) {
     const double w = blends(layer) ? weight_of(needs, layer, joint) : 0.0;
-    if (w == total && fill == 0.0) return joint_at(scene, layer, joint);
-    const Transformd pose = joint_at(scene, layer, joint);
+    if (w == total && fill == 0.0) return joint_at(scene, needs, layer, joint);
+    const Transformd pose = joint_at(scene, needs, layer, joint);
     sum.translation += pose.translation * w;
     sum.rotation = sum.rotation + aligned_with(rest.rotation, pose.rotation) * w;
     sum.scale += pose.scale * w;
@@ -76,7 +83,7 @@ Transformd blended_joint(const Scene& scene, const Needs& needs, const FrameInpu
   return {sum.translation * share, normalised(sum.rotation), sum.scale * share};
 }
 
-ClipLayer start_of(const ClipLayer& layer) { return {.clip = layer.clip}; }
+ClipLayer start_of(const ClipLayer& layer) { return {.clip = layer.clip, .mirrored = layer.mirrored}; }
 
 /// The equations of add_pose.h on top of the blended joint.
 Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput& input, std::uint32_t joint) {
@@ -84,9 +91,9 @@ Transformd posed_joint(const Scene& scene, const Needs& needs, const FrameInput&
   for (const ClipLayer& layer : input.layers) {
     const double w = weight_of(needs, layer, joint);
     if (blends(layer) || w == 0.0) continue;
-    const Transformd added = joint_at(scene, layer, joint);
+    const Transformd added = joint_at(scene, needs, layer, joint);
     const Transformd reference = layer.kind == LayerKind::add_to_rest ? to_double(scene.skeleton.rest[joint])
-                                                                      : joint_at(scene, start_of(layer), joint);
+                                                                      : joint_at(scene, needs, start_of(layer), joint);
     const Quat<double> one = quat_xyzw(0.0, 0.0, 0.0, 1.0),
                        turn = aligned_with(one, added.rotation * quat_conjugate(reference.rotation));
     sum.translation += w * (added.translation - reference.translation);
@@ -147,16 +154,17 @@ std::vector<double> all_properties(const Scene& scene, const FrameInput& input) 
   return sum;
 }
 
-std::vector<double> weights_at(const Scene& scene, const ClipLayer& layer, const std::vector<double>& rest) {
+std::vector<double> weights_at(const Scene& scene, const Needs& needs, const ClipLayer& layer,
+                               const std::vector<double>& rest) {
   std::vector<double> weights = rest;
   for (const WeightAnimation& animated : scene.animations[layer.clip].weights) {
     const std::span<double> own(weights.data() + scene.first_weight[animated.instance], animated.weights.target_count);
     sample_into(animated.weights, layer.time_s, own);
   }
-  return weights;
+  return on_side(needs, layer, weights);
 }
 
-std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
+std::vector<double> all_weights(const Scene& scene, const Needs& needs, const FrameInput& input) {
   if (!input.weights.empty()) return {input.weights.begin(), input.weights.end()};
   const std::vector<float> flattened = rest_weights_of(scene);
   const std::vector<double> rest(flattened.begin(), flattened.end());
@@ -165,15 +173,16 @@ std::vector<double> all_weights(const Scene& scene, const FrameInput& input) {
   for (std::size_t i = 0; i < rest.size(); ++i) sum[i] = fill * rest[i];
   for (const ClipLayer& layer : input.layers) {
     if (!blends(layer)) continue;
-    const std::vector<double> weights = weights_at(scene, layer, rest);
+    const std::vector<double> weights = weights_at(scene, needs, layer, rest);
     for (std::size_t i = 0; i < rest.size(); ++i) sum[i] += static_cast<double>(layer.weight) * weights[i];
   }
   for (double& w : sum) w /= total + fill;
   for (const ClipLayer& layer : input.layers) {
     if (blends(layer)) continue;
-    const std::vector<double> weights = weights_at(scene, layer, rest);
-    const std::vector<double> reference =
-        layer.kind == LayerKind::add_to_rest ? rest : weights_at(scene, start_of(layer), rest);
+    const std::vector<double> weights = weights_at(scene, needs, layer, rest);
+    const std::vector<double> reference = layer.kind == LayerKind::add_to_rest
+                                              ? on_side(needs, layer, rest)
+                                              : weights_at(scene, needs, start_of(layer), rest);
     for (std::size_t i = 0; i < rest.size(); ++i)
       sum[i] += static_cast<double>(layer.weight) * (weights[i] - reference[i]);
   }
@@ -404,7 +413,7 @@ void play(const Scene& scene, const FrameInput& input, const GeometryInput& geom
 SlowFrame evaluate_slowly(const Scene& scene, const Needs& needs, const FrameInput& input) {
   SlowFrame frame;
   frame.model = world_matrices(scene, needs, input);
-  frame.weights = numbers_between(input, [&](const FrameInput& at) { return all_weights(scene, at); });
+  frame.weights = numbers_between(input, [&](const FrameInput& at) { return all_weights(scene, needs, at); });
   frame.properties = numbers_between(input, [&](const FrameInput& at) { return all_properties(scene, at); });
   correct_weights(scene, needs, input, frame.weights);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {

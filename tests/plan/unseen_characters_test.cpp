@@ -30,8 +30,8 @@ bool is_nothing(const DeformedPrimitive& shape) {
 /// All work on vertices and palettes.
 WorkCounters mesh_work(WorkCounters work) {
   work.windings_tested = 0;  // where the mesh is, and how it is turned, is told all the same
-  work.tracks_sampled = work.properties_sampled = work.poses_blended = work.poses_added = work.poses_interpolated =
-      work.poses_compared = work.joints_composed = 0;
+  work.tracks_sampled = work.properties_sampled = work.poses_mirrored = work.poses_blended = work.poses_added =
+      work.poses_interpolated = work.poses_compared = work.joints_composed = 0;
   return work;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "runtime/animation/mirror_animation.h"
 #include "runtime/math/axis_angle.h"
 #include "tests/support/near.h"
 
@@ -154,6 +155,25 @@ TEST(root_motion, a_clip_without_length_and_a_root_without_tracks_move_nothing) 
   EXPECT_LT(apart(root_motion(walk(), {}, kAll, clock.advance(5.0)), {}), 1e-15);
   PlaybackClock other(1.0);
   EXPECT_LT(apart(root_motion({}, {}, kAll, other.advance(5.0)), {}), 1e-15);
+}
+
+TEST(root_motion, of_a_mirrored_clip_it_is_the_motion_reflected) {
+  Skeleton skeleton;
+  skeleton.parents = {kNone};
+  skeleton.rest = {{}};
+  skeleton.fixed_matrix_of = {kNone};
+  skeleton.names = {"root"};
+  const BoneAnimation root = walk();
+  const Animation mirrored = mirror_animation({"walk", 1.0, {root}, {}}, make_mirror_map(skeleton), skeleton);
+  PlaybackClock clock(1.0), other(1.0);
+  for (const RootTurn turn : {RootTurn::none, RootTurn::heading, RootTurn::full}) {
+    const RootMotionParts parts{true, true, true, turn};
+    const DualQuatd plain = root_motion(root, {}, parts, clock.advance(2.3));
+    const DualQuatd reflected = mirrored_motion(plain, {1, 0, 0});
+    EXPECT_LT(apart(root_motion(mirrored.bones[0], {}, parts, other.advance(2.3)), reflected), 1e-12);
+    EXPECT_LT(apart(mirrored_motion(reflected, {1, 0, 0}), plain), 1e-15);
+    EXPECT_NEAR(translation_of(plain).x, -translation_of(reflected).x, 1e-15);
+  }
 }
 
 }  // namespace

@@ -71,7 +71,12 @@ void RandomInputs::change_layer(ClipLayer& layer, FixedRandom& random) {
     case 0: layer.clip = some_layer(random).clip; break;
     case 1: layer.weight = some_weight(random); break;
     case 2: layer.mask = masks == 0 || random.below(2) == 0 ? kNone : random.below(masks); break;
-    case 3: layer.kind = static_cast<LayerKind>(random.below(3)); break;
+    case 3: {
+      const std::uint32_t kind = random.below(6);
+      layer.kind = static_cast<LayerKind>(kind % 3);
+      layer.mirrored = kind >= 3;
+      break;
+    }
     default: layer.time_s = some_time(random);
   }
 }
@@ -184,6 +189,7 @@ void RandomInputs::make_valid(Layers& layers) const {
   std::uint32_t active = 0;
   for (ClipLayer& layer : layers) {
     if (!needs.additive) layer.kind = LayerKind::blend;
+    layer.mirrored &= needs.mirror != nullptr;
     if (layer.kind != LayerKind::blend || layer.weight == 0.0f) continue;
     if (++active > needs.max_layers)
       layer.weight = 0.0f;
@@ -246,6 +252,19 @@ Scene busy_scene(std::uint64_t seed) {
   return scene;
 }
 
+MirrorMap some_mirror(const Scene& scene) {
+  MirrorOptions options;
+  const std::vector<std::uint32_t>& parents = scene.skeleton.parents;
+  for (std::uint32_t j = 1; j < parents.size(); ++j)
+    if (parents[j] == parents[j - 1] && (options.pairs.empty() || options.pairs.back()[1] != j - 1))
+      options.pairs.push_back({j - 1, j});
+  MirrorMap map = make_mirror_map(scene.skeleton, options);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    for (std::uint32_t w = scene.first_weight[i]; w < scene.first_weight[i + 1]; ++w)
+      map.weight_source.push_back(scene.first_weight[i] + scene.first_weight[i + 1] - 1 - w);
+  return map;
+}
+
 Needs busy_needs(std::uint64_t seed, const Scene& scene) {
   FixedRandom random(seed);
   Needs needs;
@@ -264,6 +283,7 @@ Needs busy_needs(std::uint64_t seed, const Scene& scene) {
     std::vector<float>& mask = needs.masks.emplace_back(scene.skeleton.joint_count());
     for (float& weight : mask) weight = 0.5f * static_cast<float>(random.below(3));
   }
+  if (seed % 2 == 0) needs.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
   if (random.below(2) == 0) return needs;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
     if (random.below(3) > 0) needs.cached_instances.push_back(i);

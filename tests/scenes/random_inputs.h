@@ -70,6 +70,10 @@ class RandomInputs {
 /// and visibility that clips animate, correctives, flat normals. What it has of these depends on the seed.
 Scene busy_scene(std::uint64_t seed);
 
+/// A mirror of a scene that is not symmetric: neighbours under one parent are partners, and so are the first and the
+/// last morph target of each instance.
+MirrorMap some_mirror(const Scene& scene);
+
 /// What a consumer may ask of a busy scene; depends on the seed.
 Needs busy_needs(std::uint64_t seed, const Scene& scene);
 

@@ -13,6 +13,7 @@
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/convert/fit_keys.h"
+#include "importer/tool/convert/mirror_clips.h"
 #include "importer/tool/convert/output_files.h"
 #include "importer/tool/convert/resample_clips.h"
 #include "importer/tool/files/output_check.h"
@@ -33,7 +34,7 @@ struct ConvertOptions {
   std::optional<std::string> format;  // "glb" or "gltf"; without it OUT's name says which
   std::optional<std::string> budget;
   std::optional<double> fps;
-  bool quantize = false, meshopt = false;
+  bool mirror = false, quantize = false, meshopt = false;
   std::vector<std::string> drop;
 };
 
@@ -103,6 +104,13 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   std::vector<Animation> animations;
   if (options.budget) animations = fit_keys(model->scene, budget_m);
   if (options.fps) animations = resample_clips(model->scene, *options.fps);
+  MirroredClips mirrored;
+  if (options.mirror) {
+    mirrored = mirror_clips(model->scene);
+    animations = std::move(mirrored.animations);
+    rewrite.channels_to = mirrored.channels_to;
+    say_error(options.in + ": " + mirrored.summary);
+  }
   rewrite.animations = animations;
   rewrite.quantize = options.quantize;
   rewrite.meshopt = options.meshopt;
@@ -171,6 +179,12 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
       ->type_name("N")
       ->check(CLI::Range(0.001, 1e6))
       ->excludes("--budget");
+  command
+      ->add_flag("--mirror", options->mirror,
+                 "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
+                 "places where names do not tell; joints without a partner are listed")
+      ->excludes("--budget")
+      ->excludes("--fps");
   command->add_flag("--quantize", options->quantize,
                     "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
                     "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/animation/mirror_animation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/animation/track_sample.h"
+
+namespace sinew {
+namespace {
+
+glm::quat mirrored_rotation(const MirroredJoint& joint, const glm::quat& q) noexcept {
+  const float in[] = {q.x, q.y, q.z, q.w};
+  const auto number = [&](std::size_t row) { return mirrored_number(joint.rotation[row], in); };
+  return quat_xyzw(number(0), number(1), number(2), number(3));
+}
+
+glm::vec3 mirrored_vector(const std::array<MirrorRow<3>, 3>& rows, const Vec3<double>& offset,
+                          const glm::vec3& v) noexcept {
+  const float in[] = {v.x, v.y, v.z};
+  return {mirrored_number(rows[0], in, offset.x), mirrored_number(rows[1], in, offset.y),
+          mirrored_number(rows[2], in, offset.z)};
+}
+
+/// Tangents on either side of a cubic key are differences: no offset is added to them.
+bool is_tangent(Interpolation interpolation, std::size_t row) noexcept {
+  return interpolation == Interpolation::cubic_spline && row % 3 != 1;
+}
+
+BoneAnimation mirrored_bone(const BoneAnimation& bone, std::uint32_t to, const MirroredJoint& joint) {
+  BoneAnimation out = bone;
+  out.joint = to;
+  for (std::size_t i = 0; i < out.translation.values.size(); ++i) {
+    const bool tangent = is_tangent(out.translation.interpolation, i);
+    out.translation.values[i] =
+        mirrored_vector(joint.translation, tangent ? Vec3<double>(0.0) : joint.offset, bone.translation.values[i]);
+  }
+  for (glm::quat& q : out.rotation.values) q = mirrored_rotation(joint, q);
+  for (glm::vec3& s : out.scale.values) s = mirrored_vector(joint.scale, Vec3<double>(0.0), s);
+  return out;
+}
+
+/// The numbers of `from`, of the targets that `target_of` gives for those of the result.
+WeightAnimation picked(const WeightAnimation& from, std::uint32_t first_target,
+                       std::span<const std::uint32_t> target_of) {
+  const std::size_t old_count = from.weights.target_count, count = target_of.size();
+  WeightAnimation out{from.instance, from.weights, first_target};
+  out.weights.target_count = static_cast<std::uint32_t>(count);
+  out.weights.values.resize(old_count == 0 ? 0 : from.weights.values.size() / old_count * count);
+  for (std::size_t i = 0; i < out.weights.values.size(); ++i)
+    out.weights.values[i] = from.weights.values[i / count * old_count + target_of[i % count] - from.first_target];
+  return out;
+}
+
+/// in   partner_of[targets of the instance]
+void add_mirrored_weights(const WeightAnimation& from, std::span<const std::uint32_t> partner_of,
+                          std::vector<WeightAnimation>& out) {
+  const std::uint32_t first = from.first_target, end = first + from.weights.target_count;
+  const std::span<const std::uint32_t> partners = partner_of.subspan(first, from.weights.target_count);
+  const auto is_inside = [&](std::uint32_t target) { return target >= first && target < end; };
+  if (std::all_of(partners.begin(), partners.end(), is_inside)) {
+    out.push_back(picked(from, first, partners));
+    return;
+  }
+  for (std::uint32_t target = first; target < end; ++target)
+    out.push_back(picked(from, partner_of[target], std::span(&target, 1)));
+}
+
+template <class V>
+bool differ(const V& a, const V& b) noexcept {
+  constexpr float kTolerance = 1e-5f;
+  const float size = std::max(largest_component(a), largest_component(b));
+  return largest_component(a - b) > kTolerance * std::max(size, 1.0f);
+}
+
+/// How the mirrored rest pose of a joint differs from its rest pose.
+struct RestDifference {
+  Transform there;
+  bool translation, rotation, scale;
+
+  RestDifference(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept
+      : there(mirrored_transform(map, joint, skeleton.rest[map.joints[joint].source])) {
+    const Transform& rest = skeleton.rest[joint];
+    translation = differ(there.translation, rest.translation);
+    rotation = differ(aligned_with(rest.rotation, there.rotation), rest.rotation);
+    scale = differ(there.scale, rest.scale);
+  }
+};
+
+/// Constants of joints that no track moves and that the mirror moves away from their rest pose.
+void add_constants(const MirrorMap& map, const Skeleton& skeleton, std::vector<BoneAnimation>& bones) {
+  struct Moved {
+    bool translation = false, rotation = false, scale = false;
+  };
+  std::vector<Moved> moved(map.joints.size());
+  for (const BoneAnimation& bone : bones) {
+    Moved& of_joint = moved[bone.joint];
+    of_joint.translation |= !bone.translation.empty();
+    of_joint.rotation |= !bone.rotation.empty();
+    of_joint.scale |= !bone.scale.empty();
+  }
+  for (std::uint32_t p = 0; p < moved.size(); ++p) {
+    const Transform& rest = skeleton.rest[p];
+    const Transform there = mirrored_transform(map, p, skeleton.rest[map.joints[p].source]);
+    BoneAnimation bone;
+    bone.joint = p;
+    if (!moved[p].translation && differ(there.translation, rest.translation))
+      bone.translation = {Interpolation::step, {0.0f}, {there.translation}};
+    if (!moved[p].rotation && differ(aligned_with(rest.rotation, there.rotation), rest.rotation))
+      bone.rotation = {Interpolation::step, {0.0f}, {there.rotation}};
+    if (!moved[p].scale && differ(there.scale, rest.scale)) bone.scale = {Interpolation::step, {0.0f}, {there.scale}};
+    if (!bone.empty()) bones.push_back(std::move(bone));
+  }
+}
+
+}  // namespace
+
+Transform mirrored_transform(const MirrorMap& map, std::uint32_t joint, const Transform& source) noexcept {
+  const MirroredJoint& to = map.joints[joint];
+  return {mirrored_vector(to.translation, to.offset, source.translation), mirrored_rotation(to, source.rotation),
+          mirrored_vector(to.scale, Vec3<double>(0.0), source.scale)};
+}
+
+bool is_moved_at_rest(const MirrorMap& map, const Skeleton& skeleton, std::uint32_t joint) noexcept {
+  if (map.is_about_rest) return false;
+  const RestDifference rest(map, skeleton, joint);
+  return skeleton.fixed_matrix_of[joint] == kNone && (rest.translation || rest.rotation || rest.scale);
+}
+
+Animation mirror_animation(const Animation& animation, const MirrorMap& map, const Skeleton& skeleton,
+                           std::span<const std::uint32_t> first_weight) {
+  Animation out = animation;
+  out.bones.clear();
+  for (const BoneAnimation& bone : animation.bones) {
+    const std::uint32_t to = map.joints[bone.joint].source;  // partners are each other's
+    out.bones.push_back(mirrored_bone(bone, to, map.joints[to]));
+  }
+  if (!map.is_about_rest) add_constants(map, skeleton, out.bones);
+  if (map.weight_source.empty() || first_weight.empty()) return out;
+  out.weights.clear();
+  for (const WeightAnimation& weights : animation.weights) {
+    std::vector<std::uint32_t> partner_of;
+    for (std::uint32_t w = first_weight[weights.instance]; w < first_weight[weights.instance + 1]; ++w)
+      partner_of.push_back(map.weight_source[w] - first_weight[weights.instance]);
+    add_mirrored_weights(weights, partner_of, out.weights);
+  }
+  return out;
+}
+
+}  // namespace sinew

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/animation/mirror_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "runtime/animation/mirror_animation.h"
+#include "tests/reference/mirror.h"
+#include "tests/scenes/two_sided.h"
+#include "tests/support/near.h"
+
+namespace sinew {
+namespace {
+
+using scenes::RightSide;
+using scenes::TwoSided;
+using Vec3d = Vec3<double>;
+
+std::vector<std::uint32_t> partners(const MirrorMap& map) {
+  std::vector<std::uint32_t> all;
+  for (const MirroredJoint& joint : map.joints) all.push_back(joint.source);
+  return all;
+}
+
+std::vector<Transform> mirrored(const MirrorMap& map, const std::vector<Transform>& local) {
+  std::vector<Transform> out;
+  for (std::uint32_t j = 0; j < local.size(); ++j)
+    out.push_back(mirrored_transform(map, j, local[map.joints[j].source]));
+  return out;
+}
+
+/// Places of all joints in model space.
+std::vector<Vec3d> places(const Skeleton& skeleton, const std::vector<Transform>& local) {
+  std::vector<Transformd> exact;
+  for (const Transform& t : local) exact.push_back(in_double(t));
+  std::vector<Affined> model(local.size());
+  model_from_local(skeleton, exact, model);
+  std::vector<Vec3d> all;
+  for (const Affined& m : model) all.push_back(translation_of(m));
+  return all;
+}
+
+TEST(mirror_map, names_pair_joints_and_what_has_no_partner_is_listed) {
+  for (const RightSide right : scenes::kRightSides) {
+    const TwoSided body = scenes::two_sided(right);
+    const MirrorMap map = make_mirror_map(body.skeleton);
+    EXPECT_EQ(partners(map), body.partner);
+    EXPECT_EQ(map.unpaired, (std::vector<std::uint32_t>{13})) << "the sword in the left hand";
+    EXPECT_EQ(paired_joints(map), 10u);
+    EXPECT_NEAR(std::abs(map.plane_normal.x), 1.0f, right == RightSide::another_posture ? 0.02f : 1e-6f);
+  }
+}
+
+TEST(mirror_map, places_pair_joints_where_names_do_not_tell) {
+  TwoSided body = scenes::two_sided(RightSide::any_axes);
+  for (std::string& name : body.skeleton.names) name.clear();
+  const MirrorMap map = make_mirror_map(body.skeleton);
+  EXPECT_EQ(partners(map), body.partner);
+  EXPECT_EQ(map.plane_normal, glm::vec3(1, 0, 0));
+  EXPECT_EQ(paired_joints(make_mirror_map(scenes::biped())), 58u);
+}
+
+TEST(mirror_map, places_pair_joints_across_other_planes_that_do_not_run_through_the_origin) {
+  Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
+  for (std::string& name : skeleton.names) name.clear();
+  const auto turn = quat_xyzw(0.0f, std::sqrt(0.5f), 0.0f, std::sqrt(0.5f));
+  skeleton.rest[0].rotation = turn * skeleton.rest[0].rotation;
+  skeleton.rest[0].translation = {3, 1, 0.25f};
+  const MirrorMap map = make_mirror_map(skeleton);
+  EXPECT_EQ(map.plane_normal, glm::vec3(0, 0, 1));
+  EXPECT_NEAR(map.plane_offset, 0.25f, 1e-6f);
+  EXPECT_EQ(paired_joints(map), 10u);
+}
+
+TEST(mirror_map, a_persons_own_pairs_come_before_names) {
+  const TwoSided body = scenes::two_sided(RightSide::any_axes);
+  MirrorOptions options;
+  options.pairs = {{2, 6}, {13, 13}};  // parents of the first are no partners
+  const MirrorMap map = make_mirror_map(body.skeleton, options);
+  EXPECT_EQ(map.joints[2].source, 2u);
+  EXPECT_EQ(map.joints[6].source, 6u);
+  EXPECT_EQ(map.joints[11].source, 11u) << "below joints that have no partner any more";
+  EXPECT_FALSE(map.unpaired.empty());
+}
+
+TEST(mirror_map, poses_agree_with_their_definition_in_model_space) {
+  for (const RightSide right : scenes::kRightSides)
+    for (std::uint64_t seed = 1; seed < 6; ++seed) {
+      const TwoSided body = scenes::two_sided(right, seed);
+      MirrorOptions options;
+      options.plane_normal = glm::vec3(1, 0, 0);
+      const MirrorMap map = make_mirror_map(body.skeleton, options);
+      const std::vector<Transform> local = scenes::moved_from_rest(body.skeleton, seed), out = mirrored(map, local);
+      const std::vector<Transformd> truth =
+          reference::mirrored_pose(body.skeleton, body.skeleton.rest, local, body.partner, {1, 0, 0});
+      for (std::uint32_t j = 0; j < 13; ++j) {  // the sword keeps its own motion
+        EXPECT_TRUE(test::is_near(Vec3d(out[j].translation), truth[j].translation, 1e-6)) << j;
+        EXPECT_LT(test::angle_between(out[j].rotation, truth[j].rotation), 1e-6) << j;
+        EXPECT_TRUE(test::is_near(Vec3d(out[j].scale), truth[j].scale, 1e-6)) << j;
+      }
+      EXPECT_EQ(out[13], local[13]);
+    }
+}
+
+TEST(mirror_map, a_symmetric_body_comes_out_as_its_mirror_image) {
+  for (const RightSide right : {RightSide::mirrored_axes, RightSide::opposite_axes, RightSide::any_axes}) {
+    const TwoSided body = scenes::two_sided(right);
+    const MirrorMap map = make_mirror_map(body.skeleton);
+    const std::vector<Transform> local = scenes::moved_from_rest(body.skeleton, 3);
+    const std::vector<Vec3d> before = places(body.skeleton, local), after = places(body.skeleton, mirrored(map, local));
+    for (std::uint32_t j = 0; j < 13; ++j)
+      EXPECT_TRUE(test::is_near(after[body.partner[j]], before[j] * Vec3d(-1, 1, 1), 2e-6)) << j;
+  }
+}
+
+/// A mirror that reflects local rotations, as if both sides had mirrored axes, moves this rest pose.
+TEST(mirror_map, the_rest_pose_stays_whatever_axes_and_bones_the_other_side_has) {
+  for (const RightSide right : scenes::kRightSides) {
+    const TwoSided body = scenes::two_sided(right);
+    const std::vector<Transform> out = mirrored(make_mirror_map(body.skeleton), body.skeleton.rest);
+    for (std::uint32_t j = 0; j < out.size(); ++j) {
+      EXPECT_TRUE(test::is_near(out[j].translation, body.skeleton.rest[j].translation, 1e-6)) << j;
+      EXPECT_LT(test::angle_between(out[j].rotation, body.skeleton.rest[j].rotation), 1e-6) << j;
+    }
+  }
+}
+
+TEST(mirror_map, bones_keep_their_lengths_where_the_sides_have_others) {
+  const TwoSided body = scenes::two_sided(RightSide::another_posture);
+  std::vector<Transform> local = body.skeleton.rest;
+  for (std::uint32_t j = 0; j < local.size(); ++j)
+    local[j].rotation = scenes::moved_from_rest(body.skeleton, 4)[j].rotation;
+  const std::vector<Transform> out = mirrored(make_mirror_map(body.skeleton), local);
+  for (std::uint32_t j = 0; j < out.size(); ++j)
+    EXPECT_TRUE(test::is_near(out[j].translation, body.skeleton.rest[j].translation, 1e-6)) << j;
+}
+
+TEST(mirror_map, twice_mirrored_is_the_same_bit_for_bit_where_the_sides_are_mirror_images) {
+  for (const RightSide right : scenes::kRightSides) {
+    const TwoSided body = scenes::two_sided(right);
+    const MirrorMap map = make_mirror_map(body.skeleton);
+    std::vector<Transform> local = scenes::moved_from_rest(body.skeleton, 5);
+    local[0].rotation = quat_xyzw(-0.0f, 0.0f, -0.0f, 1.0f);
+    const std::vector<Transform> twice = mirrored(map, mirrored(map, local));
+    for (std::uint32_t j = 0; j < local.size(); ++j) {
+      if (scenes::is_symmetric(right)) {
+        EXPECT_EQ(0, std::memcmp(&twice[j], &local[j], sizeof(Transform))) << j;
+      } else {  // up to four rounded products, twice
+        EXPECT_LT(test::angle_between(twice[j].rotation, local[j].rotation), 16 * test::kEps) << j;
+        EXPECT_TRUE(test::is_near(twice[j].translation, local[j].translation, 8 * test::kEps)) << j;
+      }
+    }
+  }
+}
+
+TEST(mirror_map, another_reference_pose_mirrors_about_it) {
+  const TwoSided body = scenes::two_sided(RightSide::mirrored_axes);
+  Skeleton striding = body.skeleton;  // the file was written in the middle of a walk
+  striding.rest = scenes::moved_from_rest(body.skeleton, 6);
+  for (Transform& rest : striding.rest) rest.scale = glm::vec3(1.0f);
+  MirrorOptions options;
+  options.reference = body.skeleton.rest;
+  const MirrorMap about_reference = make_mirror_map(striding, options), expected = make_mirror_map(body.skeleton);
+  const std::vector<Transform> local = scenes::moved_from_rest(body.skeleton, 7);
+  EXPECT_EQ(mirrored(about_reference, local), mirrored(expected, local));
+  EXPECT_FALSE(about_reference.is_about_rest);
+  EXPECT_TRUE(is_moved_at_rest(about_reference, striding, 5));
+  EXPECT_FALSE(is_moved_at_rest(expected, body.skeleton, 5));
+}
+
+TEST(mirror_map, an_empty_skeleton_has_an_empty_map) { EXPECT_TRUE(make_mirror_map(Skeleton{}).joints.empty()); }
+
+}  // namespace
+}  // namespace sinew
