@@ -72,7 +72,9 @@ TEST(frustum_culling, shadows_fall_away_from_the_key_light_or_anywhere) {
   EXPECT_NEAR(glm::dot(glm::normalize(*way), glm::normalize(Lighting{}.to_key)), -1.0f, 1e-6f);
   scene.lights.push_back({.kind = Light::Kind::point});
   EXPECT_EQ(shadow_way(scene, true, reached), glm::vec3(0.0f)) << "a point light casts none";
-  scene.lights.push_back({.kind = Light::Kind::directional});
+  scene.lights.push_back({.kind = Light::Kind::spot});
+  EXPECT_FALSE(shadow_way(scene, true, reached)) << "a spot light does";
+  scene.lights.back().kind = Light::Kind::directional;
   EXPECT_FALSE(shadow_way(scene, true, reached)) << "the pose tells where from it shines";
   FrustumCulling culling(scene, viewer_needs());
   EXPECT_EQ(culling.of(0, view_of_none(), 1.5, std::nullopt), culling.all_in_view());

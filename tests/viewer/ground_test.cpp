@@ -159,6 +159,25 @@ TEST_F(ground, has_less_ambient_light_beside_what_stands_on_it) {
   EXPECT_GT(touched, 30);
 }
 
+TEST_F(ground, is_drawn_as_far_as_shadows_of_a_spot_light_reach) {
+  for (const glm::vec3 position : {glm::vec3(-1.0f, 2.2f, -0.8f), glm::vec3(-1.5f, 1.0f, -1.0f)}) {
+    BuiltScene built = box_and_ball();
+    add_light_at(built, {.kind = Light::Kind::spot, .intensity = 9.0f, .outer_cone_rad = 0.9f}, position, -position);
+    RenderOptions options = options_for(GroundLook::shadows), everywhere = options;
+    options.lighting.scene_lights = everywhere.lighting.scene_lights = true;
+    everywhere.ground.bounds = {glm::vec3(-30.0f), glm::vec3(30.0f)};
+    const FloatPicture drawn = render_float(built, kWidth, kHeight, from_above(), options);
+    const FloatPicture whole = render_float(built, kWidth, kHeight, from_above(), everywhere);
+    int dark = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        EXPECT_NEAR(drawn.at(x, y).a, whole.at(x, y).a, 0.05f) << x << ' ' << y;  // roundings at the edge of a shadow
+        dark += drawn.at(x, y).a > 0.1f && ground_at(built, from_above(), options.ground, x, y).has_value();
+      }
+    EXPECT_GT(dark, 40);
+  }
+}
+
 TEST_F(ground, fades_out_towards_its_radius) {
   const BuiltScene built = box_and_ball();
   RenderOptions options = options_for(GroundLook::shadows);

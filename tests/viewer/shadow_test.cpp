@@ -33,6 +33,8 @@ RenderOptions key_light_alone() {
   return options;
 }
 
+glm::dvec4 from_far(const glm::dvec3& to_light) { return {glm::normalize(to_light), 0.0}; }
+
 View from_above() { return look_at({2.5, 3.2, 4.0}, {0.0, 0.3, 0.0}, 0.8, 0.05); }
 
 struct Seen {
@@ -47,7 +49,8 @@ struct Seen {
 
 /// The nearest surface along each pixel; nothing where there is none, or where it faces away from the light or is
 /// nearly along it.
-std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view, const glm::dvec3& to_light) {
+/// in   light  world space: the position of a lamp (w = 1) or the unit direction to it (w = 0)
+std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view, const glm::dvec4& light) {
   Scene two_sided = built.scene;
   for (Material& material : two_sided.materials) material.double_sided = true;
   const FrameResult frame = built.frame();
@@ -57,10 +60,14 @@ std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view
       const auto seen = reference::surfaces_along(
           two_sided, frame, reference::sight_line({built.scene, frame, view, {}, kWidth, kHeight}, x + 0.5, y + 0.5));
       pixels.emplace_back();
-      if (seen.empty() || glm::dot(seen[0].normal, to_light) < 0.15) continue;
+      if (seen.empty()) continue;
+      const glm::dvec3 way = glm::dvec3(light) - light.w * seen[0].position, to_light = glm::normalize(way);
+      if (glm::dot(seen[0].normal, to_light) < 0.15) continue;
       const auto above = reference::surfaces_along(two_sided, frame, {seen[0].position + 0.01 * to_light, to_light});
-      const bool in_shadow =
-          std::any_of(above.begin(), above.end(), [](const reference::SurfacePoint& p) { return p.distance_m > 0.0; });
+      const double end = light.w > 0.0 ? glm::length(way) : 1e9;
+      const bool in_shadow = std::any_of(above.begin(), above.end(), [end](const reference::SurfacePoint& p) {
+        return p.distance_m > 0.0 && p.distance_m < end;
+      });
       pixels.back() = Seen{in_shadow, seen[0].normal};
     }
   return pixels;
@@ -68,7 +75,7 @@ std::vector<std::optional<Seen>> truth(const BuiltScene& built, const View& view
 
 /// Each pixel whose neighbours are all lit or all in shadow looks so: as without shadows, or as without the light.
 /// in   dark_scene  the scene without the light; null = the key light casts the shadows
-void expect_shadows(const BuiltScene& built, const View& view, const RenderOptions& options, const glm::dvec3& to_light,
+void expect_shadows(const BuiltScene& built, const View& view, const RenderOptions& options, const glm::dvec4& light,
                     const BuiltScene* dark_scene = nullptr) {
   RenderOptions lit = options;
   lit.shadows.on = false;
@@ -77,7 +84,7 @@ void expect_shadows(const BuiltScene& built, const View& view, const RenderOptio
   const FloatPicture drawn = render_float(built, kWidth, kHeight, view, options),
                      as_lit = render_float(built, kWidth, kHeight, view, lit),
                      as_dark = render_float(dark_scene ? *dark_scene : built, kWidth, kHeight, view, dark);
-  const auto pixels = truth(built, view, glm::normalize(to_light));
+  const auto pixels = truth(built, view, light);
   int in_shadow = 0, in_light = 0, wrong = 0;
   for (int y = 2; y < kHeight - 2; ++y)
     for (int x = 2; x < kWidth - 2; ++x) {
@@ -103,7 +110,7 @@ TEST_F(shadows, fall_where_a_ray_to_the_light_meets_something) {
   for (const glm::vec3 to_key :
        {glm::vec3(0.5f, 0.8f, -0.6f), glm::vec3(-0.8f, 0.5f, 0.1f), glm::vec3(0.2f, 0.9f, -1.0f)}) {
     options.lighting.to_key = to_key;
-    expect_shadows(built, from_above(), options, glm::dvec3(to_key));
+    expect_shadows(built, from_above(), options, from_far(to_key));
   }
 }
 
@@ -113,7 +120,7 @@ TEST_F(shadows, do_not_depend_on_the_camera) {
   parallel.half_height_m = 1.6;
   parallel.far_m = 12.0;
   for (const View& view : {look_at({-4.0, 3.0, 3.0}, {0.0, 0.2, 0.0}, 0.7, 0.05), parallel})
-    expect_shadows(built, view, key_light_alone(), {0.7, 0.8, 0.35});
+    expect_shadows(built, view, key_light_alone(), from_far({0.7, 0.8, 0.35}));
 }
 
 TEST_F(shadows, key_light_that_follows_the_camera_casts_them_from_there) {
@@ -122,7 +129,8 @@ TEST_F(shadows, key_light_that_follows_the_camera_casts_them_from_there) {
   options.lighting.to_key = {-0.9f, 0.8f, 0.3f};
   const View view = look_at({-3.5, 3.5, -2.0}, {0.0, 0.2, 0.0}, 0.8, 0.05);
   const glm::dmat3 turn = linear_part(view.view_from_world);
-  expect_shadows(box_and_sphere_on_floor(), view, options, glm::transpose(turn) * glm::dvec3(options.lighting.to_key));
+  expect_shadows(box_and_sphere_on_floor(), view, options,
+                 from_far(glm::transpose(turn) * glm::dvec3(options.lighting.to_key)));
 }
 
 TEST_F(shadows, first_directional_light_of_the_scene_casts_them_alone) {
@@ -140,7 +148,35 @@ TEST_F(shadows, first_directional_light_of_the_scene_casts_them_alone) {
   }();
   EXPECT_EQ(chosen.index, 1u);
   EXPECT_LT(glm::length(chosen.to_light - glm::normalize(glm::dvec3(0.5, 0.8, -0.6))), 1e-6);
-  expect_shadows(built, from_above(), options, {0.5, 0.8, -0.6}, &without_sun);
+  expect_shadows(built, from_above(), options, from_far({0.5, 0.8, -0.6}), &without_sun);
+}
+
+TEST_F(shadows, first_spot_light_casts_them_where_there_is_no_directional_light) {
+  BuiltScene built = box_and_sphere_on_floor();
+  add_light_at(built, {.kind = Light::Kind::point, .intensity = 3.0f}, {0.0f, 3.0f, 0.0f}, {0, -1, 0});
+  const BuiltScene without_spot = built;
+  const glm::vec3 position(1.6f, 3.4f, -1.2f);
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  for (const float cone : {0.45f, 0.9f, 1.55f}) {
+    BuiltScene lit = without_spot;
+    add_light_at(lit,
+                 {.kind = Light::Kind::spot, .intensity = 20.0f, .inner_cone_rad = 0.9f * cone, .outer_cone_rad = cone},
+                 position, glm::vec3(0.0f, 0.2f, 0.0f) - position);
+    expect_shadows(lit, from_above(), options, {glm::dvec3(position), 1.0}, &without_spot);
+  }
+}
+
+TEST_F(shadows, of_a_spot_light_amid_the_scene_are_those_of_what_it_shines_on) {
+  BuiltScene built = box_and_sphere_on_floor();
+  add_light_at(built, {.kind = Light::Kind::point, .intensity = 1.0f}, {0.0f, 3.0f, 0.0f}, {0, -1, 0});
+  const BuiltScene without = built;
+  const glm::vec3 position(0.0f, 1.4f, 1.3f);
+  add_light_at(built, {.kind = Light::Kind::spot, .intensity = 5.0f, .outer_cone_rad = 1.2f}, position,
+               glm::vec3(0.0f, 0.2f, 0.1f) - position);
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  expect_shadows(built, from_above(), options, {glm::dvec3(position), 1.0}, &without);
 }
 
 TEST_F(shadows, come_from_what_is_out_of_view) {
@@ -154,7 +190,7 @@ TEST_F(shadows, come_from_what_is_out_of_view) {
   Headless pictures(*test_device(), built.scene, kWidth, kHeight);
   pictures.render(built.frame(), floor_alone, options);
   EXPECT_EQ(pictures.report().drawn, 1u) << "the box must be out of view";
-  expect_shadows(built, floor_alone, options, glm::dvec3(options.lighting.to_key));
+  expect_shadows(built, floor_alone, options, from_far(glm::dvec3(options.lighting.to_key)));
 }
 
 TEST_F(shadows, blended_surfaces_cast_none_and_holes_of_masks_let_light_through) {
@@ -199,6 +235,27 @@ TEST_F(shadows, cost_nothing_where_no_light_casts_them) {
   EXPECT_FALSE(runs(options));
 }
 
+glm::dvec3 on_map(const ShadowView& view, const glm::dvec3& p) {
+  const glm::dvec4 at(p, 1.0);
+  const auto& m = view.map_from_world;
+  return glm::dvec3(glm::dot(m[0], at), glm::dot(m[1], at), glm::dot(m[2], at)) / glm::dot(m[3], at);
+}
+
+TEST(shadow_view, of_a_spot_light_is_its_cone_between_the_ends_of_the_scene) {
+  const Aabb bounds{{-1.0f, 0.0f, -1.0f}, {1.0f, 2.0f, 1.0f}};
+  const glm::dvec3 position(0.5, 9.0, 1.0), to_light = glm::normalize(glm::dvec3(0.2, 1.0, 0.3));
+  const ShadowView view = spot_shadow_view(bounds, position, to_light, 0.4);
+  const glm::dvec3 aside = glm::normalize(glm::cross(to_light, glm::dvec3(0.3, 0.1, 1.0)));
+  const double distance = glm::length(position - glm::dvec3(0, 1, 0)), radius = 1.01 * std::sqrt(3.0);
+  for (const double d : {distance - radius, distance, distance + radius}) {
+    const glm::dvec3 edge = on_map(view, position - d * to_light + d * std::tan(0.4) * aside);
+    EXPECT_NEAR(std::hypot(edge.x, edge.y), 1.0 / 1.01, 1e-9);
+    const double near = distance - radius, far = distance + radius;
+    EXPECT_NEAR(on_map(view, position - d * to_light).z, near * (far - d) / (d * (far - near)), 1e-9);
+  }
+  EXPECT_NEAR(view.texel_m, 2.0 * 1.01 * std::tan(0.4) / kShadowSize, 1e-12);
+}
+
 TEST(shadow_view, holds_the_bounds_and_is_nearest_to_the_light) {
   const Aabb bounds{{-3.0f, 0.0f, 1.0f}, {1.0f, 2.0f, 7.0f}};
   for (const glm::dvec3 to_light :
@@ -207,16 +264,16 @@ TEST(shadow_view, holds_the_bounds_and_is_nearest_to_the_light) {
     for (int c = 0; c < 8; ++c) {
       const glm::dvec3 corner(c & 1 ? bounds.upper.x : bounds.lower.x, c & 2 ? bounds.upper.y : bounds.lower.y,
                               c & 4 ? bounds.upper.z : bounds.lower.z);
-      const glm::dvec3 at = transform_point(view.map_from_world, corner);
+      const glm::dvec3 at = on_map(view, corner);
       EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 1.0);
       EXPECT_GT(at.z, 0.0);
       EXPECT_LT(at.z, 1.0);
-      const glm::dvec3 nearer = transform_point(view.map_from_world, corner + 0.1 * to_light);
+      const glm::dvec3 nearer = on_map(view, corner + 0.1 * to_light);
       EXPECT_GT(nearer.z, at.z);
       EXPECT_NEAR(nearer.x, at.x, 1e-12);
       EXPECT_NEAR(nearer.y, at.y, 1e-12);
     }
-    const double across = 2.0 / glm::length(glm::dvec3(view.map_from_world.row[0]));
+    const double across = 2.0 / glm::length(glm::dvec3(view.map_from_world[0]));
     EXPECT_NEAR(view.texel_m, across / kShadowSize, 1e-9);
   }
 }

@@ -52,7 +52,7 @@ CulledInstances FrustumCulling::of(std::uint32_t clip, const View& view, double 
 std::optional<glm::vec3> shadow_way(const Scene& scene, bool shadows, const Aabb& reached) {
   if (!shadows || reached.empty()) return glm::vec3(0.0f);
   if (std::any_of(scene.lights.begin(), scene.lights.end(),
-                  [](const Light& light) { return light.kind == Light::Kind::directional; }))
+                  [](const Light& light) { return light.kind != Light::Kind::point; }))
     return std::nullopt;
   if (!scene.lights.empty()) return glm::vec3(0.0f);
   const glm::vec3 to_key = glm::normalize(Lighting{}.to_key);

@@ -172,7 +172,7 @@ void add_light_options(CLI::App& app, Options& options) {
     return *value;
   };
   app.add_flag_callback(
-      "--no-shadows", [&] { options.shadows = false; }, "leave the shadows of the key light or the sun out");
+      "--no-shadows", [&] { options.shadows = false; }, "leave shadows out");
   text_option(app, "--ground", "LOOK", "below the scene: none, shadows, or grid with them (shadows)",
               [&](const std::string& text) {
                 options.ground = named<GroundLook>(

@@ -66,17 +66,20 @@ void write_environment(const View& view, const Lighting& lighting, FrameUniforms
   u.environment_intensity = lighting.environment_intensity;
 }
 
-void write_shadow(const View& view, const ShadowView& map, FrameUniforms& u) {
-  const Affined map_from_view = map.map_from_world * inverse_rigid(view.view_from_world);
-  for (std::size_t i = 0; i < 3; ++i) u.shadow_from_view[i] = glm::vec4(map_from_view.row[i]);
+void write_shadow(const View& view, const Aabb& bounds, const ShadowLight& light, FrameUniforms& u) {
+  const ShadowView map = light.spot ? spot_shadow_view(bounds, light.position, light.to_light, light.cone_rad)
+                                    : shadow_view(bounds, light.to_light);
+  const auto map_from_view = map.map_from_view(inverse_rigid(view.view_from_world));
+  for (std::size_t i = 0; i < 4; ++i) u.shadow_from_view[i] = glm::vec4(map_from_view[i]);
   u.shadow_texel_m = static_cast<float>(map.texel_m);
 }
 
 /// The part of the ground that is drawn, from its middle: a grid all around, else no more than what may be darker.
-/// in   to_light  of the light that casts shadows; zero = none does
+/// in   shadow  the light that casts shadows
 ///      contact_m  how far ambient occlusion reaches
-glm::vec4 ground_reach(const Ground& ground, const glm::dvec3& to_light, double contact_m) {
+glm::vec4 ground_reach(const Ground& ground, const ShadowLight& shadow, double contact_m) {
   const double radius = ground.radius_m;
+  const glm::vec4 whole(-ground.radius_m, -ground.radius_m, ground.radius_m, ground.radius_m);
   glm::dvec2 least(-radius), most(radius);
   if (ground.look != GroundLook::grid && !ground.bounds.empty()) {
     least = glm::dvec2(radius);
@@ -91,7 +94,12 @@ glm::vec4 ground_reach(const Ground& ground, const glm::dvec3& to_light, double 
       const glm::dvec3 corner(c & 1 ? box.upper.x : box.lower.x, c & 2 ? box.upper.y : box.lower.y,
                               c & 4 ? box.upper.z : box.lower.z);
       add(corner);
-      if (to_light.y > 0.0) add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
+      if (shadow.index == kNone) continue;
+      const glm::dvec3 to_light = shadow.spot ? shadow.position - corner : shadow.to_light;
+      if (to_light.y > 0.0)
+        add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
+      else
+        return whole;  // a lamp below the highest caster: shadows without end
     }
   }
   return {static_cast<float>(least.x), static_cast<float>(least.y), static_cast<float>(most.x),
@@ -108,7 +116,7 @@ void write_ground(const View& view, const RenderOptions& options, const ShadowLi
   u.ground_grid_step_m = ground.grid_step_m;
   u.ground_grid_offset = {static_cast<float>(ground.middle.x - step * std::floor(ground.middle.x / step)),
                           static_cast<float>(ground.middle.z - step * std::floor(ground.middle.z / step))};
-  u.ground_reach = ground_reach(ground, shadow.to_light, options.ao.has_effect() ? options.ao.radius_m : 0.0);
+  u.ground_reach = ground_reach(ground, shadow, options.ao.has_effect() ? options.ao.radius_m : 0.0);
 }
 
 }  // namespace
@@ -131,12 +139,15 @@ ShadowLight shadow_light(const View& view, const RenderOptions& options, std::sp
     if (!lighting.key_follows_camera) return {0, to_key};
     return {0, glm::transpose(linear_part(view.view_from_world)) * to_key};  // of a rotation, the inverse
   }
-  for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
-    if (lights[i].light->kind != Light::Kind::directional) continue;
-    const glm::dvec3 back =
-        transform_vector(affine_cast<double>(lights[i].world_from_light), glm::dvec3(0.0, 0.0, 1.0));
-    return {i, glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, 1.0)};
-  }
+  for (const Light::Kind kind : {Light::Kind::directional, Light::Kind::spot})
+    for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
+      const Light& light = *lights[i].light;
+      if (light.kind != kind) continue;
+      const Affined world = affine_cast<double>(lights[i].world_from_light);
+      const glm::dvec3 back = transform_vector(world, glm::dvec3(0.0, 0.0, 1.0));
+      return {i, glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, 1.0), kind == Light::Kind::spot,
+              translation_of(world), static_cast<double>(light.outer_cone_rad)};
+    }
   return {};
 }
 
@@ -165,7 +176,7 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.nearest_shown_m = options.depth_range.nearest_m;
   u.farthest_shown_m = std::max(options.depth_range.farthest_m, options.depth_range.nearest_m + 1e-6f);
   write_environment(view, options.lighting, u);
-  if (shadow.index != kNone) write_shadow(view, shadow_view(options.shadows.bounds, shadow.to_light), u);
+  if (shadow.index != kNone) write_shadow(view, options.shadows.bounds, shadow, u);
   if (ground_is_seen(view, options.ground)) write_ground(view, options, shadow, u);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)

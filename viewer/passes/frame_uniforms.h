@@ -42,7 +42,7 @@ struct FrameUniforms {
   float shadow_texel_m = 0.0f;
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
-  std::array<glm::vec4, 3> shadow_from_view{};       ///< rows of ShadowView::map_from_world, from view space
+  std::array<glm::vec4, 4> shadow_from_view{};       ///< rows of ShadowView::map_from_view
   glm::vec3 ground_middle{0.0f};                     ///< view space
   float ground_radius_m = 0.0f;
   glm::vec3 ground_x{0.0f};  ///< x and z of the world in view space
@@ -57,7 +57,7 @@ struct FrameUniforms {
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (25 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (26 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
@@ -65,13 +65,17 @@ struct PlacedLight {
   Affine world_from_light;
 };
 
-/// The light in the uniforms that casts shadows, and where it shines from.
+/// The light in the uniforms that casts shadows, and where it shines from. World space.
 struct ShadowLight {
   std::uint32_t index = kNone;  ///< kNone = there is none
-  glm::dvec3 to_light{0.0};     ///< unit, world space
+  glm::dvec3 to_light{0.0};     ///< unit, against the direction of the light
+  bool spot = false;
+  glm::dvec3 position{0.0};  ///< spot
+  double cone_rad = 0.0;     ///< spot: half angle, outside of which it is dark
 };
 
-/// None where shadows are off, have no bounds, or no directional light shines.
+/// The first directional light, else the first spot light, else the key light where the scene has no lights. None where
+/// shadows are off or have no bounds.
 ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
 
 /// It is switched on, and the eye is above it (a parallel view looks down on it).

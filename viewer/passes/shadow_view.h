@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+
 #include "runtime/math/affine.h"
 #include "runtime/model/mesh.h"
 
@@ -8,16 +10,30 @@ namespace sinew::viewer {
 /// Texels along an edge of the shadow map.
 inline constexpr std::uint32_t kShadowSize = 2048;
 
-/// The shadow map as a light sees it that shines from far away.
+/// The shadow map as a light sees it.
 struct ShadowView {
-  Affined map_from_world;  ///< x and y in [-1, 1] over the map; z 1 at its near end, 0 at its far end
-  double texel_m = 0.0;    ///< edge of a texel
+  /// Rows x, y, z, w: x / w and y / w in [-1, 1] over the map, z / w 1 at its near end, 0 at its far end; w = 1 for a
+  /// light from far away, else the distance along the light's axis.
+  std::array<glm::dvec4, 4> map_from_world{};
+  double texel_m = 0.0;  ///< edge of a texel where w is 1
+
+  /// eq   map_from_world * world_from_view
+  std::array<glm::dvec4, 4> map_from_view(const Affined& world_from_view) const noexcept;
 };
 
-/// Fits the map to everything that casts or receives shadows. It does not depend on the camera, so shadows stand still
-/// while it moves.
+/// Fits the map of a light from far away to everything that casts or receives shadows. It does not depend on the
+/// camera, so shadows stand still while it moves.
 /// eq   a cube around the sphere around `bounds`, turned so that +z of the map points to the light
 /// in   bounds  world space, not empty;   to_light  unit, world space
 ShadowView shadow_view(const Aabb& bounds, const glm::dvec3& to_light);
+
+/// The map of a spot light: its cone, between the ends of the sphere around `bounds`.
+/// eq   z / w = near (far - d) / (d (far - near)) at the distance d along the axis
+/// in   position  world space;   to_light  unit, against the direction of the light;   cone_rad  half angle, at most
+///      kWidestCone_rad is covered
+ShadowView spot_shadow_view(const Aabb& bounds, const glm::dvec3& position, const glm::dvec3& to_light,
+                            double cone_rad);
+
+inline constexpr double kWidestCone_rad = 1.4;
 
 }  // namespace sinew::viewer

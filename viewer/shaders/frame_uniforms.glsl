@@ -24,10 +24,10 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float nearest_shown_m;      // range of the depth picture
   float farthest_shown_m;
   float environment_intensity;
-  float shadow_texel_m;
+  float shadow_texel_m;       // where w is 1
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
-  vec4 shadow_from_view[3];   // rows: x and y of the shadow map in [-1, 1], and its depth (viewer/passes/shadow_view.h)
+  vec4 shadow_from_view[4];   // rows x, y, z, w of the shadow map (viewer/passes/shadow_view.h)
   vec3 ground_middle;         // view space
   float ground_radius_m;
   vec3 ground_x;              // x and z of the world in view space

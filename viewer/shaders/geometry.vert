@@ -47,7 +47,7 @@ void main() {
   if (kShadowMap) {
     vec4 from = vec4(view, 1.0);
     gl_Position = vec4(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from),
-                       dot(frame.shadow_from_view[2], from), 1.0);
+                       dot(frame.shadow_from_view[2], from), dot(frame.shadow_from_view[3], from));
   } else {
     gl_Position = clip_from_view(view);
   }

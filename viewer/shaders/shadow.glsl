@@ -14,9 +14,11 @@ float lit_texels(vec2 corner, float depth, vec2 columns, vec2 rows) {
 // in   p, n, to_light  view space; n on the seen side
 float light_share(vec3 p, vec3 n, vec3 to_light) {
   float grazing = sqrt(max(0.0, 1.0 - dot(n, to_light) * dot(n, to_light)));
-  vec4 from = vec4(p + n * (frame.shadow_texel_m * (0.5 + kOffsetTexels * grazing)), 1.0);
-  vec2 map = vec2(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from));
-  float depth = max(dot(frame.shadow_from_view[2], from), 0.0);   // larger = nearer to the light; 0 = behind all casters
+  float texel_m = frame.shadow_texel_m * dot(frame.shadow_from_view[3], vec4(p, 1.0));
+  vec4 from = vec4(p + n * (texel_m * (0.5 + kOffsetTexels * grazing)), 1.0);
+  float w = max(dot(frame.shadow_from_view[3], from), 1e-9);   // less is behind a spot light, where none arrives
+  vec2 map = vec2(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from)) / w;
+  float depth = max(dot(frame.shadow_from_view[2], from) / w, 0.0);   // larger = nearer to the light; 0 = behind all casters
   vec2 size = vec2(textureSize(shadow_image, 0));
   vec2 at = (map * 0.5 + 0.5) * size - 1.5;   // of the upper left of the 4 x 4 texels
   vec2 first = floor(at), part = at - first, corner = (first + 1.0) / size;
@@ -25,5 +27,6 @@ float light_share(vec3 p, vec3 n, vec3 to_light) {
               lit_texels(corner + vec2(two.x, 0.0), depth, vec2(1.0, part.x), vec2(before.y, 1.0)) +
               lit_texels(corner + vec2(0.0, two.y), depth, vec2(before.x, 1.0), vec2(1.0, part.y)) +
               lit_texels(corner + two, depth, vec2(1.0, part.x), vec2(1.0, part.y));
-  return sum / 9.0;
+  bool beside = any(greaterThan(abs(map), vec2(1.0)));   // of a cone wider than the map
+  return mix(sum / 9.0, 1.0, beside);
 }
