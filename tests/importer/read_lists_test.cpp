@@ -109,6 +109,15 @@ TEST(read_lists, entries_of_many_slices_keep_their_order) {
   }
 }
 
+TEST(read_lists, each_of_translation_rotation_and_scale_is_seen_beside_a_matrix) {
+  const std::string head = R"({"asset": {"version": "2.0"}, "nodes": [{"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])";
+  EXPECT_FALSE(read_document(checked(head + "}]}")->root).nodes[0].has_trs);
+  for (const char* beside : {R"("translation": [0, 0, 0])", R"("rotation": [0, 0, 0, 1])", R"("scale": [1, 1, 1])"}) {
+    const gltf::Document document = read_document(checked(head + ", " + beside + "}]}")->root);
+    EXPECT_TRUE(document.nodes[0].has_trs && document.nodes[0].matrix.size() == 16) << beside;
+  }
+}
+
 TEST(read_lists, an_entry_that_tinygltf_drops_is_a_fault_that_is_not_read_past) {
   EXPECT_THROW(expect_all("nodes", 2, 1), std::runtime_error);
   EXPECT_NO_THROW(expect_all("nodes", 2, 2));
