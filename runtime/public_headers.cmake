@@ -94,6 +94,9 @@ set(sinew_public_headers
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
+  runtime/retarget/humanoid_bones.h
+  runtime/retarget/retarget_animation.h
+  runtime/retarget/skeleton_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h
   runtime/compress/compile_clip_within.h

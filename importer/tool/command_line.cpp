@@ -57,6 +57,7 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_check(program, outcome);
   add_plan(program, outcome);
   add_convert(program, outcome);
+  add_retarget(program, outcome);
   add_compile(program, outcome);
   add_bake(program, outcome);
 #ifdef SINEW_WITH_COST

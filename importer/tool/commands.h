@@ -15,6 +15,7 @@ void add_plan(CLI::App& program, ExitCode& outcome);
 void add_compile(CLI::App& program, ExitCode& outcome);
 void add_bake(CLI::App& program, ExitCode& outcome);
 void add_convert(CLI::App& program, ExitCode& outcome);
+void add_retarget(CLI::App& program, ExitCode& outcome);
 void add_cost(CLI::App& program, ExitCode& outcome);  ///< in builds with Google Benchmark
 
 /// Runs the whole command line. `main` only calls this.

@@ -26,7 +26,6 @@ constexpr const char* kEnding =
     "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"
     "  sinew verify fox.glb walk.json                      fails when a pose has moved since\n"
     "  sinew plan fox.glb                                  which stages a frame runs, and why\n"
-    "  sinew convert fox.gltf fox.glb                      everything in one plain binary file\n"
     "  sinew convert fox.gltf fox.glb --budget 0.1mm       with as few keys as keep every vertex there\n"
     "  sinew compile fox.glb -o fox.sinew --budget 0.01%   clips for playback, within a budget\n"
     "  sinew bake fox.glb --clip Walk -o walk.sgeo         every vertex of every frame\n"

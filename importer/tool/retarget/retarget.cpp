@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "importer/export_glb.h"
+#include "importer/tool/commands.h"
+#include "importer/tool/files/output_check.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/retarget/joint_pairs.h"
+#include "importer/tool/text_table.h"
+#include "runtime/retarget/retarget_animation.h"
+
+namespace sinew::tool {
+namespace {
+
+struct RetargetOptions {
+  std::string clips, character, out;
+  std::optional<std::string> map;
+  bool keep_rest = false;
+};
+
+std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
+  return skeleton.names[joint].empty() ? fmt::format("node {}", skeleton.node_of_joint[joint])
+                                       : in_quotes(skeleton.names[joint]);
+}
+
+void print_joints(const char* title, const Skeleton& skeleton, const std::vector<std::uint32_t>& joints) {
+  if (joints.empty()) return;
+  std::string names;
+  for (const std::uint32_t joint : joints) names += (names.empty() ? "" : ", ") + name_of(skeleton, joint);
+  print_result("{}: {}\n", title, names);
+}
+
+void print_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target) {
+  print_result("{} by {}, heights {:.4g}\n", counted(map.joints.size(), "joint"),
+               map.by_names ? "their names" : "the bones of a human body or the map", map.height_ratio);
+  for (const MappedJoint& joint : map.joints)
+    print_result("  {} follows {}\n", name_of(target, joint.target), name_of(source, joint.source));
+  print_joints("joints of the character that rest", target, map.unmapped_target);
+  print_joints("joints of the clips that nothing follows", source, map.unmapped_source);
+}
+
+/// Adds the clips to those of the character, and says how far each is from the poses that it was made of.
+void add_clips(const Scene& clips, const SkeletonMap& map, Scene& character) {
+  constexpr double kDegrees = 57.29577951308232;
+  for (const Animation& animation : clips.animations) {
+    Animation retargeted = retarget_animation(animation, map, clips.skeleton, character.skeleton);
+    const RetargetError error = measure_retarget(retargeted, animation, map, clips.skeleton, character.skeleton);
+    print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units\n", in_quotes(animation.name),
+                 counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance);
+    character.animations.push_back(std::move(retargeted));
+  }
+  character.clips.clear();
+  finish_scene(character);
+}
+
+ExitCode retarget(const RetargetOptions& options) {
+  ImportOptions plain;
+  plain.decode_images = plain.make_tangents = plain.make_normals = false;
+  const auto clips = load_file(options.clips, plain);
+  ImportOptions whole;
+  whole.decode_images = false;
+  whole.keep_encoded_images = true;
+  auto character = load_file(options.character, whole);
+  if (!clips || !character) return ExitCode::input_at_fault;
+  std::vector<std::filesystem::path> inputs = clips->facts.files;
+  inputs.insert(inputs.end(), character->facts.files.begin(), character->facts.files.end());
+  if (options.map) inputs.emplace_back(*options.map);
+  if (const auto why = objection_to_output(options.out, inputs)) return fail_with(ExitCode::wrong_usage, *why);
+
+  const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
+  SkeletonMapOptions choice;
+  if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
+  if (options.map) {
+    auto pairs = read_joint_pairs(*options.map, source, target);
+    if (!pairs) return fail_with(ExitCode::wrong_usage, pairs.error());
+    choice.pairs = *std::move(pairs);
+  }
+  const SkeletonMap map = make_skeleton_map(source, target, choice);
+  if (map.joints.empty())
+    return fail_with(ExitCode::input_at_fault, options.character + ": no joint is like one of " + options.clips +
+                                                   "; --map FILE says which ones are");
+  print_map(map, source, target);
+  add_clips(clips->scene, map, character->scene);
+  const auto written = export_glb(character->scene, options.out);
+  if (!written) return fail_with(ExitCode::machine_lacks, options.out, written.error().issue);
+  print_result("{}: {} bytes\n", options.out, *written);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_retarget(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<RetargetOptions>();
+  CLI::App* command = program.add_subcommand(
+      "retarget",
+      "Play the clips of one character on another\n"
+      "Joints follow those of the same names, or those that are the same bone of a human body by the names of VRM, "
+      "Mixamo, Unreal, Rigify and motion capture. Each takes over how far the other is turned from the rest pose; axes "
+      "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
+      "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
+      "their "
+      "height.\n"
+      "\n"
+      "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
+      "made of. OUT is CHARACTER with the clips behind its own, as sinew understands it: what it does not know is not "
+      "written. Feet are not held to the ground.");
+  command->add_option("CLIPS", options->clips, "A .gltf or .glb file with the clips")->required();
+  command->add_option("--onto", options->character, "A .gltf or .glb file with the character")
+      ->required()
+      ->type_name("CHARACTER");
+  command->add_option("-o,--output", options->out, "The .glb file to write")->required()->type_name("OUT");
+  command
+      ->add_option("--map", options->map,
+                   "JSON that says which joint follows which, and is then all that is mapped:\n"
+                   "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...}}")
+      ->type_name("FILE");
+  command->add_flag("--keep-rest", options->keep_rest,
+                    "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
+  command->callback([options, &outcome] { outcome = retarget(*options); });
+}
+
+}  // namespace sinew::tool

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/skeleton_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "runtime/animation/truth_pose.h"
+#include "runtime/math/decompose.h"
+#include "runtime/math/matrix_rotation.h"
+#include "runtime/math/rotation_between.h"
+#include "runtime/retarget/humanoid_bones.h"
+
+namespace sinew {
+namespace {
+
+using Quatd = Quat<double>;
+using Vec3d = Vec3<double>;
+
+/// A rest pose in model space.
+struct RestPose {
+  std::vector<Transformd> local;
+  std::vector<Quatd> rotation;
+  std::vector<Affined> model;
+
+  explicit RestPose(const Skeleton& skeleton) {
+    for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
+      const std::uint32_t fixed = skeleton.fixed_matrix_of[j], parent = skeleton.parents[j];
+      Transformd own = in_double(skeleton.rest[j]);
+      if (fixed != kNone) own = decompose_trs(affine_cast<double>(skeleton.fixed_matrices[fixed])).transform;
+      own.rotation = normalised(own.rotation);
+      local.push_back(own);
+      rotation.push_back(parent == kNone ? own.rotation : normalised(rotation[parent] * own.rotation));
+      const Affined matrix = affine_from_transform(own);
+      model.push_back(parent == kNone ? matrix : model[parent] * matrix);
+    }
+  }
+  Quatd rotation_of(std::uint32_t j) const { return j == kNone ? quat_identity<double>() : rotation[j]; }
+  Vec3d place(std::uint32_t j) const { return translation_of(model[j]); }
+  /// How much longer lengths are in model space than in the space of a joint.
+  double scale_of(std::uint32_t j) const {
+    const double volume = j == kNone ? 1.0 : std::abs(determinant(model[j]));
+    return volume > 0.0 ? std::cbrt(volume) : 1.0;
+  }
+  Vec3d seen_from(std::uint32_t above, std::uint32_t j) const {
+    if (above == kNone) return place(j);
+    return glm::inverse(linear_part(model[above])) * (place(j) - place(above));
+  }
+};
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;  // source, target
+
+/// Joints whose names are in both skeletons, once in each.
+Pairs pairs_by_names(const Skeleton& source, const Skeleton& target) {
+  std::map<std::string, std::array<std::vector<std::uint32_t>, 2>> places;
+  for (std::uint32_t j = 0; j < source.joint_count(); ++j) places[source.names[j]][0].push_back(j);
+  for (std::uint32_t j = 0; j < target.joint_count(); ++j) places[target.names[j]][1].push_back(j);
+  Pairs pairs;
+  for (const auto& [name, at] : places)
+    if (!name.empty() && at[0].size() == 1 && at[1].size() == 1) pairs.push_back({at[0][0], at[1][0]});
+  return pairs;
+}
+
+/// All joints of a skeleton onto themselves, where the two are one.
+Pairs pairs_of_one(const Skeleton& source, const Skeleton& target) {
+  Pairs pairs;
+  if (source.parents != target.parents || source.names != target.names) return pairs;
+  for (std::uint32_t j = 0; j < source.joint_count(); ++j) pairs.push_back({j, j});
+  return pairs;
+}
+
+Pairs pairs_by_bones(std::span<const std::uint32_t> source, std::span<const std::uint32_t> target) {
+  Pairs pairs;
+  for (std::size_t b = 0; b < source.size(); ++b)
+    if (source[b] != kNone && target[b] != kNone) pairs.push_back({source[b], target[b]});
+  return pairs;
+}
+
+/// R of the equation for the joints of the target that play a bone of an arm or leg; the others have none.
+std::vector<Quatd> limb_turns(const Pairs& bones, const RestPose& from, const RestPose& to,
+                              std::span<const std::uint32_t> source, std::span<const std::uint32_t> target) {
+  std::vector<Quatd> turns(to.local.size(), quat_identity<double>());
+  if (bones.empty()) return turns;
+  const auto turn = [&](const std::string& bone, const std::string& tip) {
+    const std::uint32_t b = humanoid_bone(bone), t = humanoid_bone(tip);
+    for (const std::uint32_t joint : {source[b], source[t], target[b], target[t]})
+      if (joint == kNone) return;
+    turns[target[b]] =
+        rotation_between(to.place(target[t]) - to.place(target[b]), from.place(source[t]) - from.place(source[b]));
+  };
+  for (const std::string side : {"left", "right"}) {
+    turn(side + "UpperArm", side + "LowerArm");
+    turn(side + "LowerArm", side + "Hand");
+    turn(side + "UpperLeg", side + "LowerLeg");
+    turn(side + "LowerLeg", side + "Foot");
+    const std::uint32_t lower = target[humanoid_bone(side + "LowerArm")];
+    for (std::size_t b = 0; b < kHumanoidBones.size() && lower != kNone; ++b) {
+      const bool is_hand = kHumanoidBones[b] == side + "Hand";
+      const bool is_finger = kHumanoidBones[b].starts_with(side) && b >= humanoid_bone("leftThumbMetacarpal");
+      if ((is_hand || is_finger) && target[b] != kNone) turns[target[b]] = turns[lower];
+    }
+  }
+  return turns;
+}
+
+/// Components that are 0 or 1 but for the rounding of doubles: the identity maps keys onto themselves.
+Quatd without_rounding(const Quatd& q) noexcept {
+  constexpr double kRounding = 1e-12;
+  const Quatd positive = q.w < 0.0 ? -q : q;
+  return std::abs(positive.w - 1.0) <= kRounding && safe_length(Vec3d(q.x, q.y, q.z)) <= kRounding
+             ? quat_identity<double>()
+             : q;
+}
+
+/// Makes the map from pairs.
+class Mapping {
+ public:
+  Mapping(const Skeleton& source, const Skeleton& target, const RestPose& from, const RestPose& to,
+          std::vector<Quatd> turns)
+      : source_(source), target_(target), from_(from), to_(to), turns_(std::move(turns)) {}
+
+  SkeletonMap map(Pairs pairs, bool by_names) {
+    map_.by_names = by_names;
+    std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+    source_of_.assign(target_.joint_count(), kNone);
+    for (const auto& [s, t] : pairs) {
+      lowest_source_ = std::min(lowest_source_, from_.place(s).y);
+      lowest_target_ = std::min(lowest_target_, to_.place(t).y);
+    }
+    for (const auto& [s, t] : pairs) add(s, t);
+    std::vector<bool> used(source_.joint_count());
+    for (const MappedJoint& joint : map_.joints) used[joint.source] = true;
+    for (std::uint32_t j = 0; j < used.size(); ++j)
+      if (!used[j]) map_.unmapped_source.push_back(j);
+    for (std::uint32_t j = 0; j < source_of_.size(); ++j)
+      if (source_of_[j] == kNone) map_.unmapped_target.push_back(j);
+    return std::move(map_);
+  }
+
+ private:
+  std::uint32_t mapped_above(std::uint32_t t) const noexcept {
+    do t = target_.parents[t];
+    while (t != kNone && source_of_[t] == kNone);
+    return t;
+  }
+  bool is_above(std::uint32_t above, std::uint32_t j) const noexcept {
+    if (above == kNone) return true;
+    do j = source_.parents[j];
+    while (j != kNone && j != above);
+    return j == above;
+  }
+
+  void add(std::uint32_t s, std::uint32_t t) {
+    MappedJoint joint{t, s, mapped_above(t)};
+    joint.above_source = joint.above_target == kNone ? kNone : source_of_[joint.above_target];
+    if (!is_above(joint.above_source, s)) return;
+    source_of_[t] = s;
+    const std::uint32_t parent = target_.parents[t], m = joint.above_target;
+    const Quatd above_turned = m == kNone ? quat_identity<double>() : normalised(turns_[m] * to_.rotation[m]);
+    joint.before = without_rounding(normalised(quat_conjugate(to_.rotation_of(parent)) * to_.rotation_of(m) *
+                                               quat_conjugate(above_turned) * from_.rotation_of(joint.above_source)));
+    joint.after = without_rounding(normalised(quat_conjugate(from_.rotation[s]) * turns_[t] * to_.rotation[t]));
+    set_translation(joint);
+    map_.joints.push_back(joint);
+  }
+
+  void set_translation(MappedJoint& joint) {
+    const std::uint32_t parent = target_.parents[joint.target];
+    const bool is_child = source_.parents[joint.source] == joint.above_source;
+    joint.source_place =
+        is_child ? from_.local[joint.source].translation : from_.seen_from(joint.above_source, joint.source);
+    const bool is_top = joint.above_target == kNone;
+    joint.moves = is_top || map_.by_names;
+    double ratio = 1.0;
+    if (is_top) {
+      const double height = from_.place(joint.source).y - lowest_source_,
+                   own_height = to_.place(joint.target).y - lowest_target_;
+      if (height > 0.0 && own_height > 0.0) ratio = own_height / height;
+      map_.height_ratio = ratio;
+      ratio *= from_.scale_of(joint.above_source) / to_.scale_of(parent);
+    } else {
+      const double length = safe_length(joint.source_place), own = safe_length(to_.local[joint.target].translation);
+      ratio = length > 0.0 && own > 0.0 ? own / length : 1.0;
+    }
+    joint.translation = matrix_from_unit_quat(joint.before) * ratio;
+  }
+
+  const Skeleton &source_, &target_;
+  const RestPose &from_, &to_;
+  std::vector<Quatd> turns_;  // [target joints] R
+  std::vector<std::uint32_t> source_of_;
+  double lowest_source_ = std::numeric_limits<double>::infinity();  // of the joints that are mapped
+  double lowest_target_ = lowest_source_;
+  SkeletonMap map_;
+};
+
+}  // namespace
+
+SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options) {
+  const RestPose from(source), to(target);
+  const std::vector<std::uint32_t> source_bones = find_humanoid_bones(source),
+                                   target_bones = find_humanoid_bones(target);
+  Pairs by_names = pairs_of_one(source, target);
+  if (by_names.empty()) by_names = pairs_by_names(source, target);
+  const Pairs by_bones = pairs_by_bones(source_bones, target_bones);
+  const bool names = options.pairs.empty() && by_names.size() >= by_bones.size();
+  const bool turns = !names && options.limbs == LimbDirections::of_source;
+  Mapping mapping(source, target, from, to,
+                  limb_turns(turns ? by_bones : Pairs{}, from, to, source_bones, target_bones));
+  return mapping.map(!options.pairs.empty() ? options.pairs : names ? by_names : by_bones, names);
+}
+
+}  // namespace sinew

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/animation/skeleton.h"
+
+namespace sinew {
+
+/// How a joint of the target follows one of the source.
+struct MappedJoint {
+  std::uint32_t target = 0, source = 0;
+  std::uint32_t above_target = kNone, above_source = kNone;  ///< nearest mapped joints above; kNone = model space
+  Quat<double> before{1, 0, 0, 0}, after{1, 0, 0, 0};        ///< of the equation
+  bool moves = false;              ///< its translation follows, scaled; else bones keep their length
+  Mat3<double> translation{1.0};   ///< from the space of `above_source` to that of the target's parent
+  Vec3<double> source_place{0.0};  ///< at rest, in the space of `above_source`
+};
+
+/// From the poses of one skeleton to those of another. Made once by make_skeleton_map; immutable.
+struct SkeletonMap {
+  std::vector<MappedJoint> joints;  ///< rising targets: parents before children
+  bool by_names = false;            ///< the skeletons share names, and scale tracks are carried
+  double height_ratio = 1.0;        ///< of the top joints above the lowest mapped joint, target to source
+  std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
+};
+
+/// How far the reference poses of humanoids are made to agree.
+enum class LimbDirections : std::uint8_t {
+  of_source,  ///< arms and legs point where those of the source do, whatever their rest poses (A-pose, T-pose)
+  of_rest,    ///< the rest pose becomes the rest pose
+};
+
+struct SkeletonMapOptions {
+  std::vector<std::array<std::uint32_t, 2>> pairs;  ///< joints {source, target}; where given, nothing else is mapped
+  LimbDirections limbs = LimbDirections::of_source;
+};
+
+/// Maps joints of equal names, or joints that play the same humanoid bone (humanoid_bones.h): what finds more. A joint
+/// whose mapped joint above is not above it in both skeletons is left out.
+///
+/// What is carried is how far each joint is turned from the rest pose, in model space. With W the rotations at rest and
+/// G those of the pose in model space, m the mapped joint above j, Q = G_m^-1 G_j the rotation of j seen from m (over
+/// all joints between), and primes for the target with P' the parent of j':
+/// eq   G'_j = (G_j W_j^-1) C'_j,  C'_j = R_j W'_j;  q'_j = (W'_P'^-1 W'_m C'_m^-1 W_m) Q (W_j^-1 C'_j)
+///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1 (VRMC_vrm_animation, "humanoid"), for any axes and
+///      roll, and for joints that one side alone has. R_j is the shortest arc from the target's limb to the source's in
+///      rest poses, for upper and lower arms and legs, and that of the lower arm for hands and fingers; else the
+///      identity. t' = r' + k R (p - p_rest), p the place of j seen from m; k = height ratio for the top joints, and
+///      the ratio of lengths for others of equal names; bones of others keep their length. Scales of parents are taken
+///      out.
+/// in   skeletons  rest rotations unit
+/// cost O(J log J), allocates
+SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options = {});
+
+}  // namespace sinew

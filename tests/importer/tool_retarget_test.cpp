@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// `sinew retarget` from outside, and clips of real rigs on other bodies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "importer/import_gltf.h"
+#include "runtime/retarget/retarget_animation.h"
+#include "tests/importer/tool_model.h"
+#include "tests/support/corpus.h"
+
+namespace sinew::test {
+namespace {
+using testing::HasSubstr;
+
+/// Hips that go up by 0.5 m and turn an arm half round; names are those that `hips` and `arm` say.
+void write_body(const std::string& folder, const std::string& file, const std::string& hips, const std::string& arm,
+                double height_m, bool moves) {
+  const float numbers[] = {0, 1, 0, 1, 0, 0, 1.5f, 0, 0, 0, 0, 1, 0, 0, 1, 0};
+  std::ofstream(folder + file + ".bin", std::ios::binary).write(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  std::ofstream out(folder + file + ".gltf");
+  out << R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 3]}], "nodes": [{"name": ")" << hips
+      << R"(", "translation": [0, )" << height_m << R"(, 0], "children": [1, 2]}, {"name": ")" << arm
+      << R"(", "translation": [0.5, 0.5, 0]}, {"name": "Foot.L", "translation": [0, )" << -height_m
+      << R"(, 0]}, {"name": "lamp"}])";
+  if (moves)
+    out << R"(, "buffers": [{"byteLength": 64, "uri": ")" << file << R"(.bin"}],
+      "bufferViews": [{"buffer": 0, "byteLength": 64}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+        {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "VEC3"},
+        {"bufferView": 0, "byteOffset": 32, "componentType": 5126, "count": 2, "type": "VEC4"}],
+      "animations": [{"name": "up", "samplers": [{"input": 0, "output": 1}, {"input": 0, "output": 2}],
+        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}},
+          {"sampler": 1, "target": {"node": 1, "path": "rotation"}}]}])";
+  out << "}";
+}
+
+TEST(retarget, plays_clips_on_a_character_of_other_names_and_height) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "mixamorig:Hips", "mixamorig:LeftArm", 1.0, true);
+  write_body(model.beside(""), "tall", "pelvis", "upperarm_l", 3.0, false);
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.gltf"), "--onto", model.beside("tall.gltf"), "-o", model.beside("out.glb")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"upperarm_l\" follows \"mixamorig:LeftArm\""));
+  EXPECT_THAT(outcome.out, HasSubstr("3 joints by the bones of a human body or the map, heights 3"));
+  EXPECT_THAT(outcome.out, HasSubstr("joints of the character that rest: \"lamp\""));
+  EXPECT_THAT(outcome.out, HasSubstr("joints of the clips that nothing follows: \"lamp\""));
+  EXPECT_THAT(outcome.out, HasSubstr("\"up\": 2 moved joints, largest error"));
+  const auto out = import_gltf(model.beside("out.glb"));
+  ASSERT_TRUE(out);
+  ASSERT_EQ(out->scene.animations.size(), 1u);
+  const BoneAnimation& hips = out->scene.animations[0].bones[0];
+  EXPECT_EQ(out->scene.skeleton.names[hips.joint], "pelvis");
+  EXPECT_EQ(hips.translation.values, (std::vector<glm::vec3>{{0, 3, 0}, {0, 4.5f, 0}})) << "half a metre, three times";
+}
+
+TEST(retarget, a_map_of_ones_own_comes_before_names_and_says_what_is_wrong_with_it) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "a", "b", 1.0, true);
+  write_body(model.beside(""), "other", "c", "d", 1.0, false);
+  const std::string map = model.beside("map.json");
+  const auto run = [&](const std::string& text) {
+    std::ofstream(map) << text;
+    return run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("other.gltf"), "-o",
+                     model.beside("out.glb"), "--map", map});
+  };
+  const CommandOutcome good = run(R"({"joints": {"c": "a", "d": "b"}})");
+  ASSERT_EQ(good.status, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("\"d\" follows \"b\""));
+  EXPECT_THAT(good.out, testing::Not(HasSubstr("\"lamp\" follows")));
+  EXPECT_THAT(run(R"({"joints": {"x": "a"}})").err, HasSubstr("the character has no joint \"x\""));
+  EXPECT_THAT(run(R"({"joints": {"c": "x"}})").err, HasSubstr("the clips have no joint \"x\""));
+  EXPECT_THAT(run(R"({"joints": {"c": 1}})").err, HasSubstr("\"c\" names no joint"));
+  EXPECT_THAT(run(R"({"joints": {}})").err, HasSubstr("pairs no joints"));
+  EXPECT_EQ(run("[").status, 2);
+  EXPECT_EQ(
+      run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("other.gltf"), "-o", map, "--map", map})
+          .status,
+      2)
+      << "a file that is read is not written";
+}
+
+TEST(retarget, a_character_without_a_like_joint_is_refused) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "a", "b", 1.0, true);
+  std::ofstream(model.beside("stone.gltf")) << R"({"asset": {"version": "2.0"}, "nodes": [{"name": "stone"}]})";
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.gltf"), "--onto", model.beside("stone.gltf"), "-o", model.beside("out.glb")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("no joint is like one of"));
+  EXPECT_FALSE(std::filesystem::exists(model.beside("out.glb")));
+}
+
+std::vector<Scene> scenes_in(const std::vector<std::filesystem::path>& files) {
+  ImportOptions options;
+  options.decode_images = options.make_tangents = options.make_normals = false;
+  std::vector<Scene> scenes;
+  for (const auto& file : files)
+    if (auto imported = import_gltf(file, options)) scenes.push_back(std::move(imported->scene));
+  return scenes;
+}
+
+/// Clips of every file on every body of which most joints are mapped.
+TEST(retarget_corpus, clips_on_other_bodies_are_the_retargeted_poses_and_rest_stays_rest) {
+  std::size_t clips = 0;
+  const std::vector<Scene> scenes = scenes_in(corpus_files("retarget", {".glb"}));
+  for (const Scene& from : scenes)
+    for (const Scene& to : scenes) {
+      const SkeletonMap map = make_skeleton_map(from.skeleton, to.skeleton, {.limbs = LimbDirections::of_rest});
+      if (map.joints.size() < 40) continue;
+      const Animation still = retarget_animation({}, map, from.skeleton, to.skeleton);
+      EXPECT_TRUE(still.bones.empty());
+      for (const Animation& animation : from.animations) {
+        const Animation found = retarget_animation(animation, map, from.skeleton, to.skeleton);
+        const RetargetError error = measure_retarget(found, animation, map, from.skeleton, to.skeleton, 31.0);
+        EXPECT_LT(error.angle_rad, 2e-6) << animation.name;
+        EXPECT_LT(error.distance, 2e-5) << animation.name;
+        ++clips;
+      }
+    }
+  if (corpus()) {
+    EXPECT_GT(clips, 60u);
+  }
+}
+
+/// Humans follow humanoids of other names: all limbs are found.
+TEST(retarget_corpus, limbs_of_humanoids_find_each_other) {
+  std::size_t humanoids = 0;
+  const std::vector<Scene> bodies = scenes_in(corpus_files("retarget", {".glb"}));
+  for (const Scene& from : scenes_in(corpus_files("models", {".glb"}))) {
+    if (from.animations.size() < 10) continue;
+    for (const Scene& to : bodies) {
+      const SkeletonMap map = make_skeleton_map(from.skeleton, to.skeleton);
+      humanoids += map.joints.size() >= 18 && !map.by_names;
+    }
+  }
+  if (corpus()) {
+    EXPECT_GE(humanoids, 2u);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

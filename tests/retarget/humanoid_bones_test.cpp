@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/humanoid_bones.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <string>
+
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+/// Hips, three joints of a spine, neck and head, a left leg, a left arm with a thumb: names in this order.
+using Names = std::vector<std::string>;
+constexpr const char* kBones[] = {"hips",
+                                  "spine",
+                                  "leftUpperLeg",
+                                  "chest",
+                                  "leftLowerLeg",
+                                  "upperChest",
+                                  "leftFoot",
+                                  "neck",
+                                  "leftShoulder",
+                                  "leftToes",
+                                  "head",
+                                  "leftUpperArm",
+                                  "leftLowerArm",
+                                  "leftHand",
+                                  "leftThumbMetacarpal",
+                                  "leftThumbProximal"};
+
+Skeleton body(const Names& names) {
+  Skeleton skeleton = test::skeleton_of({kNone, 0, 0, 1, 2, 3, 4, 5, 5, 6, 7, 8, 11, 12, 13, 14});
+  skeleton.names = names;
+  return skeleton;
+}
+
+TEST(humanoid_bones, are_found_by_the_names_of_known_rigs) {
+  const std::vector<Names> rigs = {
+      {"hips", "spine", "leftUpperLeg", "chest", "leftLowerLeg", "upperChest", "leftFoot", "neck", "leftShoulder",
+       "leftToes", "head", "leftUpperArm", "leftLowerArm", "leftHand", "leftThumbMetacarpal", "leftThumbProximal"},
+      {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_L_UpperLeg", "J_Bip_C_Chest", "J_Bip_L_LowerLeg", "J_Bip_C_UpperChest",
+       "J_Bip_L_Foot", "J_Bip_C_Neck", "J_Bip_L_Shoulder", "J_Bip_L_ToeBase", "J_Bip_C_Head", "J_Bip_L_UpperArm",
+       "J_Bip_L_LowerArm", "J_Bip_L_Hand", "J_Bip_L_Thumb1", "J_Bip_L_Thumb2"},
+      {"mixamorig:Hips", "mixamorig:Spine", "mixamorig:LeftUpLeg", "mixamorig:Spine1", "mixamorig:LeftLeg",
+       "mixamorig:Spine2", "mixamorig:LeftFoot", "mixamorig:Neck", "mixamorig:LeftShoulder", "mixamorig:LeftToeBase",
+       "mixamorig:Head", "mixamorig:LeftArm", "mixamorig:LeftForeArm", "mixamorig:LeftHand", "mixamorig:LeftHandThumb1",
+       "mixamorig:LeftHandThumb2"},
+      {"pelvis", "spine_01", "thigh_l", "spine_02", "calf_l", "spine_03", "foot_l", "neck_01", "clavicle_l", "ball_l",
+       "head", "upperarm_l", "lowerarm_l", "hand_l", "thumb_01_l", "thumb_02_l"},
+      {"DEF-hips", "DEF-spine.001", "DEF-thigh.L", "DEF-spine.002", "DEF-shin.L", "DEF-spine.003", "DEF-foot.L",
+       "DEF-neck", "DEF-shoulder.L", "DEF-toe.L", "DEF-head", "DEF-upper_arm.L", "DEF-forearm.L", "DEF-hand.L",
+       "DEF-thumb.01.L", "DEF-thumb.02.L"},
+      {"Hips", "LowerBack", "LeftUpLeg", "Spine", "LeftLeg", "Spine1", "LeftFoot", "Neck", "LeftShoulder",
+       "LeftToeBase", "Head", "LeftArm", "LeftForeArm", "LeftHand", "LThumb", "LThumb_end"}};
+  for (const Names& names : rigs) {
+    const std::vector<std::uint32_t> joints = find_humanoid_bones(body(names));
+    for (std::uint32_t j = 0; j < std::size(kBones); ++j)
+      EXPECT_EQ(joints[humanoid_bone(kBones[j])], j) << names[j] << " as " << kBones[j];
+    EXPECT_EQ(joints[humanoid_bone("rightHand")], kNone);
+  }
+}
+
+TEST(humanoid_bones, controls_and_twist_joints_are_none) {
+  Names names(16);
+  names[0] = "root";
+  names[2] = "handIK.l";
+  names[4] = "control-foot-roll.l";
+  names[6] = "upperarm_twist_01_l";
+  names[8] = "kneeIK.l";
+  for (const std::uint32_t joint : find_humanoid_bones(body(names))) EXPECT_EQ(joint, kNone);
+}
+
+}  // namespace
+}  // namespace sinew

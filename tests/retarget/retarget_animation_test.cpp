@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/retarget_animation.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/scenes/two_sided.h"
+#include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+using scenes::RightSide;
+
+/// Rotations of every kind on most joints; the hips move, and some joints have scales.
+Animation moving(const Skeleton& skeleton, bool all_move = false) {
+  test::FixedRandom random(9);
+  const std::vector<float> times = {0.0f, 0.4f, 0.9f, 2.0f};
+  Animation animation{"move", 2.0, {}, {}};
+  for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
+    if (j == 1 || j == 6) continue;
+    const auto kind = static_cast<Interpolation>(j % 4);
+    BoneAnimation bone;
+    bone.joint = j;
+    bone.rotation = test::random_rotations(random, kind, times);
+    if (j == 0 || all_move)
+      bone.translation =
+          test::random_vectors(random, j % 2 == 0 ? Interpolation::cubic_spline : Interpolation::linear, times);
+    if (all_move && j % 2 == 0) bone.scale = test::random_vectors(random, Interpolation::linear, times);
+    animation.bones.push_back(bone);
+  }
+  return animation;
+}
+
+TEST(retarget_animation, on_its_own_skeleton_every_key_keeps_its_bits) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  const Animation animation = moving(skeleton, true);
+  const Animation same = retarget_animation(animation, make_skeleton_map(skeleton, skeleton), skeleton, skeleton);
+  ASSERT_EQ(same.bones.size(), animation.bones.size());
+  for (std::size_t b = 0; b < same.bones.size(); ++b) {
+    const BoneAnimation &a = animation.bones[b], &c = same.bones[b];
+    EXPECT_EQ(a.joint, c.joint);
+    EXPECT_EQ(a.rotation.values, c.rotation.values) << b;
+    EXPECT_EQ(a.rotation.times_s, c.rotation.times_s) << b;
+    EXPECT_EQ(a.rotation.interpolation, c.rotation.interpolation) << b;
+    EXPECT_EQ(a.translation.values, c.translation.values) << b;
+    EXPECT_EQ(a.scale.values, c.scale.values) << b;
+  }
+}
+
+TEST(retarget_animation, at_every_time_it_is_the_retargeted_pose_where_one_track_moves_a_joint) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
+                 to = scenes::two_sided(RightSide::another_posture, 2).skeleton;
+  const SkeletonMap map = make_skeleton_map(from, to);
+  const Animation animation = moving(from, true), found = retarget_animation(animation, map, from, to);
+  const RetargetError error = measure_retarget(found, animation, map, from, to);
+  EXPECT_LT(error.angle_rad, 2e-6);
+  EXPECT_LT(error.distance, 1e-5);
+  EXPECT_EQ(found.bones.size(), animation.bones.size()) << "no track is added";
+}
+
+TEST(retarget_animation, there_and_back_again_is_the_same_within_rounding) {
+  const Skeleton a = scenes::two_sided(RightSide::any_axes, 1).skeleton,
+                 b = scenes::two_sided(RightSide::another_posture, 2).skeleton;
+  const Animation animation = moving(a, true);
+  const Animation there = retarget_animation(animation, make_skeleton_map(a, b), a, b),
+                  back = retarget_animation(there, make_skeleton_map(b, a), b, a);
+  ASSERT_EQ(back.bones.size(), animation.bones.size());
+  for (std::size_t i = 0; i < back.bones.size(); ++i) {
+    const BoneAnimation &before = animation.bones[i], &after = back.bones[i];
+    for (std::size_t k = 0; k < before.rotation.values.size(); ++k)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(before.rotation.values[k][c], after.rotation.values[k][c], 8 * test::kEps);
+    for (std::size_t k = 0; k < before.translation.values.size(); ++k)
+      EXPECT_TRUE(test::is_near(before.translation.values[k], after.translation.values[k], 2e-6)) << i;
+  }
+}
+
+TEST(retarget_animation, joints_that_add_up_are_sampled_and_the_error_is_measured) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton;
+  Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
+  to.names[9] = "something";  // the hand takes over what the forearm does, too
+  const SkeletonMap map = make_skeleton_map(from, to);
+  Animation animation{"bend", 1.0, {}, {}};
+  for (const std::uint32_t j : {9u, 11u}) {
+    BoneAnimation& bone = animation.bones.emplace_back();
+    bone.joint = j;
+    const glm::quat rest = from.rest[j].rotation;
+    bone.rotation = {Interpolation::linear,
+                     {0.0f, j == 9 ? 0.5f : 0.7f, 1.0f},
+                     {rest, rest * test::FixedRandom(j).rotation_by(0.4), rest}};
+  }
+  const Animation found = retarget_animation(animation, map, from, to);
+  ASSERT_EQ(found.bones.size(), 1u);
+  EXPECT_EQ(found.bones[0].joint, 11u);
+  EXPECT_EQ(found.bones[0].rotation.key_count(), 7u) << "four times, and the middles between";
+  const RetargetError error = measure_retarget(found, animation, map, from, to);
+  EXPECT_LT(error.angle_rad, 0.01);
+  EXPECT_GT(error.angle_rad, 1e-7);
+  EXPECT_EQ(error.joint, 11u);
+}
+
+TEST(retarget_animation, nothing_shifts_in_time) {
+  const Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton,
+                 to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
+  const Animation animation = moving(from),
+                  found = retarget_animation(animation, make_skeleton_map(from, to), from, to);
+  EXPECT_EQ(found.duration_s, animation.duration_s);
+  for (std::size_t b = 0; b < found.bones.size(); ++b)
+    EXPECT_EQ(found.bones[b].rotation.times_s, animation.bones[b].rotation.times_s);
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/skeleton_map.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/retarget/retarget_animation.h"
+#include "tests/reference/mirror.h"
+#include "tests/scenes/two_sided.h"
+#include "tests/support/near.h"
+
+namespace sinew {
+namespace {
+
+using scenes::RightSide;
+using scenes::TwoSided;
+using Vec3d = Vec3<double>;
+
+constexpr std::uint32_t kArm = 5, kForearm = 9, kHand = 11;  // of the left side
+
+/// The same body with the names of an Unreal rig.
+Skeleton renamed(Skeleton skeleton) {
+  skeleton.names = {"pelvis", "spine_01", "thigh_l",    "thigh_r",    "head",   "upperarm_l", "upperarm_r",
+                    "foot_l", "foot_r",   "lowerarm_l", "lowerarm_r", "hand_l", "hand_r",     "prop"};
+  return skeleton;
+}
+
+/// The body with names by which humanoid bones are found.
+Skeleton named(Skeleton skeleton) {
+  skeleton.names[2] = "upperleg.l";
+  skeleton.names[3] = "upperleg.r";
+  return skeleton;
+}
+
+std::vector<Transformd> in_doubles(const std::vector<Transform>& local) {
+  std::vector<Transformd> all;
+  for (const Transform& t : local) {
+    all.push_back(in_double(t));
+    all.back().rotation = normalised(all.back().rotation);
+  }
+  return all;
+}
+
+std::vector<Transformd> retargeted(const SkeletonMap& map, const Skeleton& from, const Skeleton& to,
+                                   const std::vector<Transform>& pose) {
+  std::vector<Transformd> out(to.joint_count());
+  retarget_pose(map, from, to, in_doubles(pose), out);
+  return out;
+}
+
+std::vector<Transform> in_floats(const std::vector<Transformd>& local) {
+  std::vector<Transform> all;
+  for (const Transformd& t : local)
+    all.push_back({glm::vec3(t.translation), quat_cast<float>(t.rotation), glm::vec3(t.scale)});
+  return all;
+}
+
+Vec3d direction(const Skeleton& skeleton, const std::vector<Transformd>& local, std::uint32_t from, std::uint32_t to) {
+  std::vector<Affined> model(local.size());
+  model_from_local(skeleton, local, model);
+  return glm::normalize(translation_of(model[to]) - translation_of(model[from]));
+}
+
+/// The definition: each joint is turned from its rest pose, in model space, as the one that it follows.
+void expect_same_turns(const Skeleton& from, const std::vector<Transform>& pose, const Skeleton& to,
+                       const std::vector<Transformd>& found, const SkeletonMap& map) {
+  const auto rest = reference::model_rotations(from, from.rest), posed = reference::model_rotations(from, pose);
+  const auto own_rest = reference::model_rotations(to, to.rest), own = reference::model_rotations(to, in_floats(found));
+  for (const MappedJoint& joint : map.joints) {
+    const Mat3<double> turn = posed[joint.source] * glm::transpose(rest[joint.source]),
+                       own_turn = own[joint.target] * glm::transpose(own_rest[joint.target]);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(test::is_near(own_turn[c], turn[c], 2e-6)) << joint.target;
+  }
+}
+
+TEST(skeleton_map, joints_turn_in_model_space_as_those_they_follow_whatever_their_axes) {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const Skeleton from = scenes::two_sided(RightSide::any_axes, seed).skeleton,
+                   to = scenes::two_sided(RightSide::another_posture, seed + 20).skeleton;
+    const SkeletonMap map = make_skeleton_map(from, to);
+    ASSERT_EQ(map.joints.size(), 14u);
+    const std::vector<Transform> pose = scenes::moved_from_rest(from, seed);
+    expect_same_turns(from, pose, to, retargeted(map, from, to, pose), map);
+  }
+}
+
+TEST(skeleton_map, the_rest_pose_becomes_the_rest_pose) {
+  const Skeleton from = named(scenes::two_sided(RightSide::any_axes, 1).skeleton),
+                 to = renamed(scenes::two_sided(RightSide::another_posture, 2).skeleton);
+  const SkeletonMap map = make_skeleton_map(from, to, {.limbs = LimbDirections::of_rest});
+  EXPECT_EQ(map.unmapped_target, (std::vector<std::uint32_t>{13})) << "nothing is like the prop";
+  const std::vector<Transformd> found = retargeted(map, from, to, from.rest);
+  for (std::uint32_t j = 0; j < found.size(); ++j) {
+    EXPECT_LT(test::angle_between(found[j].rotation, to.rest[j].rotation), 1e-6) << j;
+    EXPECT_TRUE(test::is_near(found[j].translation, Vec3d(to.rest[j].translation), 1e-6)) << j;
+  }
+}
+
+/// One rests with its arms out, the other with its arms down: turns alone would let the arms hang by as much.
+TEST(skeleton_map, arms_point_where_those_of_the_source_do_from_a_pose_to_t_pose) {
+  const Skeleton from = named(scenes::two_sided(RightSide::mirrored_axes, 1).skeleton);
+  Skeleton to = renamed(scenes::two_sided(RightSide::any_axes, 2).skeleton);
+  to.rest[kArm].rotation = to.rest[kArm].rotation * test::FixedRandom(3).rotation_by(0.8);
+  const std::vector<Transform> pose = scenes::moved_from_rest(from, 4);
+  std::vector<Transform> turned = from.rest;
+  for (std::size_t j = 0; j < turned.size(); ++j) turned[j].rotation = pose[j].rotation;
+  const std::vector<Transformd> aligned = retargeted(make_skeleton_map(from, to), from, to, turned),
+                                kept = retargeted(make_skeleton_map(from, to, {.limbs = LimbDirections::of_rest}), from,
+                                                  to, turned);
+  for (const auto& [a, b] : {std::pair{kArm, kForearm}, {kForearm, kHand}}) {
+    const Vec3d expected = direction(from, in_doubles(turned), a, b);
+    EXPECT_TRUE(test::is_near(direction(to, aligned, a, b), expected, 2e-6)) << a;
+    EXPECT_FALSE(test::is_near(direction(to, kept, a, b), expected, 0.05)) << a;
+  }
+}
+
+TEST(skeleton_map, joints_that_one_side_alone_has_do_not_matter) {
+  TwoSided body = scenes::two_sided(RightSide::any_axes, 1);
+  const Skeleton from = body.skeleton;
+  Skeleton to = scenes::two_sided(RightSide::any_axes, 2).skeleton;
+  to.names[kForearm] = "something";  // the hand follows the hand, over a forearm that rests
+  const SkeletonMap map = make_skeleton_map(from, to);
+  EXPECT_EQ(map.unmapped_target, (std::vector<std::uint32_t>{kForearm}));
+  EXPECT_EQ(map.unmapped_source, (std::vector<std::uint32_t>{kForearm}));
+  const std::vector<Transform> pose = scenes::moved_from_rest(from, 6);
+  const std::vector<Transformd> found = retargeted(map, from, to, pose);
+  expect_same_turns(from, pose, to, found, map);
+  EXPECT_LT(test::angle_between(found[kForearm].rotation, to.rest[kForearm].rotation), 1e-12);
+}
+
+TEST(skeleton_map, a_pair_that_does_not_hang_below_the_pair_above_it_is_left_out) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  SkeletonMapOptions options;
+  options.pairs = {{kForearm, kArm}, {kArm, kForearm}};
+  const SkeletonMap map = make_skeleton_map(skeleton, skeleton, options);
+  ASSERT_EQ(map.joints.size(), 1u);
+  EXPECT_EQ(map.joints[0].target, kArm);
+}
+
+TEST(skeleton_map, hips_move_by_the_ratio_of_heights_under_a_root_of_scale_100) {
+  const Skeleton from = named(scenes::two_sided(RightSide::any_axes, 1).skeleton);
+  Skeleton inner = renamed(scenes::two_sided(RightSide::any_axes, 2).skeleton);
+  for (Transform& rest : inner.rest) rest.translation *= 2.0f;  // twice as tall, in a file of centimetres
+  std::vector<std::uint32_t> parents = {kNone};
+  for (const std::uint32_t parent : inner.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
+  Skeleton to = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
+  to.rest[0] = {glm::vec3(0), quat_xyzw(-std::sqrt(0.5f), 0.0f, 0.0f, std::sqrt(0.5f)), glm::vec3(100.0f)};
+  to.names[0] = "Armature";
+  for (std::uint32_t j = 0; j < inner.joint_count(); ++j) {
+    to.names[j + 1] = inner.names[j];
+    to.rest[j + 1] = inner.rest[j];
+    to.rest[j + 1].translation /= 100.0f;
+  }
+  to.rest[1].rotation = quat_conjugate(to.rest[0].rotation) * inner.rest[0].rotation;
+  to.rest[1].translation = rotate_vector(quat_conjugate(to.rest[0].rotation), inner.rest[0].translation) / 100.0f;
+  const SkeletonMap map = make_skeleton_map(from, to);
+  EXPECT_NEAR(map.height_ratio, 2.0, 1e-5);
+  std::vector<Transform> pose = from.rest;
+  pose[0].translation += glm::vec3(0.1f, -0.2f, 0.3f);
+  const std::vector<Transformd> found = retargeted(map, from, to, pose);
+  std::vector<Affined> model(found.size());
+  model_from_local(to, found, model);
+  EXPECT_TRUE(
+      test::is_near(translation_of(model[1]), Vec3d(inner.rest[0].translation) + 2.0 * Vec3d(0.1, -0.2, 0.3), 1e-5));
+}
+
+}  // namespace
+}  // namespace sinew
