@@ -88,6 +88,34 @@ BuiltScene crossed() {
   return built;
 }
 
+TEST_F(edges, alpha_masks_are_as_smooth_as_outlines) {
+  BuiltScene built;
+  Primitive sheet = wall();
+  for (const glm::vec3& p : sheet.positions)
+    sheet.colors.push_back({1.0f, 1.0f, 1.0f, 0.4f + 0.2f * p.x + 0.11f * p.y});
+  Material cut = glowing({1.0f, 1.0f, 1.0f});
+  cut.alpha_mode = AlphaMode::mask;
+  cut.alpha_cutoff = 0.43f;
+  built.add(sheet, built.add_material(cut));
+  const auto inside = [](double x, double y) { return 0.4 + 0.2 * x + 0.11 * y > 0.43; };
+  const glm::dvec2 sharp = off(render_float(built, kSize, kSize, straight(), plain(false)), inside),
+                   smooth = off(render_float(built, kSize, kSize, straight(), plain(true)), inside);
+  EXPECT_GT(sharp.x, 0.4);
+  EXPECT_LT(smooth.x, 0.25);
+  EXPECT_LT(smooth.y, 0.6 * sharp.y);
+}
+
+TEST_F(edges, masks_of_even_alpha_are_whole_or_nothing) {
+  for (const float alpha : {0.499f, 0.5f, 0.501f}) {
+    BuiltScene built;
+    Material cut = glowing({1.0f, 1.0f, 1.0f});
+    cut.alpha_mode = AlphaMode::mask;
+    cut.base_color.a = alpha;
+    built.add(wall(), built.add_material(cut));
+    EXPECT_EQ(render_float(built, kSize, kSize, straight(), plain(true)).at(24, 24).a, alpha < 0.5f ? 0.0f : 1.0f);
+  }
+}
+
 TEST_F(edges, depth_is_tested_for_each_sample) {
   // z of the tilted wall at (x, y): a (0.8, 0, 0.6) + b (0.1, 1, 0.3), so b = y and a = (x - 0.1 y) / 0.8
   const auto green = [](double x, double y) { return 0.6 * (x - 0.1 * y) / 0.8 + 0.3 * y > 0.0; };

@@ -11,6 +11,9 @@ constexpr std::uint32_t kGeometryVert[] =
 constexpr std::uint32_t kNormalDepthFrag[] =
 #include "normal_depth.frag.inc"
     ;
+constexpr std::uint32_t kCutSamplesFrag[] =
+#include "cut_samples.frag.inc"
+    ;
 constexpr std::uint32_t kShadeFrag[] =
 #include "shade.frag.inc"
     ;
@@ -54,6 +57,7 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
   switch (shader) {
     case Shader::geometry_vert: return kGeometryVert;
     case Shader::normal_depth_frag: return kNormalDepthFrag;
+    case Shader::cut_samples_frag: return kCutSamplesFrag;
     case Shader::shade_frag: return kShadeFrag;
     case Shader::full_screen_vert: return kFullScreenVert;
     case Shader::ssao_frag: return kSsaoFrag;

@@ -11,6 +11,7 @@ namespace sinew::viewer {
 enum class Shader : std::uint8_t {
   geometry_vert,
   normal_depth_frag,
+  cut_samples_frag,
   shade_frag,
   full_screen_vert,
   ssao_frag,

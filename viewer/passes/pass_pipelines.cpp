@@ -97,7 +97,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.bindings = bindings;
   shape.attributes = attributes;
   const bool prepass = key.pass == Pass::normal_depth || key.depth_only, blended = key.pass == Pass::transparent;
-  shape.fragment = prepass ? Shader::normal_depth_frag : Shader::shade_frag;
+  const bool cut_samples = key.depth_only && key.masked && shape.samples > 1;
+  shape.fragment = cut_samples ? Shader::cut_samples_frag : prepass ? Shader::normal_depth_frag : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
   shape.constants[id_blended] = blended;
