@@ -51,8 +51,8 @@ ExitCode finish(cost::Report report, const std::string& subject, const CostOptio
     return fail_with(ExitCode::machine_lacks, fmt::format("{}: {}", options.folder, *failed));
   }
   for (const cost::Group& group : report.groups)
-    fmt::print("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
-  fmt::print("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
+    print_result("{}: {}\n", group.title, group.left_out.empty() ? group.findings.front() : group.left_out);
+  print_result("{}\n", (std::filesystem::path(options.folder) / "report.html").string());
   return ExitCode::done;
 }
 

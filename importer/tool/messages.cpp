@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/messages.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -20,6 +21,18 @@ void say_line(const std::string& line) {
     fmt::print(stderr, "sinew: {}\n", line);
 }
 
+/// Lines, in which names of files and folders may stand as they are.
+std::string visible_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += visible_text(text.substr(0, end));
+    if (end < text.size()) out += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
 void say_rule(std::string_view file, const ImportIssue& issue, std::string_view rule) {
   const std::string severity = issue.severity == Severity::error ? "" : std::string(name_of(issue.severity)) + ": ";
   say_line(fmt::format("{}: {}{}{}: {}{}", visible_text(file), visible_text(issue.json_pointer),
@@ -29,10 +42,11 @@ void say_rule(std::string_view file, const ImportIssue& issue, std::string_view 
 }  // namespace
 
 void print_result_text(std::string_view text) {
+  const std::string shown = visible_lines(text);
   if (CapturedOutput* kept = CapturedOutput::current())
-    kept->results += text;
+    kept->results += shown;
   else
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
 void say_error(std::string_view text) { say_line(visible_text(text)); }

@@ -18,8 +18,9 @@ namespace sinew::tool {
 /// results can be piped.
 void say_error(std::string_view text);
 
-/// Prints a result to stdout. Commands that take several files print with this and the functions below, and with
-/// nothing else: the output of jobs side by side is kept until it is their turn (batch/captured_output.h).
+/// Prints lines of a result to stdout, control characters escaped: files and folders may have any name. Commands that
+/// take several files print with this and the functions below, and with nothing else: the output of jobs side by side
+/// is kept until it is their turn (batch/captured_output.h).
 void print_result_text(std::string_view text);
 
 template <class... Args>

@@ -113,5 +113,29 @@ TEST(tool_safety, control_characters_of_a_file_reach_no_terminal) {
   EXPECT_THAT(run_tool({"info", fine}).out, HasSubstr(R"(copyright: \x1b[2J\u009b2J\x7f\u202e\x0a\x0d)"));
 }
 
+/// An archive that somebody unpacks may hold any names.
+TEST(tool_safety, control_characters_in_names_of_files_and_folders_reach_no_terminal) {
+  const ToolModelFile model;
+  const std::string folder = model.beside("\x1b[2J"), odd = folder + "/\xc2\x9b.gltf", out = folder + "/out\x1b[2J";
+  fs::create_directory(folder);
+  fs::copy_file(model.path(), odd);
+  const std::vector<std::vector<std::string>> lines = {{"info", odd},
+                                                       {"check", folder},
+                                                       {"sample", odd, "-o", out + ".json"},
+                                                       {"verify", odd, out + ".json"},
+                                                       {"convert", odd, out + ".glb"},
+                                                       {"convert", folder, model.path(), out},
+                                                       {"compile", odd, "-o", out + ".sinew"},
+                                                       {"compile", folder, model.path(), "-o", out},
+                                                       {"bake", odd, "--clip", "0", "-o", out + ".sgeo"},
+                                                       {"verify", out + ".sgeo"}};
+  for (const auto& line : lines) {
+    const CommandOutcome outcome = run_tool(line);
+    EXPECT_EQ(outcome.status, 0) << line[0] << outcome.err;
+    EXPECT_TRUE(is_plain(outcome.out)) << line[0] << outcome.out;
+    EXPECT_TRUE(is_plain(outcome.err)) << line[0] << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -73,7 +73,7 @@ ExitCode bake_file(BakeOptions& options) {
   if (const auto fault = write::replace_file(options.out, *bytes))
     return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
   const auto cache = GeometryCache::open(*bytes);
-  fmt::print("{}{}\n", geometry_table(*cache), options.out);
+  print_result("{}{}\n", geometry_table(*cache), options.out);
   return ExitCode::done;
 }
 

@@ -47,7 +47,7 @@ double size_of(const TakeMesh& mesh) {
 
 TakeOrExit told(ImportResult<BakedPoints> baked, const Length& budget) {
   if (!baked) return tl::unexpected(fail_with(ExitCode::input_at_fault, baked.error().file, baked.error().issue));
-  if (!baked->found.empty()) fmt::print("{}\n", baked->found);
+  if (!baked->found.empty()) print_result("{}\n", baked->found);
   for (TakeMesh& mesh : baked->take.meshes)
     mesh.streams[0].budget = budget.of_model > 0.0 ? budget.of_model * size_of(mesh) : budget.metres;
   return std::move(baked->take);
