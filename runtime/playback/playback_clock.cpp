@@ -69,8 +69,8 @@ void PlaybackClock::wrap_around(double period_s) noexcept {
   double phase_s = std::fmod(total_s, period_s);
   if (phase_s < 0.0) {
     const ExactSum lifted = add(phase_s, period_s);
-    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it
-    phase_rest_s_ += lifted.sum < period_s ? lifted.error : lifted.error + (lifted.sum - period_s);
+    phase_s = lifted.sum < period_s ? lifted.sum : 0.0;  // a hair before the seam rounds onto it, which is 0
+    phase_rest_s_ += lifted.error;
   }
   turns_ = std::clamp(turns_ + std::nearbyint((total_s - phase_s) / period_s), -kMost, kMost);
   phase_s_ = phase_s + 0.0;  // no negative zero

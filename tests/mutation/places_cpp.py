@@ -243,6 +243,8 @@ class Finder:
                 a, b = self.range_of(first), self.range_of(second)
                 if self.flat(*a) == self.flat(*b) or self.flat(*b).endswith('end()') or cursor.spelling in ('min', 'max', 'Add', 'Mul', 'Min', 'Max', 'And', 'Or', 'dot', 'swap'):
                     continue
+                if cursor.spelling == 'clamp' and first is written[0]:
+                    continue  # the larger of value and lower end is the same either way
                 mutated = (self.flat(whole[0], a[0]) + self.flat(*b) + self.flat(a[1], b[0]) + ' ' + self.flat(*a) + self.flat(b[1], whole[1]))
                 self.add(*whole, 'arguments', mutated)
 
