@@ -96,6 +96,7 @@ set(sinew_public_headers
   runtime/playback/root_motion.h
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
+  runtime/retarget/retarget_pose.h
   runtime/retarget/skeleton_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h

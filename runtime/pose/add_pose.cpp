@@ -15,16 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-/// eq   a * b, in single multiplications and additions (N27)
-HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
-  const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
-  const auto m = [](Lanes p, Lanes q) HWY_ATTR { return hn::Mul(p, q); };
-  return {sum(m(a.w, b.x), m(a.x, b.w), m(a.y, b.z), hn::Neg(m(a.z, b.y))),
-          sum(m(a.w, b.y), m(a.y, b.w), m(a.z, b.x), hn::Neg(m(a.x, b.z))),
-          sum(m(a.w, b.z), m(a.z, b.w), m(a.x, b.y), hn::Neg(m(a.y, b.x))),
-          sum(m(a.w, b.w), hn::Neg(m(a.x, b.x)), hn::Neg(m(a.y, b.y)), hn::Neg(m(a.z, b.z)))};
-}
-
 HWY_INLINE void add_rotation(TransformLanes& pose, const TransformLanes& layer, const TransformLanes& reference,
                              Lanes weight) {
   const Floats d;

@@ -14,14 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace {
 
-using Indices = hn::RebindToSigned<Floats>;
-using IndexLanes = hn::Vec<Indices>;
-
-HWY_INLINE IndexLanes load_indices(const std::vector<std::uint32_t>& from, std::size_t at) {
-  const hn::RebindToUnsigned<Floats> d;
-  return hn::BitCast(Indices(), hn::LoadU(d, from.data() + at));
-}
-
 /// Copies every float from its place, negated where the highest bit says so.
 HWY_INLINE void copy_all(const MirrorPoseJob& job) {
   const Floats d;

@@ -6,21 +6,13 @@
 #include <vector>
 
 #include "runtime/animation/track_sample.h"
-#include "runtime/animation/truth_pose.h"
-#include "runtime/math/decompose.h"
+#include "runtime/retarget/rest_transform.h"
 
 namespace sinew {
 namespace {
 
 using Quatd = Quat<double>;
 using Vec3d = Vec3<double>;
-
-/// A local transform at rest; fixed matrices are taken apart.
-Transformd rest_of(const Skeleton& skeleton, std::uint32_t joint) noexcept {
-  const std::uint32_t fixed = skeleton.fixed_matrix_of[joint];
-  if (fixed == kNone) return in_double(skeleton.rest[joint]);
-  return decompose_trs(affine_cast<double>(skeleton.fixed_matrices[fixed])).transform;
-}
 
 /// The joint as its nearest mapped joint above sees it.
 struct Seen {
@@ -71,7 +63,7 @@ class JointBake {
  public:
   JointBake(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
             std::span<const JointTracks> tracks)
-      : joint_(joint), map_(map), source_(source), rest_(rest_of(target, joint.target)), tracks_(tracks) {
+      : joint_(joint), map_(map), source_(source), rest_(rest_transform(target, joint.target)), tracks_(tracks) {
     for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) path_.push_back(j);
   }
 
@@ -86,7 +78,7 @@ class JointBake {
 
  private:
   Transformd local_at(std::uint32_t j, double time_s) const {
-    Transformd local = rest_of(source_, j);
+    Transformd local = rest_transform(source_, j);
     if (source_.fixed_matrix_of[j] != kNone) return local;
     const JointTracks& of_joint = tracks_[j];
     if (of_joint.translation != nullptr) local.translation = sample_track<double>(*of_joint.translation, time_s);
@@ -116,9 +108,9 @@ class JointBake {
       if (j == moved[0])
         is_above = true;
       else if (is_above)
-        above = rest_of(source_, j).rotation * above;
+        above = rest_transform(source_, j).rotation * above;
       else
-        below = rest_of(source_, j).rotation * below;
+        below = rest_transform(source_, j).rotation * below;
     }
     const Quatd before = joint_.before * above, after = below * joint_.after;
     track = *tracks_[moved[0]].rotation;
@@ -156,7 +148,7 @@ class JointBake {
     const auto place_of = [&](const Vec3d& own) {
       return seen(joint_, source_,
                   [&](std::uint32_t j) {
-                    Transformd local = rest_of(source_, j);
+                    Transformd local = rest_transform(source_, j);
                     if (j == joint_.source) local.translation = own;
                     return local;
                   })
@@ -174,7 +166,7 @@ class JointBake {
     const Vec3Track* from = tracks_[joint_.source].scale;
     if (from == nullptr) return;
     track = *from;
-    const Vec3d ratio = rest_.scale / rest_of(source_, joint_.source).scale;
+    const Vec3d ratio = rest_.scale / rest_transform(source_, joint_.source).scale;
     for (glm::vec3& s : track.values) s = glm::vec3(Vec3d(s) * ratio);
   }
 
@@ -204,16 +196,16 @@ class JointBake {
 
 void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                    std::span<const Transformd> pose, std::span<Transformd> out) noexcept {
-  for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = rest_of(target, j);
+  for (std::uint32_t j = 0; j < out.size(); ++j) out[j] = rest_transform(target, j);
   for (const MappedJoint& joint : map.joints) {
     const Seen from = seen(joint, source, [&](std::uint32_t j) {
-      return source.fixed_matrix_of[j] == kNone ? pose[j] : rest_of(source, j);
+      return source.fixed_matrix_of[j] == kNone ? pose[j] : rest_transform(source, j);
     });
     Transformd& to = out[joint.target];
     to.rotation = normalised(joint.before * from.rotation * joint.after);
     if (joint.moves) to.translation = mapped_place(joint, to.translation, from.place);
     if (map.by_names && source.parents[joint.source] == joint.above_source)
-      to.scale *= pose[joint.source].scale / rest_of(source, joint.source).scale;
+      to.scale *= pose[joint.source].scale / rest_transform(source, joint.source).scale;
   }
 }
 

@@ -7,11 +7,10 @@
 #include <map>
 #include <string>
 
-#include "runtime/animation/truth_pose.h"
-#include "runtime/math/decompose.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/rotation_between.h"
 #include "runtime/retarget/humanoid_bones.h"
+#include "runtime/retarget/rest_transform.h"
 
 namespace sinew {
 namespace {
@@ -27,9 +26,8 @@ struct RestPose {
 
   explicit RestPose(const Skeleton& skeleton) {
     for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
-      const std::uint32_t fixed = skeleton.fixed_matrix_of[j], parent = skeleton.parents[j];
-      Transformd own = in_double(skeleton.rest[j]);
-      if (fixed != kNone) own = decompose_trs(affine_cast<double>(skeleton.fixed_matrices[fixed])).transform;
+      const std::uint32_t parent = skeleton.parents[j];
+      Transformd own = rest_transform(skeleton, j);
       own.rotation = normalised(own.rotation);
       local.push_back(own);
       rotation.push_back(parent == kNone ? own.rotation : normalised(rotation[parent] * own.rotation));

@@ -4,6 +4,7 @@
 #include "runtime/animation/mirror_map.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/sample_clip.h"
+#include "runtime/retarget/retarget_pose.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/measure.h"
 #include "tests/support/tiny_assets.h"
@@ -28,6 +29,24 @@ struct Room {
   void copy() { std::copy_n(pose.span().planes, PoseSpan::floats_for(of->joint_count()), out.span().planes); }
 };
 
+/// The skeleton with other axes at every joint.
+Skeleton with_other_axes(Skeleton skeleton) {
+  for (Transform& rest : skeleton.rest) rest.rotation = rest.rotation * quat_xyzw(0.6f, 0.0f, 0.0f, 0.8f);
+  return skeleton;
+}
+
+/// A pose on the same body with other axes.
+struct Retargeted {
+  Room room;
+  RetargetTables tables;
+
+  explicit Retargeted(const std::shared_ptr<const Character>& c) : room(c) {
+    const Skeleton target = with_other_axes(c->skeleton);
+    tables = make_retarget_tables(make_skeleton_map(c->skeleton, target), c->skeleton, target);
+  }
+  void run_job() { run(RetargetPoseJob{.tables = &tables, .pose = room.pose.span(), .retargeted = room.out.span()}); }
+};
+
 }  // namespace
 
 void add_mirrors() {
@@ -35,6 +54,10 @@ void add_mirrors() {
     const auto room = std::make_shared<Room>(c);
     add("mirror_pose/sinew/" + c->name, c->joint_count(), [room] { room->mirror(); });
     add("mirror_pose/copy/" + c->name, c->joint_count(), [room] { room->copy(); });
+    if (!c->skeleton.fixed_matrices.empty()) continue;  // these need a scratch pose
+    const auto retargeted = std::make_shared<Retargeted>(c);
+    add("retarget_pose/sinew/" + c->name, c->joint_count(), [retargeted] { retargeted->run_job(); });
+    add("retarget_pose/copy/" + c->name, c->joint_count(), [retargeted] { retargeted->room.copy(); });
   }
 }
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/retarget_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "runtime/math/quaternion.h"
+#include "runtime/retarget/rest_transform.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "runtime/retarget/retarget_pose.cpp"
+#include <hwy/foreach_target.h>
+
+#include "runtime/pose/simd/dispatch.h"
+#include "runtime/pose/simd/pose_lanes-inl.h"
+
+namespace sinew {
+namespace {
+
+/// Puts joints that are mapped over several into the scratch pose, as the mapped joint above sees them.
+PoseSpan with_composed(const RetargetPoseJob& job) noexcept;
+
+}  // namespace
+}  // namespace sinew
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+namespace {
+
+/// Replaces `kCount` planes from `first` on by `map(numbers of the source, factors, distance of their planes)`.
+template <std::size_t kCount, class Map>
+HWY_INLINE void map_all(const RetargetedJoints& joints, const PoseSpan& pose, const PoseSpan& to, PoseSpan::Plane first,
+                        const Map& map) {
+  const Floats d;
+  const std::size_t count = joints.targets.size();
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const IndexLanes from = load_indices(joints.sources, i), at = load_indices(joints.targets, i);
+    Lanes numbers[kCount];
+    for (std::size_t c = 0; c < kCount; ++c) numbers[c] = hn::GatherIndex(d, pose.plane(first) + c * pose.stride, from);
+    map(numbers, joints.factors.data() + i, count);
+    for (std::size_t c = 0; c < kCount; ++c) hn::ScatterIndex(numbers[c], d, to.plane(first) + c * to.stride, at);
+  }
+}
+
+void retarget(const RetargetPoseJob& job) {
+  const RetargetTables& tables = *job.tables;
+  const PoseSpan from = with_composed(job);
+  std::copy(tables.rest.begin(), tables.rest.end(), job.retargeted.planes);
+  const auto copy = [&](const std::vector<std::uint32_t>(&joints)[2], PoseSpan::Plane first, std::size_t count) {
+    for (std::size_t c = 0; c < count; ++c)
+      for (std::size_t i = 0; i < joints[0].size(); ++i)
+        (job.retargeted.plane(first) + c * job.retargeted.stride)[joints[0][i]] =
+            (from.plane(first) + c * from.stride)[joints[1][i]];
+  };
+  copy(tables.copied_rotations, PoseSpan::rx, 4);
+  copy(tables.copied_translations, PoseSpan::tx, 3);
+  map_all<4>(tables.rotations, from, job.retargeted, PoseSpan::rx,
+             [](Lanes(&q)[4], const float* factors, std::size_t plane) HWY_ATTR {
+               const Floats d;
+               const auto factor = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, factors + i * plane); };
+               const Rotations before{factor(0), factor(1), factor(2), factor(3)},
+                   after{factor(4), factor(5), factor(6), factor(7)};
+               const Rotations unit = normalised(product(product(before, {q[0], q[1], q[2], q[3]}), after));
+               q[0] = unit.x;
+               q[1] = unit.y;
+               q[2] = unit.z;
+               q[3] = unit.w;
+             });
+  map_all<3>(tables.translations, from, job.retargeted, PoseSpan::tx,
+             [](Lanes(&t)[3], const float* factors, std::size_t plane) HWY_ATTR {
+               const Floats d;
+               const Lanes x = t[0], y = t[1], z = t[2];
+               const auto factor = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, factors + i * plane); };
+               for (std::size_t r = 0; r < 3; ++r)
+                 t[r] = add_product(add_product(add_product(factor(9 + r), x, factor(3 * r)), y, factor(3 * r + 1)), z,
+                                    factor(3 * r + 2));
+             });
+  map_all<3>(tables.scales, from, job.retargeted, PoseSpan::sx,
+             [](Lanes(&s)[3], const float* factors, std::size_t plane) HWY_ATTR {
+               for (std::size_t c = 0; c < 3; ++c) s[c] = hn::Mul(s[c], hn::LoadU(Floats(), factors + c * plane));
+             });
+}
+
+}  // namespace
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sinew {
+namespace {
+
+PoseSpan with_composed(const RetargetPoseJob& job) noexcept {
+  if (job.tables->composed.empty()) return job.pose;
+  std::copy_n(job.pose.planes, PoseSpan::floats_for(job.pose.joint_count), job.scratch.planes);
+  for (const std::vector<StepDown>& way : job.tables->composed) {
+    Transform seen;
+    for (const StepDown& step : way) {
+      const Transform own = step.is_fixed ? step.local : job.pose.get(step.joint);
+      const bool is_first = &step == way.data();
+      seen.translation =
+          is_first ? own.translation : own.translation + rotate_vector(own.rotation, own.scale * seen.translation);
+      seen.rotation = is_first ? own.rotation : own.rotation * seen.rotation;
+    }
+    seen.scale = job.pose.get(way.front().joint).scale;
+    job.scratch.set(way.front().joint, seen);
+  }
+  return job.scratch;
+}
+
+constexpr std::size_t kGroup = 16;
+
+void fill_up(RetargetedJoints& joints) {
+  while (joints.targets.size() % kGroup != 0) {
+    joints.targets.push_back(joints.targets.back());
+    joints.sources.push_back(joints.sources.back());
+  }
+}
+
+/// Writes the planes of factors: `factors_of(joint)` of each, one after another.
+template <class FactorsOf>
+void write_factors(RetargetedJoints& joints, const std::vector<const MappedJoint*>& by_target,
+                   const FactorsOf& factors_of) {
+  fill_up(joints);
+  for (std::size_t i = 0; i < joints.targets.size(); ++i) {
+    const auto factors = factors_of(*by_target[joints.targets[i]]);
+    joints.factors.resize(factors.size() * joints.targets.size());
+    for (std::size_t f = 0; f < factors.size(); ++f)
+      joints.factors[f * joints.targets.size() + i] = static_cast<float>(factors[f]);
+  }
+}
+
+/// Copies, or one of the joints of `mapped`.
+void add(const MappedJoint& joint, bool is_copied, std::vector<std::uint32_t> (&copied)[2], RetargetedJoints& mapped) {
+  (is_copied ? copied[0] : mapped.targets).push_back(joint.target);
+  (is_copied ? copied[1] : mapped.sources).push_back(joint.source);
+}
+
+bool is_identity(const Quat<double>& q) noexcept {
+  return q == quat_identity<double>() || q == -quat_identity<double>();
+}
+
+std::vector<StepDown> way_of(const MappedJoint& joint, const Skeleton& source) {
+  std::vector<StepDown> way;
+  for (std::uint32_t j = joint.source; j != joint.above_source; j = source.parents[j]) {
+    const Transformd rest = rest_transform(source, j);
+    way.push_back({j,
+                   source.fixed_matrix_of[j] != kNone,
+                   {glm::vec3(rest.translation), quat_cast<float>(rest.rotation), glm::vec3(rest.scale)}});
+  }
+  return way;
+}
+
+void write_rest(const Skeleton& target, RetargetTables& tables) {
+  tables.rest.resize(PoseSpan::floats_for(target.joint_count()));
+  const PoseSpan rest{tables.rest.data(), target.joint_count(), PoseSpan::stride_for(target.joint_count())};
+  for (std::uint32_t j = 0; j < rest.stride; ++j) rest.set(j, j < rest.joint_count ? target.rest[j] : Transform{});
+}
+
+Vec3<double> offset_of(const MappedJoint& joint, const Skeleton& target) noexcept {
+  return rest_transform(target, joint.target).translation - joint.translation * joint.source_place;
+}
+
+void add_joint(const MappedJoint& joint, const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
+               RetargetTables& tables) {
+  std::vector<StepDown> way = way_of(joint, source);
+  const bool is_child = way.size() == 1;
+  if (!is_child || way.front().is_fixed) tables.composed.push_back(std::move(way));
+  add(joint, is_identity(joint.before) && is_identity(joint.after), tables.copied_rotations, tables.rotations);
+  if (joint.moves) {
+    const bool copies = joint.translation == Mat3<double>(1.0) && offset_of(joint, target) == Vec3<double>(0.0);
+    add(joint, copies, tables.copied_translations, tables.translations);
+  }
+  if (!map.by_names || !is_child) return;
+  tables.scales.targets.push_back(joint.target);
+  tables.scales.sources.push_back(joint.source);
+}
+
+}  // namespace
+
+RetargetTables make_retarget_tables(const SkeletonMap& map, const Skeleton& source, const Skeleton& target) {
+  RetargetTables tables;
+  tables.source_count = source.joint_count();
+  tables.target_count = target.joint_count();
+  write_rest(target, tables);
+  std::vector<const MappedJoint*> by_target(target.joint_count());
+  for (const MappedJoint& joint : map.joints) {
+    by_target[joint.target] = &joint;
+    add_joint(joint, map, source, target, tables);
+  }
+  write_factors(tables.rotations, by_target, [](const MappedJoint& joint) {
+    const Quat<double>&a = joint.before, &b = joint.after;
+    return std::array{a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w};
+  });
+  write_factors(tables.translations, by_target, [&](const MappedJoint& joint) {
+    const Mat3<double>& m = joint.translation;
+    const Vec3<double> offset = offset_of(joint, target);
+    return std::array{m[0].x, m[1].x, m[2].x, m[0].y,   m[1].y,   m[2].y,
+                      m[0].z, m[1].z, m[2].z, offset.x, offset.y, offset.z};
+  });
+  write_factors(tables.scales, by_target, [&](const MappedJoint& joint) {
+    const Vec3<double> ratio = rest_transform(target, joint.target).scale / rest_transform(source, joint.source).scale;
+    return std::array{ratio.x, ratio.y, ratio.z};
+  });
+  return tables;
+}
+
+ErrorCode check(const RetargetPoseJob& job) noexcept {
+  if (job.tables == nullptr) return ErrorCode::size_mismatch;
+  const auto fits = [](const PoseSpan& pose, std::size_t joints) {
+    return pose.joint_count == joints && pose.stride == PoseSpan::stride_for(joints) &&
+           (joints == 0 || pose.planes != nullptr);
+  };
+  const bool has_scratch = job.tables->composed.empty() || fits(job.scratch, job.tables->source_count);
+  const bool all_fit =
+      fits(job.pose, job.tables->source_count) && fits(job.retargeted, job.tables->target_count) && has_scratch;
+  return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
+}
+
+SINEW_DISPATCH_RUN(RetargetPoseJob, retarget)
+
+}  // namespace sinew
+#endif  // HWY_ONCE

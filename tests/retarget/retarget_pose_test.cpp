@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/retarget_pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "runtime/animation/truth_pose.h"
+#include "runtime/retarget/retarget_animation.h"
+#include "tests/scenes/two_sided.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/near.h"
+#include "tests/support/simd_targets.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+using scenes::RightSide;
+
+struct Retargeted {
+  Skeleton from, to;
+  SkeletonMap map;
+  RetargetTables tables;
+  std::vector<Transform> local;
+  test::PoseBuffer pose{14}, scratch{14}, out{14};
+
+  Retargeted(Skeleton source, Skeleton target, std::uint64_t seed)
+      : from(std::move(source)),
+        to(std::move(target)),
+        map(make_skeleton_map(from, to)),
+        tables(make_retarget_tables(map, from, to)),
+        local(scenes::moved_from_rest(from, seed)) {
+    for (std::size_t j = 0; j < local.size(); ++j) pose.span().set(j, local[j]);
+  }
+  RetargetPoseJob job() { return {&tables, pose.span(), scratch.span(), out.span()}; }
+};
+
+/// Bodies of other axes and lengths; of the second pair the hand follows over a forearm that nothing follows.
+Retargeted two_bodies(std::uint64_t seed, bool all_joints) {
+  Skeleton to = scenes::two_sided(RightSide::another_posture, seed + 20).skeleton;
+  if (!all_joints) to.names[9] = "something";
+  return {scenes::two_sided(RightSide::any_axes, seed).skeleton, to, seed};
+}
+
+TEST(retarget_pose, rejects_other_joint_counts_and_a_missing_scratch) {
+  Retargeted r = two_bodies(1, false);
+  test::PoseBuffer other(60);
+  EXPECT_EQ(check(r.job()), ErrorCode::ok);
+  RetargetPoseJob job = r.job();
+  job.tables = nullptr;
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = r.job();
+  job.retargeted = other.span();
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  job = r.job();
+  job.scratch = {};
+  EXPECT_EQ(check(job), ErrorCode::size_mismatch);
+  Retargeted plain = two_bodies(1, true);
+  job = plain.job();
+  job.scratch = {};
+  EXPECT_EQ(check(job), ErrorCode::ok) << "nothing is composed";
+}
+
+TEST(retarget_pose, agrees_with_double_and_every_instruction_set_gives_the_same_bits) {
+  for (const bool all_joints : {true, false})
+    for (std::uint64_t seed = 1; seed < 5; ++seed) {
+      std::vector<Transform> first;
+      for (const std::int64_t target : test::simd_targets()) {
+        const test::OnlyTarget only(target);
+        Retargeted r = two_bodies(seed, all_joints);
+        std::vector<Transformd> exact, truth(14);
+        for (const Transform& t : r.local) exact.push_back(in_double(t));
+        retarget_pose(r.map, r.from, r.to, exact, truth);
+        const test::AllocationCounter counter;
+        run(r.job());
+        EXPECT_EQ(counter.count(), 0u);
+        std::vector<Transform> found;
+        for (std::size_t j = 0; j < 14; ++j) {
+          found.push_back(r.out.span().get(j));
+          EXPECT_TRUE(test::is_near(Vec3<double>(found[j].translation), truth[j].translation, 1e-6)) << j;
+          EXPECT_LT(test::angle_between(found[j].rotation, truth[j].rotation), 1e-6) << j;
+          EXPECT_TRUE(test::is_near(Vec3<double>(found[j].scale), truth[j].scale, 1e-6)) << j;
+        }
+        if (first.empty()) first = found;
+        EXPECT_TRUE(found == first) << test::simd_name(target);
+      }
+    }
+}
+
+TEST(retarget_pose, on_its_own_skeleton_a_pose_keeps_its_bits) {
+  const Skeleton skeleton = scenes::two_sided(RightSide::any_axes).skeleton;
+  Retargeted r(skeleton, skeleton, 3);
+  run(r.job());
+  for (std::size_t j = 0; j < 14; ++j) {
+    const Transform same = r.out.span().get(j);
+    EXPECT_EQ(0, std::memcmp(&same, &r.local[j], sizeof same)) << j;
+  }
+}
+
+}  // namespace
+}  // namespace sinew
