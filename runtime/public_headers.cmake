@@ -8,6 +8,7 @@ set(sinew_public_headers
   runtime/base/index.h
   runtime/base/result.h
   runtime/base/same_bits.h
+  runtime/base/shared_name.h
   runtime/math/affine.h
   runtime/math/axis_angle.h
   runtime/math/conventions.h

@@ -77,17 +77,14 @@ std::size_t target_count(const gltf::Mesh& mesh) {
   return count;
 }
 
-/// Names are short; only what many nodes repeat is counted.
-void add_names(const gltf::Document& document, Budget& budget) {
+/// Nodes that place the same camera or light share its name.
+void add_placements(const gltf::Document& document, Budget& budget) {
   const gltf::Json* lights = member(member(&document.extensions, "KHR_lights_punctual"), "lights");
   const std::size_t light_count = lights != nullptr && lights->is_array() ? lights->size() : 0;
   for (const auto& node : document.nodes) {
-    if (node.camera != gltf::kAbsent) budget.add_bytes(1, sizeof(Camera) + document.cameras[node.camera].name.size());
+    if (node.camera != gltf::kAbsent) budget.add_bytes(1, sizeof(Camera));
     const gltf::Json* use = member(member(&node.extensions, "KHR_lights_punctual"), "light");
-    const std::uint32_t light = index_below(use, light_count);
-    const gltf::Json* name = light == kNone ? nullptr : member(&(*lights)[light], "name");
-    if (name != nullptr && name->is_string())
-      budget.add_bytes(1, sizeof(Light) + name->get_ref<const std::string&>().size());
+    if (index_below(use, light_count) != kNone) budget.add_bytes(1, sizeof(Light));
   }
 }
 
@@ -118,7 +115,7 @@ void add_products(const gltf::Document& document, const Users& users, Budget& bu
   budget.add_bytes(std::min(tracks, std::uint64_t{1} << 32), kTrack);
   budget.add_bytes(3 * std::min(weights, std::uint64_t{1} << 32), sizeof(float));
   budget.add_bytes(2 * std::min(properties, std::uint64_t{1} << 32), kProperty);
-  add_names(document, budget);
+  add_placements(document, budget);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "runtime/animation/bone_animation.h"
 #include "runtime/animation/skeleton.h"
+#include "runtime/base/shared_name.h"
 #include "runtime/clip/clip.h"
 #include "runtime/model/material.h"
 #include "runtime/model/mesh.h"
@@ -25,8 +26,9 @@ struct MeshInstance {
   std::vector<Transform> copies = {};
 };
 
+/// One of them for each node that places a camera of the file, with the name of that camera.
 struct Camera {
-  std::string name;
+  SharedName name;
   std::uint32_t joint = kNone;  ///< kNone = no node places it
   bool perspective = true;
   float fov_y_rad = 0.8f;                       ///< perspective
@@ -36,10 +38,10 @@ struct Camera {
   float far_m = 0.0f;  ///< 0 = infinite
 };
 
-/// KHR_lights_punctual.
+/// KHR_lights_punctual. One of them for each node that places a light of the file, with the name of that light.
 struct Light {
   enum class Kind : std::uint8_t { directional, point, spot };
-  std::string name;
+  SharedName name;
   Kind kind = Kind::directional;
   std::uint32_t joint = kNone;
   glm::vec3 color{1.0f};

@@ -234,6 +234,20 @@ TEST(memory_products, G68_entries_of_few_characters_are_counted_before_they_are_
   EXPECT_EQ(outcome(file.import()), "ok");
 }
 
+/// Nodes share the name of what they place.
+TEST(memory_products, names_of_cameras_and_lights_exist_once_however_many_nodes_place_them) {
+  const auto lights = import_gltf(bytes_of(nodes_times_light_name().text()), "lights", small_allowance());
+  ASSERT_EQ(outcome(lights), "ok");
+  ASSERT_EQ(lights->scene.lights.size(), 5000u);
+  for (const Light& light : lights->scene.lights) EXPECT_EQ(&light.name.str(), &lights->scene.lights[0].name.str());
+  EXPECT_EQ(lights->scene.lights[4999].name.str(), std::string(20'000, 'n'));
+  const auto cameras = import_gltf(bytes_of(nodes_times_camera_name().text()), "cameras", small_allowance());
+  ASSERT_EQ(outcome(cameras), "ok");
+  ASSERT_EQ(cameras->scene.cameras.size(), 5000u);
+  for (const Camera& camera : cameras->scene.cameras)
+    EXPECT_EQ(&camera.name.str(), &cameras->scene.cameras[0].name.str());
+}
+
 TEST(memory_products, clips_of_a_real_size_stay_within_the_limit) {
   TinyGltf file;
   const std::size_t input = file.times({0}), output = file.vec3({1, 2, 3});

@@ -21,7 +21,7 @@ std::vector<Choice> clips(const Scene& scene) {
 std::vector<Choice> cameras_on_nodes(const Scene& scene) {
   std::vector<Choice> choices;
   for (std::uint32_t i = 0; i < scene.cameras.size(); ++i)
-    if (scene.cameras[i].joint != kNone) choices.push_back({i, scene.cameras[i].name});
+    if (scene.cameras[i].joint != kNone) choices.push_back({i, scene.cameras[i].name.str()});
   return choices;
 }
 
