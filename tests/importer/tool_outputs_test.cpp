@@ -42,6 +42,8 @@ const std::map<std::string, Command> kWriting = {
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"convert", in, out};
      }},
+    {"retarget",
+     [](const auto& in, const auto& out) { return std::vector<std::string>{"retarget", in, "--onto", in, "-o", out}; }},
     {"cost",
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"cost", in, "--quick", "-o", fs::path(out).parent_path().string()};
@@ -92,7 +94,7 @@ TEST(tool_outputs, an_output_never_takes_the_place_of_an_input) {
   fs::create_hard_link(model.path(), model.beside("hard.gltf"));
   for (const std::string& out :
        {model.path(), model.beside("./model.gltf"), model.beside("symbolic.gltf"), model.beside("hard.gltf")})
-    expect_refused(model.path(), out, {"sample", "compile", "bake", "convert"});
+    expect_refused(model.path(), out, {"sample", "compile", "bake", "convert", "retarget"});
   const auto left = fs::directory_iterator(fs::path(model.path()).parent_path());
   EXPECT_EQ(std::distance(left, fs::directory_iterator()), 3) << "nothing else was written";
 }
