@@ -223,10 +223,11 @@ def influences(points, joints, width):
     """Weights that go over from joint to joint along y; `width` joints a vertex."""
     ids, weights = [], []
     top = max(p[1] for p in points) or 1.0
+    reach = 1.5 if width <= 4 else width / 2  # in joints; more than four of eight pull at a vertex
     for p in points:
         at = p[1] / top * (joints - 1)
         near = sorted(range(joints), key=lambda j: abs(j - at))[:width]
-        pull = [max(0.0, 1.5 - abs(j - at)) for j in near]
+        pull = [max(0.0, reach - abs(j - at)) for j in near]
         total = sum(pull)
         ids.append(near + [0] * (width - len(near)))
         weights.append([x / total for x in pull] + [0.0] * (width - len(near)))
