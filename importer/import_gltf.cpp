@@ -141,7 +141,7 @@ class Import {
     check_memory_budget(document_, files_.bytes_read(), options_.max_unpacked_bytes, log_);
     if (!go_on()) return false;
     if (options_.thorough) check_spare_parts();
-    if (options_.decode_images || options_.probe_images || options_.carry_document)
+    if (options_.decode_images || options_.probe_images || options_.keep_encoded_images || options_.carry_document)
       load_images(document_, files_, log_);
     return true;
   }

@@ -66,7 +66,7 @@ std::vector<Image> read_images(const gltf::Document& document, const ImportOptio
   const std::size_t count = document.images.size();
   std::vector<Image> images(count);
   for (std::size_t i = 0; i < count; ++i) images[i].name = document.images[i].name;
-  if (!options.decode_images && !options.probe_images) return images;
+  if (!options.decode_images && !options.probe_images && !options.keep_encoded_images) return images;
 
   const std::vector<std::uint32_t> first = first_of_equals(document);
   for (Texture& texture : textures)

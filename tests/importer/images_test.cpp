@@ -88,7 +88,7 @@ TEST(read_images, are_written_back_byte_for_byte_webp_and_avif_by_their_extensio
       test::encode_webp(2, 2, kFourPixels), test::encode_avif(2, 2, kFourPixels)};
   ImportOptions options;
   options.decode_images = false;
-  options.probe_images = options.keep_encoded_images = true;
+  options.keep_encoded_images = true;
   const auto before = images_of_all_kinds(encoded).import(options);
   ASSERT_EQ(test::outcome(before), "ok");
   const auto written = export_glb(before->scene);

@@ -126,6 +126,35 @@ TEST(retarget_corpus, clips_on_other_bodies_are_the_retargeted_poses_and_rest_st
   }
 }
 
+TEST(retarget_corpus, images_of_the_character_stay_as_they_are) {
+  const ToolModelFile model;
+  ImportOptions options;
+  options.decode_images = false;
+  options.keep_encoded_images = true;
+  const auto images_of = [&](const std::string& file) {
+    const auto imported = import_gltf(file, options);
+    std::vector<std::vector<std::byte>> encoded;
+    if (imported)
+      for (const Image& image : imported->scene.images) {
+        EXPECT_FALSE(image.encoded.empty()) << file;
+        encoded.push_back(image.encoded);
+      }
+    return encoded;
+  };
+  std::size_t compared = 0;
+  for (const auto& file : corpus_files("retarget", {".glb"})) {
+    const auto before = images_of(file.string());
+    if (before.empty()) continue;
+    const std::string out = model.beside("worn.glb");
+    ASSERT_EQ(run_tool({"retarget", file.string(), "--onto", file.string(), "-o", out}).status, 0) << file;
+    EXPECT_EQ(images_of(out), before) << file;
+    ++compared;
+  }
+  if (corpus()) {
+    EXPECT_GT(compared, 0u);
+  }
+}
+
 /// Humans follow humanoids of other names: all limbs are found.
 TEST(retarget_corpus, limbs_of_humanoids_find_each_other) {
   std::size_t humanoids = 0;
