@@ -53,7 +53,8 @@ TEST(library_symbols, the_runtime_has_no_globals) {
 }
 
 TEST(library_symbols, P18_the_runtime_asks_for_nothing_of_files_pictures_or_ray_casting) {
-  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVES);
+  // Lines that end with a colon are names of files, whose folder may be called anything.
+  const std::string table = output_of("nm -C " SINEW_RUNTIME_ARCHIVES " | grep -v ':$'");
   ASSERT_THAT(table, testing::HasSubstr("U tbb::"));  // what it does ask for is seen
   for (const char* name :
        {"tinygltf", "nlohmann", "OpenMesh", "draco", "meshopt_", "rtcNew", "stbi_", "WebP", "tjDecompress", "inflate",
