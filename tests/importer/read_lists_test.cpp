@@ -20,12 +20,21 @@
 namespace sinew::test {
 namespace {
 
-std::unique_ptr<JsonTree> checked(const std::string& text) {
+/// A tree and the text that its strings point into.
+struct CheckedText {
+  std::unique_ptr<const std::string> text;
+  std::unique_ptr<JsonTree> json;
+
+  JsonTree* operator->() const { return json.get(); }
+};
+
+CheckedText checked(const std::string& text) {
   IssueLog log;
-  auto json = parse_json(bytes_of(text), log);
-  check_shape(json->root, gltf_shape(), "", log);
+  CheckedText out{std::make_unique<const std::string>(text), nullptr};
+  out.json = parse_json(bytes_of(*out.text), log);
+  check_shape(out->root, gltf_shape(), "", log);
   EXPECT_EQ(log.error_count(), 0u) << text.substr(0, 200);
-  return json;
+  return out;
 }
 
 /// The text of a list with one entry.
