@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-
+#include "runtime/math/interpolate.h"
 #include "viewer/app/clip_poses.h"
 #include "viewer/app/skeleton_lines.h"
 
@@ -16,7 +15,7 @@ glm::dvec3 Framed::place_at(double time_s) const noexcept {
   const double at = std::min(time_s / duration_s, 1.0) * last;
   const auto before = std::min(static_cast<std::size_t>(at), path.size() - 1);
   const glm::dvec3 from(path[before]), to(path[std::min(before + 1, path.size() - 1)]);
-  return glm::mix(from, to, at - static_cast<double>(before));
+  return lerp(from, to, at - static_cast<double>(before));
 }
 
 Framed framed(Framing framing, const Scene& scene, std::uint32_t clip, double time_s, const CacheOnScene* cache) {
