@@ -92,7 +92,8 @@ std::vector<std::byte> pack_buffer(Draft& draft) {
   if (run.block != kNone) close(run);
   Json merged = merged_buffer(draft);
   draft.json.erase("buffers");
-  if (out.empty()) return out;
+  if (out.empty() && views.empty()) return out;
+  if (out.empty()) out.resize(4);  // views without bytes name a buffer, too, and none may be empty
   merged["byteLength"] = out.size();
   draft.json["buffers"] = Json::array({std::move(merged)});
   add_fallback(draft.json);

@@ -106,6 +106,19 @@ TEST(rewrite_gltf, changes_no_byte_of_what_it_wrote) {
   }
 }
 
+TEST(rewrite_gltf, views_without_bytes_name_a_buffer_that_is_there) {
+  TinyGltf gltf;
+  gltf.root = {{"asset", {{"version", "2.0"}}},
+               {"buffers", {{{"byteLength", 1}}}},
+               {"bufferViews", {{{"buffer", 0}, {"byteLength", 0}}}}};
+  const auto once = rewrite(gltf);
+  ASSERT_TRUE(once) << once.error().issue.detail;
+  EXPECT_EQ(split_glb(once->file).json["buffers"], Json({{{"byteLength", 4}}}));
+  const auto again = import_gltf(once->file, "once.glb", carrying());
+  ASSERT_TRUE(again) << "the view names a buffer";
+  EXPECT_TRUE(rewrite_gltf(*again)->file == once->file);
+}
+
 TEST(rewrite_gltf, writes_text_and_a_buffer_that_say_the_same_as_a_glb) {
   const TinyGltf gltf = strange_file();
   RewriteOptions options;
