@@ -225,7 +225,8 @@ TEST(shell_files, bash_completes_commands_options_and_values) {
   EXPECT_THAT(offered(folder, "sinew sample x.glb -o ou"), ElementsAre(""));
 }
 
-/// What zsh lists when Tab is pressed behind some words, in an interactive shell on a terminal of its own.
+/// What zsh lists when Tab is pressed behind some words, in an interactive shell on a terminal of its own. It is ready
+/// for keys once it edits a line: before, the terminal is not raw and takes them itself.
 std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words) {
   const std::string functions = folder.beside("functions"), script = folder.beside("tab.zsh");
   std::filesystem::create_directory(functions);
@@ -234,7 +235,8 @@ std::string listed_by_zsh(const ToolModelFile& folder, const std::string& words)
 zpty tab zsh -f -i
 zpty -w tab 'PS1=; TERM=dumb; unsetopt zle_bracketed_paste prompt_cr prompt_sp; stty -echo cols 200 rows 500'
 zpty -w tab "fpath=($1 \$fpath); autoload -U compinit; compinit -D -u; LISTMAX=0"
-zpty -w tab 'tab() { zle list-choices; zle -R; print -n "li""sted" }; zle -N tab; bindkey "^I" tab; echo "rea""dy"'
+zpty -w tab 'tab() { zle list-choices; zle -R; print -n "li""sted" }; zle -N tab; bindkey "^I" tab'
+zpty -w tab 'zle-line-init() { print -n "rea""dy" }; zle -N zle-line-init'
 zpty -r tab before '*ready*'
 zpty -w -n tab "$2"$'\t'
 zpty -r tab listed '*listed*'
