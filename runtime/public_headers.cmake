@@ -39,6 +39,7 @@ set(sinew_public_headers
   runtime/animation/property_track.h
   runtime/animation/side_names.h
   runtime/animation/skeleton.h
+  runtime/animation/skeleton_signature.h
   runtime/animation/track.h
   runtime/animation/truth_pose.h
   runtime/clip/clip.h
