@@ -9,8 +9,9 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
-#include "importer/tool/files/cache_folder.h"
+#include "importer/file/cache_folder.h"
 #include "runtime/base/checksum.h"
 #include "tests/importer/tool_model.h"
 
@@ -103,19 +104,19 @@ class Variable {
 
 TEST(tool_centers, the_environment_says_where_they_are_kept) {
   const Variable home("HOME", "/home/someone"), base("XDG_CACHE_HOME", nullptr), own("SINEW_CACHE", nullptr);
-  EXPECT_EQ(tool::default_cache_folder(), "/home/someone/.cache/sinew");
+  EXPECT_EQ(default_cache_folder(), "/home/someone/.cache/sinew");
   {
     const Variable no_home("HOME", nullptr);
-    EXPECT_EQ(tool::default_cache_folder(), "") << "nothing is kept";
+    EXPECT_EQ(default_cache_folder(), "") << "nothing is kept";
   }
   const Variable other_base("XDG_CACHE_HOME", "/var/cache/someone");
-  EXPECT_EQ(tool::default_cache_folder(), "/var/cache/someone/sinew");
+  EXPECT_EQ(default_cache_folder(), "/var/cache/someone/sinew");
   {
     const Variable named("SINEW_CACHE", "/centers");
-    EXPECT_EQ(tool::default_cache_folder(), "/centers");
+    EXPECT_EQ(default_cache_folder(), "/centers");
   }
   const Variable none("SINEW_CACHE", "none");
-  EXPECT_EQ(tool::default_cache_folder(), "");
+  EXPECT_EQ(default_cache_folder(), "");
 }
 
 TEST(tool_centers, a_cache_that_cannot_be_written_is_no_fault) {

@@ -12,6 +12,7 @@ unset DISPLAY WAYLAND_DISPLAY
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
+export SINEW_CACHE=$folder/cache
 failures=0
 
 complain() {
@@ -86,6 +87,13 @@ cmp -s a.png turned.png && complain "--environment-turn changes nothing"
 cmp -s a.png exposed.png && complain "--exposure changes nothing"
 ends 0 '' --headless b.png --size 320x180 --time 1
 if cmp -s a.png b.png; then echo "ok: the same picture twice is the same bytes"; else complain "the same picture twice differs"; fi
+[ -s cache/studio.light ] || complain "prepared light is not kept: $(ls cache)"
+for change in ': > $kept' 'printf x >> $kept' 'rm -r cache && touch cache'; do
+  for kept in cache/*; do eval "$change"; done
+  ends 0 '' --headless b.png --size 320x180 --time 1 --validate
+  if cmp -s a.png b.png; then echo "ok: the same picture after '$change'"; else complain "'$change' of kept files changes the picture"; fi
+done
+export SINEW_CACHE=none
 holds "the picture has the size that was asked for" 'w==320&&h==180' a.png
 holds "and shows something" 'standard_deviation>0.05' a.png
 ends 0 '' --headless c.png --size 320x180 --time 3

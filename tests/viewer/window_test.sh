@@ -10,6 +10,7 @@ for tool in Xvfb xdotool import compare convert; do
 done
 
 pictures=$(mktemp -d)
+export SINEW_CACHE=$pictures/cache
 pid=
 server=
 finish() {

@@ -150,7 +150,7 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
     exhibits.push_back(std::move(*exhibit));
   }
-  const auto environment = load_environment(options.environment);
+  const auto environment = load_environment(options.environment, options.disk_cache);
   if (!environment) return fails(environment.error());
   for (Exhibit& exhibit : exhibits) exhibit.environment = *environment;
   return exhibits;

@@ -242,7 +242,7 @@ std::string make_pictures(const Options& options, double duration_s, PictureMake
 
 }  // namespace
 
-int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
+int write_pictures(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip) {
   if (options.frames) {
     std::error_code error;
     fs::create_directories(options.headless, error);
@@ -251,9 +251,6 @@ int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t
       return 3;
     }
   }
-  DeviceOptions wanted;
-  wanted.validation = options.validate;
-  Device device(wanted);
   PictureMaker maker(device, options, exhibit, clip);
   PngWriter writer;
   const double duration =

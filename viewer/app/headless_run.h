@@ -5,6 +5,7 @@
 
 #include "viewer/app/exhibit.h"
 #include "viewer/app/options.h"
+#include "viewer/device/device.h"
 
 namespace sinew::viewer {
 
@@ -16,7 +17,7 @@ double picture_time_s(std::uint32_t picture, double fps, double duration_s) noex
 /// in   clip  kNone = rest pose
 /// out  exit code of the program: 0, 1 when a geometry cache is damaged, or 3 when a file cannot be written or the
 ///      validation layer reported something
-/// err  DeviceError when there is no device
-int write_pictures(const Options& options, const Exhibit& exhibit, std::uint32_t clip);
+/// err  DeviceError when the device fails
+int write_pictures(Device& device, const Options& options, const Exhibit& exhibit, std::uint32_t clip);
 
 }  // namespace sinew::viewer

@@ -2,16 +2,19 @@
 // sinew-viewer: shows a glTF file's animations in a window, or writes pictures of them.
 #include <cstdio>
 #include <functional>
+#include <future>
+#include <memory>
 #include <new>
 
 #include <unistd.h>
 
+#include "importer/file/cache_folder.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/headless_run.h"
 #include "viewer/app/options.h"
 #include "viewer/app/scene_choice.h"
 #include "viewer/app/window_loop.h"
-#include "viewer/device/device_error.h"
+#include "viewer/device/device.h"
 
 namespace sinew::viewer {
 namespace {
@@ -29,7 +32,17 @@ std::function<void(double)> progress_of(const char* work) {
   };
 }
 
+/// The device for pictures, made on a thread of its own: drivers take as long to load as files do.
+std::future<std::unique_ptr<Device>> device_beside(const Options& options) {
+  DeviceOptions wanted;
+  wanted.validation = options.validate;
+  wanted.disk_cache = options.disk_cache;
+  return std::async(std::launch::async, [wanted] { return std::make_unique<Device>(wanted); });
+}
+
 int show(const Options& options) {
+  std::future<std::unique_ptr<Device>> device;
+  if (!options.headless.empty()) device = device_beside(options);
   const auto progress = progress_of("reading");
   auto exhibits = load_exhibits(options, say, progress);
   if (progress) progress(1.0);
@@ -58,7 +71,7 @@ int show(const Options& options) {
   if (options.headless.empty()) return run_window(options, *exhibits, clip);
   Exhibit& exhibit = (*exhibits)[options.first_exhibit()];
   add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
-  return write_pictures(options, exhibit, clip);
+  return write_pictures(*device.get(), options, exhibit, clip);
 }
 
 }  // namespace
@@ -66,13 +79,15 @@ int show(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace sinew::viewer;
-  const auto parsed = parse_options(argc, argv);
+  auto parsed = parse_options(argc, argv);
   if (const auto* leave = std::get_if<Leave>(&parsed)) {
     std::fputs(leave->text.c_str(), leave->code == 0 ? stdout : stderr);
     return leave->code;
   }
   try {
-    return show(std::get<Options>(parsed));
+    auto& options = std::get<Options>(parsed);
+    options.disk_cache = DiskCache(sinew::default_cache_folder());
+    return show(options);
   } catch (const DeviceError& error) {
     say(error.what());
   } catch (const std::bad_alloc&) {

@@ -297,7 +297,9 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   add_time_options(app, options);
   app.footer(
       "Keys in the window:\n" + describe_keys() +
-      "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n");
+      "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n"
+      "Compiled pipelines and prepared light are kept for the next run in the folder that the environment variable\n"
+      "SINEW_CACHE names (none = nowhere), else in sinew in the user's cache folder.\n");
   try {
     app.parse(arguments(argc, argv));
     check_together(options);

@@ -10,6 +10,7 @@
 #include "runtime/plan/needs.h"
 #include "viewer/app/framing.h"
 #include "viewer/app/update_levels.h"
+#include "viewer/device/disk_cache.h"
 #include "viewer/passes/render_options.h"
 
 namespace sinew::viewer {
@@ -63,6 +64,7 @@ struct Options {
   std::optional<Updates>
       updates;  ///< of meshes that are small in the picture; unset = interpolated in the window, every in pictures
   bool plan = false;      ///< print the live plan after the pictures
+  DiskCache disk_cache;   ///< none by the command line: the program looks where the user's caches are
   bool validate = false;  ///< use Vulkan's validation layer; any message of it gives exit code 3
 };
 

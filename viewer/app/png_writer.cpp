@@ -1,13 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/png_writer.h"
 
+#include <zlib.h>
+
 #include <condition_variable>
+#include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <limits>
 #include <mutex>
 #include <span>
 #include <thread>
+
+namespace {
+
+/// Run lengths and Huffman codes. Rendered pictures are smooth: after the filter a search for longer matches takes
+/// three times as long and saves a fifth of the bytes.
+unsigned char* zlib_stream(unsigned char* bytes, int count, int* packed_count, int) {
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15, 9, Z_RLE) != Z_OK) return nullptr;
+  const uLong most = deflateBound(&stream, static_cast<uLong>(count));
+  auto* packed = static_cast<unsigned char*>(std::malloc(most));
+  stream.next_in = bytes;
+  stream.avail_in = static_cast<uInt>(count);
+  stream.next_out = packed;
+  stream.avail_out = static_cast<uInt>(most);
+  if (packed) deflate(&stream, Z_FINISH);  // all at once: there is room for the worst case
+  *packed_count = static_cast<int>(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace
 
 // stb's PNG encoder. STATIC keeps its symbols local, because other libraries may contain a copy.
 #pragma GCC diagnostic push
@@ -17,6 +41,7 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS zlib_stream
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
@@ -36,6 +61,7 @@ std::vector<unsigned char> encode_png(std::span<const std::uint8_t> rgba, std::u
   constexpr auto most = static_cast<std::uint32_t>(std::numeric_limits<std::int16_t>::max());
   if (width == 0 || height == 0 || width > most || height > most || rgba.size() != std::size_t{4} * width * height)
     return {};
+  stbi_write_force_png_filter = 1;  // differences to the left; trying every filter takes longer than packing
   std::vector<unsigned char> bytes;
   const auto append = [](void* context, void* data, int size) {
     const auto* first = static_cast<const unsigned char*>(data);

@@ -33,6 +33,7 @@ double seconds_since(Clock::time_point then) { return std::chrono::duration<doub
 DeviceOptions device_options(const Options& options, const Window& window) {
   DeviceOptions wanted;
   wanted.validation = options.validate;
+  wanted.disk_cache = options.disk_cache;
   wanted.instance_extensions = window.instance_extensions();
   wanted.make_surface = [&window](VkInstance instance) { return window.make_surface(instance); };
   return wanted;

@@ -19,6 +19,7 @@ Device::Device(const DeviceOptions& options) : on_message_(options.on_message) {
     choose_physical();
     create_device();
     memory_ = std::make_unique<Memory>(physical_, device_);
+    pipeline_cache_ = std::make_unique<PipelineCache>(physical_, device_, options.disk_cache);
   } catch (...) {
     destroy();
     throw;
@@ -28,6 +29,7 @@ Device::Device(const DeviceOptions& options) : on_message_(options.on_message) {
 Device::~Device() { destroy(); }
 
 void Device::destroy() noexcept {
+  pipeline_cache_.reset();
   memory_.reset();
   if (pool_) vkDestroyCommandPool(device_, pool_, nullptr);
   if (device_) vkDestroyDevice(device_, nullptr);

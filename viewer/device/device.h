@@ -10,12 +10,14 @@
 
 #include "viewer/device/device_error.h"
 #include "viewer/device/memory.h"
+#include "viewer/device/pipeline_cache.h"
 
 namespace sinew::viewer {
 
 struct DeviceOptions {
   bool validation = false;  ///< use the Khronos layer with synchronisation checks, if installed
   std::function<void(std::string_view)> on_message;      ///< validation messages; empty = standard error
+  DiskCache disk_cache;                                  ///< for compiled pipelines
   std::vector<const char*> instance_extensions;          ///< those that the window system needs; empty = headless
   std::function<VkSurfaceKHR(VkInstance)> make_surface;  ///< empty = headless; the device owns the surface
 };
@@ -44,6 +46,7 @@ class Device {
   float max_point_size() const noexcept { return max_point_size_; }
   std::uint32_t timestamp_bits() const noexcept { return timestamp_bits_; }  ///< 0 = the queue has no timestamps
   Memory& memory() const noexcept { return *memory_; }
+  VkPipelineCache pipeline_cache() const noexcept { return pipeline_cache_->handle(); }
 
   /// Number of validation errors and warnings so far; 0 without validation.
   std::uint64_t validation_messages() const noexcept { return messages_.load(); }
@@ -78,6 +81,7 @@ class Device {
   float max_point_size_ = 1.0f;
   std::uint32_t timestamp_bits_ = 0;
   std::unique_ptr<Memory> memory_;
+  std::unique_ptr<PipelineCache> pipeline_cache_;
   std::function<void(std::string_view)> on_message_;
   std::atomic<std::uint64_t> messages_{0};
 };

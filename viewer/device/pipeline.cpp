@@ -81,7 +81,7 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   info.pDynamicState = &dynamic;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  must(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  must(vkCreateGraphicsPipelines(device.handle(), device.pipeline_cache(), 1, &info, nullptr, &pipeline),
        "vkCreateGraphicsPipelines");
   return pipeline;
 }

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "viewer/light/cube_map.h"
 
 namespace sinew::viewer {
@@ -23,6 +25,9 @@ struct Environment {
   /// eq   Karis, "Real Shading in Unreal Engine 4" (2013): sum of L(l) n.l over directions l = reflect(-n, h), where h
   ///      are distributed as GGX with alpha = roughness^2 about n, over the sum of n.l
   std::vector<CubeMap> reflected;
+
+  /// The table of split_sum.h, where it was stored beside the environment; empty = split_sum_table() gives it.
+  std::vector<glm::vec2> split_sum;
 };
 
 /// Prepares an environment.
@@ -46,6 +51,9 @@ std::shared_ptr<const Environment> plain_environment();
 double mean_reflected_cosine(double roughness);
 
 /// A neutral room with three large soft lights: one above to the front, one aside, one behind.
+CubeMap studio_sky();
+
+/// The same as an environment; one object for all.
 std::shared_ptr<const Environment> studio_environment();
 
 }  // namespace sinew::viewer

@@ -51,8 +51,10 @@ glm::vec3 studio(const glm::vec3& d) {
 
 }  // namespace
 
+CubeMap studio_sky() { return cube_of(kSize, studio); }
+
 std::shared_ptr<const Environment> studio_environment() {
-  static const std::shared_ptr<const Environment> made = make_environment(cube_of(kSize, studio));
+  static const std::shared_ptr<const Environment> made = make_environment(studio_sky());
   return made;
 }
 

@@ -78,7 +78,9 @@ EnvironmentUpload::~EnvironmentUpload() { vkDestroySampler(device_.handle(), sam
 void EnvironmentUpload::show(const std::shared_ptr<const Environment>& environment) {
   if (environment == shown_) return;
   vkDeviceWaitIdle(device_.handle());  // frames in flight may read the images
-  if (!shown_) table_ = upload_table(device_, kSplitSumSize, split_sum_table());
+  if (!shown_)
+    table_ = upload_table(device_, kSplitSumSize,
+                          environment->split_sum.empty() ? split_sum_table() : environment->split_sum);
   cube_ = upload_cube(device_, levels_of(*environment));
   shown_ = environment;
 }
