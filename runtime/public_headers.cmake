@@ -114,6 +114,9 @@ set(sinew_public_headers
   runtime/geometry_cache/geometry_decoder.h
   runtime/geometry_cache/geometry_player.h
   runtime/geometry_cache/scene_of_cache.h
+  runtime/asset_file/asset_file.h
+  runtime/asset_file/read_assets.h
+  runtime/asset_file/write_asset_file.h
   runtime/c/clips.h
   runtime/c/messages.h
   runtime/c/root_motion.h

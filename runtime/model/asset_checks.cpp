@@ -3,6 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "runtime/model/clip_checks.h"
 #include "runtime/model/mesh_checks.h"
 
 namespace sinew {
@@ -77,8 +78,8 @@ void check_property(const Scene& scene, const PropertyTrack& track, Findings& f)
   if (!track.values.empty()) f.add(check(track.values));
 }
 
-void check_animations(const Scene& scene, Findings& f) noexcept {
-  for (const Animation& animation : scene.animations) {
+void check_animations(std::span<const Animation> animations, const Scene& scene, Findings& f) noexcept {
+  for (const Animation& animation : animations) {
     f.require(std::isfinite(animation.duration_s) && animation.duration_s >= 0.0, ErrorCode::not_finite);
     for (const BoneAnimation& bone : animation.bones) {
       f.require_index(bone.joint, scene.skeleton.joint_count());
@@ -174,6 +175,12 @@ void check_appearance(const Scene& scene, Findings& f) noexcept {
 
 }  // namespace
 
+ErrorCode check_animations(std::span<const Animation> animations, const Scene& scene) noexcept {
+  Findings f;
+  check_animations(animations, scene, f);
+  return f.code();
+}
+
 ErrorCode check(const Scene& scene) {
   Findings f;
   check_skeleton(scene.skeleton, f);
@@ -182,7 +189,7 @@ ErrorCode check(const Scene& scene) {
   check_property_table(scene, f);
   check_skins(scene, f);
   check_meshes(scene, f);
-  check_animations(scene, f);
+  check_animations(scene.animations, scene, f);
   check_clips(scene, f);
   check_correctives(scene, f);
   check_appearance(scene, f);

@@ -79,7 +79,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"hwy/",
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
       "importer/tool", "tests"}},
-    {"zstd", {"runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
+    {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
     {"tbb/", {"runtime/threads", "importer", "importer/tool", "viewer/light", "tests"}},
     {"oneapi/", {"runtime/threads", "importer", "viewer/light", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The fields of each asset, in the order in which a file has them. Structured bindings name all members: who adds one
+// gets a compile error here, and a new kAssetBlockVersion with it.
+#pragma once
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+#include "runtime/model/scene.h"
+
+namespace sinew {
+
+template <class T, class Asset>
+concept Is = std::same_as<std::remove_const_t<T>, Asset>;
+
+auto fields(Is<Skeleton> auto& s) {
+  auto& [parents, rest, fixed_matrices, fixed_matrix_of, names, node_of_joint, joint_of_node, level_begin] = s;
+  return std::tie(parents, rest, fixed_matrices, fixed_matrix_of, names, node_of_joint, joint_of_node, level_begin);
+}
+
+auto fields(Is<Skin> auto& s) {
+  auto& [name, joints, inverse_bind, skeleton_root] = s;
+  return std::tie(name, joints, inverse_bind, skeleton_root);
+}
+
+auto fields(Is<VertexInfluences> auto& v) {
+  auto& [groups, joints, weights] = v;
+  return std::tie(groups, joints, weights);
+}
+
+template <class T>
+concept IsDeltas = Is<T, SparseDeltas<glm::vec2>> || Is<T, SparseDeltas<glm::vec3>> || Is<T, SparseDeltas<glm::vec4>>;
+
+auto fields(IsDeltas auto& s) {
+  auto& [vertices, deltas] = s;
+  return std::tie(vertices, deltas);
+}
+
+auto fields(Is<MorphTarget> auto& t) {
+  auto& [positions, normals, tangents, colors, texcoords] = t;
+  return std::tie(positions, normals, tangents, colors, texcoords);
+}
+
+auto fields(Is<MorphSet> auto& m) {
+  auto& [targets] = m;
+  return std::tie(targets);
+}
+
+auto fields(Is<Primitive> auto& p) {
+  auto& [topology, indices, positions, normals, tangents, texcoords, colors, influences, centers, morphs, material,
+         variant_materials, source_vertex, flat_normals, bounds] = p;
+  return std::tie(topology, indices, positions, normals, tangents, texcoords, colors, influences, centers, morphs,
+                  material, variant_materials, source_vertex, flat_normals, bounds);
+}
+
+auto fields(Is<Mesh> auto& m) {
+  auto& [name, primitives, default_weights, target_names] = m;
+  return std::tie(name, primitives, default_weights, target_names);
+}
+
+auto fields(Is<MeshInstance> auto& i) {
+  auto& [joint, mesh, skin, rest_weights, copies] = i;
+  return std::tie(joint, mesh, skin, rest_weights, copies);
+}
+
+auto fields(Is<PoseDriver> auto& d) {
+  auto& [joint, weight, measure, axis] = d;
+  return std::tie(joint, weight, measure, axis);
+}
+
+auto fields(Is<PoseSamples> auto& s) {
+  auto& [name, drivers, rotations, weights, values, kernel, radius_rad, tail, regularisation, partition, clamp] = s;
+  return std::tie(name, drivers, rotations, weights, values, kernel, radius_rad, tail, regularisation, partition,
+                  clamp);
+}
+
+auto fields(Is<PoseCorrective> auto& c) {
+  auto& [samples, coefficients, lower, upper] = c;
+  return std::tie(samples, coefficients, lower, upper);
+}
+
+auto fields(Is<PropertyTarget> auto& t) {
+  auto& [kind, index, slot] = t;
+  return std::tie(kind, index, slot);
+}
+
+auto fields(Is<PropertyTable::Entry> auto& e) {
+  auto& [target, first, count] = e;
+  return std::tie(target, first, count);
+}
+
+auto fields(Is<PropertyTable> auto& t) {
+  auto& [entries, rest] = t;
+  return std::tie(entries, rest);
+}
+
+auto fields(Is<SceneRoots> auto& r) {
+  auto& [name, joints] = r;
+  return std::tie(name, joints);
+}
+
+}  // namespace sinew

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace sinew {
+
+static_assert(std::endian::native == std::endian::little, "asset files are the memory of little-endian machines");
+
+inline constexpr char kAssetMagic[8] = {'S', 'I', 'N', 'E', 'W', 'A', 'S', 'T'};
+
+/// How a block is stored: 0 as it is, 1 as one frame of zstd.
+inline constexpr std::uint32_t kPackedByZstd = 1;
+
+/// More than there are kinds, so that later versions have room.
+inline constexpr std::uint32_t kMostBlocks = 64;
+
+/// Arrays of numbers begin at multiples of this many bytes of their block.
+inline constexpr std::size_t kArrayAlignment = 16;
+
+}  // namespace sinew

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The fields of what gives a model its look, as asset_fields.h has those of its shape; and of the model as a whole.
+#pragma once
+#include "runtime/asset_file/asset_fields.h"
+
+namespace sinew {
+
+auto fields(Is<Sampler> auto& s) {
+  auto& [magnify, minify, mipmap, use_mipmaps, wrap_u, wrap_v] = s;
+  return std::tie(magnify, minify, mipmap, use_mipmaps, wrap_u, wrap_v);
+}
+
+auto fields(Is<Image> auto& i) {
+  auto& [name, width, height, rgba, missing_reason, mime_type, encoded_size, encoded] = i;
+  return std::tie(name, width, height, rgba, missing_reason, mime_type, encoded_size, encoded);
+}
+
+auto fields(Is<Texture> auto& t) {
+  auto& [image, sampler] = t;
+  return std::tie(image, sampler);
+}
+
+auto fields(Is<TextureUse> auto& u) {
+  auto& [texture, texcoord, offset, rotation_rad, scale] = u;
+  return std::tie(texture, texcoord, offset, rotation_rad, scale);
+}
+
+auto fields(Is<Material> auto& m) {
+  auto& [name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
+         normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture, alpha_mode,
+         alpha_cutoff, double_sided, unlit] = m;
+  return std::tie(name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
+                  normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture,
+                  alpha_mode, alpha_cutoff, double_sided, unlit);
+}
+
+auto fields(Is<Camera> auto& c) {
+  auto& [name, joint, perspective, fov_y_rad, aspect, half_width, half_height, near_m, far_m] = c;
+  return std::tie(name, joint, perspective, fov_y_rad, aspect, half_width, half_height, near_m, far_m);
+}
+
+auto fields(Is<Light> auto& l) {
+  auto& [name, kind, joint, color, intensity, range_m, inner_cone_rad, outer_cone_rad] = l;
+  return std::tie(name, kind, joint, color, intensity, range_m, inner_cone_rad, outer_cone_rad);
+}
+
+/// The block "model": all of a scene but its skeleton, its clips and their authoring form.
+template <class S>
+requires Is<S, Scene>
+auto model_fields(S& scene) {
+  auto& [skeleton, animations, clips, skins, meshes, instances, first_weight, correctives, properties, hidden_joints,
+         materials, variants, textures, images, cameras, lights, scenes, default_scene] = scene;
+  return std::tie(skins, meshes, instances, first_weight, correctives, properties, hidden_joints, materials, variants,
+                  textures, images, cameras, lights, scenes, default_scene);
+}
+
+}  // namespace sinew

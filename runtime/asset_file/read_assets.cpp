@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/asset_file/read_assets.h"
+
+#include <iterator>
+#include <utility>
+
+#include "runtime/animation/skeleton_signature.h"
+#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_reader.h"
+#include "runtime/asset_file/look_fields.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/clip/clip_rest.h"
+#include "runtime/clip/decompile_clip.h"
+#include "runtime/model/clip_checks.h"
+
+namespace sinew {
+namespace {
+
+template <class T>
+using Read = tl::expected<T, AssetFileError>;
+
+tl::unexpected<AssetFileError> refuse(const char* rule, AssetKind kind, std::string detail) {
+  return tl::unexpected(AssetFileError{rule, std::string(name_of(kind)), 0, std::move(detail)});
+}
+
+/// Reads a block with `read(reader)`.
+template <class ReadFields>
+Read<void> read_block(const AssetFile& file, AssetKind kind, const ReadFields& read) {
+  std::vector<std::byte> unpacked;
+  const auto bytes = file.bytes_of(kind, unpacked);
+  if (!bytes) return tl::unexpected(bytes.error());
+  AssetReader reader(*bytes, kind);
+  read(reader);
+  if (!reader.finish()) return tl::unexpected(reader.error());
+  return {};
+}
+
+std::string hex(std::uint64_t number) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[number >> shift & 15];
+  return text;
+}
+
+Read<void> check_signature(const AssetFile& file, AssetKind kind, std::uint64_t signature) {
+  const AssetBlock* block = file.find(kind);
+  if (block == nullptr || block->skeleton_signature == signature) return {};
+  return refuse(
+      "asset-signature", kind,
+      "the block belongs to skeleton " + hex(block->skeleton_signature) + ", not to skeleton " + hex(signature));
+}
+
+/// A scene of the skeleton alone, and then with the model, passes its checks.
+Read<void> check_part(const Scene& scene, AssetKind kind) {
+  const ErrorCode code = check(scene);
+  if (code == ErrorCode::ok) return {};
+  return refuse("asset-value", kind, std::string(describe(code)));
+}
+
+Read<void> read_model(const AssetFile& file, Scene& scene) {
+  if (const auto bound = check_signature(file, AssetKind::model, skeleton_signature(scene.skeleton)); !bound)
+    return bound;
+  const auto read = read_block(file, AssetKind::model, [&](AssetReader& in) {
+    std::apply([&](auto&... field) { (in.read(field), ...); }, model_fields(scene));
+  });
+  return read ? check_part(scene, AssetKind::model) : read;
+}
+
+/// Clips move as many joints, morph weights and properties as the scene has.
+Read<void> check_binding(const std::vector<Clip>& clips, const Scene& scene) {
+  struct Count {
+    const char* what;
+    std::size_t of_clip, of_scene;
+  };
+  for (const Clip& clip : clips)
+    for (const Count& count : {Count{"joints", clip.joint_count(), scene.skeleton.joint_count()},
+                               Count{"morph weights", clip.weight_count(), scene.weight_count()},
+                               Count{"numbers of properties", clip.property_count(), scene.properties.rest.size()}})
+      if (count.of_clip != count.of_scene)
+        return refuse("asset-binding", AssetKind::clips,
+                      "clip \"" + clip.name() + "\" was compiled for " + std::to_string(count.of_clip) + " " +
+                          count.what + ", the scene has " + std::to_string(count.of_scene));
+  return {};
+}
+
+/// The keys of the clips, as far as they take a sane amount of memory.
+Read<std::vector<Animation>> decompile(const std::vector<Clip>& clips, const Scene& scene, std::uint64_t limit) {
+  const std::vector<float> rest_weights = rest_weights_of(scene);
+  const ClipRest rest = clip_rest(scene.skeleton, rest_weights, scene.properties);
+  std::vector<Animation> animations;
+  for (const Clip& clip : clips) {
+    const std::uint64_t bytes = decompiled_bytes(clip);
+    if (bytes > limit)
+      return refuse("asset-memory", AssetKind::clips, "the keys of the clips take far more memory than their bytes");
+    limit -= bytes;
+    auto animation = decompile_clip(clip, rest, scene.first_weight, scene.properties);
+    if (!animation)
+      return refuse("asset-binding", AssetKind::clips,
+                    "clip \"" + clip.name() + "\" moves a part of a property, or weights of two instances at a time");
+    animations.push_back(*std::move(animation));
+  }
+  return animations;
+}
+
+Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vector<Clip>& clips, const Scene& scene) {
+  const AssetBlock* stored = file.find(AssetKind::clips);
+  if (file.find(AssetKind::animations) == nullptr)
+    return decompile(clips, scene, kAssetMadeBytes + kAssetMadeTimes * stored->bytes);
+  if (const auto bound = check_signature(file, AssetKind::animations, stored->skeleton_signature); !bound)
+    return tl::unexpected(bound.error());
+  std::vector<Animation> animations;
+  const auto read = read_block(file, AssetKind::animations, [&](AssetReader& in) { in.read(animations); });
+  if (!read) return tl::unexpected(read.error());
+  if (animations.size() != clips.size())
+    return refuse("asset-value", AssetKind::animations, "there are more or fewer than clips");
+  return animations;
+}
+
+}  // namespace
+
+Read<Skeleton> read_skeleton(const AssetFile& file) {
+  Scene scene;
+  scene.first_weight = {0};
+  const auto read = read_block(file, AssetKind::skeleton, [&](AssetReader& in) { in.read(scene.skeleton); });
+  if (!read) return tl::unexpected(read.error());
+  if (const auto checked = check_part(scene, AssetKind::skeleton); !checked) return tl::unexpected(checked.error());
+  if (const auto same = check_signature(file, AssetKind::skeleton, skeleton_signature(scene.skeleton)); !same)
+    return tl::unexpected(same.error());
+  return std::move(scene.skeleton);
+}
+
+Read<std::vector<Clip>> read_clips(const AssetFile& file, std::uint64_t skeleton_signature) {
+  std::vector<std::byte> unpacked;
+  const auto bytes = file.bytes_of(AssetKind::clips, unpacked);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const auto bound = check_signature(file, AssetKind::clips, skeleton_signature); !bound)
+    return tl::unexpected(bound.error());
+  auto clips = load_clips(*bytes);
+  if (!clips)
+    return tl::unexpected(AssetFileError{clips.error().rule, std::string(name_of(AssetKind::clips)),
+                                         clips.error().offset, clips.error().detail});
+  return *std::move(clips);
+}
+
+Read<void> add_clips(const AssetFile& file, Scene& scene) {
+  auto clips = read_clips(file, skeleton_signature(scene.skeleton));
+  if (!clips) return tl::unexpected(clips.error());
+  if (const auto bound = check_binding(*clips, scene); !bound) return bound;
+  auto animations = animations_of(file, *clips, scene);
+  if (!animations) return tl::unexpected(animations.error());
+  if (const ErrorCode code = check_animations(*animations, scene); code != ErrorCode::ok)
+    return refuse("asset-value", file.find(AssetKind::animations) != nullptr ? AssetKind::animations : AssetKind::clips,
+                  std::string(describe(code)));
+  scene.clips.insert(scene.clips.end(), clips->begin(), clips->end());
+  scene.animations.insert(scene.animations.end(), std::move_iterator(animations->begin()),
+                          std::move_iterator(animations->end()));
+  return {};
+}
+
+Read<Scene> read_scene(const AssetFile& file) {
+  auto skeleton = read_skeleton(file);
+  if (!skeleton) return tl::unexpected(skeleton.error());
+  Scene scene;
+  scene.skeleton = *std::move(skeleton);
+  scene.first_weight = {0};
+  if (file.find(AssetKind::model) != nullptr)
+    if (const auto read = read_model(file, scene); !read) return tl::unexpected(read.error());
+  if (file.find(AssetKind::clips) != nullptr || file.find(AssetKind::animations) != nullptr)
+    if (const auto added = add_clips(file, scene); !added) return tl::unexpected(added.error());
+  return scene;
+}
+
+}  // namespace sinew

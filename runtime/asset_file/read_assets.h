@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "runtime/asset_file/asset_file.h"
+#include "runtime/model/scene.h"
+
+namespace sinew {
+
+// What these functions answer owns its memory, and the file may be unmapped afterwards: arrays are copied once, at the
+// speed of memory, because assets are vectors; compiled clips become lanes for this machine's instruction set. Any
+// bytes may be passed: every index, count and float is checked here, once, and memory stays below 16 MiB and a small
+// multiple of kAssetMadeTimes the file.
+
+/// The skeleton of a file.
+/// err   AssetFileError;  cost O(bytes of the block), allocates
+tl::expected<Skeleton, AssetFileError> read_skeleton(const AssetFile& file);
+
+/// The clips of a file, for a skeleton of this signature (animation/skeleton_signature.h). They sample the same bits as
+/// those that were written.
+/// err   AssetFileError, asset-signature where they were compiled for another skeleton
+/// cost  O(bytes of the block), allocates
+tl::expected<std::vector<Clip>, AssetFileError> read_clips(const AssetFile& file, std::uint64_t skeleton_signature);
+
+/// Skeleton, model and clips of a file as a scene that passes check(Scene); a file without model or clips gives a scene
+/// without them. `animations` are those of the file where it has them, else the keys of the clips
+/// (clip/decompile_clip.h): root motion, bounds and LODs that are derived from them are right for what the clips play.
+/// err   AssetFileError;  cost O(bytes), allocates
+tl::expected<Scene, AssetFileError> read_scene(const AssetFile& file);
+
+/// Appends the clips of a file, with their animations as read_scene has them, to a scene of the same skeleton.
+/// err   AssetFileError: asset-signature (another skeleton), asset-binding (the clips move other morph weights or
+///       properties than the scene has); the scene is then as before
+/// cost  O(bytes of the blocks), allocates
+tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Scene& scene);
+
+}  // namespace sinew

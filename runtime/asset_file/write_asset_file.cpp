@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/asset_file/write_asset_file.h"
+
+#include <zstd.h>
+
+#include <utility>
+
+#include "runtime/animation/skeleton_signature.h"
+#include "runtime/asset_file/animation_fields.h"
+#include "runtime/asset_file/asset_file.h"
+#include "runtime/asset_file/asset_writer.h"
+#include "runtime/asset_file/look_fields.h"
+#include "runtime/base/checksum.h"
+#include "runtime/clip/byte_stream.h"
+#include "runtime/clip/clip_file.h"
+
+namespace sinew {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+struct Block {
+  AssetKind kind{};
+  Bytes stored;
+  std::uint64_t bytes = 0;  ///< before it was packed
+  std::uint32_t storage = 0;
+};
+
+/// Packs the bytes where that makes them smaller, and not so small that a reader takes them for an attack.
+Block block_of(AssetKind kind, Bytes bytes, int zstd_level) {
+  Block block{kind, std::move(bytes)};
+  block.bytes = block.stored.size();
+  if (zstd_level <= 0) return block;
+  Bytes packed(ZSTD_compressBound(block.bytes));
+  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), block.stored.data(), block.bytes, zstd_level);
+  if (ZSTD_isError(size) != 0u || size >= block.bytes || block.bytes / size >= kAssetMadeTimes) return block;
+  packed.resize(size);
+  block.stored = std::move(packed);
+  block.storage = kPackedByZstd;
+  return block;
+}
+
+template <class T>
+Bytes bytes_of(const T& asset) {
+  AssetWriter out;
+  out.add(asset);
+  return std::move(out.bytes());
+}
+
+Bytes bytes_of_model(const Scene& scene) {
+  AssetWriter out;
+  std::apply([&](const auto&... field) { (out.add(field), ...); }, model_fields(scene));
+  return std::move(out.bytes());
+}
+
+Bytes bytes_of_clips(const std::vector<Clip>& clips) {
+  std::vector<const Clip*> saved;
+  for (const Clip& clip : clips) saved.push_back(&clip);
+  return save_clips(saved);
+}
+
+std::uint64_t aligned(std::uint64_t at) noexcept {
+  return (at + kAssetAlignment - 1) / kAssetAlignment * kAssetAlignment;
+}
+
+void write_table(const std::vector<Block>& blocks, std::uint64_t signature, ByteWriter& out) {
+  std::uint64_t at = kAssetHead + blocks.size() * kAssetEntry;
+  for (const Block& block : blocks) {
+    at = aligned(at);
+    for (const std::uint32_t x : {static_cast<std::uint32_t>(block.kind), kAssetBlockVersion, block.storage, 0u})
+      out.add(x);
+    for (const std::uint64_t x : {at, static_cast<std::uint64_t>(block.stored.size()), block.bytes,
+                                  checksum(block.stored), signature, std::uint64_t{0}})
+      out.add(x);
+    at += block.stored.size();
+  }
+}
+
+Bytes file_of(const std::vector<Block>& blocks, std::uint64_t signature) {
+  ByteWriter table;
+  write_table(blocks, signature, table);
+  std::uint64_t size = kAssetHead + table.bytes().size();
+  for (const Block& block : blocks) size = aligned(size) + block.stored.size();
+  ByteWriter out;
+  out.bytes().reserve(size);
+  for (const char c : kAssetMagic) out.add(c);
+  out.add(kAssetFileVersion);
+  out.add(static_cast<std::uint32_t>(blocks.size()));
+  out.add(size);
+  out.add(checksum(table.bytes()));
+  Bytes& file = out.bytes();
+  file.insert(file.end(), table.bytes().begin(), table.bytes().end());
+  for (const Block& block : blocks) {
+    file.resize(aligned(file.size()));
+    file.insert(file.end(), block.stored.begin(), block.stored.end());
+  }
+  return std::move(file);
+}
+
+}  // namespace
+
+std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptions& options) {
+  std::vector<Block> blocks;
+  const auto add = [&](AssetKind kind, Bytes bytes) {
+    blocks.push_back(block_of(kind, std::move(bytes), options.zstd_level));
+  };
+  if (options.skeleton) add(AssetKind::skeleton, bytes_of(scene.skeleton));
+  if (options.model) add(AssetKind::model, bytes_of_model(scene));
+  if (options.clips) add(AssetKind::clips, bytes_of_clips(scene.clips));
+  if (options.clips && options.truth) add(AssetKind::animations, bytes_of(scene.animations));
+  return file_of(blocks, skeleton_signature(scene.skeleton));
+}
+
+}  // namespace sinew

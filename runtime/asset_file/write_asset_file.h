@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "runtime/model/scene.h"
+
+namespace sinew {
+
+/// Which blocks a file gets, and how they are stored.
+struct AssetFileOptions {
+  bool skeleton = true, model = true, clips = true;
+  /// Also the authoring form of the clips. Without it a reader makes one of the keys of the compiled clips
+  /// (read_assets.h), which takes less room and is as far from the truth as the clips' certificates say.
+  bool truth = false;
+  int zstd_level = 0;  ///< 0 = blocks lie as they are; 1 to 19 pack those that get smaller
+};
+
+/// An asset file (asset_file.h) of a scene: every field of what it holds, to the last bit. Clips are written as they
+/// are: put those of compile_clip_within in their place for small files, and leave `animations` as the truth.
+/// in    scene  passed check(Scene)
+/// cost  O(bytes), allocates about twice the file
+std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptions& options = {});
+
+}  // namespace sinew

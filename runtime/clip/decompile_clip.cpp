@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/decompile_clip.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "runtime/animation/track_sample.h"
+#include "runtime/base/same_bits.h"
+#include "runtime/clip/clip_layout.h"
+#include "runtime/clip/unpack_clip.h"
+
+namespace sinew {
+namespace {
+
+/// Parts of a key: in-tangent, value and out-tangent, or the value alone.
+std::size_t parts_of(Interpolation interpolation) noexcept {
+  return interpolation == Interpolation::cubic_spline ? 3 : 1;
+}
+
+std::size_t components_of(Property property) noexcept {
+  return property == Property::rotation ? 4 : property < Property::weight ? 3 : 1;
+}
+
+void read_value(const TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, glm::vec3& out) {
+  for (int c = 0; c < 3; ++c) out[c] = block.plane(key, plane + static_cast<std::size_t>(c))[lane];
+}
+
+void read_value(const TrackBlock& block, std::size_t key, std::size_t plane, std::size_t lane, glm::quat& out) {
+  const auto at = [&](std::size_t c) { return block.plane(key, plane + c)[lane]; };
+  out = quat_xyzw(at(0), at(1), at(2), at(3));
+}
+
+/// One lane of a block with all its keys.
+template <class V>
+Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::size_t lane) {
+  const std::size_t parts = parts_of(block.interpolation), components = components_of(block.property);
+  Track<V> track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<V>(times_s.size() * parts)};
+  for (std::size_t i = 0; i < track.values.size(); ++i)
+    read_value(block, i / parts, i % parts * components, lane, track.values[i]);
+  return track;
+}
+
+/// All lanes of a block of weights or numbers, which lie as a WeightTrack has them.
+WeightTrack weights_of(const TrackBlock& block, std::span<const float> times_s) {
+  const std::size_t count = times_s.size() * parts_of(block.interpolation) * block.lane_count;
+  return {block.interpolation,
+          {times_s.begin(), times_s.end()},
+          {block.rows.begin(), block.rows.begin() + static_cast<std::ptrdiff_t>(count)},
+          block.lane_count};
+}
+
+/// A track that never changes.
+WeightTrack constant(std::span<const float> values) {
+  return {Interpolation::step, {0.0f}, {values.begin(), values.end()}, static_cast<std::uint32_t>(values.size())};
+}
+
+std::vector<float> all_numbers(const BaseNumbers& base) {
+  std::vector<float> numbers(base.size());
+  base.copy_to(numbers.data());
+  return numbers;
+}
+
+class Decompiler {
+ public:
+  Decompiler(const ClipLayout& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
+             const PropertyTable& properties)
+      : clip_(clip),
+        rest_(rest),
+        first_weight_(first_weight),
+        properties_(properties),
+        bone_of_(clip.joint_count, kNone),
+        weight_moves_(rest.weights->size(), false),
+        entry_moves_(properties.entries.size(), false) {}
+
+  Result<Animation> run() {
+    out_.name = clip_.name;
+    out_.duration_s = clip_.duration_s;
+    for (const TimeGroup& group : clip_.groups)
+      for (const TrackBlock& block : group.blocks) add_block(block, group.times.times_s());
+    add_constant_joints();
+    add_constant_weights();
+    add_constant_properties();
+    if (!splits_well_) return tl::unexpected(ErrorCode::unsupported);
+    std::sort(out_.bones.begin(), out_.bones.end(),
+              [](const BoneAnimation& a, const BoneAnimation& b) { return a.joint < b.joint; });
+    return std::move(out_);
+  }
+
+ private:
+  BoneAnimation& bone(std::uint32_t joint) {
+    if (bone_of_[joint] == kNone) {
+      bone_of_[joint] = static_cast<std::uint32_t>(out_.bones.size());
+      out_.bones.emplace_back().joint = joint;
+    }
+    return out_.bones[bone_of_[joint]];
+  }
+
+  void add_block(const TrackBlock& block, std::span<const float> times_s) {
+    if (block.property == Property::weight) return add_weights(block, times_s);
+    if (block.property == Property::number) return add_numbers(block, times_s);
+    for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
+      BoneAnimation& moved = bone(block.targets[lane]);
+      if (block.property == Property::rotation)
+        moved.rotation = track_of<glm::quat>(block, times_s, lane);
+      else
+        (block.property == Property::scale ? moved.scale : moved.translation) =
+            track_of<glm::vec3>(block, times_s, lane);
+    }
+  }
+
+  /// The instance that has a weight.
+  std::uint32_t instance_of(std::uint32_t weight) const noexcept {
+    const auto after = std::upper_bound(first_weight_.begin(), first_weight_.end(), weight);
+    return static_cast<std::uint32_t>(after - first_weight_.begin()) - 1;
+  }
+
+  void add_weights(const TrackBlock& block, std::span<const float> times_s) {
+    const std::uint32_t first = block.targets.front(), instance = instance_of(first);
+    if (block.targets.back() >= first_weight_[instance + 1]) {
+      splits_well_ = false;
+      return;
+    }
+    out_.weights.push_back({instance, weights_of(block, times_s), first - first_weight_[instance]});
+    for (const std::uint32_t weight : block.targets) weight_moves_[weight] = true;
+  }
+
+  void add_numbers(const TrackBlock& block, std::span<const float> times_s) {
+    const auto& entries = properties_.entries;
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const PropertyTable::Entry& e) {
+      return e.first == block.targets.front() && e.count == block.lane_count;
+    });
+    if (entry == entries.end()) {
+      splits_well_ = false;
+      return;
+    }
+    out_.properties.push_back({entry->target, weights_of(block, times_s)});
+    entry_moves_[static_cast<std::size_t>(entry - entries.begin())] = true;
+  }
+
+  void add_constant_joints() {
+    const std::vector<float> base = all_numbers(clip_.base_pose), &rest = *rest_.pose;
+    const std::size_t stride = BasePose::stride_for(clip_.joint_count);
+    const auto differs = [&](Property property, std::size_t joint) {
+      bool any = false;
+      for (std::size_t c = 0; c < components_of(property); ++c) {
+        const std::size_t at = (first_plane(property) + c) * stride + joint;
+        any = any || !same_bits(base[at], rest[at]);
+      }
+      return any;
+    };
+    const auto number = [&](Property property, std::size_t c, std::size_t joint) {
+      return base[(first_plane(property) + c) * stride + joint];
+    };
+    for (std::uint32_t j = 0; j < clip_.joint_count; ++j) {
+      for (const Property property : {Property::translation, Property::scale}) {
+        if (!differs(property, j)) continue;
+        Vec3Track& track = property == Property::scale ? bone(j).scale : bone(j).translation;
+        const glm::vec3 v(number(property, 0, j), number(property, 1, j), number(property, 2, j));
+        if (track.empty()) track = {Interpolation::step, {0.0f}, {v}};
+      }
+      if (!differs(Property::rotation, j) || !bone(j).rotation.empty()) continue;
+      const auto q = [&](std::size_t c) { return number(Property::rotation, c, j); };
+      bone(j).rotation = {Interpolation::step, {0.0f}, {quat_xyzw(q(0), q(1), q(2), q(3))}};
+    }
+  }
+
+  /// Runs of weights of one instance that the clip holds at other values than those at rest.
+  void add_constant_weights() {
+    const std::vector<float> base = all_numbers(clip_.base_weights);
+    const auto is_held = [&](std::uint32_t w) { return !weight_moves_[w] && !same_bits(base[w], (*rest_.weights)[w]); };
+    for (std::uint32_t i = 0; i + 1 < first_weight_.size(); ++i)
+      for (std::uint32_t first = first_weight_[i]; first < first_weight_[i + 1]; ++first) {
+        if (!is_held(first)) continue;
+        std::uint32_t end = first + 1;
+        while (end < first_weight_[i + 1] && is_held(end)) ++end;
+        out_.weights.push_back({i, constant(std::span(base).subspan(first, end - first)), first - first_weight_[i]});
+        first = end;
+      }
+  }
+
+  void add_constant_properties() {
+    const std::vector<float> base = all_numbers(clip_.base_properties);
+    for (std::size_t e = 0; e < properties_.entries.size(); ++e) {
+      const PropertyTable::Entry& entry = properties_.entries[e];
+      const auto held = std::span<const float>(base).subspan(entry.first, entry.count);
+      if (!entry_moves_[e] && !same_bits(held, std::span(rest_.properties->data() + entry.first, entry.count)))
+        out_.properties.push_back({entry.target, constant(held)});
+    }
+  }
+
+  const ClipLayout& clip_;
+  const ClipRest& rest_;
+  std::span<const std::uint32_t> first_weight_;
+  const PropertyTable& properties_;
+  std::vector<std::uint32_t> bone_of_;  ///< [J] index into out_.bones
+  std::vector<bool> weight_moves_, entry_moves_;
+  bool splits_well_ = true;
+  Animation out_;
+};
+
+}  // namespace
+
+Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
+                                 const PropertyTable& properties) {
+  const Clip full = unpacked(clip);
+  return Decompiler(full.layout(), rest, first_weight, properties).run();
+}
+
+std::uint64_t decompiled_bytes(const Clip& clip) noexcept {
+  std::uint64_t bytes = clip.joint_count() * (sizeof(std::uint32_t) + 10 * sizeof(float));
+  for (const TimeGroup& group : clip.layout().groups)
+    for (const TrackBlock& block : group.blocks) {
+      const std::uint64_t numbers = parts_of(block.interpolation) * components_of(block.property) + 1;
+      bytes += block.lane_count * (sizeof(BoneAnimation) + group.times.key_count() * numbers * sizeof(float));
+    }
+  return bytes;
+}
+
+}  // namespace sinew

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Files whose checksums are right and whose bytes are not: what is read is refused, or passes all checks and plays.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "runtime/asset_file/read_assets.h"
+#include "runtime/asset_file/write_asset_file.h"
+#include "tests/asset_file/full_scene.h"
+#include "tests/asset_file/played_frames.h"
+#include "tests/asset_file/signed_file.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// Signs the file and reads it.
+tl::expected<Scene, AssetFileError> read_signed(Bytes& file) {
+  sign_assets(file);
+  const auto opened = AssetFile::open(file);
+  if (!opened) return tl::unexpected(opened.error());
+  return read_scene(*opened);
+}
+
+TEST(damaged_assets, every_byte_of_every_block_may_be_anything) {
+  const Bytes file = write_asset_file(full_scene(1), {.truth = true});
+  FixedRandom random(2);
+  std::size_t refused = 0, read = 0;
+  for (std::size_t i = kAssetHead + 4 * kAssetEntry; i < file.size(); ++i)
+    for (const std::uint8_t with : {std::uint8_t{0xff}, static_cast<std::uint8_t>(1 + random.below(255))}) {
+      Bytes changed = file;
+      changed[i] ^= std::byte{with};
+      const auto scene = read_signed(changed);
+      ++(scene ? read : refused);
+      if (!scene) {
+        const bool is_between = scene.error().detail == "bytes between blocks are not 0";
+        ASSERT_EQ(scene.error().block.empty(), is_between) << describe(scene.error());
+        continue;
+      }
+      ASSERT_EQ(check(*scene), ErrorCode::ok) << i;
+      if (i % 16 == 0) {
+        ASSERT_FALSE(hashes_of_frames(*scene).empty()) << i;
+      }
+    }
+  EXPECT_GT(refused, 1000u);
+  EXPECT_GT(read, 1000u);
+}
+
+TEST(damaged_assets, a_number_that_is_wrong_in_a_scene_is_refused_in_its_block) {
+  const Scene scene = full_scene(3);
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  struct Case {
+    const char* block;
+    void (*spoil)(Scene& scene);
+  };
+  const auto cases = std::to_array<Case>({
+      {"skeleton", [](Scene& s) { s.skeleton.rest[2].translation.x = kNan; }},
+      {"skeleton", [](Scene& s) { s.skeleton.parents[1] = 7; }},
+      {"skeleton", [](Scene& s) { s.skeleton.level_begin.pop_back(); }},
+      {"model", [](Scene& s) { s.meshes[0].primitives[0].positions[1].y = kNan; }},
+      {"model", [](Scene& s) { s.meshes[0].primitives[0].indices[0] = 100'000; }},
+      {"model", [](Scene& s) { s.materials[0].roughness = kNan; }},
+      {"model", [](Scene& s) { s.textures[0].image = 2; }},
+      {"model", [](Scene& s) { s.images[0].width = 3; }},
+      {"model", [](Scene& s) { s.lights[0].joint = 100; }},
+      {"model", [](Scene& s) { s.first_weight.back() += 1; }},
+      {"model", [](Scene& s) { s.correctives[0].coefficients.pop_back(); }},
+      {"model", [](Scene& s) { s.properties.rest[0] = kNan; }},
+      {"animations", [](Scene& s) { s.animations[0].bones[0].joint = 100; }},
+      {"animations", [](Scene& s) { s.animations[0].duration_s = static_cast<double>(kNan); }},
+      {"animations", [](Scene& s) { s.animations.pop_back(); }},
+  });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    Scene spoilt = scene;
+    cases[i].spoil(spoilt);
+    Bytes file = write_asset_file(spoilt, {.truth = true});
+    const auto read = read_signed(file);
+    ASSERT_FALSE(read) << i;
+    EXPECT_EQ(read.error().block, cases[i].block) << i << ": " << describe(read.error());
+    EXPECT_EQ(read.error().rule, "asset-value") << i;
+  }
+}
+
+TEST(damaged_assets, counts_that_no_bytes_stand_behind_take_no_memory) {
+  Bytes file = write_asset_file(full_scene(1), {.truth = true});
+  const std::size_t first = kAssetHead + 4 * kAssetEntry;
+  for (std::size_t i = first; i + 8 <= file.size(); i += 4) {
+    Bytes changed = file;
+    put_number(std::span(changed), i, std::uint64_t{0x7fffffff});
+    const PeakMemory peak;
+    static_cast<void>(read_signed(changed));
+    ASSERT_LT(peak.bytes(), (16u << 20) + 200 * file.size()) << i;
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

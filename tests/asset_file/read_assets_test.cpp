@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/asset_file/read_assets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "runtime/animation/skeleton_signature.h"
+#include "runtime/asset_file/write_asset_file.h"
+#include "runtime/clip/unpack_clip.h"
+#include "tests/asset_file/full_scene.h"
+#include "tests/asset_file/played_frames.h"
+#include "tests/scenes/hand_scenes.h"
+#include "tests/support/scene_equality.h"
+
+namespace sinew::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// The scene of a file; an empty one where there is an error.
+Scene scene_of(const Bytes& file) {
+  const auto opened = AssetFile::open(file);
+  EXPECT_TRUE(opened) << describe(opened.error());
+  if (!opened) return {};
+  auto scene = read_scene(*opened);
+  EXPECT_TRUE(scene) << describe(scene.error());
+  return scene ? *std::move(scene) : Scene{};
+}
+
+AssetFile opened(const Bytes& file) { return *AssetFile::open(file); }
+
+/// What expect_equal leaves out, and what a glTF file cannot hold.
+void expect_equal_beyond_gltf(const Scene& a, const Scene& b) {
+  EXPECT_EQ(a.skeleton.node_of_joint, b.skeleton.node_of_joint);
+  EXPECT_EQ(a.skeleton.joint_of_node, b.skeleton.joint_of_node);
+  EXPECT_EQ(a.first_weight, b.first_weight);
+  EXPECT_EQ(a.properties.rest, b.properties.rest);
+  ASSERT_EQ(a.properties.entries.size(), b.properties.entries.size());
+  ASSERT_EQ(a.correctives.size(), b.correctives.size());
+  for (std::size_t c = 0; c < a.correctives.size(); ++c) {
+    EXPECT_EQ(a.correctives[c].coefficients, b.correctives[c].coefficients);
+    EXPECT_EQ(a.correctives[c].samples.values, b.correctives[c].samples.values);
+    EXPECT_TRUE(a.correctives[c].samples.rotations == b.correctives[c].samples.rotations);
+  }
+  for (std::size_t m = 0; m < a.meshes.size(); ++m)
+    for (std::size_t p = 0; p < a.meshes[m].primitives.size(); ++p) {
+      EXPECT_EQ(a.meshes[m].primitives[p].source_vertex, b.meshes[m].primitives[p].source_vertex);
+      EXPECT_TRUE(a.meshes[m].primitives[p].centers_of_rotation == b.meshes[m].primitives[p].centers_of_rotation);
+    }
+  ASSERT_EQ(a.images.size(), b.images.size());
+  for (std::size_t i = 0; i < a.images.size(); ++i) {
+    EXPECT_EQ(a.images[i].encoded, b.images[i].encoded);
+    EXPECT_EQ(a.images[i].missing_reason, b.images[i].missing_reason);
+  }
+  ASSERT_EQ(a.scenes.size(), b.scenes.size());
+  for (std::size_t s = 0; s < a.scenes.size(); ++s) EXPECT_EQ(a.scenes[s].joints, b.scenes[s].joints);
+}
+
+TEST(read_assets, every_field_comes_back_and_plays_the_same_frames) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const Scene scene = full_scene(seed);
+    ASSERT_EQ(check(scene), ErrorCode::ok);
+    ASSERT_FALSE(hashes_of_frames(scene).empty());
+    for (const int level : {0, 3}) {
+      const AssetFileOptions options{.truth = true, .zstd_level = level};
+      const Bytes file = write_asset_file(scene, options);
+      const Scene read = scene_of(file);
+      expect_equal(scene, read);
+      expect_equal_beyond_gltf(scene, read);
+      EXPECT_EQ(hashes_of_frames(read), hashes_of_frames(scene));
+      EXPECT_TRUE(write_asset_file(read, options) == file);
+    }
+  }
+}
+
+TEST(read_assets, without_the_truth_animations_are_the_keys_of_the_clips) {
+  const Scene scene = full_scene(4);
+  const Scene read = scene_of(write_asset_file(scene));
+  EXPECT_EQ(hashes_of_frames(read), hashes_of_frames(scene));
+  ASSERT_EQ(read.animations.size(), scene.animations.size());
+  Scene again = read;
+  finish_scene(again);
+  EXPECT_EQ(hashes_of_frames(again), hashes_of_frames(scene)) << "compiled from what was read";
+}
+
+TEST(read_assets, packed_blocks_are_smaller_and_say_so) {
+  const Scene scene = full_scene(5);
+  const Bytes plain = write_asset_file(scene), packed = write_asset_file(scene, {.zstd_level = 9});
+  EXPECT_LT(packed.size(), plain.size());
+  EXPECT_FALSE(opened(plain).find(AssetKind::model)->is_packed);
+  EXPECT_TRUE(opened(packed).find(AssetKind::model)->is_packed);
+  EXPECT_EQ(opened(packed).find(AssetKind::model)->bytes, opened(plain).find(AssetKind::model)->bytes);
+}
+
+TEST(read_assets, a_file_may_hold_any_of_skeleton_model_and_clips) {
+  const Scene scene = arm_scene();
+  const Bytes skeleton = write_asset_file(scene, {.model = false, .clips = false}),
+              model = write_asset_file(scene, {.clips = false}),
+              clips = write_asset_file(scene, {.skeleton = false, .model = false});
+  EXPECT_EQ(read_skeleton(opened(skeleton))->names, scene.skeleton.names);
+  EXPECT_EQ(scene_of(skeleton).meshes.size(), 0u);
+  EXPECT_EQ(read_scene(opened(clips)).error().rule, "asset-missing");
+  EXPECT_EQ(read_clips(opened(skeleton), 0).error().rule, "asset-missing");
+  Scene character = scene_of(model);
+  ASSERT_EQ(character.clips.size(), 0u);
+  for (int twice = 0; twice < 2; ++twice) ASSERT_TRUE(add_clips(opened(clips), character));
+  ASSERT_EQ(character.clips.size(), 2u);
+  EXPECT_EQ(check(character), ErrorCode::ok);
+  EXPECT_EQ(hashes_of_frames(character).front(), hashes_of_frames(scene).front());
+}
+
+TEST(read_assets, clips_of_another_skeleton_are_refused_and_both_are_named) {
+  const Scene scene = arm_scene();
+  const Bytes clips = write_asset_file(scene, {.skeleton = false, .model = false});
+  Scene other = scene;
+  other.skeleton.names[1] = "renamed";
+  const Scene before = other;
+  const auto added = add_clips(opened(clips), other);
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().rule, "asset-signature");
+  EXPECT_EQ(added.error().block, "clips");
+  const Skeleton* both[] = {&scene.skeleton, &other.skeleton};
+  for (const Skeleton* skeleton : both) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(skeleton_signature(*skeleton)));
+    EXPECT_THAT(added.error().detail, testing::HasSubstr(text));
+  }
+  EXPECT_EQ(other.clips.size(), before.clips.size());
+  EXPECT_EQ(other.animations.size(), before.animations.size());
+}
+
+TEST(read_assets, clips_of_other_morph_weights_are_refused_by_their_number) {
+  Scene face = face_scene(), plain = face;
+  plain.instances.clear();
+  plain.animations.clear();
+  finish_scene(plain);
+  const auto added = add_clips(opened(write_asset_file(face, {.skeleton = false, .model = false})), plain);
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().rule, "asset-binding");
+  EXPECT_THAT(added.error().detail, testing::HasSubstr("\"smile\" was compiled for 2 morph weights, the scene has 0"));
+  EXPECT_TRUE(plain.clips.empty());
+}
+
+TEST(read_assets, a_body_of_other_proportions_plays_the_clips_of_its_skeleton) {
+  const Scene scene = arm_scene();
+  Scene longer = scene;
+  longer.skeleton.rest[1].translation.y += 0.5f;
+  longer.clips.clear();
+  longer.animations.clear();
+  ASSERT_TRUE(add_clips(opened(write_asset_file(scene, {.skeleton = false, .model = false})), longer));
+  EXPECT_EQ(longer.clips[0].name(), "bend");
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/clip/decompile_clip.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/base/same_bits.h"
+#include "runtime/clip/unpack_clip.h"
+#include "tests/clip/varied_clip.h"
+
+namespace sinew::test {
+namespace {
+
+/// What varied_clip (varied_clip.h) is compiled with, but for the rest pose.
+struct Rest {
+  Skeleton skeleton = chain_skeleton(21);
+  std::vector<float> weights{0.1f, 0.2f, 0.3f, 0.4f};
+  std::vector<std::uint32_t> first{0, 4};
+  PropertyTable properties;
+};
+
+bool samples_the_same(const Clip& a, const Clip& b) {
+  const std::vector<float> x = samples_of(a), y = samples_of(b);
+  return same_bits(std::span<const float>(x), std::span<const float>(y));
+}
+
+TEST(decompile_clip, compiled_again_it_samples_the_bits_of_the_unpacked_clip) {
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    const Clip clip = varied_clip(seed);
+    const Rest rest;  // another pose than the clip was compiled with: the clip carries its own
+    const auto animation =
+        decompile_clip(clip, clip_rest(rest.skeleton, rest.weights, rest.properties), rest.first, rest.properties);
+    ASSERT_TRUE(animation);
+    EXPECT_EQ(animation->name, clip.name());
+    EXPECT_EQ(animation->duration_s, clip.duration_s());
+    const Clip again = compile_clip(*animation, rest.skeleton, rest.weights, rest.first);
+    EXPECT_TRUE(samples_the_same(again, unpacked(clip))) << seed;
+    EXPECT_EQ(again.counts().rotations, clip.counts().rotations);
+    EXPECT_EQ(again.counts().translations, clip.counts().translations);
+    EXPECT_EQ(again.counts().weights, clip.counts().weights);
+  }
+}
+
+TEST(decompile_clip, keys_that_were_never_rounded_come_back_as_they_were) {
+  Rest rest;
+  FixedRandom random(3);
+  const std::vector<float> times = random_times(random, 5);
+  Animation animation;
+  for (const Interpolation kind :
+       {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline, Interpolation::squad}) {
+    BoneAnimation bone;
+    bone.joint = static_cast<std::uint32_t>(animation.bones.size());
+    bone.rotation = random_rotations(random, kind, times);
+    if (kind != Interpolation::squad) bone.scale = random_vectors(random, kind, times);
+    animation.bones.push_back(bone);
+  }
+  animation.weights.push_back({0, random_weights(random, Interpolation::cubic_spline, times, 2), 1});
+  animation.duration_s = 9.0;
+  const Clip clip = compile_clip(animation, rest.skeleton, rest.weights, rest.first);
+  const auto found = decompile_clip(clip, clip_rest(rest.skeleton, rest.weights, rest.properties), rest.first, {});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->bones.size(), animation.bones.size());
+  for (std::size_t b = 0; b < animation.bones.size(); ++b) {
+    EXPECT_EQ(found->bones[b].joint, animation.bones[b].joint);
+    EXPECT_EQ(found->bones[b].rotation.times_s, animation.bones[b].rotation.times_s);
+    EXPECT_TRUE(found->bones[b].rotation.values == animation.bones[b].rotation.values) << b;
+    EXPECT_TRUE(found->bones[b].scale.values == animation.bones[b].scale.values) << b;
+  }
+  ASSERT_EQ(found->weights.size(), 1u);
+  EXPECT_EQ(found->weights[0].first_target, 1u);
+  EXPECT_EQ(found->weights[0].weights.values, animation.weights[0].weights.values);
+}
+
+TEST(decompile_clip, what_is_held_is_one_key_and_what_rests_is_none) {
+  Rest rest;
+  rest.properties.entries = {{{PropertyKind::metallic, 0}, 0, 1}, {{PropertyKind::roughness, 0}, 1, 1}};
+  rest.properties.rest = {0.5f, 0.25f};
+  Animation animation;
+  BoneAnimation bone;
+  bone.joint = 4;
+  bone.translation = track_of<glm::vec3>(Interpolation::step, {0.0f}, {glm::vec3(1, 2, 3)});
+  animation.bones.push_back(bone);
+  animation.weights.push_back({0, {Interpolation::step, {0.0f}, {0.75f, 0.875f}, 2}, 2});
+  animation.properties.push_back({{PropertyKind::roughness, 0}, {Interpolation::step, {0.0f}, {1.0f}, 1}});
+  const Clip clip = compile_clip(animation, rest.skeleton, rest.weights, rest.first, rest.properties);
+  const auto found =
+      decompile_clip(clip, clip_rest(rest.skeleton, rest.weights, rest.properties), rest.first, rest.properties);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->bones.size(), 1u);
+  EXPECT_EQ(found->bones[0].joint, 4u);
+  EXPECT_EQ(found->bones[0].translation.values, std::vector{glm::vec3(1, 2, 3)});
+  EXPECT_TRUE(found->bones[0].rotation.empty());
+  ASSERT_EQ(found->weights.size(), 1u);
+  EXPECT_EQ(found->weights[0].first_target, 2u);
+  EXPECT_EQ(found->weights[0].weights.values, (std::vector{0.75f, 0.875f}));
+  ASSERT_EQ(found->properties.size(), 1u);
+  EXPECT_EQ(found->properties[0].target.kind, PropertyKind::roughness);
+}
+
+TEST(decompile_clip, a_clip_of_other_instances_or_properties_is_refused) {
+  Rest rest;
+  FixedRandom random(5);
+  Animation animation;
+  animation.weights.push_back({0, random_weights(random, Interpolation::linear, {0.0f, 1.0f}, 4), 0});
+  const Clip clip = compile_clip(animation, rest.skeleton, rest.weights, rest.first);
+  const ClipRest of_two = clip_rest(rest.skeleton, rest.weights, {});
+  EXPECT_TRUE(decompile_clip(clip, of_two, std::vector<std::uint32_t>{0, 4}, {}));
+  EXPECT_EQ(decompile_clip(clip, of_two, std::vector<std::uint32_t>{0, 2, 4}, {}).error(), ErrorCode::unsupported);
+}
+
+}  // namespace
+}  // namespace sinew::test
