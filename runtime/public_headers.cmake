@@ -31,6 +31,7 @@ set(sinew_public_headers
   runtime/math/stretch.h
   runtime/math/swing_twist.h
   runtime/math/transform.h
+  runtime/math/two_bones.h
   runtime/animation/bone_animation.h
   runtime/animation/close_loop.h
   runtime/animation/keyframe.h
@@ -96,6 +97,9 @@ set(sinew_public_headers
   runtime/playback/event_cursor.h
   runtime/playback/playback_clock.h
   runtime/playback/root_motion.h
+  runtime/retarget/feet_map.h
+  runtime/retarget/hold_feet.h
+  runtime/retarget/hold_feet_animation.h
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
   runtime/retarget/retarget_pose.h

@@ -4,6 +4,7 @@
 #include "runtime/animation/mirror_map.h"
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/pose/sample_clip.h"
+#include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/retarget_pose.h"
 #include "tests/bench/clip_characters.h"
 #include "tests/bench/measure.h"
@@ -47,6 +48,21 @@ struct Retargeted {
   void run_job() { run(RetargetPoseJob{.tables = &tables, .pose = room.pose.span(), .retargeted = room.out.span()}); }
 };
 
+/// The feet of a pose on the same body with other axes, held again and again.
+struct HeldFeet {
+  Retargeted on;
+  FeetMap feet;
+
+  explicit HeldFeet(const std::shared_ptr<const Character>& c) : on(c) {
+    const Skeleton target = with_other_axes(c->skeleton);
+    feet = make_feet_map(make_skeleton_map(c->skeleton, target), c->skeleton, target);
+    on.run_job();
+  }
+  void run_job() {
+    run(HoldFeetJob{.feet = &feet, .ground = 0.0f, .pose = on.room.pose.span(), .held = on.room.out.span()});
+  }
+};
+
 }  // namespace
 
 void add_mirrors() {
@@ -58,6 +74,9 @@ void add_mirrors() {
     const auto retargeted = std::make_shared<Retargeted>(c);
     add("retarget_pose/sinew/" + c->name, c->joint_count(), [retargeted] { retargeted->run_job(); });
     add("retarget_pose/copy/" + c->name, c->joint_count(), [retargeted] { retargeted->room.copy(); });
+    const auto held = std::make_shared<HeldFeet>(c);
+    if (!held->feet.legs.empty())
+      add("hold_feet/sinew/" + c->name, held->feet.legs.size(), [held] { held->run_job(); });
   }
 }
 

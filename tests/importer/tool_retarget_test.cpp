@@ -6,7 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "importer/export_glb.h"
 #include "importer/import_gltf.h"
+#include "runtime/math/quaternion.h"
+#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/corpus.h"
@@ -94,6 +97,44 @@ TEST(retarget, a_character_without_a_like_joint_is_refused) {
   EXPECT_FALSE(std::filesystem::exists(model.beside("out.glb")));
 }
 
+TEST(retarget, holds_feet_where_both_have_legs) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "Hips", "LeftArm", 1.0, true);
+  write_body(model.beside(""), "other", "Hips", "LeftArm", 2.0, false);
+  const auto outcome = run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("other.gltf"), "-o",
+                                 model.beside("out.glb"), "--hold-feet"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("no leg with thigh, shank and foot follows one of"));
+
+  Scene walker;
+  for (const char* name : {"Hips", "LeftUpLeg", "LeftLeg", "LeftFoot"}) {
+    const auto j = static_cast<std::uint32_t>(walker.skeleton.joint_count());
+    walker.skeleton.parents.push_back(j == 0 ? kNone : j - 1);
+    walker.skeleton.rest.push_back({glm::vec3(0, j == 0 ? 1.0f : -0.3f, 0)});
+    walker.skeleton.names.emplace_back(name);
+    walker.skeleton.fixed_matrix_of.push_back(kNone);
+    walker.skeleton.node_of_joint.push_back(j);
+    walker.skeleton.joint_of_node.push_back(j);
+    walker.skeleton.level_begin.push_back(j);
+  }
+  walker.skeleton.level_begin.push_back(4);
+  ASSERT_TRUE(export_glb(walker, model.beside("body.glb")));
+  walker.skeleton.rest[2].translation.y = -0.5f;  // a longer thigh
+  BoneAnimation thigh;
+  thigh.joint = 1;
+  thigh.rotation = {Interpolation::linear, {0, 1}, {quat_identity<float>(), quat_xyzw(0.2f, 0.0f, 0.0f, 0.98f)}};
+  thigh.rotation.values[1] = normalised(thigh.rotation.values[1]);
+  walker.animations.push_back({"kick", 1.0, {thigh}, {}});
+  ASSERT_TRUE(export_glb(walker, model.beside("walk.glb")));
+  const auto held = run_tool({"retarget", model.beside("walk.glb"), "--onto", model.beside("body.glb"), "-o",
+                              model.beside("out.glb"), "--hold-feet"});
+  ASSERT_EQ(held.status, 0) << held.err;
+  EXPECT_THAT(held.out, testing::ContainsRegex("feet slide [0-9.]+ mm before and [0-9.]+ [um]*m after in 1 contact"));
+  const auto out = import_gltf(model.beside("out.glb"));
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->scene.animations[0].bones.size(), 4u) << "shank, foot and hips have keys, too";
+}
+
 std::vector<Scene> scenes_in(const std::vector<std::filesystem::path>& files) {
   ImportOptions options;
   options.decode_images = options.make_tangents = options.make_normals = false;
@@ -153,6 +194,30 @@ TEST(retarget_corpus, images_of_the_character_stay_as_they_are) {
   if (corpus()) {
     EXPECT_GT(compared, 0u);
   }
+}
+
+/// Feet of every humanoid's clips on every other body.
+TEST(retarget_corpus, held_feet_slide_less) {
+  double before = 0.0, after = 0.0;
+  const std::vector<Scene> bodies = scenes_in(corpus_files("retarget", {".glb"}));
+  for (const Scene& from : scenes_in(corpus_files("models", {".glb"}))) {
+    if (from.animations.size() < 10) continue;
+    for (const Scene& to : bodies) {
+      const SkeletonMap map = make_skeleton_map(from.skeleton, to.skeleton);
+      const FeetMap feet = make_feet_map(map, from.skeleton, to.skeleton);
+      if (feet.legs.empty()) continue;
+      for (const Animation& animation : from.animations) {
+        Animation retargeted = retarget_animation(animation, map, from.skeleton, to.skeleton);
+        before += measure_foot_slide(feet, animation, from.skeleton, retargeted, to.skeleton).mean;
+        hold_feet(feet, animation, from.skeleton, to.skeleton, retargeted);
+        after += measure_foot_slide(feet, animation, from.skeleton, retargeted, to.skeleton).mean;
+      }
+    }
+  }
+  if (corpus()) {
+    EXPECT_GT(before, 0.0);
+  }
+  EXPECT_LE(after, 0.15 * before);
 }
 
 /// Humans follow humanoids of other names: all limbs are found.

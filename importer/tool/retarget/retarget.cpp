@@ -12,10 +12,12 @@
 #include "importer/export_glb.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/files/output_check.h"
+#include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/retarget/joint_pairs.h"
 #include "importer/tool/text_table.h"
+#include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 
 namespace sinew::tool {
@@ -24,7 +26,7 @@ namespace {
 struct RetargetOptions {
   std::string clips, character, out;
   std::optional<std::string> map;
-  bool keep_rest = false;
+  bool keep_rest = false, hold_feet = false;
 };
 
 std::string name_of(const Skeleton& skeleton, std::uint32_t joint) {
@@ -48,14 +50,28 @@ void print_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& t
   print_joints("joints of the clips that nothing follows", source, map.unmapped_source);
 }
 
+/// Holds the feet of a clip, and says how far they slide without and with it.
+std::string held_feet(const FeetMap& feet, const Animation& animation, const Scene& clips, const Scene& character,
+                      Animation& retargeted) {
+  const auto slide = [&] {
+    return measure_foot_slide(feet, animation, clips.skeleton, retargeted, character.skeleton);
+  };
+  const FootSlide before = slide();
+  hold_feet(feet, animation, clips.skeleton, character.skeleton, retargeted);
+  const FootSlide after = slide();
+  return fmt::format(", feet slide {} before and {} after in {}", length_text(before.largest),
+                     length_text(after.largest), counted(after.contacts, "contact"));
+}
+
 /// Adds the clips to those of the character, and says how far each is from the poses that it was made of.
-void add_clips(const Scene& clips, const SkeletonMap& map, Scene& character) {
+void add_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet, Scene& character) {
   constexpr double kDegrees = 57.29577951308232;
   for (const Animation& animation : clips.animations) {
     Animation retargeted = retarget_animation(animation, map, clips.skeleton, character.skeleton);
     const RetargetError error = measure_retarget(retargeted, animation, map, clips.skeleton, character.skeleton);
-    print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units\n", in_quotes(animation.name),
-                 counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance);
+    const std::string slide = feet.legs.empty() ? "" : held_feet(feet, animation, clips, character, retargeted);
+    print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
+                 counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
     character.animations.push_back(std::move(retargeted));
   }
   character.clips.clear();
@@ -88,8 +104,12 @@ ExitCode retarget(const RetargetOptions& options) {
   if (map.joints.empty())
     return fail_with(ExitCode::input_at_fault, options.character + ": no joint is like one of " + options.clips +
                                                    "; --map FILE says which ones are");
+  const FeetMap feet = options.hold_feet ? make_feet_map(map, source, target) : FeetMap{};
+  if (options.hold_feet && feet.legs.empty())
+    return fail_with(ExitCode::input_at_fault,
+                     options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
   print_map(map, source, target);
-  add_clips(clips->scene, map, character->scene);
+  add_clips(clips->scene, map, feet, character->scene);
   const auto written = export_glb(character->scene, options.out);
   if (!written) return fail_with(ExitCode::machine_lacks, options.out, written.error().issue);
   print_result("{}: {} bytes\n", options.out, *written);
@@ -112,7 +132,7 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
       "made of. OUT is CHARACTER with the clips behind its own, as sinew understands it: what it does not know is not "
-      "written. Feet are not held to the ground.");
+      "written.");
   command->add_option("CLIPS", options->clips, "A .gltf or .glb file with the clips")->required();
   command->add_option("--onto", options->character, "A .gltf or .glb file with the character")
       ->required()
@@ -123,6 +143,9 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
                    "JSON that says which joint follows which, and is then all that is mapped:\n"
                    "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...}}")
       ->type_name("FILE");
+  command->add_flag("--hold-feet", options->hold_feet,
+                    "Feet that are on the ground follow those of CLIPS, and stand still where they do: hips and knees "
+                    "turn. Prints how far feet slide without and with it");
   command->add_flag("--keep-rest", options->keep_rest,
                     "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
   command->callback([options, &outcome] { outcome = retarget(*options); });

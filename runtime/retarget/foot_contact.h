@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+
+#include "runtime/retarget/leg_pose.h"
+
+namespace sinew {
+
+/// How firmly the source's foot is on the ground, and by what. Internal to retarget/
+template <class T>
+struct FootContact {
+  T held = T(0);       ///< 0 in the air, 1 on the ground
+  T toes = T(0);       ///< share of the toes: 0 where the ankle is lower, 1 where the toes are
+  Vec3<T> foot{T(0)};  ///< from the places at rest, of the source
+  Vec3<T> ball{T(0)};
+};
+
+/// Smooth from 0 at `low` to 1 at `high`.
+template <class T>
+T smooth_step(T low, T high, T x) noexcept {
+  const T t = std::clamp((x - low) / (high - low), T(0), T(1));
+  return t * t * (T(3) - T(2) * t);
+}
+
+/// Height of the ankle or of the toes, whichever is lower, above that of the rest pose.
+template <class T>
+T lowest_height(const LegPair& leg, const LegPose<T>& pose) noexcept {
+  const T foot = pose.foot.place.y - static_cast<T>(leg.source_foot.y);
+  return leg.source.toes == 0 ? foot : std::min(foot, pose.toes.place.y - static_cast<T>(leg.source_toes.y));
+}
+
+template <class T>
+FootContact<T> foot_contact(const LegPair& leg, const LegPose<T>& source, T ground) noexcept {
+  const T length = static_cast<T>(leg.source_length);
+  FootContact<T> contact;
+  contact.foot = source.foot.place - Vec3<T>(leg.source_foot);
+  contact.held = T(1) - smooth_step(T(0.04) * length, T(0.12) * length, lowest_height(leg, source) - ground);
+  if (leg.source.toes == 0) return contact;
+  contact.ball = source.toes.place - Vec3<T>(leg.source_toes);
+  contact.toes = smooth_step(T(-0.02) * length, T(0.02) * length, contact.foot.y - contact.ball.y);
+  return contact;
+}
+
+/// Where the target's ankle goes when the foot is held.
+template <class T>
+Vec3<T> foot_goal(const LegPair& leg, const FootContact<T>& contact, T ratio, const LegPose<T>& target) noexcept {
+  const Vec3<T> by_foot = Vec3<T>(leg.target_foot) + contact.foot * ratio;
+  if (leg.target.toes == 0) return by_foot;
+  const Vec3<T> by_toes = Vec3<T>(leg.target_toes) + contact.ball * ratio + (target.foot.place - target.toes.place);
+  return by_foot + (by_toes - by_foot) * contact.toes;
+}
+
+}  // namespace sinew

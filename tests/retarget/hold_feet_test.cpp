@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/hold_feet.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/animation/truth_pose.h"
+#include "runtime/retarget/foot_contact.h"
+#include "runtime/retarget/hold_feet_animation.h"
+#include "runtime/retarget/retarget_animation.h"
+#include "tests/scenes/skeletons.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/fixed_random.h"
+#include "tests/support/near.h"
+#include "tests/support/tiny_assets.h"
+
+namespace sinew {
+namespace {
+
+using Vec3d = Vec3<double>;
+using Quatd = Quat<double>;
+
+/// Lengths of a body: of both bones of the legs, of the feet from ankle to toes, and how high ankles are.
+struct Build {
+  double thigh = 0.5, shank = 0.45, foot = 0.15, ankle = 0.1, width = 0.1, knee_back = 0.0;
+};
+constexpr Build kSmall{0.3, 0.4, 0.1, 0.08, 0.07};
+
+enum Joint : std::uint32_t { hips, left_thigh, right_thigh, left_shank, right_shank, left_foot, right_foot, left_toes };
+
+/// Hips and two legs that stand straight, with joints of any axes.
+Skeleton body(const Build& build, std::uint64_t seed) {
+  test::FixedRandom random(seed);
+  const double knee = build.ankle + build.shank, hip = knee + build.thigh;
+  const std::vector<std::uint32_t> parents = {kNone,      hips,        hips,      left_thigh, right_thigh,
+                                              left_shank, right_shank, left_foot, right_foot};
+  const Vec3d places[] = {{0, hip + 0.1, 0},
+                          {build.width, hip, 0},
+                          {-build.width, hip, 0},
+                          {build.width, knee, -build.knee_back},
+                          {-build.width, knee, -build.knee_back},
+                          {build.width, build.ankle, 0},
+                          {-build.width, build.ankle, 0},
+                          {build.width, 0.02, build.foot},
+                          {-build.width, 0.02, build.foot}};
+  const char* names[] = {"Hips",     "LeftUpLeg", "RightUpLeg",  "LeftLeg",     "RightLeg",
+                         "LeftFoot", "RightFoot", "LeftToeBase", "RightToeBase"};
+  Skeleton skeleton = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
+  std::vector<Quatd> axes;
+  for (std::uint32_t j = 0; j < parents.size(); ++j) {
+    axes.push_back(random.rotation<double>());
+    const bool is_root = parents[j] == kNone;
+    const Quatd above = is_root ? quat_identity<double>() : quat_conjugate(axes[parents[j]]);
+    skeleton.rest[j] = {glm::vec3(rotate_vector(above, is_root ? places[j] : places[j] - places[parents[j]])),
+                        quat_cast<float>(above * axes[j]), glm::vec3(1.0f)};
+    skeleton.names[j] = names[j];
+  }
+  return skeleton;
+}
+
+/// Rotation of a joint in model space that turns it by `turn` from its rest, as a local one below `above`, turned.
+Quatd local_of(const Skeleton& skeleton, std::uint32_t joint, const Quatd& above_turn, const Quatd& turn) {
+  Quatd rest = quat_identity<double>(), above = rest;
+  for (std::uint32_t j = joint; j != kNone; j = skeleton.parents[j]) {
+    rest = quat_cast<double>(skeleton.rest[j].rotation) * rest;
+    if (j != joint) above = quat_cast<double>(skeleton.rest[j].rotation) * above;
+  }
+  return normalised(quat_conjugate(above_turn * above) * turn * rest);
+}
+
+Quatd about_x(double angle_rad) { return quat_xyzw(std::sin(angle_rad / 2), 0.0, 0.0, std::cos(angle_rad / 2)); }
+
+/// Both legs by angles about x: how far the thigh goes forward, the knee bends, and the heel goes up.
+struct LegAngles {
+  double thigh = 0.0, knee = 0.0, heel = 0.0;
+};
+
+/// Adds one key to the hips, which go from their place at rest by `offset`, and to both legs.
+void add_key(const Skeleton& skeleton, double time_s, const Vec3d& offset, const LegAngles& angles,
+             Animation& animation) {
+  animation.bones.resize(7);
+  animation.duration_s = time_s;
+  const Quatd thigh = about_x(-angles.thigh), shank = about_x(angles.knee - angles.thigh), foot = about_x(angles.heel);
+  const Quatd above[] = {quat_identity<double>(), thigh, shank}, turns[] = {thigh, shank, foot};
+  for (std::uint32_t j = hips; j <= right_foot; ++j) {
+    BoneAnimation& bone = animation.bones[j];
+    bone.joint = j;
+    if (j == hips) {
+      bone.translation.times_s.push_back(static_cast<float>(time_s));
+      bone.translation.values.push_back(skeleton.rest[hips].translation + glm::vec3(offset));
+      continue;
+    }
+    const std::uint32_t part = (j - left_thigh) / 2;
+    bone.rotation.times_s.push_back(static_cast<float>(time_s));
+    bone.rotation.values.push_back(quat_cast<float>(local_of(skeleton, j, above[part], turns[part])));
+  }
+}
+
+/// Squats on a foot that stays where it is: by the cosine rule of the two bones, in the plane of the leg.
+Animation squat(const Skeleton& skeleton, const Build& build, double floor = 0.0) {
+  Animation animation{"squat", 0.0, {}, {}};
+  for (int i = 0; i <= 60; ++i) {
+    const double s = i / 60.0, drop = 0.15 - 0.1 * std::cos(6.0 * s), forward = 0.1 * std::sin(5.0 * s);
+    const double a = build.thigh, b = build.shank, height = a + b - drop, d = std::hypot(height, forward);
+    const double inner = std::acos((a * a + b * b - d * d) / (2 * a * b)),
+                 at_hip = std::acos((a * a + d * d - b * b) / (2 * a * d));
+    const double lean = std::atan2(-forward, height);  // of the line from hip to ankle, forward
+    add_key(skeleton, s, Vec3d(0, floor - drop, forward), {at_hip + lean, 3.14159265358979 - inner}, animation);
+  }
+  return animation;
+}
+
+/// Stands on its toes, which stay where they are, and goes down again.
+Animation tiptoe(const Skeleton& skeleton, const Build& build) {
+  Animation animation{"tiptoe", 0.0, {}, {}};
+  for (int i = 0; i <= 60; ++i) {
+    const double s = i / 60.0, heel = 0.6 * std::sin(3.0 * s);
+    const Vec3d sole(0, 0.02 - build.ankle, build.foot);  // ankle to toes
+    add_key(skeleton, s, sole - rotate_vector(about_x(heel), sole), {0, 0, heel}, animation);
+  }
+  return animation;
+}
+
+struct Bodies {
+  Skeleton source = body({}, 1), target = body(kSmall, 2);
+  SkeletonMap map = make_skeleton_map(
+      source, target, {.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}, {8, 8}}});
+  FeetMap feet = make_feet_map(map, source, target);
+};
+
+Vec3d place_of(const Skeleton& skeleton, const Animation& animation, std::uint32_t joint, double time_s) {
+  TruthPose pose;
+  evaluate_truth(animation, skeleton, time_s, pose);
+  return translation_of(pose.model[joint]);
+}
+
+TEST(hold_feet, a_foot_that_stands_still_on_the_source_stands_still_on_the_target) {
+  Bodies b;
+  ASSERT_EQ(b.feet.legs.size(), 2u);
+  const Animation animation = squat(b.source, {});
+  const Vec3d stands = place_of(b.source, animation, left_foot, 0.0);
+  for (double t = 0.0; t < 1.0; t += 0.0123)
+    ASSERT_TRUE(test::is_near(place_of(b.source, animation, left_foot, t), stands, 2e-4)) << "the source stands still";
+  Animation retargeted = retarget_animation(animation, b.map, b.source, b.target);
+  const FootSlide before = measure_foot_slide(b.feet, animation, b.source, retargeted, b.target);
+  EXPECT_GT(before.largest, 0.02) << "the legs have other proportions";
+  hold_feet(b.feet, animation, b.source, b.target, retargeted);
+  const FootSlide after = measure_foot_slide(b.feet, animation, b.source, retargeted, b.target);
+  EXPECT_LT(after.largest, 2e-4);
+  EXPECT_EQ(after.contacts, before.contacts);
+  const Vec3d still = place_of(b.target, retargeted, left_foot, 0.0);
+  EXPECT_TRUE(test::is_near(still, Vec3d(kSmall.width, kSmall.ankle, 0), 2e-4)) << "where it stands at rest";
+  for (double t = 0.0; t < 1.0; t += 0.0123)
+    EXPECT_TRUE(test::is_near(place_of(b.target, retargeted, left_foot, t), still, 3e-4)) << t;
+}
+
+TEST(hold_feet, the_slide_is_measured_from_where_a_foot_comes_down) {
+  Bodies b;
+  const Animation animation = squat(b.source, {});
+  const Animation retargeted = retarget_animation(animation, b.map, b.source, b.target);
+  const FootSlide slide = measure_foot_slide(b.feet, animation, b.source, retargeted, b.target);
+  double farthest = 0.0;
+  const Vec3d first = place_of(b.target, retargeted, left_foot, 0.0);
+  for (int i = 0; i <= 60; ++i)
+    farthest = std::max(farthest, glm::length(place_of(b.target, retargeted, left_foot, i / 60.0) - first));
+  EXPECT_NEAR(slide.largest, farthest, 1e-3);
+}
+
+TEST(hold_feet, a_foot_that_rolls_over_its_toes_rolls_over_its_toes) {
+  Bodies b;
+  const Animation animation = tiptoe(b.source, {});
+  Animation retargeted = retarget_animation(animation, b.map, b.source, b.target);
+  hold_feet(b.feet, animation, b.source, b.target, retargeted);
+  const Vec3d rest_toes(kSmall.width, 0.02, kSmall.foot);
+  for (const double t : {0.4, 0.5, 0.6})
+    EXPECT_TRUE(test::is_near(place_of(b.target, retargeted, left_toes, t), rest_toes, 1e-4)) << t;
+  EXPECT_GT(place_of(b.target, retargeted, left_foot, 0.5).y, kSmall.ankle + 0.03) << "the heel is up";
+}
+
+TEST(hold_feet, hips_come_down_where_a_leg_is_too_short_and_feet_in_the_air_stay_where_they_are) {
+  Bodies b;
+  Animation animation;
+  add_key(b.source, 0.0, Vec3d(0, -0.04, 0.05), {0.5, 0.1, 0.0}, animation);  // both legs far ahead
+  const Quatd lifted = about_x(1.2);                                          // the right knee
+  animation.bones[right_shank].rotation.values[0] =
+      quat_cast<float>(local_of(b.source, right_shank, about_x(-0.5), lifted));
+  TruthPose pose;
+  evaluate_truth(animation, b.source, 0.0, pose);
+  std::vector<Transformd> plain(b.target.joint_count());
+  retarget_pose(b.map, b.source, b.target, pose.local, plain);
+  std::vector<Transformd> held = plain;
+  const double ground = translation_of(pose.model[left_foot]).y - 0.1;
+  hold_feet(b.feet, ground, pose.local, held);
+  EXPECT_LT(held[hips].translation.y, plain[hips].translation.y - 0.002);
+  std::vector<Affined> before(plain.size()), after(plain.size());
+  model_from_local(b.target, plain, before);
+  model_from_local(b.target, held, after);
+  const Vec3d goal = Vec3d(kSmall.width, kSmall.ankle, 0) +
+                     (translation_of(pose.model[left_foot]) - Vec3d(0.1, 0.1, 0)) * b.feet.ratio;
+  EXPECT_TRUE(test::is_near(translation_of(after[left_foot]), goal, 1e-6));
+  EXPECT_GT(glm::length(translation_of(before[left_foot]) - goal), 0.01);
+  EXPECT_TRUE(test::is_near(translation_of(after[right_foot]), translation_of(before[right_foot]), 1e-9));
+}
+
+TEST(hold_feet, feet_keep_their_rotation) {
+  Bodies b;
+  const Animation animation = tiptoe(b.source, {}), plain = retarget_animation(animation, b.map, b.source, b.target);
+  Animation held = plain;
+  hold_feet(b.feet, animation, b.source, b.target, held);
+  TruthPose before, after;
+  for (const double t : {0.1, 0.5, 0.8}) {
+    evaluate_truth(plain, b.target, t, before);
+    evaluate_truth(held, b.target, t, after);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        EXPECT_NEAR(before.model[left_foot].row[row][column], after.model[left_foot].row[row][column], 1e-4);
+  }
+}
+
+TEST(hold_feet, on_its_own_skeleton_an_animation_keeps_its_bits) {
+  const Skeleton skeleton = body({}, 1);
+  const SkeletonMap map = make_skeleton_map(skeleton, skeleton);
+  const Animation animation = squat(skeleton, {});
+  Animation held = animation;
+  hold_feet(make_feet_map(map, skeleton, skeleton), animation, skeleton, skeleton, held);
+  ASSERT_EQ(held.bones.size(), animation.bones.size());
+  for (std::size_t i = 0; i < held.bones.size(); ++i)
+    EXPECT_EQ(held.bones[i].rotation.values, animation.bones[i].rotation.values);
+}
+
+/// A pose of the source with its left foot `up` higher than at rest, and the target's.
+struct LiftedFoot {
+  std::vector<Transformd> pose, held;
+
+  LiftedFoot(const Bodies& b, double up) : held(b.target.joint_count()) {
+    Animation animation;
+    add_key(b.source, 0.0, Vec3d(0, up, 0), {0.3, 0.4, 0.1}, animation);
+    TruthPose truth;
+    evaluate_truth(animation, b.source, 0.0, truth);
+    pose = truth.local;
+    retarget_pose(b.map, b.source, b.target, pose, held);
+  }
+};
+
+TEST(hold_feet, a_foot_in_the_air_is_as_it_was_and_comes_down_smoothly) {
+  Bodies b;
+  const LiftedFoot high(b, 0.5);
+  std::vector<Transformd> held = high.held;
+  hold_feet(b.feet, 0.0, high.pose, held);
+  EXPECT_EQ(held, high.held);
+  hold_feet(b.feet, 0.5, high.pose, held);
+  EXPECT_NE(held, high.held) << "but not where the ground is as high";
+  double last = 0.0;
+  for (int i = 0; i <= 200; ++i) {
+    const LiftedFoot foot(b, 0.15 - 0.001 * i);
+    held = foot.held;
+    hold_feet(b.feet, 0.0, foot.pose, held);
+    const double turned = rotation_angle_between(held[left_thigh].rotation, foot.held[left_thigh].rotation);
+    if (i > 0) {
+      EXPECT_LT(std::abs(turned - last), 0.02) << i;
+    }
+    last = turned;
+  }
+  EXPECT_GT(last, 0.02);
+}
+
+TEST(hold_feet, a_foot_is_held_below_4_percent_of_the_leg_and_free_above_12) {
+  Bodies b;
+  const LegPair& leg = b.feet.legs[0];
+  for (const auto& [height, held] : {std::pair{0.0, 1.0}, {0.04, 1.0}, {0.06, 0.84375}, {0.08, 0.5}, {0.12, 0.0}}) {
+    LegPose<double> pose;
+    pose.foot.place = leg.source_foot + Vec3d(0, 0.3 + height * 0.95, 0);
+    pose.toes.place = leg.source_toes + Vec3d(0, 0.4 + height * 0.95, 0);
+    EXPECT_NEAR(foot_contact(leg, pose, 0.3).held, held, 1e-6) << height;
+  }
+}
+
+/// Where the knee of the left leg of a body goes that is straight, in model space while it rests.
+Vec3d bend_at_rest(const Build& build) {
+  const Skeleton skeleton = body(build, 4);
+  const FeetMap feet = make_feet_map(make_skeleton_map(skeleton, skeleton), skeleton, skeleton);
+  Quatd thigh = quat_identity<double>();
+  for (const std::uint32_t j : {hips, left_thigh}) thigh = thigh * quat_cast<double>(skeleton.rest[j].rotation);
+  return rotate_vector(thigh, feet.legs.at(0).bend);
+}
+
+TEST(hold_feet, straight_knees_go_where_they_are_bent_at_rest_else_where_the_toes_point) {
+  EXPECT_TRUE(test::is_near(bend_at_rest({}), normalised_or(Vec3d(0, -0.08, 0.15), Vec3d(0)), 1e-6));
+  EXPECT_TRUE(test::is_near(bend_at_rest({.knee_back = 0.1}), Vec3d(0, 0, -1), 1e-6)) << "as birds have them";
+}
+
+TEST(hold_feet, the_ground_is_where_the_feet_of_a_clip_are_lowest) {
+  Bodies b;
+  const Animation animation = squat(b.source, {}, 0.7);
+  EXPECT_NEAR(find_ground(b.feet, animation, b.source), 0.7, 1e-4);
+  EXPECT_EQ(find_ground({}, animation, b.source), 0.0);
+  Animation dips = animation;
+  dips.bones[hips].translation.values[30].y -= 0.3f;
+  EXPECT_NEAR(find_ground(b.feet, dips, b.source), 0.7, 1e-4) << "for a moment";
+}
+
+TEST(hold_feet, legs_that_are_not_whole_are_left_out_and_others_may_be_named) {
+  Bodies b;
+  Skeleton strange = b.target;
+  for (std::string& name : strange.names) name = "x" + name + "x";
+  EXPECT_TRUE(make_feet_map(b.map, b.source, strange).legs.empty());
+  const FeetMap named = make_feet_map(b.map, b.source, strange, {{left_thigh, left_shank, left_foot}});
+  ASSERT_EQ(named.legs.size(), 1u);
+  EXPECT_EQ(named.legs[0].target.toes, 0u);
+  EXPECT_TRUE(make_feet_map(b.map, b.source, strange, {{left_thigh, right_shank, left_foot}}).legs.empty())
+      << "not one below another";
+  EXPECT_TRUE(make_feet_map(b.map, b.source, strange, {{left_thigh, kNone, left_foot}}).legs.empty());
+  EXPECT_EQ(
+      make_feet_map(b.map, b.source, strange, {{left_thigh, left_shank, left_foot, right_foot}}).legs[0].source.toes,
+      0u)
+      << "toes of another foot are none";
+}
+
+TEST(hold_feet, the_job_is_the_truth_within_rounding_and_allocates_nothing) {
+  Bodies b;
+  test::PoseBuffer pose(b.source.joint_count()), held(b.target.joint_count());
+  for (int i = 0; i < 40; ++i) {
+    const LiftedFoot foot(b, 0.1 - 0.005 * i);
+    for (std::size_t j = 0; j < foot.pose.size(); ++j) {
+      const auto in_float = [](const Transformd& t) {
+        return Transform{glm::vec3(t.translation), quat_cast<float>(t.rotation), glm::vec3(t.scale)};
+      };
+      pose.span().set(j, in_float(foot.pose[j]));
+      held.span().set(j, in_float(foot.held[j]));
+    }
+    std::vector<Transformd> truth = foot.held;
+    hold_feet(b.feet, 0.01, foot.pose, truth);
+    const HoldFeetJob job{&b.feet, 0.01f, pose.span(), held.span()};
+    ASSERT_EQ(check(job), ErrorCode::ok);
+    const test::AllocationCounter counter;
+    run(job);
+    EXPECT_EQ(counter.count(), 0u);
+    std::vector<Transformd> found;
+    for (std::size_t j = 0; j < truth.size(); ++j) found.push_back(in_double(held.span().get(j)));
+    std::vector<Affined> exact_model(truth.size()), model(truth.size());
+    model_from_local(b.target, truth, exact_model);
+    model_from_local(b.target, found, model);
+    for (std::size_t j = 0; j < truth.size(); ++j)
+      EXPECT_TRUE(test::is_near(translation_of(model[j]), translation_of(exact_model[j]), 2e-6)) << i << " " << j;
+  }
+}
+
+TEST(hold_feet, the_job_refuses_poses_without_the_joints) {
+  Bodies b;
+  test::PoseBuffer pose(b.source.joint_count()), few(3);
+  EXPECT_EQ(check(HoldFeetJob{nullptr, 0, pose.span(), pose.span()}), ErrorCode::size_mismatch);
+  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, few.span(), pose.span()}), ErrorCode::size_mismatch);
+  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, pose.span(), few.span()}), ErrorCode::size_mismatch);
+}
+
+}  // namespace
+}  // namespace sinew
