@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -34,7 +35,9 @@ TEST(c_import, a_file_in_memory_gives_the_scene_of_the_cpp_importer) {
 }
 
 TEST(c_import, a_file_on_disk_is_read_by_its_utf8_path) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / u8"sinew_c_\u00e4rm.glb";
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) /
+      (std::to_string(getpid()) + reinterpret_cast<const char*>(u8"_sinew_c_\u00e4rm.glb"));
   const auto bytes = arm_file();
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

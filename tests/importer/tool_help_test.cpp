@@ -244,7 +244,7 @@ print -r -- $listed
 zpty -d tab
 )";
   const std::string shown =
-      printed(folder, "timeout 60 zsh -f " + script + " " + functions + " '" + words + "' </dev/null");
+      printed(folder, "timeout 600 zsh -f " + script + " " + functions + " '" + words + "' </dev/null");
   const std::size_t first = shown.find(words), again = shown.find(words, first + 1);  // as they were typed, drawn again
   EXPECT_NE(first, shown.npos) << shown;
   if (first == shown.npos || again == shown.npos) return {};

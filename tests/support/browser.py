@@ -4,7 +4,7 @@ import shutil
 import subprocess
 import tempfile
 
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--hide-scrollbars", "--enable-logging=stderr", "--virtual-time-budget=5000"]
 DARK = ["--blink-settings=preferredColorScheme=0"]
 
@@ -17,4 +17,4 @@ def run(folder, page, *arguments):
     """What the browser prints, and what it logs; its profile is new each time."""
     with tempfile.TemporaryDirectory(dir=folder) as profile:
         return subprocess.run([browser(), *FLAGS, "--user-data-dir=" + profile, *arguments, page.as_uri()],
-                              capture_output=True, text=True, timeout=100, check=True)
+                              capture_output=True, text=True, timeout=600, check=True)

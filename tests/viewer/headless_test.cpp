@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/headless.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -163,7 +165,8 @@ TEST_F(headless, memory_goes_back_block_by_block) {
 }
 
 TEST(png_writer, writes_what_another_program_reads_and_names_files_that_it_cannot_write) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "sinew-png-writer-test";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("sinew-png-writer-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   Picture picture{2, 1, {255, 0, 0, 255, 0, 0, 255, 0}};
   PngWriter writer;

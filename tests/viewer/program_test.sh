@@ -8,6 +8,7 @@ viewer=$1 showcase=$2
 for tool in convert identify; do
   command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
+export MAGICK_THREAD_LIMIT=1
 unset DISPLAY WAYLAND_DISPLAY
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
