@@ -29,7 +29,7 @@ class AssetReader {
     else if constexpr (std::is_enum_v<T>)
       value = static_cast<T>(small(static_cast<std::uint8_t>(last_of(T{})), "there is no such kind"));
     else
-      std::apply([this](auto&... field) { (read(field), ...); }, fields(value));
+      std::apply([this](auto&... field) { (this->read(field), ...); }, fields(value));
   }
   void read(std::string& text) {
     text.resize(count(1));

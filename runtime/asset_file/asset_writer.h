@@ -24,7 +24,7 @@ class AssetWriter {
     else if constexpr (std::is_same_v<T, bool> || std::is_enum_v<T>)
       add(static_cast<std::uint8_t>(value));
     else
-      std::apply([this](const auto&... field) { (add(field), ...); }, fields(value));
+      std::apply([this](const auto&... field) { (this->add(field), ...); }, fields(value));
   }
   void add(const std::string& text) {
     add(static_cast<std::uint64_t>(text.size()));

@@ -10,7 +10,8 @@ std::span<const Target> targets() noexcept {
   static constexpr std::array kTargets{Target{"glb", import_glb},           Target{"json", import_json},
                                        Target{"accessors", read_accessors}, Target{"compressed", decode_compressed},
                                        Target{"images", decode_images},     Target{"clips", load_compiled_clips},
-                                       Target{"geometry", play_geometry},   Target{"poses", read_poses}};
+                                       Target{"geometry", play_geometry},   Target{"assets", read_asset_files},
+                                       Target{"poses", read_poses}};
   return kTargets;
 }
 

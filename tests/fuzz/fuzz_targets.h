@@ -21,6 +21,7 @@ void decode_compressed(Bytes input);    ///< meshopt and Draco streams: see comp
 void decode_images(Bytes input);        ///< PNG, JPEG, WebP, AVIF
 void load_compiled_clips(Bytes input);  ///< compiled clips, as they are and after a head that is right for them
 void play_geometry(Bytes input);        ///< geometry caches: the input as a file, and as the frames of a right one
+void read_asset_files(Bytes input);     ///< .sinew files, as they are and with their checksums made right
 void read_poses(Bytes input);           ///< golden poses for `sinew verify`
 
 std::span<const Target> targets() noexcept;

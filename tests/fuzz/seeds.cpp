@@ -14,9 +14,12 @@
 #include "importer/file/glb_container.h"
 #include "importer/file/meshopt_extension.h"
 #include "importer/geometry_cache/encode_geometry_cache.h"
+#include "importer/import_gltf.h"
+#include "runtime/asset_file/write_asset_file.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/compress/compile_clip_within.h"
 #include "samples/showcase/showcase.h"
+#include "tests/asset_file/full_scene.h"
 #include "tests/importer/encoded_images.h"
 #include "tests/importer/glb_seeds.h"
 #include "tests/importer/tiny_gltf.h"
@@ -198,6 +201,13 @@ void add_clips(const Scene& scene, std::vector<Seed>& out) {
     }
 }
 
+/// Asset files of a scene: plain with its authoring form, and packed without.
+void add_assets(const Scene& scene, std::vector<Seed>& out) {
+  for (const AssetFileOptions& options : {AssetFileOptions{.truth = true}, AssetFileOptions{.zstd_level = 1}})
+    if (Blob file = write_asset_file(scene, options); file.size() < kLargest)
+      out.push_back({"assets", std::move(file)});
+}
+
 /// Points that jump about, or that turn and stretch as one: blocks without and with a matrix.
 GeometryTake any_take(std::uint32_t points, bool is_stiff, std::uint32_t frames) {
   test::FixedRandom random(3);
@@ -239,6 +249,7 @@ std::vector<Seed> own_seeds() {
       add_document(*glb, {}, out);
       add_clips(scene.scene, out);
     }
+  add_assets(test::full_scene(1), out);
   add_geometry(out);
   add_attribute_stream(out);
   out.push_back({"accessors", accessor_seed()});
@@ -260,6 +271,7 @@ std::vector<Seed> seeds_of_file(const std::filesystem::path& file) {
   } else if (extension == ".json") {
     if (bytes.size() < kLargest) out.push_back({"poses", bytes});
   } else {
+    if (const auto imported = import_gltf(file, {.decode_images = false})) add_assets(imported->scene, out);
     try {
       add_document(bytes, file.parent_path(), out);
     } catch (const std::exception&) {  // not worth taking apart: a seed as it is

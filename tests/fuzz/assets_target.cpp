@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <vector>
+
+#include "runtime/asset_file/read_assets.h"
+#include "runtime/asset_file/write_asset_file.h"
+#include "runtime/plan/run_plan.h"
+#include "tests/asset_file/signed_file.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace sinew::fuzz {
+namespace {
+
+/// More takes long and shows nothing new.
+constexpr std::size_t kMostJoints = 1'000, kMostVertices = 10'000;
+
+bool is_small(const Scene& scene) {
+  std::size_t vertices = 0;
+  for (const MeshInstance& instance : scene.instances)
+    for (const Primitive& primitive : scene.meshes[instance.mesh].primitives) vertices += primitive.vertex_count();
+  return scene.skeleton.joint_count() <= kMostJoints && vertices <= kMostVertices;
+}
+
+void play(const Scene& scene) {
+  const Plan plan = compile_plan(scene, {.bounds = true});
+  FrameBuffer frame(plan);
+  for (std::uint32_t clip = 0; clip < std::min<std::size_t>(scene.clips.size(), 2); ++clip) {
+    const ClipLayer layer{.clip = clip, .time_s = 0.37 * scene.clips[clip].duration_s()};
+    require(run_plan(plan, {.layers = {&layer, 1}}, frame) == ErrorCode::ok, "a scene that was read can be played");
+  }
+}
+
+void read_all(Bytes file) {
+  const auto opened = AssetFile::open(file);
+  if (!opened) return require(!opened.error().rule.empty(), "an error names its rule");
+  const auto scene = read_scene(*opened);
+  if (!scene) return require(!scene.error().rule.empty() && !scene.error().block.empty(), "an error names its block");
+  require(check(*scene) == ErrorCode::ok, "a scene that was read passes its checks");
+  if (is_small(*scene)) play(*scene);
+  const std::vector<std::byte> again = write_asset_file(*scene, {.truth = true});
+  const auto reopened = AssetFile::open(again);
+  require(reopened && read_scene(*reopened), "what was read can be written and read again");
+}
+
+}  // namespace
+
+void read_asset_files(Bytes input) {
+  read_all(input);
+  std::vector<std::byte> file(input.begin(), input.end());
+  test::sign_assets(file);
+  read_all(file);
+}
+
+}  // namespace sinew::fuzz
