@@ -132,6 +132,7 @@ set(sinew_public_headers
   runtime/c/playback.h
   runtime/c/scene.h
   runtime/c/types.h
+  runtime/c_assets/sinew_assets.h
   runtime/c_geometry/sinew_geometry.h)
 if(SINEW_IMPORTER)
   list(APPEND sinew_public_headers

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Asset files through the C interface give the scenes of the C++ interface.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "runtime/asset_file/write_asset_file.h"
+#include "runtime/c/handles.h"
+#include "runtime/c_assets/sinew_assets.h"
+#include "tests/asset_file/played_frames.h"
+#include "tests/scenes/hand_scenes.h"
+
+namespace sinew::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+TEST(c_assets, a_file_gives_a_scene_that_owns_what_it_has) {
+  const Scene scene = face_scene();
+  sinew_scene* read = nullptr;
+  {
+    const Bytes file = write_asset_file(scene);
+    EXPECT_TRUE(sinew_looks_like_assets(file.data(), file.size()));
+    ASSERT_EQ(sinew_assets_read(file.data(), file.size(), &read, nullptr), SINEW_OK);
+  }
+  EXPECT_EQ(hashes_of_frames(read->scene), hashes_of_frames(scene));
+  EXPECT_EQ(sinew_clip_count(read), 1u);
+  sinew_scene_destroy(read);
+}
+
+TEST(c_assets, clips_of_the_same_skeleton_are_added_and_others_are_refused_in_words) {
+  const Bytes body = write_asset_file(arm_scene(), {.clips = false}),
+              clips = write_asset_file(arm_scene(), {.skeleton = false, .model = false}),
+              others = write_asset_file(face_scene(), {.skeleton = false, .model = false});
+  sinew_scene* scene = nullptr;
+  ASSERT_EQ(sinew_assets_read(body.data(), body.size(), &scene, nullptr), SINEW_OK);
+  EXPECT_EQ(sinew_assets_add_clips(scene, clips.data(), clips.size(), nullptr), SINEW_OK);
+  EXPECT_EQ(sinew_clip_count(scene), 1u);
+  sinew_messages* messages = nullptr;
+  EXPECT_EQ(sinew_assets_add_clips(scene, others.data(), others.size(), &messages), SINEW_BAD_FILE);
+  ASSERT_EQ(sinew_message_count(messages), 1u);
+  EXPECT_NE(std::string(sinew_message(messages, 0)).find("asset-signature in block clips"), std::string::npos);
+  sinew_messages_destroy(messages);
+  EXPECT_EQ(sinew_clip_count(scene), 1u);
+  sinew_plan* plan = nullptr;
+  ASSERT_EQ(sinew_plan_create(scene, nullptr, &plan), SINEW_OK);
+  EXPECT_EQ(sinew_assets_add_clips(scene, clips.data(), clips.size(), nullptr), SINEW_BUSY);
+  sinew_plan_destroy(plan);
+  sinew_scene_destroy(scene);
+}
+
+TEST(c_assets, bad_bytes_and_missing_arguments_are_refused) {
+  Bytes file = write_asset_file(arm_scene());
+  file.back() ^= std::byte{1};
+  sinew_scene* scene = nullptr;
+  sinew_messages* messages = nullptr;
+  EXPECT_EQ(sinew_assets_read(file.data(), file.size(), &scene, &messages), SINEW_BAD_FILE);
+  EXPECT_EQ(sinew_message_count(messages), 1u);
+  sinew_messages_destroy(messages);
+  EXPECT_EQ(sinew_assets_read(file.data(), 5, &scene, nullptr), SINEW_BAD_FILE);
+  EXPECT_EQ(scene, nullptr);
+  EXPECT_EQ(sinew_assets_read(nullptr, 5, &scene, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_read(file.data(), file.size(), nullptr, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_add_clips(nullptr, file.data(), file.size(), nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_FALSE(sinew_looks_like_assets(nullptr, 40));
+  EXPECT_FALSE(sinew_looks_like_assets(file.data() + 1, file.size() - 1));
+}
+
+}  // namespace
+}  // namespace sinew::test
