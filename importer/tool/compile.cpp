@@ -19,7 +19,7 @@
 #include "importer/tool/model_size.h"
 #include "importer/tool/progress_line.h"
 #include "importer/write/replace_file.h"
-#include "runtime/clip/clip_file.h"
+#include "runtime/asset_file/write_asset_file.h"
 #include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::tool {
@@ -28,7 +28,9 @@ namespace {
 struct CompileOptions {
   BatchOptions files;
   std::string out, budget = "0.1mm";
-  std::vector<std::string> clips;
+  std::vector<std::string> clips, parts{"skeleton", "model", "clips"};
+  bool truth = false;
+  int zstd_level = 0;
 };
 
 /// The clips that --clip names, each once; without it all clips.
@@ -57,24 +59,45 @@ std::vector<Clip> compile_clips(const Scene& scene, const ClipChoice& chosen, do
   return clips;
 }
 
+/// Leaves the chosen clips in the scene, compiled.
+void compile_clips_of(Scene& scene, const ClipChoice& chosen, double budget_m) {
+  std::vector<Clip> clips = compile_clips(scene, chosen, budget_m);
+  std::vector<Animation> animations;
+  for (const std::uint32_t clip : chosen) animations.push_back(scene.animations[clip]);
+  scene.clips = std::move(clips);
+  scene.animations = std::move(animations);
+}
+
+AssetFileOptions blocks_of(const CompileOptions& options) {
+  const auto has = [&](const char* part) {
+    return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
+  };
+  return {.skeleton = has("skeleton"),
+          .model = has("model"),
+          .clips = has("clips"),
+          .truth = options.truth,
+          .zstd_level = options.zstd_level};
+}
+
 ExitCode compile_file(const CompileOptions& options, const std::string& in, const std::string& out, bool many) {
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
-  import.decode_images = import.make_tangents = false;
-  const auto file = load_file(in, import);
+  const AssetFileOptions blocks = blocks_of(options);
+  import.decode_images = false;
+  import.make_tangents = import.keep_encoded_images = blocks.model;
+  auto file = load_file(in, import);
   if (!file) return ExitCode::input_at_fault;
   if (const auto why = objection_to_output(out, file->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
   const auto chosen = clips_of(file->scene, options.clips);
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
-  const std::vector<Clip> clips = compile_clips(file->scene, *chosen, metres_of(*budget, file->scene));
-  std::vector<const Clip*> saved;
-  for (const Clip& clip : clips) saved.push_back(&clip);
-  const std::vector<std::byte> bytes = save_clips(saved);
+  Scene& scene = file->scene;
+  compile_clips_of(scene, blocks.clips ? *chosen : ClipChoice(), metres_of(*budget, scene));
+  const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
   if (const auto fault = write::replace_file(out, bytes))
     return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});
-  if (!many) print_result_text(certificate_table(clips, file->scene.skeleton.names));
-  print_result("{}: {}, {}\n", out, counted(clips.size(), "clip"), counted(bytes.size(), "byte"));
+  if (!many) print_result_text(certificate_table(scene.clips, scene.skeleton.names));
+  print_result("{}: {}, {}\n", out, counted(scene.clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
 
@@ -84,10 +107,11 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CompileOptions>();
   CLI::App* command =
       program.add_subcommand("compile",
-                             "Compile clips for playback, as small as an error budget allows\n"
+                             "Compile models for engines, with clips within an error budget\n"
                              "At no time is a vertex farther than the budget from where the file puts it. Prints what "
                              "was measured of each clip; OUT stores that as well, and `sinew info OUT` shows it again. "
-                             "OUT belongs to the skeleton of FILE; load_clips (runtime/clip/clip_file.h) reads it.");
+                             "An engine reads OUT with read_scene (runtime/asset_file/read_assets.h) and without the "
+                             "importer; images stay encoded.");
   add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input")
       ->required();
   command->add_option("-o,--output", options->out, "The file to write; of several files the folder for their .sinew")
@@ -102,6 +126,18 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       ->add_option("--budget", options->budget,
                    fmt::format("Largest error, {}; 0 keeps every bit (default: {})", kLengthHelp, options->budget))
       ->type_name("LENGTH");
+  command
+      ->add_option(
+          "--parts", options->parts,
+          "What OUT holds (default: skeleton,model,clips). With clips alone it belongs to the skeleton of FILE")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"skeleton", "model", "clips"}))
+      ->type_name("PART[,...]")
+      ->allow_extra_args(false);
+  command->add_flag("--truth", options->truth, "Also store the keys of FILE, in full");
+  command->add_option("--zstd", options->zstd_level, "Pack what gets smaller by it, at a level from 1 to 19")
+      ->check(CLI::Range(1, 19))
+      ->type_name("LEVEL");
   command->callback([options, &outcome] {
     outcome =
         run_batch(options->files, {[&](const Input& file, bool many) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The same in C: import, plan, run frames into one block of memory, follow a clock. C11.
+// The same in C: read an asset file, plan, run frames into one block of memory, follow a clock. C11.
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <sinew/importer/c/sinew_import.h>
+#include <sinew/runtime/c_assets/sinew_assets.h>
 #include <sinew/runtime/sinew.h>
 
 static int fail(const char* what, sinew_error error) {
@@ -38,9 +38,24 @@ static int play(const sinew_scene* scene, sinew_frame* frame) {
   return 0;
 }
 
+/// Reads the scene of a file, whose bytes are gone afterwards.
+static sinew_error read_scene(const char* path, sinew_scene** scene, sinew_messages** messages) {
+  FILE* file = fopen(path, "rb");
+  if (file == NULL) return SINEW_BAD_FILE;
+  fseek(file, 0, SEEK_END);
+  const long size = ftell(file);
+  rewind(file);
+  void* bytes = size > 0 ? malloc((size_t)size) : NULL;
+  const int complete = bytes != NULL && fread(bytes, 1, (size_t)size, file) == (size_t)size;
+  fclose(file);
+  const sinew_error error = complete ? sinew_assets_read(bytes, (size_t)size, scene, messages) : SINEW_BAD_FILE;
+  free(bytes);
+  return error;
+}
+
 int main(int argc, char** argv) {
   if (argc != 2) {
-    fprintf(stderr, "usage: link_from_c FILE\n");
+    fprintf(stderr, "usage: link_from_c FILE.sinew\n");
     return 2;
   }
   if (sinew_version() != SINEW_VERSION) {
@@ -49,7 +64,7 @@ int main(int argc, char** argv) {
   }
   sinew_scene* scene = NULL;
   sinew_messages* messages = NULL;
-  sinew_error error = sinew_import_file(argv[1], NULL, &scene, &messages);
+  sinew_error error = read_scene(argv[1], &scene, &messages);
   for (size_t i = 0; messages != NULL && i < sinew_message_count(messages); ++i)
     fprintf(stderr, "%s\n", sinew_message(messages, i));
   sinew_messages_destroy(messages);

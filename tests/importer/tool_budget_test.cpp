@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -14,8 +15,11 @@
 #include "importer/import_gltf.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/model_size.h"
+#include "runtime/asset_file/read_assets.h"
+#include "runtime/clip/clip_file.h"
 #include "runtime/clip/unpack_clip.h"
 #include "runtime/compress/compile_clip_within.h"
+#include "tests/asset_file/played_frames.h"
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
 #include "tests/support/corpus.h"
@@ -98,41 +102,98 @@ TEST(convert_budget, that_makes_no_sense_is_wrong_usage_and_writes_nothing) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(compile_command, writes_clips_that_info_tells_about_and_that_keep_their_budget) {
+TEST(compile_command, writes_an_asset_file_that_info_tells_about_and_whose_clips_keep_their_budget) {
   const ToolModelFile model;
-  const std::string out = model.beside("clips.sinew");
+  const std::string out = model.beside("model.sinew");
   const CommandOutcome compiled = run_tool({"compile", model.path(), "-o", out, "--budget", "0.2mm"});
   ASSERT_EQ(compiled.status, 0) << compiled.err;
   for (const char* text : {"asked", "measured", "0.2 mm", "bend", "talk", "2 clips"})
     EXPECT_THAT(compiled.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   ASSERT_EQ(info.status, 0) << info.err;
-  for (const char* text : {"compiled clips, version 3: 2", "0.2 mm", "bend"}) EXPECT_THAT(info.out, HasSubstr(text));
+  for (const char* text :
+       {"asset file, version 1: 3 blocks, 2 clips", "skeleton", "joints 4, meshes 2", "0.2 mm", "bend"})
+    EXPECT_THAT(info.out, HasSubstr(text));
   const auto json = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
   ASSERT_EQ(json.at("compiled_clips").size(), 2u);
   EXPECT_LE(json["compiled_clips"][0]["certificate"]["measured_m"].get<double>(), 2e-4);
   EXPECT_EQ(json["compiled_clips"][0]["certificate"]["asked_m"].get<double>(), 2e-4);
 }
 
-TEST(compile_command, damaged_clips_are_refused_by_rule_and_place) {
-  const ToolModelFile model;
-  const std::string out = model.beside("clips.sinew");
-  ASSERT_EQ(run_tool({"compile", model.path(), "-o", out}).status, 0);
-  std::fstream file(out, std::ios::in | std::ios::out | std::ios::binary);
-  file.seekp(100);
+std::string content_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Changes a byte of a file.
+void spoil(const std::string& path, std::streamoff at) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(at);
   file.put('?');
-  file.close();
-  const CommandOutcome info = run_tool({"info", out});
+}
+
+TEST(compile_command, damaged_files_are_refused_by_rule_and_place) {
+  const ToolModelFile model;
+  const std::string out = model.beside("model.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", out}).status, 0);
+  EXPECT_EQ(run_tool({"check", out}).status, 0);
+  spoil(out, 600);
+  const CommandOutcome info = run_tool({"info", out}), checked = run_tool({"check", out});
   EXPECT_EQ(info.status, 1);
-  EXPECT_THAT(info.err, HasSubstr("byte 24: clip-checksum: "));
+  EXPECT_THAT(info.err, HasSubstr("asset-checksum in block skeleton, byte 0: "));
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.out, HasSubstr("asset-checksum"));
+  EXPECT_THAT(checked.out, HasSubstr("block skeleton, byte 0: "));
   EXPECT_EQ(run_tool({"compile", model.path(), "-o", model.path()}).status, 2);
   EXPECT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "-1"}).status, 2);
   EXPECT_EQ(run_tool({"compile", model.beside("missing.glb"), "-o", out}).status, 1);
 }
 
-std::string content_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+TEST(compile_command, the_file_plays_what_the_model_plays) {
+  const ToolModelFile model;
+  const std::string out = model.beside("model.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "0", "--zstd", "3", "--truth"}).status, 0);
+  const std::string bytes = content_of(out);
+  const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
+  ASSERT_TRUE(file);
+  EXPECT_NE(file->find(AssetKind::animations), nullptr);
+  const auto scene = read_scene(*file);
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto imported = import_gltf(model.path(), {.decode_images = false});
+  ASSERT_TRUE(imported);
+  EXPECT_EQ(hashes_of_frames(*scene), hashes_of_frames(imported->scene));
+}
+
+TEST(compile_command, parts_of_a_model_are_files_of_one_skeleton) {
+  const ToolModelFile model;
+  const std::string body = model.beside("body.sinew"), clips = model.beside("clips.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", body, "--parts", "skeleton,model"}).status, 0);
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", clips, "--parts", "clips"}).status, 0);
+  EXPECT_EQ(run_tool({"compile", model.path(), "-o", clips, "--parts", "bones"}).status, 2);
+  const auto of_body = nlohmann::json::parse(run_tool({"info", body, "--json"}).out),
+             of_clips = nlohmann::json::parse(run_tool({"info", clips, "--json"}).out);
+  EXPECT_EQ(of_body["asset_file"]["skeleton_signature"], of_clips["asset_file"]["skeleton_signature"]);
+  EXPECT_EQ(of_body["compiled_clips"].size(), 0u);
+  EXPECT_EQ(of_body["model"]["meshes"], 2);
+  EXPECT_EQ(of_clips["compiled_clips"].size(), 2u);
+  EXPECT_FALSE(of_clips.contains("model"));
+  EXPECT_EQ(run_tool({"check", clips}).status, 0);
+}
+
+TEST(compile_command, info_and_check_know_files_of_compiled_clips_alone) {
+  const ToolModelFile model;
+  const auto imported = import_gltf(model.path());
+  ASSERT_TRUE(imported);
+  const Clip* saved[] = {&imported->scene.clips[0], &imported->scene.clips[1]};
+  const std::string out = model.beside("clips.sinew");
+  const std::vector<std::byte> bytes = save_clips(saved);
+  std::ofstream(out, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  EXPECT_THAT(run_tool({"info", out}).out, HasSubstr("compiled clips, version 3: 2"));
+  EXPECT_EQ(run_tool({"check", out}).status, 0);
+  spoil(out, 100);
+  EXPECT_THAT(run_tool({"info", out}).err, HasSubstr("byte 24: clip-checksum: "));
+  EXPECT_THAT(run_tool({"check", out}).out, HasSubstr("clip-checksum"));
 }
 
 TEST(compile_command, same_input_gives_the_same_file_and_the_same_words) {

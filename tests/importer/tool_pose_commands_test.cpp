@@ -45,7 +45,7 @@ TEST(pose_commands, commands_that_show_no_picture_do_not_miss_an_image) {
            {"verify", model.path(), golden},
            {"plan", model.path()},
            {"info", model.path()},
-           {"compile", model.path(), "-o", model.beside("out.sinew")},
+           {"compile", model.path(), "-o", model.beside("out.sinew"), "--parts", "clips"},
            {"bake", model.path(), "--clip", "talk", "-o", model.beside("out.sgeo")}}) {
     const CommandOutcome outcome = run_tool(line);
     EXPECT_EQ(outcome.status, 0) << line[0] << outcome.err;

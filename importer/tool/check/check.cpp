@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "importer/tool/assets/asset_rules.h"
 #include "importer/tool/batch/run_batch.h"
 #include "importer/tool/check/check_report.h"
 #include "importer/tool/check/rules_table.h"
@@ -28,6 +29,7 @@ struct CheckOptions {
 constexpr std::size_t kListedWithAll = 100'000;
 
 std::vector<ImportIssue> broken_rules(const std::string& file, bool all) {
+  if (auto of_assets = broken_asset_rules(file)) return *std::move(of_assets);
   ImportOptions options;
   options.thorough = true;
   if (all) options.max_listed_per_rule = kListedWithAll;
@@ -93,7 +95,8 @@ void add_check(CLI::App& program, ExitCode& outcome) {
       "\n"
       "Exit status 1 when a file has an error; a file with only warnings can be loaded. Infos name what is odd or "
       "unused.");
-  add_batch_options(*command, options->files, ".gltf or .glb files, and folders of them; - is the standard input");
+  add_batch_options(*command, options->files,
+                    ".gltf, .glb or .sinew files, and folders of models; - is the standard input");
   command->add_flag(
       "--json", options->files.json,
       "Print JSON: {file, errors, warnings, infos, issues: [{severity, rule, pointer, message, cases}]};\n"

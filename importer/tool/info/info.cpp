@@ -1,68 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "importer/tool/commands.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "importer/file/regular_file.h"
+#include "importer/tool/assets/asset_info.h"
 #include "importer/tool/bake/geometry_table.h"
 #include "importer/tool/bake/read_cache.h"
 #include "importer/tool/batch/run_batch.h"
-#include "importer/tool/certificate_table.h"
 #include "importer/tool/info/info_json.h"
 #include "importer/tool/info/info_text.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/visible_text.h"
-#include "runtime/clip/clip_file.h"
 
 namespace sinew::tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// The first bytes of a file, at most `size`; none where it is no regular file.
-std::vector<std::byte> read_head(const std::string& path, std::uint64_t size) {
-  const RegularFile file(path);
-  const auto whole = file.opened() ? file.size() : std::nullopt;
-  std::vector<std::byte> bytes(static_cast<std::size_t>(std::min(size, whole.value_or(0))));
-  if (!file.read(bytes)) bytes.clear();
-  return bytes;
-}
-
-Json json_of(const Clip& clip) {
-  Json out{{"name", clip.name()},
-           {"duration_s", clip.duration_s()},
-           {"joints", clip.joint_count()},
-           {"weights", clip.weight_count()},
-           {"properties", clip.property_count()},
-           {"bytes", clip.byte_size()},
-           {"certificate", nullptr}};
-  if (const auto& c = clip.certificate())
-    out["certificate"] = {{"asked_m", c->asked_m},
-                          {"measured_m", c->measured_m},
-                          {"weights_m", c->weights_m},
-                          {"is_met", c->is_met()},
-                          {"worst_joint", c->worst_joint == kNone ? Json() : Json(c->worst_joint)},
-                          {"worst_time_s", c->worst_time_s},
-                          {"times_checked", c->times_checked},
-                          {"source_keys", c->source_keys},
-                          {"kept_keys", c->kept_keys},
-                          {"source_bytes", c->source_bytes},
-                          {"bytes", c->bytes},
-                          {"bytes_per_joint_second", c->bytes_per_joint_second(clip.duration_s())}};
-  return out;
-}
 
 struct InfoOptions {
   BatchOptions files;
@@ -74,24 +34,17 @@ void print_json(const Json& result, bool many) {
   print_result_text(many ? json_line(result) : json_text(result) + '\n');
 }
 
-/// Prints what a file of compiled clips holds; nothing when the file is none.
-std::optional<ExitCode> tell_about_clips(const std::string& file, bool json, bool many) {
-  if (!looks_like_clips(read_head(file, kClipFileHead))) return std::nullopt;
-  const std::vector<std::byte> bytes = read_head(file, std::numeric_limits<std::uint64_t>::max());
-  const auto clips = load_clips(bytes);
-  if (!clips) {
-    return fail_with(ExitCode::input_at_fault, fmt::format("{}: byte {}: {}: {}", file, clips.error().offset,
-                                                           clips.error().rule, clips.error().detail));
-  }
+/// Prints what an asset file or a file of compiled clips holds; nothing when the file is none.
+std::optional<ExitCode> tell_about_assets(const std::string& file, bool json, bool many) {
+  const auto info = asset_info(file);
+  if (!info) return std::nullopt;
+  if (!*info) return fail_with(ExitCode::input_at_fault, fmt::format("{}: {}", file, info->error()));
   if (json) {
-    Json out{{"file", file}, {"version", kClipFileVersion}, {"bytes", bytes.size()}, {"compiled_clips", Json::array()}};
-    for (const Clip& clip : *clips) out["compiled_clips"].push_back(json_of(clip));
-    print_json(out, many);
+    print_json((*info)->json, many);
     return ExitCode::done;
   }
-  print_result("{}{}compiled clips, version {}: {} in {} bytes\n", visible_text(file), many ? ": " : "\n",
-               kClipFileVersion, clips->size(), bytes.size());
-  if (!many) print_result_text(certificate_table(*clips, {}));
+  print_result("{}{}{}\n", visible_text(file), many ? ": " : "\n", (*info)->headline);
+  if (!many) print_result_text((*info)->tables);
   return ExitCode::done;
 }
 
@@ -111,7 +64,7 @@ std::optional<ExitCode> tell_about_geometry(const std::string& file, bool json, 
 }
 
 ExitCode tell_about(const InfoOptions& options, const std::string& path, bool many) {
-  if (const auto outcome = tell_about_clips(path, options.files.json, many)) return *outcome;
+  if (const auto outcome = tell_about_assets(path, options.files.json, many)) return *outcome;
   if (const auto outcome = tell_about_geometry(path, options.files.json, many)) return *outcome;
   ImportOptions import;
   import.decode_images = false;
@@ -143,7 +96,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
       "Also bounds, warnings, and what `sinew convert` would lose. Several files have one line each.");
   add_batch_options(
       *command, options->files,
-      ".gltf or .glb files, compiled clips, geometry caches, and folders of models; - is the standard input")
+      ".gltf or .glb files, .sinew files, geometry caches, and folders of models; - is the standard input")
       ->required();
   command->add_flag("--tree", options->tree, "Also show the tree of nodes, and what hangs on each");
   command->add_flag("--all", options->all, "List every warning and joint, not one warning of each rule");

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sinew::tool {
+
+/// The bytes of an asset file (asset_file.h) or of compiled clips (clip_file.h); nothing when the file is neither.
+std::optional<std::vector<std::byte>> asset_bytes(const std::string& file);
+
+}  // namespace sinew::tool

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "importer/tool/assets/asset_parts.h"
+
+#include <utility>
+
+namespace sinew::tool {
+
+tl::expected<AssetParts, AssetFileError> asset_parts(std::span<const std::byte> bytes) {
+  auto file = AssetFile::open(bytes);
+  if (!file) return tl::unexpected(file.error());
+  if (const auto sums = file->check_sums(); !sums) return tl::unexpected(sums.error());
+  AssetParts parts{*std::move(file), std::nullopt, {}};
+  if (parts.file.find(AssetKind::skeleton) != nullptr) {
+    auto scene = read_scene(parts.file);
+    if (!scene) return tl::unexpected(scene.error());
+    parts.clips = scene->clips;
+    parts.scene = *std::move(scene);
+  } else if (const AssetBlock* block = parts.file.find(AssetKind::clips)) {
+    auto clips = read_clips(parts.file, block->skeleton_signature);
+    if (!clips) return tl::unexpected(clips.error());
+    parts.clips = *std::move(clips);
+  }
+  return parts;
+}
+
+}  // namespace sinew::tool
