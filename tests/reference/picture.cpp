@@ -107,15 +107,20 @@ glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
 
 glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
   const std::vector<SurfacePoint> seen = layers(picture, x, y);
-  glm::dvec3 light(0.0);
-  double coverage = 0.0;
+  glm::dvec3 light(0.0), unlit(0.0);
+  double coverage = 0.0, lit = 0.0;
   for (auto point = seen.rbegin(); point != seen.rend(); ++point) {
     const bool blended = point->material.alpha_mode == AlphaMode::blend;
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
-    light = radiance_of(picture, *point, x, y) * alpha + light * (1.0 - alpha);
-    coverage = alpha + coverage * (1.0 - alpha);
+    for (double* below : {&coverage, &lit}) *below *= 1.0 - alpha;
+    for (glm::dvec3* below : {&light, &unlit}) *below *= 1.0 - alpha;
+    (point->material.unlit ? unlit : light) += radiance_of(picture, *point, x, y) * alpha;
+    coverage += alpha;
+    if (!point->material.unlit) lit += alpha;
   }
-  const glm::dvec3 display = coverage > 0.0 ? displayed(picture.options.lighting, light / coverage) : glm::dvec3(0.0);
+  glm::dvec3 display(0.0);
+  if (lit > 0.0) display = displayed(picture.options.lighting, light / lit) * lit / coverage;
+  if (coverage > 0.0) display += unlit / coverage;
   if (picture.options.transparent_background) return {each(display, srgb_encoded), coverage};
   const glm::dvec3 behind = picture.options.backdrop == viewer::Backdrop::sharp
                                 ? gradient_behind(picture, x, y)

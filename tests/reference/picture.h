@@ -24,7 +24,8 @@ struct PictureOf {
 /// The picture at a point, in pixels from the upper left corner; (x + 0.5, y + 0.5) is the middle of a pixel. sRGB as
 /// displayed, straight alpha.
 /// eq   layers over each other from far to near, light * alpha + below * (1 - alpha), in linear light;
-///      displayed = sRGB(mix(background, tone curve(exposure * light / coverage), coverage))
+///      displayed = sRGB(mix(background, (lit * tone curve(exposure * light / lit) + unlit colours) / coverage,
+///      coverage)) lit = the share of surfaces that are not KHR_materials_unlit, whose light alone is exposed
 /// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);
 

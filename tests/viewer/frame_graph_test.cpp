@@ -41,6 +41,12 @@ TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {
   EXPECT_TRUE(FrameGraph({.opaque = true, .blended = true}).has(Pass::transparent));
 }
 
+TEST(frame_graph, has_an_image_for_unlit_colors_only_where_some_are_in_the_picture) {
+  EXPECT_FALSE(FrameGraph({.opaque = true}).unlit_image);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .unlit = true}).unlit_image);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .unlit = true, .show = Show::normals}).unlit_image);
+}
+
 TEST(frame_graph, draws_the_ground_over_what_is_opaque_and_before_it_for_occlusion) {
   EXPECT_THAT(passes({.opaque = true, .blended = true, .occlusion = false, .ground = true}),
               ElementsAre(Pass::opaque, Pass::ground, Pass::transparent, Pass::tonemap));

@@ -80,6 +80,7 @@ void Device::create_device() {
   features13.maintenance4 = VK_TRUE;  // mandatory in 1.3; lets a fragment shader ignore outputs of the vertex shader
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
   features.features.samplerAnisotropy = offered.samplerAnisotropy;
+  features.features.independentBlend = VK_TRUE;
   features.features.largePoints = offered.largePoints;
   features.features.fullDrawIndexUint32 =
       offered.fullDrawIndexUint32;  // without it meshes are limited to 2^24 vertices

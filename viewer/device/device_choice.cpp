@@ -61,6 +61,7 @@ const char* lack_of(VkPhysicalDevice device, const VkPhysicalDeviceProperties& p
   vkGetPhysicalDeviceFeatures2(device, &features);
   if (!features13.dynamicRendering) return "dynamic rendering";
   if (!features13.synchronization2) return "synchronization2";
+  if (!features.features.independentBlend) return "independent blending";
   if (surface && !has_swapchains(device)) return "swapchains";
   return nullptr;
 }

@@ -5,7 +5,7 @@ namespace sinew::viewer {
 
 namespace {
 
-VkPipelineColorBlendAttachmentState blend_state(const PipelineShape& shape) {
+std::array<VkPipelineColorBlendAttachmentState, 2> blend_states(const PipelineShape& shape) {
   VkPipelineColorBlendAttachmentState blend{};
   blend.colorWriteMask =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
@@ -14,7 +14,9 @@ VkPipelineColorBlendAttachmentState blend_state(const PipelineShape& shape) {
   blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
   blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
   blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-  return blend;
+  VkPipelineColorBlendAttachmentState second = blend;
+  if (!shape.adds_second) second.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+  return {blend, second};
 }
 
 std::vector<VkDynamicState> dynamic_states(const PipelineShape& shape) {
@@ -55,17 +57,20 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   depth.depthTestEnable = shape.depth;
   depth.depthWriteEnable = shape.depth_write;
   depth.depthCompareOp = shape.depth_compare;
-  const VkPipelineColorBlendAttachmentState attachment = blend_state(shape);
+  const auto attachments = blend_states(shape);
+  const bool draws_color = shape.color_format != VK_FORMAT_UNDEFINED;
+  const std::uint32_t colors = !draws_color ? 0 : shape.second_color ? 2 : 1;
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  blend.attachmentCount = shape.color_format != VK_FORMAT_UNDEFINED;
-  blend.pAttachments = &attachment;
+  blend.attachmentCount = colors;
+  blend.pAttachments = attachments.data();
   const std::vector<VkDynamicState> states = dynamic_states(shape);
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
   dynamic.dynamicStateCount = static_cast<std::uint32_t>(states.size());
   dynamic.pDynamicStates = states.data();
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
   rendering.colorAttachmentCount = blend.attachmentCount;
-  rendering.pColorAttachmentFormats = &shape.color_format;
+  const std::array formats = {shape.color_format, shape.color_format};
+  rendering.pColorAttachmentFormats = formats.data();
   rendering.depthAttachmentFormat = shape.depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED;
 
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};

@@ -8,15 +8,17 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kShaderConstants = 18;
+inline constexpr std::size_t kShaderConstants = 19;
 
 /// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, one
-/// colour attachment, reversed depth.
+/// colour attachment or two of one format, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
   std::array<std::uint32_t, kShaderConstants> constants{};  ///< specialisation constants of both shaders, by their ids
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
+  bool second_color = false;  ///< a second attachment: what blends over it covers it, but adds no coverage
+  bool adds_second = false;   ///< what blends adds its own coverage to the second attachment
   std::uint32_t samples = 1;  ///< of the attachments: 1 or 4
   bool depth = false;         ///< there is a D32 depth attachment
   bool depth_write = false;

@@ -51,6 +51,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   casters_.clear();
+  unlit_ = false;
   hidden_ = out_of_view_ = 0;
   const Frame frame{slot, view, aspect, point_size, casters};
   for (const DrawnScene& drawn : scenes) {
@@ -113,6 +114,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
     const bool blended = alpha == AlphaMode::blend;
     if (frame.casters && !blended && primitive.topology == Topology::triangles) casters_.push_back(draw);
+    unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);
     if (!out_of_view) (blended ? blended_ : opaque_).push_back(draw);
   }
 }

@@ -66,6 +66,7 @@ class DrawList {
   std::span<const Draw> blended() const noexcept { return blended_; }
   /// Opaque and masked triangles, also those that are out of view.
   std::span<const Draw> casters() const noexcept { return casters_; }
+  bool unlit() const noexcept { return unlit_; }             ///< some draw that is in view is unlit
   std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
   std::uint32_t out_of_view() const noexcept {
     return out_of_view_;
@@ -84,6 +85,7 @@ class DrawList {
            bool mirrored);
 
   std::vector<Draw> opaque_, blended_, casters_;
+  bool unlit_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };
 

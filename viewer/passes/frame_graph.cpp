@@ -39,6 +39,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   depth_image = prepass || !sampled;
   normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
+  unlit_image = picture && needs.unlit;
   shadow_image = needs.shadowed();
   ao_image = occlusion;
   half_blurred_ao = occlusion && needs.blur;

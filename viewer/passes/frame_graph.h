@@ -31,6 +31,7 @@ struct FrameNeeds {
   bool opaque = false;  ///< something opaque or masked is visible
   bool blended = false;
   bool overlay = false;   ///< lines or a panel
+  bool unlit = false;     ///< something is visible whose colours are shown as the file has them
   bool shadows = false;   ///< a light casts them
   bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
@@ -59,6 +60,7 @@ class FrameGraph {
   std::size_t size() const noexcept { return count_; }
 
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
+  bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
   bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
   bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image
   bool ao_image = false,

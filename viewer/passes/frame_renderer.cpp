@@ -111,6 +111,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .shadow_light = graph.shadow_image ? shadow.index : kNone,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
+          .unlit_image = graph.unlit_image,
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
 }
@@ -119,6 +120,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
+          .unlit = draws.unlit(),
           .shadows = shadow.index != kNone && !draws.casters().empty(),
           .ambient = inputs.options.lighting.ambient(),
           .occlusion = inputs.options.ao.has_effect(),

@@ -18,11 +18,13 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
               1,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::color_samples:
+    case Target::unlit_samples:
       return {kColorFormat, full, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, kSmoothSamples};
     case Target::depth_samples:
       return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false, kSmoothSamples};
     case Target::normals: return {kNormalFormat, full, 1, color};
-    case Target::color: return {kColorFormat, full, 1, color};
+    case Target::color:
+    case Target::unlit: return {kColorFormat, full, 1, color};
     default: return {kAoFormat, access, 1, color};
   }
 }
@@ -46,9 +48,11 @@ FrameTargets::FrameTargets(const Device& device, std::uint32_t ao_step)
 
 void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   const bool resized = extent.width != extent_.width || extent.height != extent_.height;
-  const std::array<bool, kTargetCount> wanted = {graph.depth_image,     graph.normal_image, graph.ao_image,
-                                                 graph.half_blurred_ao, graph.color_image,  graph.shadow_image,
-                                                 graph.sampled,         graph.sampled};
+  const std::array<bool, kTargetCount> wanted = {graph.depth_image, graph.normal_image,
+                                                 graph.ao_image,    graph.half_blurred_ao,
+                                                 graph.color_image, graph.shadow_image,
+                                                 graph.sampled,     graph.sampled,
+                                                 graph.unlit_image, graph.unlit_image && graph.sampled};
   bool changed = resized;
   for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
   if (!changed) return;

@@ -8,8 +8,19 @@
 namespace sinew::viewer {
 
 /// The images between passes.
-enum class Target : std::uint8_t { depth, normals, ao, half_blurred_ao, color, shadow, color_samples, depth_samples };
-inline constexpr std::size_t kTargetCount = 8;
+enum class Target : std::uint8_t {
+  depth,
+  normals,
+  ao,
+  half_blurred_ao,
+  color,
+  shadow,
+  color_samples,
+  depth_samples,
+  unlit,
+  unlit_samples
+};
+inline constexpr std::size_t kTargetCount = 10;
 
 inline constexpr std::uint32_t kSmoothSamples = 4;  ///< a pixel, of color_samples and depth_samples
 

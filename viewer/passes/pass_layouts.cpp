@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, access, colour
 constexpr std::uint32_t kFrameBindings =
-    1 + kTargetBindings + 3;  // uniforms before; environment, split sum and shadow map behind
+    1 + kTargetBindings + 4;  // uniforms before; environment, split sum, shadow map and unlit colours behind
 
 }  // namespace
 
@@ -80,8 +80,11 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
     const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
                                                        s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
     const VkImageView shadow = s == 0 ? targets.view(Target::shadow) : targets.nothing();
-    const std::array<VkDescriptorImageInfo, 3> light = {
-        environment.environment(), environment.split_sum(), {nearest_, shadow, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
+    const std::array<VkDescriptorImageInfo, 4> others = {
+        environment.environment(),
+        environment.split_sum(),
+        {nearest_, shadow, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {nearest_, targets.view(Target::unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {
@@ -93,7 +96,7 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
       if (i == 0) {
         writes[i].pBufferInfo = &buffer;
       } else {
-        images[i - 1] = i > kTargetBindings ? light[i - 1 - kTargetBindings]
+        images[i - 1] = i > kTargetBindings ? others[i - 1 - kTargetBindings]
                                             : VkDescriptorImageInfo{nearest_, targets.view(bound[i - 1]),
                                                                     VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
         writes[i].pImageInfo = &images[i - 1];

@@ -39,7 +39,8 @@ enum ConstantId : std::size_t {
   id_transparent_background = 14,
   id_ambient = 15,
   id_shadow_map = 16,
-  id_shadow_light = 17
+  id_shadow_light = 17,
+  id_unlit_image = 18
 };
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -61,6 +62,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     sets[1] = sets[2] = sets[3] = 0;
   }
   if (!shades || surface.material.unlit) sets[4] = 0;
+  if (!shades) key.frame.unlit_image = false;
   if (!shades) surface.material.unlit = false;
   if (!shades && !key.masked) sets[0] = 0;
   if (sets[2] == 0) surface.tangents = false;
@@ -117,6 +119,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
+  shape.second_color = key.frame.unlit_image;
+  shape.adds_second = key.surface.material.unlit;
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
 
@@ -132,6 +136,7 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.depth_write = prepass;
   shape.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = !prepass;
+  shape.second_color = !prepass && key.frame.unlit_image;
   shape.constants[0] = key.grid;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
@@ -152,6 +157,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_parallel] = key.frame.parallel;
   shape.constants[id_tone_curve] = static_cast<std::uint32_t>(key.frame.tone_curve);
   shape.constants[id_backdrop] = static_cast<std::uint32_t>(key.frame.backdrop);
+  shape.constants[id_unlit_image] = key.frame.unlit_image;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
   constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {

@@ -72,6 +72,7 @@ struct FrameFeatures {
   std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
+  bool unlit_image = false;   ///< there is an image for colours that no tone curve changes
   bool smooth_edges = false;  ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 

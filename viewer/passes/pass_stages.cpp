@@ -46,7 +46,10 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
     case Pass::opaque: return picture ? "shades what is opaque or alpha-tested" : "the picture shows a buffer instead";
-    case Pass::tonemap: return picture ? "from light to displayed colours" : "the picture shows a buffer instead";
+    case Pass::tonemap:
+      if (!picture) return "the picture shows a buffer instead";
+      return needs.unlit ? "from light to displayed colours; unlit ones stay as they are"
+                         : "from light to displayed colours";
   }
   return {};
 }

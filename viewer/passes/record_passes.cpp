@@ -10,8 +10,9 @@ namespace {
 /// The attachments of a pass.
 struct Attachments {
   VkImageView color = VK_NULL_HANDLE;
-  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  ///< CLEAR = to zeros
-  VkImageView resolve = VK_NULL_HANDLE;                       ///< gets the mean of the samples of `color`
+  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;             ///< CLEAR = to zeros
+  VkImageView resolve = VK_NULL_HANDLE;                                  ///< gets the mean of the samples of `color`
+  VkImageView second = VK_NULL_HANDLE, second_resolve = VK_NULL_HANDLE;  ///< as `color` and `resolve`; null = none
   VkImageView depth = VK_NULL_HANDLE;
   bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
   VkExtent2D extent{};
@@ -29,17 +30,23 @@ class Rendering {
   VkCommandBuffer commands_;
 };
 
-Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) : commands_(commands) {
+VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load, VkImageView resolve) {
   VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-  color.imageView = attachments.color;
+  color.imageView = view;
   color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-  color.loadOp = attachments.load;
+  color.loadOp = load;
   color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  if (attachments.resolve) {
+  if (resolve) {
     color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-    color.resolveImageView = attachments.resolve;
+    color.resolveImageView = resolve;
     color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   }
+  return color;
+}
+
+Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) : commands_(commands) {
+  const std::array colors = {color_attachment(attachments.color, attachments.load, attachments.resolve),
+                             color_attachment(attachments.second, attachments.load, attachments.second_resolve)};
   VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   depth.imageView = attachments.depth;
   depth.imageLayout = attachments.depth_write ? kWriteDepth.layout : kReadDepth.layout;
@@ -48,8 +55,8 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = attachments.extent;
   info.layerCount = 1;
-  info.colorAttachmentCount = attachments.color ? 1 : 0;
-  info.pColorAttachments = &color;
+  info.colorAttachmentCount = !attachments.color ? 0 : attachments.second ? 2 : 1;
+  info.pColorAttachments = colors.data();
   info.pDepthAttachment = attachments.depth ? &depth : nullptr;
   vkCmdBeginRendering(commands, &info);
   const VkViewport viewport{
@@ -173,22 +180,34 @@ void record_ssao_blur(const PassContext& context, bool vertical) {
 
 /// The images that the scene is shaded into. With 4 samples a pixel, the last pass over the scene averages them.
 struct SceneTargets {
-  Target color, depth;
+  Target color, unlit, depth;
   bool sampled;
 
   explicit SceneTargets(const FrameGraph& graph)
       : color(graph.sampled ? Target::color_samples : Target::color),
+        unlit(graph.sampled ? Target::unlit_samples : Target::unlit),
         depth(graph.sampled ? Target::depth_samples : Target::depth),
         sampled(graph.sampled) {}
 };
 
-VkImageView resolved(const PassContext& context, Pass pass) {
+/// Adds the images of the scene's colours to a pass over them, and what becomes of their samples after the last pass.
+/// in   keep  false = the contents are discarded
+void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments& attachments) {
+  const SceneTargets scene(context.graph);
   const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent
                     : context.graph.has(Pass::ground)    ? Pass::ground
                                                          : Pass::opaque;
-  if (!context.graph.sampled || pass != last) return VK_NULL_HANDLE;
-  context.targets.next_use(context.commands, Target::color, kWriteColor, false);
-  return context.targets.view(Target::color);
+  const bool resolves = scene.sampled && pass == last;
+  const auto attach = [&](Target drawn, Target resolved, VkImageView& view, VkImageView& resolve) {
+    context.targets.next_use(context.commands, drawn, kWriteColor, keep);
+    view = context.targets.view(drawn);
+    if (!resolves) return;
+    context.targets.next_use(context.commands, resolved, kWriteColor, false);
+    resolve = context.targets.view(resolved);
+  };
+  attachments.load = keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
+  attach(scene.color, Target::color, attachments.color, attachments.resolve);
+  if (context.graph.unlit_image) attach(scene.unlit, Target::unlit, attachments.second, attachments.second_resolve);
 }
 
 /// The prepass has one sample a pixel. Surfaces that are shaded for four are chosen by a depth of their own.
@@ -207,16 +226,12 @@ void record_opaque(const PassContext& context) {
   const SceneTargets scene(context.graph);
   if (scene.sampled) record_depth_samples(context);
   const bool depth_is_there = scene.sampled || context.graph.has(Pass::normal_depth);
-  context.targets.next_use(context.commands, scene.color, kWriteColor, false);
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kWriteDepth, false);
-  const VkImageView resolve = resolved(context, Pass::opaque);
+  Attachments attachments{
+      .depth = context.targets.view(scene.depth), .depth_write = !depth_is_there, .extent = context.targets.extent()};
+  attach_colors(context, Pass::opaque, false, attachments);
   {
-    const Rendering rendering(context.commands, {.color = context.targets.view(scene.color),
-                                                 .load = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                                 .resolve = resolve,
-                                                 .depth = context.targets.view(scene.depth),
-                                                 .depth_write = !depth_is_there,
-                                                 .extent = context.targets.extent()});
+    const Rendering rendering(context.commands, attachments);
     draw_meshes(context, context.draws.opaque(), {.pass = Pass::opaque, .after_prepass = depth_is_there});
   }
   if (!depth_is_there) context.targets.next_use(context.commands, scene.depth, kReadDepth);
@@ -224,13 +239,10 @@ void record_opaque(const PassContext& context) {
 
 /// Attachments of a pass that blends over what is opaque.
 Attachments over_opaque(const PassContext& context, Pass pass) {
-  const SceneTargets scene(context.graph);
-  context.targets.next_use(context.commands, scene.color, kWriteColor);
-  return {.color = context.targets.view(scene.color),
-          .load = VK_ATTACHMENT_LOAD_OP_LOAD,
-          .resolve = resolved(context, pass),
-          .depth = context.targets.view(scene.depth),
-          .extent = context.targets.extent()};
+  Attachments attachments{.depth = context.targets.view(SceneTargets(context.graph).depth),
+                          .extent = context.targets.extent()};
+  attach_colors(context, pass, true, attachments);
+  return attachments;
 }
 
 void record_ground(const PassContext& context) {
@@ -245,6 +257,7 @@ void record_transparent(const PassContext& context) {
 
 void record_tonemap(const PassContext& context) {
   context.targets.next_use(context.commands, Target::color, kReadInShader);
+  if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::unlit, kReadInShader);
   const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
   draw_screen(context, context.pipelines.screen({.pass = Pass::tonemap, .frame = context.features}), context.set.set());
 }

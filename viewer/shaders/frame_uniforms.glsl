@@ -48,3 +48,4 @@ layout(set = 0, binding = 4) uniform sampler2D color_image;    // linear, premul
 layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radiance; level i filtered for roughness i / last
 layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)
 layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depth of the light that casts shadows, 1 = near
+layout(set = 0, binding = 8) uniform sampler2D unlit_image;           // linear, premultiplied, as displayed; alpha: its share

@@ -27,6 +27,7 @@ layout(location = 1) in vec2 from_middle;
 layout(location = 2) flat in vec3 normal;   // a uniform would be branched on (surface_features.glsl)
 
 layout(location = 0) out vec4 color;   // premultiplied
+layout(location = 1) out vec4 unlit;   // covers unlit colours, too
 
 // Share of a pixel that grid lines cover: each is a pixel wide on either side. Lines that come too close fade out.
 float grid_coverage() {
@@ -58,4 +59,5 @@ void main() {
   float line = kGrid ? kLineCoverage * grid_coverage() * fade : 0.0;
   float dark = shadow_coverage() * fade;
   color = vec4(vec3(kLineLight / frame.exposure * line), line + dark * (1.0 - line));
+  unlit = vec4(vec3(0.0), color.a);
 }

@@ -29,7 +29,8 @@ layout(location = 2) in vec4 view_tangent;
 layout(location = 3) in vec4 texcoords;
 layout(location = 4) in vec4 vertex_color;
 
-layout(location = 0) out vec4 color;   // premultiplied
+layout(location = 0) out vec4 color;   // premultiplied light, and coverage of all surfaces
+layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for the image of such a frame
 
 // Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
 bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
@@ -112,6 +113,12 @@ void main() {
     light += emitted;
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
-  color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
+  if (kUnlit) {
+    unlit = vec4(clamp(light, 0.0, 1.0) * coverage, coverage);
+    color = vec4(vec3(0.0), coverage);
+  } else {
+    unlit = vec4(vec3(0.0), kBlended ? coverage : 0.0);   // blending covers what is behind, and adds nothing
+    color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
+  }
   if (kMasked && is_cut(base.a)) discard;
 }

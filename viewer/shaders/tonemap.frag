@@ -1,13 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Maps light of the scene to light of the display and puts the backdrop behind it. The output has straight alpha.
+// Maps light of the scene to light of the display, adds unlit colours as they are, and puts the backdrop behind it. The output has straight alpha.
 #include "frame_uniforms.glsl"
 #include "encode.glsl"
 #include "projection.glsl"
 #include "tone_curve.glsl"
 
 layout(constant_id = 9) const int kBackdrop = 0;   // enum Backdrop: 0 plain, 1 blurred, 2 sharp
+layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
 const float kBlurredLevel = 3.5;   // of the environment
@@ -26,7 +27,10 @@ vec3 environment_behind(vec2 pixel) {
 void main() {
   vec4 stored = texelFetch(color_image, ivec2(gl_FragCoord.xy), 0);
   float coverage = clamp(stored.a, 0.0, 1.0);
-  vec3 light = coverage > 0.0 ? tone_mapped(stored.rgb / coverage * frame.exposure) : vec3(0.0);
+  vec4 unlit = kUnlitImage ? texelFetch(unlit_image, ivec2(gl_FragCoord.xy), 0) : vec4(0.0);
+  float lit = coverage - clamp(unlit.a, 0.0, coverage);
+  vec3 light = lit > 0.0 ? tone_mapped(stored.rgb / lit * frame.exposure) : vec3(0.0);
+  if (kUnlitImage && unlit.a > 0.0) light = (light * lit + unlit.rgb) / coverage;
   if (kTransparentBackground) {
     shown = vec4(displayed(light), coverage);
     return;
