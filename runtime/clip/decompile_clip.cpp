@@ -2,13 +2,13 @@
 #include "runtime/clip/decompile_clip.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "runtime/animation/track_sample.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
-#include "runtime/clip/unpack_clip.h"
 
 namespace sinew {
 namespace {
@@ -31,23 +31,41 @@ void read_value(const TrackBlock& block, std::size_t key, std::size_t plane, std
   out = quat_xyzw(at(0), at(1), at(2), at(3));
 }
 
+void read_value(const PackedTrack& packed, std::size_t key, glm::vec3& out) {
+  const std::array<float, 4> v = unpack_key(packed, key);
+  out = {v[0], v[1], v[2]};
+}
+
+void read_value(const PackedTrack& packed, std::size_t key, glm::quat& out) { out = unpack_rotation(packed, key); }
+
 /// One lane of a block with all its keys.
 template <class V>
 Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::size_t lane) {
   const std::size_t parts = parts_of(block.interpolation), components = components_of(block.property);
   Track<V> track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<V>(times_s.size() * parts)};
-  for (std::size_t i = 0; i < track.values.size(); ++i)
-    read_value(block, i / parts, i % parts * components, lane, track.values[i]);
+  if (block.packed.empty()) {
+    for (std::size_t i = 0; i < track.values.size(); ++i)
+      read_value(block, i / parts, i % parts * components, lane, track.values[i]);
+    return track;
+  }
+  const PackedTrack packed = packed_lane(block.packed, block.lane_count, lane, times_s.size());
+  for (std::size_t k = 0; k < times_s.size(); ++k) read_value(packed, k, track.values[k]);
   return track;
 }
 
 /// All lanes of a block of weights or numbers, which lie as a WeightTrack has them.
 WeightTrack weights_of(const TrackBlock& block, std::span<const float> times_s) {
-  const std::size_t count = times_s.size() * parts_of(block.interpolation) * block.lane_count;
-  return {block.interpolation,
-          {times_s.begin(), times_s.end()},
-          {block.rows.begin(), block.rows.begin() + static_cast<std::ptrdiff_t>(count)},
-          block.lane_count};
+  const std::size_t lanes = block.lane_count, count = times_s.size() * parts_of(block.interpolation) * lanes;
+  WeightTrack track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<float>(count), block.lane_count};
+  if (block.packed.empty()) {
+    std::copy_n(block.rows.begin(), count, track.values.begin());
+    return track;
+  }
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const PackedTrack packed = packed_lane(block.packed, lanes, lane, times_s.size());
+    for (std::size_t k = 0; k < times_s.size(); ++k) track.values[k * lanes + lane] = unpack_key(packed, k)[0];
+  }
+  return track;
 }
 
 /// A track that never changes.
@@ -203,8 +221,7 @@ class Decompiler {
 
 Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                                  const PropertyTable& properties) {
-  const Clip full = unpacked(clip);
-  return Decompiler(full.layout(), rest, first_weight, properties).run();
+  return Decompiler(clip.layout(), rest, first_weight, properties).run();
 }
 
 std::uint64_t decompiled_bytes(const Clip& clip) noexcept {

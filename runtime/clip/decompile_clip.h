@@ -13,7 +13,7 @@ namespace sinew {
 /// `unpacked(clip)`. Keys that a budget removed stay removed; tracks that were constant have one key.
 /// in    rest, first_weight, properties  of a scene of the clip's size
 /// err   unsupported: a block moves a part of a property, or weights of two instances (compile_clip makes none)
-/// cost  O(keys + joints), allocates decompiled_bytes(clip) and as much again while it runs
+/// cost  O(keys + joints), allocates decompiled_bytes(clip)
 Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                                  const PropertyTable& properties);
 

@@ -138,6 +138,11 @@ std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexc
   return v;
 }
 
+glm::quat unpack_rotation(const PackedTrack& track, std::size_t key) noexcept {
+  const std::array<float, 4> v = unpack_key(track, key);
+  return quat_cast<float>(normalised(quat_cast<double>(quat_xyzw(v[0], v[1], v[2], v[3]))));
+}
+
 std::optional<PackedTrack> pack_keys(const Vec3Track& track, double tolerance) {
   if (!has_plain_keys(track.interpolation)) return std::nullopt;
   std::vector<float> values;

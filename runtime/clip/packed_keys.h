@@ -39,4 +39,7 @@ std::optional<PackedTrack> pack_keys(const WeightTrack& track, std::uint32_t wei
 /// A key after rounding, by the arithmetic of the lanes: single multiplications and additions in float.
 std::array<float, 4> unpack_key(const PackedTrack& track, std::size_t key) noexcept;
 
+/// The same of a rotation, normalised in double.
+glm::quat unpack_rotation(const PackedTrack& track, std::size_t key) noexcept;
+
 }  // namespace sinew

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "runtime/base/contract.h"
 #include "runtime/clip/clip_layout.h"
@@ -34,17 +35,21 @@ std::size_t bit_of(const PackedRows& rows, std::size_t lanes, std::size_t slot, 
          static_cast<std::size_t>(std::countr_zero(rows.mask[at]));
 }
 
-std::uint32_t read_bits(const std::uint8_t* row, std::size_t bit, std::uint32_t width) noexcept {
-  std::uint32_t number = 0;
-  for (std::size_t byte = bit / 8, have = 0; have < width + bit % 8; ++byte, have += 8)
-    number |= static_cast<std::uint32_t>(std::uint64_t{row[byte]} << have >> bit % 8);
-  return number & ((std::uint32_t{1} << width) - 1);
+/// The eight bytes in which a number begins. Rows have kReadAhead bytes after them.
+std::uint64_t eight_bytes(const std::uint8_t* row, std::size_t bit) noexcept {
+  std::uint64_t bytes;
+  std::memcpy(&bytes, row + bit / 8, sizeof bytes);
+  return bytes;
 }
 
-void write_bits(std::uint8_t* row, std::size_t bit, std::uint32_t number, std::uint32_t width) noexcept {
-  std::uint64_t left = std::uint64_t{number} << bit % 8;
-  for (std::size_t byte = bit / 8, have = 0; have < width + bit % 8; ++byte, have += 8, left >>= 8)
-    row[byte] = static_cast<std::uint8_t>(row[byte] | left);
+std::uint32_t read_bits(const std::uint8_t* row, std::size_t bit, std::uint32_t width) noexcept {
+  return static_cast<std::uint32_t>(eight_bytes(row, bit) >> bit % 8) & ((std::uint32_t{1} << width) - 1);
+}
+
+/// Where the bits are 0 so far.
+void write_bits(std::uint8_t* row, std::size_t bit, std::uint32_t number) noexcept {
+  const std::uint64_t bytes = eight_bytes(row, bit) | std::uint64_t{number} << bit % 8;
+  std::memcpy(row + bit / 8, &bytes, sizeof bytes);
 }
 
 /// Calls `visit(lane, component, slot, at)` for the components of all lanes that are not left out, in the order of
@@ -165,7 +170,7 @@ std::array<double, 4> rotation_at(const std::array<Number, 4>& numbers, const st
 
 /// Makes `power`: for each key what the largest arc of a lane to the next key needs.
 void find_powers(PackedRows& rows, std::size_t lanes, std::size_t key_count) {
-  rows.power.assign(key_count, kUsualSlerpPower);
+  std::vector<double> largest(key_count, 0.0);  // x of slerp_power
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const std::array<Number, 4> numbers = numbers_of(rows, lanes, lane);
     if (std::all_of(numbers.begin(), numbers.end(), [](const Number& n) { return n.width == 0; })) continue;
@@ -175,9 +180,11 @@ void find_powers(PackedRows& rows, std::size_t lanes, std::size_t key_count) {
       q = rotation_at(numbers, rows.bits.data() + key * rows.row_bytes, rows.derived[lane]);
       if (key == 0) continue;
       const double dot = before[0] * q[0] + before[1] * q[1] + before[2] * q[2] + before[3] * q[3];
-      rows.power[key - 1] = std::max(rows.power[key - 1], slerp_power(1.0 - std::abs(dot)));
+      largest[key - 1] = std::max(largest[key - 1], 1.0 - std::abs(dot));
     }
   }
+  rows.power.resize(key_count);
+  std::transform(largest.begin(), largest.end(), rows.power.begin(), slerp_power);
   if (std::all_of(rows.power.begin(), rows.power.end(), [](std::uint8_t p) { return p == kUsualSlerpPower; }))
     rows.power.assign(1, kUsualSlerpPower);
 }
@@ -221,7 +228,7 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_coun
     if (width == 0) return;
     const std::size_t bit = bit_of(rows, lanes, slot, lane);
     for (std::size_t key = 0; key < key_count; ++key)
-      write_bits(rows.bits.data() + key * rows.row_bytes, bit, tracks[lane].numbers[key * components + c], width);
+      write_bits(rows.bits.data() + key * rows.row_bytes, bit, tracks[lane].numbers[key * components + c]);
   });
   if (!rows.derived.empty()) find_powers(rows, lanes, key_count);
   return rows;
@@ -230,9 +237,11 @@ PackedRows packed_rows(std::span<const PackedTrack> tracks, std::size_t key_coun
 PackedRows packed_rows(std::span<const PackedTrack> tracks, std::span<const std::uint8_t> bits, std::size_t key_count) {
   PackedRows rows = empty_rows(tracks, key_count);
   CONTRACT(bits.size() == key_count * rows.row_bytes);
+  std::vector<std::uint8_t> from(bits.begin(), bits.end());
+  from.resize(from.size() + kReadAhead);
   each_number(rows, tracks.size(), key_count,
               [&](std::size_t row, std::size_t in_row, std::size_t in_lane_order, std::uint32_t width) {
-                write_bits(rows.bits.data() + row, in_row, read_bits(bits.data() + row, in_lane_order, width), width);
+                write_bits(rows.bits.data() + row, in_row, read_bits(from.data() + row, in_lane_order, width));
               });
   if (!rows.derived.empty()) find_powers(rows, tracks.size(), key_count);
   return rows;
@@ -262,6 +271,7 @@ PackedTrack packed_range(const PackedRows& rows, std::size_t lanes, std::size_t 
 PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t lane, std::size_t key_count) {
   PackedTrack track = packed_range(rows, lanes, lane);
   const std::array<Number, 4> numbers = numbers_of(rows, lanes, lane);
+  track.numbers.reserve(key_count * track.components);
   for (std::size_t key = 0; key < key_count; ++key)
     for (std::size_t c = 0; c < track.components; ++c) {
       const Number& n = numbers[slot_of(c, track.derived)];
@@ -272,11 +282,12 @@ PackedTrack packed_lane(const PackedRows& rows, std::size_t lanes, std::size_t l
 }
 
 std::vector<std::uint8_t> in_lane_order(const PackedRows& rows, std::size_t lanes, std::size_t key_count) {
-  std::vector<std::uint8_t> bits(key_count * rows.row_bytes, 0);
+  std::vector<std::uint8_t> bits(key_count * rows.row_bytes + kReadAhead, 0);
   each_number(rows, lanes, key_count,
               [&](std::size_t row, std::size_t in_row, std::size_t in_lane_order, std::uint32_t width) {
-                write_bits(bits.data() + row, in_lane_order, read_bits(rows.bits.data() + row, in_row, width), width);
+                write_bits(bits.data() + row, in_lane_order, read_bits(rows.bits.data() + row, in_row, width));
               });
+  bits.resize(key_count * rows.row_bytes);
   return bits;
 }
 

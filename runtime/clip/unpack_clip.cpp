@@ -12,10 +12,7 @@ namespace {
 
 void fill_rotations(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
   QuatTrack keys{block.interpolation, {}, {}};
-  for (std::size_t k = 0; k < key_count; ++k) {
-    const std::array<float, 4> v = unpack_key(track, k);
-    keys.values.push_back(quat_cast<float>(normalised(quat_cast<double>(quat_xyzw(v[0], v[1], v[2], v[3])))));
-  }
+  for (std::size_t k = 0; k < key_count; ++k) keys.values.push_back(unpack_rotation(track, k));
   fill_lane(block, keys, lane);
 }
 

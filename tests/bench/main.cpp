@@ -74,6 +74,7 @@ void add_all(bool for_counting) {
     add_memory();
     add_import();
     add_setup();
+    add_asset_files();
     add_geometry_cache();
     add_job_thread();
   }

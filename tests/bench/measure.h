@@ -51,6 +51,7 @@ bool count_instructions();
 /// Each file of benchmarks has one such function; main calls them all.
 void add_import();
 void add_setup();
+void add_asset_files();
 void add_memory();
 void add_sample();
 void add_blend();
