@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "importer/rewrite/add_animations.h"
 #include "importer/rewrite/embed_images.h"
 #include "importer/rewrite/mend.h"
 #include "importer/rewrite/pack_buffer.h"
@@ -82,6 +83,7 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   find_unknown_offsets(draft);
   if (!options.animations.empty())
     rewrite::replace_keys(document, file.scene, {options.animations, options.channels_to}, draft);
+  rewrite::add_animations(file.scene, options.added_animations, draft);
   recode(document, options, draft);
   rewrite::embed_images(document, draft);
   rewrite::remove_unused(draft);

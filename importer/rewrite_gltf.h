@@ -19,6 +19,8 @@ struct RewriteOptions {
   /// [joints of the scene] the joint that the channels of each joint move in the new file, for animations that were
   /// mirrored; empty = the same one. `animations` has the keys of the joints that are moved then.
   std::span<const std::uint32_t> channels_to = {};
+  /// Animations of joints to write behind the file's. Their weights and properties are not written.
+  std::span<const Animation> added_animations = {};
   /// Smaller numbers, with a loss that importer/rewrite/quantize_streams.h bounds: normals and tangents in 8 bits
   /// (KHR_mesh_quantization), texture coordinates in 12, colours and weights in 8, rotation keys in 16 (12 with
   /// `meshopt`). Positions stay floats; with `meshopt` they keep 15 bits, and keys of translations and scales 16.

@@ -2,42 +2,16 @@
 #include "importer/rewrite/replace_keys.h"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "importer/read/animations.h"
-#include "importer/rewrite/take_decoded.h"
+#include "importer/rewrite/key_writer.h"
 
 namespace sinew::rewrite {
 namespace {
-
-/// Keys as glTF stores them.
-struct Keys {
-  Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times_s, values;
-  std::size_t components = 1;  ///< of an accessor's element
-
-  friend bool operator==(const Keys&, const Keys&) = default;
-};
-
-template <class Track>
-std::optional<Keys> keys_of(const Track& track) {
-  if (track.empty() || track.interpolation == Interpolation::squad) return std::nullopt;
-  Keys keys{track.interpolation, track.times_s, {}, 1};
-  if constexpr (std::is_same_v<Track, WeightTrack>) {
-    keys.values = track.values;
-  } else if constexpr (std::is_same_v<Track, QuatTrack>) {
-    keys.components = 4;
-    for (const auto& q : track.values) keys.values.insert(keys.values.end(), {q.x, q.y, q.z, q.w});
-  } else {
-    keys.components = 3;
-    for (const auto& v : track.values) keys.values.insert(keys.values.end(), {v.x, v.y, v.z});
-  }
-  return keys;
-}
 
 /// The keys of an animation for one target; nothing where it has none.
 std::optional<Keys> find_keys(const Scene& scene, const Animation& animation, const ChannelTarget& target) {
@@ -59,52 +33,6 @@ std::optional<Keys> find_keys(const Scene& scene, const Animation& animation, co
   }
   return std::nullopt;
 }
-
-/// Writes keys of one animation. Key times that several channels share are written once.
-class KeyWriter {
- public:
-  explicit KeyWriter(Draft& draft) : draft_(draft) {}
-
-  void write(const Keys& keys, Json& sampler) {
-    static const char* const kNames[] = {"STEP", "LINEAR", "CUBICSPLINE"};
-    auto [times, is_new] = times_.try_emplace(keys.times_s, 0);
-    if (is_new) {
-      times->second = add(keys.times_s, 1);
-      Json& accessor = draft_.json["accessors"][times->second];
-      set_bounds(accessor, std::vector<double>(keys.times_s.begin(), keys.times_s.end()), 1);
-    }
-    sampler["input"] = times->second;
-    sampler["output"] = add(keys.values, keys.components);
-    sampler.erase("interpolation");  // LINEAR is what glTF takes without it
-    if (keys.interpolation != Interpolation::linear)
-      sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
-  }
-
-  /// Puts what was written into a view.
-  void finish() {
-    if (accessors_.empty()) return;
-    std::vector<std::byte> bytes(floats_.size() * sizeof(float));
-    std::memcpy(bytes.data(), floats_.data(), bytes.size());
-    const std::uint32_t view = draft_.add_view(std::move(bytes));
-    for (const std::uint32_t accessor : accessors_) draft_.json["accessors"][accessor]["bufferView"] = view;
-  }
-
- private:
-  std::uint32_t add(const std::vector<float>& values, std::size_t components) {
-    static const char* const kTypes[] = {"SCALAR", "SCALAR", "VEC2", "VEC3", "VEC4"};
-    Json accessor{{"componentType", 5126}, {"count", values.size() / components}, {"type", kTypes[components]}};
-    if (!floats_.empty()) accessor["byteOffset"] = floats_.size() * sizeof(float);
-    floats_.insert(floats_.end(), values.begin(), values.end());
-    draft_.json["accessors"].push_back(std::move(accessor));
-    accessors_.push_back(static_cast<std::uint32_t>(draft_.json["accessors"].size() - 1));
-    return accessors_.back();
-  }
-
-  Draft& draft_;
-  std::vector<float> floats_;
-  std::vector<std::uint32_t> accessors_;
-  std::map<std::vector<float>, std::uint32_t> times_;
-};
 
 /// The target that a channel has in the new file.
 ChannelTarget new_target(const Scene& scene, const NewKeys& keys, ChannelTarget target) {

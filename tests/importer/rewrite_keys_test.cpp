@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/importer/rewritten.h"
@@ -110,6 +111,76 @@ TEST(rewrite_keys, weights_of_a_node_and_single_ones_are_told_apart) {
   EXPECT_EQ(weights[0].weights.values, (std::vector<float>{0.25f, 0.25f, 0.5f, 0.5f}));
   EXPECT_EQ(weights[1].weights.values, (std::vector<float>{0.75f, 1.0f}));
   EXPECT_EQ(weights[1].first_target, 1u);
+}
+
+/// Rewrites with animations behind the file's.
+ImportResult<RewrittenFile> with_added(const TinyGltf& gltf, const std::vector<Animation>& added) {
+  RewriteOptions options;
+  options.added_animations = added;
+  return rewrite(gltf, options);
+}
+
+/// Joint 0 goes up and turns; both tracks have the same key times.
+Animation up_and_round() {
+  BoneAnimation bone;
+  bone.translation = {Interpolation::step, {0, 1}, {{0, 0, 0}, {0, 2, 0}}};
+  bone.rotation = {Interpolation::cubic_spline, {0, 1}, std::vector<glm::quat>(6, glm::quat(1, 0, 0, 0))};
+  bone.scale = {Interpolation::linear, {0.5f}, {{1, 2, 3}}};
+  return {"up", 1.0, {bone}, {}};
+}
+
+TEST(rewrite_keys, added_animations_come_behind_the_files_and_all_else_stays) {
+  TinyGltf gltf = moving();
+  gltf.root["nodes"][1]["extras"] = {{"mine", 7}};
+  gltf.root["extensionsUsed"] = {"ACME_thing"};
+  gltf.root["nodes"][0]["extensions"] = {{"ACME_thing", {{"level", 3}}}};
+  const auto out = with_added(gltf, {up_and_round(), {"nothing", 0.0, {}, {}}});
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  const auto after = import_gltf(out->file, "after.glb");
+  ASSERT_TRUE(after);
+  EXPECT_TRUE(after->warnings.empty() || after->warnings[0].rule != "json-schema");
+  ASSERT_EQ(after->scene.animations.size(), 3u);
+  const Animation& up = after->scene.animations[1];
+  EXPECT_EQ(up.name, "up");
+  EXPECT_EQ(after->scene.animations[2].name, "nothing");
+  ASSERT_EQ(up.bones.size(), 1u);
+  const BoneAnimation &found = up.bones[0], made = up_and_round().bones[0];
+  EXPECT_EQ(found.joint, 0u);
+  EXPECT_EQ(found.translation.values, made.translation.values);
+  EXPECT_EQ(found.translation.interpolation, Interpolation::step);
+  EXPECT_EQ(found.rotation.values, made.rotation.values);
+  EXPECT_EQ(found.rotation.interpolation, Interpolation::cubic_spline);
+  EXPECT_EQ(found.scale.values, made.scale.values);
+
+  Json plain = rewritten(gltf).json, json = split_glb(out->file).json;
+  EXPECT_EQ(json["animations"][0], plain["animations"][0]);
+  EXPECT_EQ(json["animations"][2]["channels"].size(), 1u) << "glTF demands one";
+  const Json& samplers = json["animations"][1]["samplers"];
+  EXPECT_EQ(samplers[0]["input"], samplers[1]["input"]) << "shared times are written once";
+  EXPECT_NE(samplers[0]["input"], samplers[2]["input"]);
+  for (Json* document : {&plain, &json})
+    for (const char* grown : {"animations", "accessors", "bufferViews", "buffers"}) document->erase(grown);
+  EXPECT_EQ(json, plain) << "extras and extensions that nobody here knows stay";
+}
+
+TEST(rewrite_keys, a_matrix_that_is_animated_now_is_taken_apart_or_is_a_loss) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  gltf.root["nodes"][0]["matrix"] = {0, 0, -2, 0, 0, 3, 0, 0, 4, 0, 0, 0, 5, 6, 7, 1};
+  const auto out = with_added(gltf, {up_and_round()});
+  ASSERT_TRUE(out) << out.error().issue.detail;
+  const Json node = split_glb(out->file).json["nodes"][0];
+  EXPECT_FALSE(node.contains("matrix"));
+  EXPECT_EQ(node["translation"], Json::array({5, 6, 7}));
+  EXPECT_NEAR(node["scale"][0].get<double>(), 2.0, 1e-6);
+  EXPECT_NEAR(std::abs(node["rotation"][1].get<double>()), std::sqrt(0.5), 1e-6);
+
+  gltf.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const auto sheared = with_added(gltf, {up_and_round()});
+  ASSERT_FALSE(sheared);
+  EXPECT_EQ(sheared.error().issue.json_pointer, "/nodes/0/matrix");
+  EXPECT_THAT(sheared.error().issue.detail, testing::HasSubstr("node-matrix-animated"));
+  EXPECT_TRUE(split_glb(rewrite(gltf)->file).json["nodes"][0].contains("matrix")) << "without animation it stays";
 }
 
 }  // namespace

@@ -97,6 +97,28 @@ TEST(retarget, a_character_without_a_like_joint_is_refused) {
   EXPECT_FALSE(std::filesystem::exists(model.beside("out.glb")));
 }
 
+TEST(retarget, what_sinew_does_not_know_of_the_character_stays) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "Hips", "LeftArm", 1.0, true);
+  write_body(model.beside(""), "other", "Hips", "LeftArm", 2.0, false);
+  std::ifstream in(model.beside("other.gltf"));
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  text.insert(1, R"("extras": {"mine": 7}, "extensionsUsed": ["ACME_thing"], "extensions": {"ACME_thing": {"a": 1}},)");
+  std::ofstream(model.beside("other.gltf")) << text;
+  const auto outcome = run_tool(
+      {"retarget", model.beside("clips.gltf"), "--onto", model.beside("other.gltf"), "-o", model.beside("out.gltf")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(model.beside("out.bin")));
+  std::ifstream written(model.beside("out.gltf"));
+  const std::string out((std::istreambuf_iterator<char>(written)), {});
+  EXPECT_THAT(out, HasSubstr(R"("extras":{"mine":7})"));
+  EXPECT_THAT(out, HasSubstr(R"("ACME_thing":{"a":1})"));
+  EXPECT_EQ(run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("other.gltf"), "-o",
+                      model.beside("out.txt")})
+                .status,
+            2);
+}
+
 TEST(retarget, holds_feet_where_both_have_legs) {
   const ToolModelFile model;
   write_body(model.beside(""), "clips", "Hips", "LeftArm", 1.0, true);

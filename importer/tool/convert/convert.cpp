@@ -14,9 +14,9 @@
 #include "importer/tool/commands.h"
 #include "importer/tool/convert/fit_keys.h"
 #include "importer/tool/convert/mirror_clips.h"
-#include "importer/tool/convert/output_files.h"
 #include "importer/tool/convert/resample_clips.h"
 #include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output_files.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -38,18 +38,6 @@ struct ConvertOptions {
   std::vector<std::string> drop;
 };
 
-/// Names what the output cannot hold, one line each, and how to go on without it.
-ExitCode refuse(const std::string& in, const ImportError& error) {
-  say_issue(in, error.issue);
-  for (const ImportIssue& more : error.more_errors) say_issue(in, more);
-  const std::size_t count = 1 + error.more_errors.size();
-  if (error.issue.rule == "not-carried")
-    say_error(
-        fmt::format("{}: {} cannot be carried; --drop NAME[,NAME...] writes the file without, --drop all without any",
-                    in, counted(count, "thing")));
-  return ExitCode::input_at_fault;
-}
-
 std::string size_line(const std::string& out, std::size_t bytes, std::uint64_t before) {
   return fmt::format("{}: {} bytes, {} before ({:.1f} %)", out, bytes, before,
                      100.0 * static_cast<double>(bytes) / static_cast<double>(before));
@@ -61,9 +49,7 @@ ExitCode write_output(const ConvertOptions& options, const OutputFiles& outputs,
     std::fwrite(written.file.data(), 1, written.file.size(), stdout);
     return ExitCode::done;
   }
-  if (const auto fault = write_files(outputs, written))
-    return fail_with(ExitCode::machine_lacks, options.out, {Severity::error, "write-file", "", *fault});
-  return ExitCode::done;
+  return write_files(outputs, written);
 }
 
 /// The files to write; none for the standard output.
@@ -115,12 +101,12 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   rewrite.quantize = options.quantize;
   rewrite.meshopt = options.meshopt;
   const auto written = rewrite_gltf(*model, rewrite);
-  if (!written) return refuse(options.in, written.error());
+  if (!written) return refuse_rewrite(options.in, written.error());
   for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
   if (const ExitCode code = write_output(options, *outputs, *written); code != ExitCode::done) return code;
   if (options.budget || options.fps) {
     const auto table = certificates(model->scene, outputs->file, budget_m);
-    if (!table) return refuse(options.out, table.error());
+    if (!table) return refuse_rewrite(options.out, table.error());
     if (!many) print_result_text(*table);
   }
   const std::string sizes =

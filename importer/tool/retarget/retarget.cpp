@@ -3,15 +3,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "importer/export_glb.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output_files.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
@@ -26,6 +27,7 @@ namespace {
 struct RetargetOptions {
   std::string clips, character, out;
   std::optional<std::string> map;
+  std::vector<std::string> drop;
   bool keep_rest = false, hold_feet = false;
 };
 
@@ -63,57 +65,79 @@ std::string held_feet(const FeetMap& feet, const Animation& animation, const Sce
                      length_text(after.largest), counted(after.contacts, "contact"));
 }
 
-/// Adds the clips to those of the character, and says how far each is from the poses that it was made of.
-void add_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet, Scene& character) {
+/// The clips on the character; says how far each is from the poses that it was made of.
+std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet,
+                                      const Scene& character) {
   constexpr double kDegrees = 57.29577951308232;
+  std::vector<Animation> all;
   for (const Animation& animation : clips.animations) {
     Animation retargeted = retarget_animation(animation, map, clips.skeleton, character.skeleton);
     const RetargetError error = measure_retarget(retargeted, animation, map, clips.skeleton, character.skeleton);
     const std::string slide = feet.legs.empty() ? "" : held_feet(feet, animation, clips, character, retargeted);
     print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
                  counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
-    character.animations.push_back(std::move(retargeted));
+    all.push_back(std::move(retargeted));
   }
-  character.clips.clear();
-  finish_scene(character);
+  return all;
 }
 
-ExitCode retarget(const RetargetOptions& options) {
-  ImportOptions plain;
-  plain.decode_images = plain.make_tangents = plain.make_normals = false;
-  const auto clips = load_file(options.clips, plain);
-  ImportOptions whole;
-  whole.decode_images = false;
-  whole.keep_encoded_images = true;
-  auto character = load_file(options.character, whole);
-  if (!clips || !character) return ExitCode::input_at_fault;
-  std::vector<std::filesystem::path> inputs = clips->facts.files;
-  inputs.insert(inputs.end(), character->facts.files.begin(), character->facts.files.end());
-  if (options.map) inputs.emplace_back(*options.map);
-  if (const auto why = objection_to_output(options.out, inputs)) return fail_with(ExitCode::wrong_usage, *why);
-
-  const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
+/// The map by names, bones, or the person's own.
+/// err   a sentence
+tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const Skeleton& source,
+                                              const Skeleton& target) {
   SkeletonMapOptions choice;
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
   if (options.map) {
     auto pairs = read_joint_pairs(*options.map, source, target);
-    if (!pairs) return fail_with(ExitCode::wrong_usage, pairs.error());
+    if (!pairs) return tl::unexpected(pairs.error());
     choice.pairs = *std::move(pairs);
   }
-  const SkeletonMap map = make_skeleton_map(source, target, choice);
-  if (map.joints.empty())
+  return make_skeleton_map(source, target, choice);
+}
+
+/// The character's file with the clips behind its own.
+ExitCode write_character(const RetargetOptions& options, const OutputFiles& outputs, const ImportedFile& character,
+                         std::span<const Animation> added) {
+  RewriteOptions rewrite;
+  rewrite.added_animations = added;
+  rewrite.drop.insert(options.drop.begin(), options.drop.end());
+  rewrite.buffer_uri = outputs.buffer.filename().string();
+  const auto written = rewrite_gltf(character, rewrite);
+  if (!written) return refuse_rewrite(options.character, written.error());
+  for (const ImportIssue& drop : written->drops) say_issue(options.character, drop);
+  if (const ExitCode code = write_files(outputs, *written); code != ExitCode::done) return code;
+  print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
+  return ExitCode::done;
+}
+
+ExitCode retarget(const RetargetOptions& options) {
+  const auto outputs = output_files(options.out);
+  if (!outputs) return fail_with(ExitCode::wrong_usage, options.out + ": OUT must end in .glb or .gltf");
+  ImportOptions plain;
+  plain.decode_images = plain.make_tangents = plain.make_normals = false;
+  const auto clips = load_file(options.clips, plain);
+  ImportOptions whole = plain;
+  whole.carry_document = true;
+  const auto character = load_file(options.character, whole);
+  if (!clips || !character) return ExitCode::input_at_fault;
+  std::vector<std::filesystem::path> inputs = clips->facts.files;
+  inputs.insert(inputs.end(), character->facts.files.begin(), character->facts.files.end());
+  if (options.map) inputs.emplace_back(*options.map);
+  for (const std::filesystem::path& output : outputs->all())
+    if (const auto why = objection_to_output(output, inputs)) return fail_with(ExitCode::wrong_usage, *why);
+
+  const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
+  const auto map = map_of(options, source, target);
+  if (!map) return fail_with(ExitCode::wrong_usage, map.error());
+  if (map->joints.empty())
     return fail_with(ExitCode::input_at_fault, options.character + ": no joint is like one of " + options.clips +
                                                    "; --map FILE says which ones are");
-  const FeetMap feet = options.hold_feet ? make_feet_map(map, source, target) : FeetMap{};
+  const FeetMap feet = options.hold_feet ? make_feet_map(*map, source, target) : FeetMap{};
   if (options.hold_feet && feet.legs.empty())
     return fail_with(ExitCode::input_at_fault,
                      options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
-  print_map(map, source, target);
-  add_clips(clips->scene, map, feet, character->scene);
-  const auto written = export_glb(character->scene, options.out);
-  if (!written) return fail_with(ExitCode::machine_lacks, options.out, written.error().issue);
-  print_result("{}: {} bytes\n", options.out, *written);
-  return ExitCode::done;
+  print_map(*map, source, target);
+  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, feet, character->scene));
 }
 
 }  // namespace
@@ -131,18 +155,21 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
       "height.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
-      "made of. OUT is CHARACTER with the clips behind its own, as sinew understands it: what it does not know is not "
-      "written.");
+      "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; "
+      "what cannot be carried is listed, and nothing is written unless --drop names it.");
   command->add_option("CLIPS", options->clips, "A .gltf or .glb file with the clips")->required();
   command->add_option("--onto", options->character, "A .gltf or .glb file with the character")
       ->required()
       ->type_name("CHARACTER");
-  command->add_option("-o,--output", options->out, "The .glb file to write")->required()->type_name("OUT");
+  command->add_option("-o,--output", options->out, "The .glb or .gltf file to write")->required()->type_name("OUT");
   command
       ->add_option("--map", options->map,
                    "JSON that says which joint follows which, and is then all that is mapped:\n"
                    "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...}}")
       ->type_name("FILE");
+  command->add_option("--drop", options->drop, "What of CHARACTER may be lost: names as they are listed, or all")
+      ->delimiter(',')
+      ->type_name("NAME[,NAME...]");
   command->add_flag("--hold-feet", options->hold_feet,
                     "Feet that are on the ground follow those of CLIPS, and stand still where they do: hips and knees "
                     "turn. Prints how far feet slide without and with it");

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "importer/rewrite_gltf.h"
+#include "importer/tool/exit_code.h"
 
 namespace sinew::tool {
 
-/// The files that a converted model is written to: OUT.glb, or OUT.gltf with OUT.bin beside it.
+/// The files that a model is written to again: OUT.glb, or OUT.gltf with OUT.bin beside it.
 struct OutputFiles {
   std::filesystem::path file;
   std::filesystem::path buffer;  ///< empty for a .glb
@@ -21,8 +22,10 @@ struct OutputFiles {
 /// out   nothing when its name ends neither in .glb nor in .gltf
 std::optional<OutputFiles> output_files(const std::string& out);
 
-/// Writes all files completely or none of them.
-/// out   nothing, or why not
-std::optional<std::string> write_files(const OutputFiles& outputs, const RewrittenFile& model);
+/// Writes all files completely or none of them, and says why where it cannot.
+ExitCode write_files(const OutputFiles& outputs, const RewrittenFile& model);
+
+/// Names what the output cannot hold, one line each, and how to go on without it.
+ExitCode refuse_rewrite(const std::string& in, const ImportError& error);
 
 }  // namespace sinew::tool

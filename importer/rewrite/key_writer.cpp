@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "importer/rewrite/key_writer.h"
+
+#include <cstring>
+#include <utility>
+
+#include "importer/rewrite/take_decoded.h"
+
+namespace sinew::rewrite {
+namespace {
+
+template <class Track>
+std::optional<Keys> without_values(const Track& track, std::size_t components) {
+  if (track.empty() || track.interpolation == Interpolation::squad) return std::nullopt;
+  return Keys{track.interpolation, track.times_s, {}, components};
+}
+
+}  // namespace
+
+std::optional<Keys> keys_of(const Vec3Track& track) {
+  auto keys = without_values(track, 3);
+  for (std::size_t i = 0; keys && i < track.values.size(); ++i) {
+    const glm::vec3& v = track.values[i];
+    keys->values.insert(keys->values.end(), {v.x, v.y, v.z});
+  }
+  return keys;
+}
+
+std::optional<Keys> keys_of(const QuatTrack& track) {
+  auto keys = without_values(track, 4);
+  for (std::size_t i = 0; keys && i < track.values.size(); ++i) {
+    const glm::quat& q = track.values[i];
+    keys->values.insert(keys->values.end(), {q.x, q.y, q.z, q.w});
+  }
+  return keys;
+}
+
+std::optional<Keys> keys_of(const WeightTrack& track) {
+  auto keys = without_values(track, 1);
+  if (keys) keys->values = track.values;
+  return keys;
+}
+
+void KeyWriter::write(const Keys& keys, Json& sampler) {
+  static const char* const kNames[] = {"STEP", "LINEAR", "CUBICSPLINE"};
+  auto [times, is_new] = times_.try_emplace(keys.times_s, 0);
+  if (is_new) {
+    times->second = add(keys.times_s, 1);
+    Json& accessor = draft_.json["accessors"][times->second];
+    set_bounds(accessor, std::vector<double>(keys.times_s.begin(), keys.times_s.end()), 1);
+  }
+  sampler["input"] = times->second;
+  sampler["output"] = add(keys.values, keys.components);
+  sampler.erase("interpolation");  // LINEAR is what glTF takes without it
+  if (keys.interpolation != Interpolation::linear)
+    sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
+}
+
+void KeyWriter::finish() {
+  if (accessors_.empty()) return;
+  std::vector<std::byte> bytes(floats_.size() * sizeof(float));
+  std::memcpy(bytes.data(), floats_.data(), bytes.size());
+  const std::uint32_t view = draft_.add_view(std::move(bytes));
+  for (const std::uint32_t accessor : accessors_) draft_.json["accessors"][accessor]["bufferView"] = view;
+}
+
+std::uint32_t KeyWriter::add(const std::vector<float>& values, std::size_t components) {
+  static const char* const kTypes[] = {"SCALAR", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  Json accessor{{"componentType", 5126}, {"count", values.size() / components}, {"type", kTypes[components]}};
+  if (!floats_.empty()) accessor["byteOffset"] = floats_.size() * sizeof(float);
+  floats_.insert(floats_.end(), values.begin(), values.end());
+  draft_.json["accessors"].push_back(std::move(accessor));
+  accessors_.push_back(static_cast<std::uint32_t>(draft_.json["accessors"].size() - 1));
+  return accessors_.back();
+}
+
+}  // namespace sinew::rewrite

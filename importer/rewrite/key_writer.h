@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "importer/rewrite/draft.h"
+#include "runtime/animation/track.h"
+
+namespace sinew::rewrite {
+
+/// Keys as glTF stores them.
+struct Keys {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times_s, values;
+  std::size_t components = 1;  ///< of an accessor's element
+
+  friend bool operator==(const Keys&, const Keys&) = default;
+};
+
+/// Nothing for a track without keys, and for squad, which glTF has not.
+std::optional<Keys> keys_of(const Vec3Track& track);
+std::optional<Keys> keys_of(const QuatTrack& track);
+std::optional<Keys> keys_of(const WeightTrack& track);
+
+/// Writes keys of one animation. Key times that several channels share are written once.
+class KeyWriter {
+ public:
+  explicit KeyWriter(Draft& draft) : draft_(draft) {}
+
+  /// Sets what a sampler reads, and how it interpolates.
+  void write(const Keys& keys, Json& sampler);
+  /// Puts what was written into a view.
+  void finish();
+
+ private:
+  std::uint32_t add(const std::vector<float>& values, std::size_t components);
+
+  Draft& draft_;
+  std::vector<float> floats_;
+  std::vector<std::uint32_t> accessors_;
+  std::map<std::vector<float>, std::uint32_t> times_;
+};
+
+}  // namespace sinew::rewrite
