@@ -105,19 +105,29 @@ glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   return displayed(lighting, light * static_cast<double>(lighting.environment_intensity));
 }
 
-glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
-  const std::vector<SurfacePoint> seen = layers(picture, x, y);
-  glm::dvec3 light(0.0), unlit(0.0);
+/// The layers of a pixel over each other: light and unlit colours, and how much of the pixel they cover.
+struct Layered {
+  glm::dvec3 light{0.0}, unlit{0.0};
   double coverage = 0.0, lit = 0.0;
+};
+
+Layered layered(const PictureOf& picture, double x, double y) {
+  const std::vector<SurfacePoint> seen = layers(picture, x, y);
+  Layered sum;
   for (auto point = seen.rbegin(); point != seen.rend(); ++point) {
     const bool blended = point->material.alpha_mode == AlphaMode::blend;
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
-    for (double* below : {&coverage, &lit}) *below *= 1.0 - alpha;
-    for (glm::dvec3* below : {&light, &unlit}) *below *= 1.0 - alpha;
-    (point->material.unlit ? unlit : light) += radiance_of(picture, *point, x, y) * alpha;
-    coverage += alpha;
-    if (!point->material.unlit) lit += alpha;
+    for (double* below : {&sum.coverage, &sum.lit}) *below *= 1.0 - alpha;
+    for (glm::dvec3* below : {&sum.light, &sum.unlit}) *below *= 1.0 - alpha;
+    (point->material.unlit ? sum.unlit : sum.light) += radiance_of(picture, *point, x, y) * alpha;
+    sum.coverage += alpha;
+    if (!point->material.unlit) sum.lit += alpha;
   }
+  return sum;
+}
+
+glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
+  const auto [light, unlit, coverage, lit] = layered(picture, x, y);
   glm::dvec3 display(0.0);
   if (lit > 0.0) display = displayed(picture.options.lighting, light / lit) * lit / coverage;
   if (coverage > 0.0) display += unlit / coverage;
@@ -142,6 +152,19 @@ glm::dvec3 shown_buffer(const PictureOf& picture, const DepthAndNormal& nearest,
 }
 
 }  // namespace
+
+double automatic_exposure(const PictureOf& picture) {
+  double sum = 0.0, weight = 0.0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Layered pixel = layered(picture, x + 0.5, y + 0.5);
+      const double light = glm::dot(pixel.light, glm::dvec3(0.2126, 0.7152, 0.0722));
+      if (pixel.lit <= 0.0 || light <= 1e-6 * pixel.lit) continue;
+      sum += pixel.lit * std::log(light / pixel.lit);
+      weight += pixel.lit;
+    }
+  return weight > 0.0 ? 0.18 / std::exp(sum / weight) : 1.0;
+}
 
 DepthAndNormal depth_at(const PictureOf& picture, double x, double y) {
   for (const SurfacePoint& point : layers(picture, x, y)) {

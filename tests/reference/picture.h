@@ -29,6 +29,11 @@ struct PictureOf {
 /// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);
 
+/// What makes the log average of light middle grey; 1 where there is none. Unlit surfaces, what is behind the scene,
+/// and what is black do not count.
+/// eq   0.18 / exp(mean of log(luminance) over pixels, weighted by coverage)
+double automatic_exposure(const PictureOf& picture);
+
 /// From the eye through a point of the picture.
 SightLine sight_line(const PictureOf& picture, double x, double y);
 

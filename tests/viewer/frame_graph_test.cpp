@@ -47,6 +47,14 @@ TEST(frame_graph, has_an_image_for_unlit_colors_only_where_some_are_in_the_pictu
   EXPECT_FALSE(FrameGraph({.opaque = true, .unlit = true, .show = Show::normals}).unlit_image);
 }
 
+TEST(frame_graph, looks_for_the_exposure_only_where_it_is_automatic_and_something_is_in_view) {
+  EXPECT_THAT(passes({.opaque = true, .occlusion = false, .auto_exposure = true}),
+              ElementsAre(Pass::opaque, Pass::exposure, Pass::tonemap));
+  EXPECT_FALSE(FrameGraph({.auto_exposure = true}).exposure_image);
+  EXPECT_FALSE(FrameGraph({.opaque = true}).exposure_image);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .auto_exposure = true, .show = Show::depth}).exposure_image);
+}
+
 TEST(frame_graph, draws_the_ground_over_what_is_opaque_and_before_it_for_occlusion) {
   EXPECT_THAT(passes({.opaque = true, .blended = true, .occlusion = false, .ground = true}),
               ElementsAre(Pass::opaque, Pass::ground, Pass::transparent, Pass::tonemap));

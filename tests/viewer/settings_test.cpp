@@ -17,6 +17,7 @@ TEST(settings, begin_as_the_command_line_says) {
   options.environment_turn_deg = 90.0f;
   options.environment_intensity = 0.5f;
   options.exposure_ev = -2.0f;
+  options.auto_exposure = true;
   options.backdrop = Backdrop::blurred;
   options.tone_curve = ToneCurve::none;
   options.ground = GroundLook::grid;
@@ -32,6 +33,7 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_EQ(light.environment_intensity, 0.5f);
   EXPECT_FLOAT_EQ(light.environment_turn_rad, 1.57079633f);
   EXPECT_EQ(light.exposure, 0.25f);
+  EXPECT_TRUE(light.auto_exposure);
   EXPECT_EQ(light.tone_curve, ToneCurve::none);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).smooth_edges);
   EXPECT_TRUE(render_options(settings, environment, {}, {0, 0, 5}).shadows.on);

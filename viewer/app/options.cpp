@@ -201,9 +201,12 @@ void add_light_options(CLI::App& app, Options& options) {
         options.tone_curve = named<ToneCurve>(
             "--tone", text, {{"neutral", ToneCurve::neutral}, {"aces", ToneCurve::aces}, {"none", ToneCurve::none}});
       });
-  text_option(app, "--exposure", "EV", "stops: 1 doubles all light, -1 halves it (0)",
+  text_option(app, "--exposure", "EV", "stops: 1 doubles all light, -1 halves it; auto follows the picture (0)",
               [&, bounded](const std::string& text) {
-                options.exposure_ev = bounded("--exposure", text, -32.0f, 32.0f, "a number of stops from -32 to 32");
+                options.auto_exposure = text == "auto";
+                if (options.auto_exposure) return;
+                options.exposure_ev =
+                    bounded("--exposure", text, -32.0f, 32.0f, "auto or a number of stops from -32 to 32");
               });
 }
 

@@ -53,7 +53,8 @@ struct Options {
   Backdrop backdrop = Backdrop::blurred;
   ToneCurve tone_curve = ToneCurve::neutral;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
-  bool skeleton = false;     ///< lines over the picture
+  bool auto_exposure = false;
+  bool skeleton = false;  ///< lines over the picture
   bool transparent = false;
   std::optional<PlacedCamera> camera;
   Framing framing = Framing::clip;

@@ -134,6 +134,7 @@ void light_controls(Settings& settings) {
   choice("backdrop", {"plain", "blurred", "sharp"}, settings.backdrop);
   choice("tone", {"neutral", "aces", "none"}, settings.tone_curve);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
+  ImGui::Checkbox("exposure follows the picture", &settings.auto_exposure);
   ImGui::SliderFloat("turn", &settings.environment_turn_deg, -180.0f, 180.0f, "%.0f deg");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("turns the light that comes from all around");
 }

@@ -18,6 +18,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.environment_turn_deg = options.environment_turn_deg;
   settings.environment_intensity = options.environment_intensity;
   settings.exposure_ev = options.exposure_ev;
+  settings.auto_exposure = options.auto_exposure;
   settings.shadows = options.shadows;
   settings.ground = options.ground;
   settings.smooth_edges = options.smooth_edges.value_or(true);
@@ -91,6 +92,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.smooth_edges = settings.smooth_edges;
   options.backdrop = settings.backdrop;
   options.lighting.tone_curve = settings.tone_curve;
+  options.lighting.auto_exposure = settings.auto_exposure;
   options.lighting.exposure = std::exp2(settings.exposure_ev);
   return options;
 }

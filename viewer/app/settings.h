@@ -19,6 +19,7 @@ struct Settings {
   Backdrop backdrop = Backdrop::plain;
   ToneCurve tone_curve = ToneCurve::neutral;
   float environment_turn_deg = 0.0f, environment_intensity = 1.0f, exposure_ev = 0.0f;
+  bool auto_exposure = false;
   bool skeleton = false;
   bool panel = true;
   bool plan = false;  ///< the live plan beside the panel

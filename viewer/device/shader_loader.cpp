@@ -29,6 +29,12 @@ constexpr std::uint32_t kGtaoFrag[] =
 constexpr std::uint32_t kSsaoBlurFrag[] =
 #include "ssao_blur.frag.inc"
     ;
+constexpr std::uint32_t kLightSumsFrag[] =
+#include "light_sums.frag.inc"
+    ;
+constexpr std::uint32_t kExposureFrag[] =
+#include "exposure.frag.inc"
+    ;
 constexpr std::uint32_t kTonemapFrag[] =
 #include "tonemap.frag.inc"
     ;
@@ -63,6 +69,8 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
     case Shader::ssao_frag: return kSsaoFrag;
     case Shader::gtao_frag: return kGtaoFrag;
     case Shader::ssao_blur_frag: return kSsaoBlurFrag;
+    case Shader::light_sums_frag: return kLightSumsFrag;
+    case Shader::exposure_frag: return kExposureFrag;
     case Shader::tonemap_frag: return kTonemapFrag;
     case Shader::show_frag: return kShowFrag;
     case Shader::ground_vert: return kGroundVert;

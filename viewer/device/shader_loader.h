@@ -17,6 +17,8 @@ enum class Shader : std::uint8_t {
   ssao_frag,
   gtao_frag,
   ssao_blur_frag,
+  light_sums_frag,
+  exposure_frag,
   tonemap_frag,
   show_frag,
   ground_vert,

@@ -7,8 +7,8 @@ namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
-      "shadow",      "normal_depth", "ssao", "blur_horizontal", "blur_vertical", "opaque", "ground",
-      "transparent", "tonemap",      "show", "overlay"};
+      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque",
+      "ground", "transparent",  "exposure", "tonemap",         "show",          "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -29,6 +29,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
     add(Pass::opaque);
     if (needs.ground) add(Pass::ground);
     if (needs.blended) add(Pass::transparent);
+    if (needs.auto_exposure && (needs.opaque || needs.blended)) add(Pass::exposure);
     add(Pass::tonemap);
   } else {
     add(Pass::show);
@@ -39,6 +40,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   depth_image = prepass || !sampled;
   normal_image = occlusion || needs.show == Show::normals;
   color_image = picture;
+  exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;
   shadow_image = needs.shadowed();
   ao_image = occlusion;

@@ -18,11 +18,12 @@ enum class Pass : std::uint8_t {
   opaque,
   ground,  ///< shadows and contact on a level ground, and its grid
   transparent,
+  exposure,  ///< automatic: from the light of the picture
   tonemap,
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 11;
+inline constexpr std::size_t kPassCount = 12;
 
 std::string_view name_of(Pass pass) noexcept;
 
@@ -36,6 +37,7 @@ struct FrameNeeds {
   bool ambient = true;    ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
   bool blur = true;
+  bool auto_exposure = false;
   bool ground = false;        ///< it is switched on and seen from above
   bool smooth_edges = false;  ///< 4 samples a pixel
   Show show = Show::color;
@@ -60,6 +62,7 @@ class FrameGraph {
   std::size_t size() const noexcept { return count_; }
 
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
+  bool exposure_image = false;
   bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
   bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
   bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image

@@ -111,6 +111,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .shadow_light = graph.shadow_image ? shadow.index : kNone,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
+          .auto_exposure = graph.exposure_image,
           .unlit_image = graph.unlit_image,
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
@@ -125,6 +126,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .ambient = inputs.options.lighting.ambient(),
           .occlusion = inputs.options.ao.has_effect(),
           .blur = inputs.options.ao.blur,
+          .auto_exposure = inputs.options.lighting.auto_exposure,
           .ground = ground_is_seen(inputs.view, inputs.options.ground),
           .smooth_edges = inputs.options.smooth_edges,
           .show = inputs.options.show};

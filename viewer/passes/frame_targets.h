@@ -18,16 +18,21 @@ enum class Target : std::uint8_t {
   color_samples,
   depth_samples,
   unlit,
-  unlit_samples
+  unlit_samples,
+  light_sums,  ///< of the automatic exposure
+  exposure
 };
-inline constexpr std::size_t kTargetCount = 10;
+inline constexpr std::size_t kTargetCount = 12;
 
 inline constexpr std::uint32_t kSmoothSamples = 4;  ///< a pixel, of color_samples and depth_samples
+
+inline constexpr std::uint32_t kExposureBlocks = 32;  ///< light_sums has as many texels a side
 
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kNormalFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kAoFormat =
     VK_FORMAT_R32G32B32A32_SFLOAT;  ///< ambient access, distance, packed normal: one fetch reads a neighbour
+inline constexpr VkFormat kExposureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 /// How passes use these images.

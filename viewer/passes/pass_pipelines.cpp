@@ -40,7 +40,8 @@ enum ConstantId : std::size_t {
   id_ambient = 15,
   id_shadow_map = 16,
   id_shadow_light = 17,
-  id_unlit_image = 18
+  id_unlit_image = 18,
+  id_auto_exposure = 19
 };
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -49,6 +50,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   auto& sets = surface.material.texcoord_sets;
   key.frame.transparent_background = false;
   key.frame.tone_curve = {};
+  key.frame.auto_exposure = false;
   key.frame.smooth_edges = key.frame.smooth_edges && key.pass != Pass::normal_depth && key.pass != Pass::shadow;
   key.frame.backdrop = {};
   const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
@@ -157,6 +159,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_parallel] = key.frame.parallel;
   shape.constants[id_tone_curve] = static_cast<std::uint32_t>(key.frame.tone_curve);
   shape.constants[id_backdrop] = static_cast<std::uint32_t>(key.frame.backdrop);
+  shape.constants[id_auto_exposure] = key.frame.auto_exposure;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
@@ -179,6 +182,10 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
       break;
     case Pass::normal_depth:
     case Pass::ground: shape_ground(key, shape); break;
+    case Pass::exposure:
+      shape.fragment = key.sums ? Shader::light_sums_frag : Shader::exposure_frag;
+      shape.color_format = kExposureFormat;
+      break;
     case Pass::show: shape.fragment = Shader::show_frag; break;
     case Pass::overlay:
       shape.vertex = Shader::line_vert;

@@ -50,6 +50,8 @@ class FrameSet {
   VkDescriptorSet set() const noexcept { return sets_[0]; }
   /// Its ao_image is the one after the first blur pass.
   VkDescriptorSet between_blurs() const noexcept { return sets_[1]; }
+  /// Its exposure_image holds the sums.
+  VkDescriptorSet before_exposure() const noexcept { return sets_[1]; }
   /// Its shadow_image is black: for the pass that draws the shadow map.
   VkDescriptorSet without_shadow() const noexcept { return sets_[1]; }
 
@@ -72,8 +74,9 @@ struct FrameFeatures {
   std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
-  bool unlit_image = false;   ///< there is an image for colours that no tone curve changes
-  bool smooth_edges = false;  ///< opaque and transparent passes draw 4 samples a pixel
+  bool auto_exposure = false;  ///< there is an image with the exposure
+  bool unlit_image = false;    ///< there is an image for colours that no tone curve changes
+  bool smooth_edges = false;   ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;
@@ -97,6 +100,7 @@ struct MeshPipelineKey {
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
   Show show = Show::color;                            ///< Pass::show: which buffer
+  bool sums = false;                                  ///< Pass::exposure: the first of its steps
   bool grid = false;                                  ///< Pass::ground
   OcclusionMethod occlusion = OcclusionMethod::gtao;  ///< Pass::ssao
   FrameFeatures frame;

@@ -40,6 +40,10 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::transparent:
       if (!needs.blended) return "nothing blended is in view";
       return picture ? "blended surfaces, from far to near" : "the picture shows a buffer instead";
+    case Pass::exposure:
+      if (!needs.auto_exposure) return "the exposure is given";
+      if (!picture) return "the picture shows a buffer instead";
+      return runs ? "from the log average of light" : "nothing is in view";
     case Pass::ground:
       if (!needs.ground) return "no ground is asked for, or the eye is below it";
       return picture ? "darkens what is behind, by shadows and contact" : "the picture shows a buffer instead";
@@ -66,6 +70,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::ssao:
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return std::uint64_t{work.ao_extent.width} * work.ao_extent.height;
+    case Pass::exposure:
     case Pass::tonemap:
     case Pass::show: return width * height;
   }

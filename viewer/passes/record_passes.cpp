@@ -255,9 +255,32 @@ void record_transparent(const PassContext& context) {
   draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
 }
 
-void record_tonemap(const PassContext& context) {
+/// Draws one of the two small images of the automatic exposure.
+void draw_exposure(const PassContext& context, Target target, VkExtent2D extent, VkDescriptorSet set) {
+  context.targets.next_use(context.commands, target, kWriteColor, false);
+  {
+    const Rendering rendering(context.commands, {.color = context.targets.view(target), .extent = extent});
+    const bool sums = target == Target::light_sums;
+    draw_screen(context, context.pipelines.screen({.pass = Pass::exposure, .sums = sums, .frame = context.features}),
+                set);
+  }
+  context.targets.next_use(context.commands, target, kReadInShader);
+}
+
+/// From here on the colours of the scene are read.
+void end_scene(const PassContext& context) {
   context.targets.next_use(context.commands, Target::color, kReadInShader);
   if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::unlit, kReadInShader);
+}
+
+void record_exposure(const PassContext& context) {
+  end_scene(context);
+  draw_exposure(context, Target::light_sums, {kExposureBlocks, kExposureBlocks}, context.set.set());
+  draw_exposure(context, Target::exposure, {1, 1}, context.set.before_exposure());
+}
+
+void record_tonemap(const PassContext& context) {
+  if (!context.graph.has(Pass::exposure)) end_scene(context);
   const Rendering rendering(context.commands, {.color = context.target.view, .extent = context.target.extent});
   draw_screen(context, context.pipelines.screen({.pass = Pass::tonemap, .frame = context.features}), context.set.set());
 }
@@ -299,6 +322,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::opaque: return record_opaque(context);
     case Pass::ground: return record_ground(context);
     case Pass::transparent: return record_transparent(context);
+    case Pass::exposure: return record_exposure(context);
     case Pass::tonemap: return record_tonemap(context);
     case Pass::show: return record_show(context);
     case Pass::overlay: return record_overlay(context);

@@ -67,6 +67,7 @@ struct Lighting {
   bool scene_lights =
       true;  ///< use the lights of the scene (KHR_lights_punctual) instead of the key light, if it has any
   float exposure = 1.0f;
+  bool auto_exposure = false;  ///< `exposure` is times what makes the log average of the picture middle grey
   ToneCurve tone_curve = ToneCurve::neutral;
 
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }

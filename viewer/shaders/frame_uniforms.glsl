@@ -49,3 +49,4 @@ layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radianc
 layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)
 layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depth of the light that casts shadows, 1 = near
 layout(set = 0, binding = 8) uniform sampler2D unlit_image;           // linear, premultiplied, as displayed; alpha: its share
+layout(set = 0, binding = 9) uniform sampler2D exposure_image;        // automatic exposure: one texel, or the sums that it is made of

@@ -11,13 +11,13 @@
 #include "ambient_access.glsl"
 #include "lighting.glsl"
 #include "shadow.glsl"
+#include "luminance.glsl"
 
 layout(constant_id = 0) const bool kGrid = false;
 layout(constant_id = 13) const int kLightCount = 1;
 layout(constant_id = 15) const bool kAmbient = true;   // there is an environment
 layout(constant_id = 17) const int kShadowLight = -1;  // index of the light that casts shadows, -1 = none
 
-const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
 const float kFadeStart = 0.6;       // part of the radius
 const float kLineCoverage = 0.3;
 const float kLineLight = 0.4;       // as displayed without a tone curve

@@ -11,31 +11,35 @@ layout(constant_id = 9) const int kBackdrop = 0;   // enum Backdrop: 0 plain, 1 
 layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
+layout(constant_id = 19) const bool kAutoExposure = false;   // the exposure follows the picture
+
 const float kBlurredLevel = 3.5;   // of the environment
 
 layout(location = 0) out vec4 shown;
 
 // The environment behind a pixel.
-vec3 environment_behind(vec2 pixel) {
+vec3 environment_behind(vec2 pixel, float exposure) {
   vec2 ndc = pixel / vec2(textureSize(color_image, 0)) * 2.0 - 1.0;
   vec3 direction = kParallel ? vec3(0.0, 0.0, -1.0) : vec3(vec2(ndc.x, -ndc.y) / frame.projection.xy, -1.0);
   float level = kBackdrop == 1 ? kBlurredLevel : 0.0;
   vec3 light = textureLod(environment_image, frame.environment_from_view * direction, level).rgb;
-  return tone_mapped(light * frame.environment_intensity * frame.exposure);
+  return tone_mapped(light * frame.environment_intensity * exposure);
 }
 
 void main() {
+  float exposure = frame.exposure;
+  if (kAutoExposure) exposure *= texelFetch(exposure_image, ivec2(0), 0).r;
   vec4 stored = texelFetch(color_image, ivec2(gl_FragCoord.xy), 0);
   float coverage = clamp(stored.a, 0.0, 1.0);
   vec4 unlit = kUnlitImage ? texelFetch(unlit_image, ivec2(gl_FragCoord.xy), 0) : vec4(0.0);
   float lit = coverage - clamp(unlit.a, 0.0, coverage);
-  vec3 light = lit > 0.0 ? tone_mapped(stored.rgb / lit * frame.exposure) : vec3(0.0);
+  vec3 light = lit > 0.0 ? tone_mapped(stored.rgb / lit * exposure) : vec3(0.0);
   if (kUnlitImage && unlit.a > 0.0) light = (light * lit + unlit.rgb) / coverage;
   if (kTransparentBackground) {
     shown = vec4(displayed(light), coverage);
     return;
   }
   vec3 behind = frame.background.rgb;
-  if (kBackdrop != 0) behind = environment_behind(gl_FragCoord.xy);
+  if (kBackdrop != 0) behind = environment_behind(gl_FragCoord.xy, exposure);
   shown = vec4(displayed(mix(behind, light, coverage)), 1.0);
 }

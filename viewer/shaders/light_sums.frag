@@ -1,0 +1,28 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Automatic exposure, first step: each of 32 x 32 texels sums the logarithm of light over its block of the picture, always
+// in the same order. What is unlit, the backdrop, and what gives no light do not count.
+#include "frame_uniforms.glsl"
+#include "luminance.glsl"
+
+layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
+
+const int kBlocks = 32;            // kExposureBlocks
+const float kLeastLight = 1e-6;    // less is black
+
+layout(location = 0) out vec4 sums;   // coverage * log2(luminance), coverage
+
+void main() {
+  ivec2 size = textureSize(color_image, 0), block = ivec2(gl_FragCoord.xy);
+  ivec2 first = block * size / kBlocks, end = (block + 1) * size / kBlocks;
+  sums = vec4(0.0);
+  for (int y = first.y; y < end.y; ++y)
+    for (int x = first.x; x < end.x; ++x) {
+      vec4 stored = texelFetch(color_image, ivec2(x, y), 0);
+      float lit = stored.a;
+      if (kUnlitImage) lit -= texelFetch(unlit_image, ivec2(x, y), 0).a;
+      float light = dot(stored.rgb, kLuminance);
+      if (lit > 0.0 && light > kLeastLight * lit) sums.xy += vec2(lit * log2(light / lit), lit);
+    }
+}
