@@ -21,9 +21,9 @@ constexpr std::size_t entry(std::size_t block) { return kAssetHead + block * kAs
 std::string broken_rule(const Bytes& file) {
   const auto opened = AssetFile::open(file);
   if (!opened) return opened.error().rule;
-  if (const auto sums = opened->check_sums(); !sums) return sums.error().rule;
-  const auto scene = read_scene(*opened);
-  return scene ? "" : scene.error().rule;
+  if (const auto scene = read_scene(*opened); !scene) return scene.error().rule;
+  const auto sums = opened->check_sums();
+  return sums ? "" : sums.error().rule;
 }
 
 /// The same after a number of the table was changed and the file signed anew.
@@ -53,6 +53,16 @@ TEST(asset_file, the_table_says_what_is_inside_and_where) {
   ASSERT_TRUE(bytes);
   EXPECT_EQ(bytes->data(), file.data() + opened->blocks()[2].offset) << "a view of the file";
   EXPECT_TRUE(looks_like_clips(*bytes));
+}
+
+TEST(asset_file, a_changed_block_is_refused_when_it_is_asked_for_and_others_are_read) {
+  Bytes file = write_asset_file(arm_scene());
+  file[AssetFile::open(file)->find(AssetKind::model)->offset + 40] ^= std::byte{1};
+  const AssetFile opened = *AssetFile::open(file);
+  std::vector<std::byte> unpacked;
+  EXPECT_EQ(opened.bytes_of(AssetKind::model, unpacked).error().rule, "asset-checksum");
+  EXPECT_EQ(opened.check_sums().error().block, "model");
+  EXPECT_TRUE(read_skeleton(opened));
 }
 
 TEST(asset_file, every_changed_byte_is_noticed) {
@@ -137,6 +147,27 @@ TEST(asset_file, a_packed_block_that_unpacks_to_far_more_or_to_another_size_is_r
   EXPECT_EQ(broken_by(file, entry(1) + kEntryBytes, bytes + 1), "asset-size");
   EXPECT_EQ(broken_by(file, entry(1) + kEntryBytes, bytes - 1), "asset-size");
   EXPECT_EQ(broken_by(file, entry(1) + kEntryBytes, std::uint64_t{1} << 40), "asset-memory");
+}
+
+TEST(asset_file, what_packs_so_well_that_it_looks_like_an_attack_is_left_as_it_is) {
+  Scene scene = arm_scene();
+  scene.images.resize(1);
+  scene.images[0].width = scene.images[0].height = 3000;
+  scene.images[0].rgba.resize(std::size_t{4} * 3000 * 3000);
+  const Bytes file = write_asset_file(scene, {.zstd_level = 1});
+  ASSERT_EQ(broken_rule(file), "");
+  EXPECT_FALSE(AssetFile::open(file)->find(AssetKind::model)->is_packed);
+}
+
+TEST(asset_file, bytes_behind_the_last_field_of_a_block_are_refused) {
+  Bytes file = write_asset_file(arm_scene(), {.model = false, .clips = false});
+  file.push_back(std::byte{0});
+  for (const std::size_t at : {kEntryStored, kEntryBytes})
+    put_number(std::span(file), entry(0) + at, number_at<std::uint64_t>(file, entry(0) + at) + 1);
+  sign_assets(file);
+  const auto read = read_skeleton(*AssetFile::open(file));
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().detail, "bytes follow the last field of the block");
 }
 
 TEST(asset_file, bytes_between_blocks_are_zero) {

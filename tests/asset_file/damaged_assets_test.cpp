@@ -64,6 +64,8 @@ TEST(damaged_assets, a_number_that_is_wrong_in_a_scene_is_refused_in_its_block) 
       {"model", [](Scene& s) { s.meshes[0].primitives[0].positions[1].y = kNan; }},
       {"model", [](Scene& s) { s.meshes[0].primitives[0].indices[0] = 100'000; }},
       {"model", [](Scene& s) { s.materials[0].roughness = kNan; }},
+      {"model", [](Scene& s) { s.materials[0].alpha_mode = static_cast<AlphaMode>(3); }},
+      {"model", [](Scene& s) { s.lights[0].kind = static_cast<Light::Kind>(3); }},
       {"model", [](Scene& s) { s.textures[0].image = 2; }},
       {"model", [](Scene& s) { s.images[0].width = 3; }},
       {"model", [](Scene& s) { s.lights[0].joint = 100; }},
