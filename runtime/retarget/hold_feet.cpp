@@ -21,6 +21,8 @@ struct FootPoses {
   TargetLocal target;
   Set set_rotation;  ///< (joint, rotation), of the target
 };
+template <class SourceLocal, class TargetLocal, class Set>  // clang deduces these of aggregates from version 17 on
+FootPoses(SourceLocal, TargetLocal, Set)->FootPoses<SourceLocal, TargetLocal, Set>;
 
 /// A leg of the target before it is held, and where its ankle goes.
 template <class T>

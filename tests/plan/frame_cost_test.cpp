@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stages that are left out cost nothing: no work and no memory. No frame allocates.
-#include <array>
+#include <new>
 
 #include <gtest/gtest.h>
 
@@ -152,9 +152,11 @@ TEST(frame_cost, a_frame_allocates_nothing) {
 
 TEST(frame_cost, the_counter_of_allocations_counts) {
   const AllocationCounter counter;
-  { const std::vector<float> taken(10); }
-  const auto aligned = std::make_unique<std::array<FrameResult, 2>>();
-  EXPECT_GE(counter.count(), 2u);
+  // Calls by name: a compiler may leave out what a new-expression takes and nothing reads.
+  constexpr std::align_val_t kAlignment{64};
+  ::operator delete(::operator new(10));
+  ::operator delete(::operator new(640, kAlignment), kAlignment);
+  EXPECT_EQ(counter.count(), 2u);
 }
 
 TEST(frame_cost, the_same_input_gives_the_same_bits_whatever_ran_before) {
