@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -205,7 +205,8 @@ class CarefulList {
   HWY_NOINLINE void clear() {
     for (std::size_t i = 0; i < count_; ++i)
       for (unsigned left = tiles_[i].lanes; left != 0; left &= left - 1) {
-        const std::size_t face = tiles_[i].first + vertex_of_lane(static_cast<std::size_t>(std::countr_zero(left)));
+        const std::size_t face =
+            tiles_[i].first + vertex_of_quarter_lane(static_cast<std::size_t>(std::countr_zero(left)));
         if (face < face_count_) redo(face);
       }
     count_ = 0;

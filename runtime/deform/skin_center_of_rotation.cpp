@@ -55,7 +55,7 @@ HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences
   for_each_quarter([&](auto q) HWY_ATTR {
     quarters[q] = transform_points(blend_columns(PaletteBases(palette), joints, q), load_spread<q>(centers));
   });
-  const Lanes4 moved = transpose(quarters[0], quarters[1], quarters[2], quarters[3]);
+  const Lanes4 moved = lanes_of_quarters(quarters[0], quarters[1], quarters[2], quarters[3]);
   return {moved.x, moved.y, moved.z};
 #endif
 }

@@ -132,10 +132,10 @@ struct SkinRow {
                                   std::size_t t) const {
     if constexpr (kNormals)
       for_each_lane_not_in(soundness(normals),
-                           [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_lane(lane)); });
+                           [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_quarter_lane(lane)); });
     if constexpr (kTangents)
       for_each_lane_not_in(soundness(tangents),
-                           [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+                           [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_quarter_lane(lane)); });
   }
   static hn::Mask<TileTag> soundness(const KeptQuarters& kept) {
     Wide quarters[4];

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/math/quaternion.h"
 #include "runtime/pose/simd/dispatch.h"
 

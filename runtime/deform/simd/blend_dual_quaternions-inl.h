@@ -9,7 +9,7 @@
 
 #include "runtime/deform/simd/float8_lanes-inl.h"
 #include "runtime/deform/simd/hemisphere_weights-inl.h"
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
 #include "runtime/pose/joint_palette.h"
 

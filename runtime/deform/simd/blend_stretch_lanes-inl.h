@@ -8,7 +8,7 @@
 #endif
 
 #include "runtime/deform/simd/float8_lanes-inl.h"
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
 #include "runtime/pose/joint_palette.h"
 

@@ -7,7 +7,7 @@
 #define SINEW_FLOAT8_LANES_INL_H_
 #endif
 
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 #include "runtime/deform/simd/vertex_tiles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -67,8 +67,8 @@ HWY_INLINE Lanes8 lanes_of(const Float8 (&e)[kTileSize]) {
           {odd(a.x, b.x), odd(a.y, b.y), odd(a.z, b.z), odd(a.w, b.w)}};
 #elif HWY_MAX_BYTES >= 32
   const TileTag d;
-  const Lanes4 a = transpose(e[0].part[0], e[2].part[0], e[4].part[0], e[6].part[0]);
-  const Lanes4 b = transpose(e[1].part[0], e[3].part[0], e[5].part[0], e[7].part[0]);
+  const Lanes4 a = transpose(e[0].part[0], e[1].part[0], e[2].part[0], e[3].part[0]);
+  const Lanes4 b = transpose(e[4].part[0], e[5].part[0], e[6].part[0], e[7].part[0]);
   const auto low = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatLowerLower(d, of_b, of_a); };
   const auto high = [&](Wide of_a, Wide of_b) HWY_ATTR { return hn::ConcatUpperUpper(d, of_b, of_a); };
   return {{low(a.x, b.x), low(a.y, b.y), low(a.z, b.z), low(a.w, b.w)},

@@ -111,10 +111,10 @@ HWY_INLINE void store_packed(const Wide (&quarter)[4], glm::vec3* out, bool past
 
 /// Vertex of a lane after the transposition of quarters: four by four within each block, so that nothing crosses
 /// blocks.
-constexpr std::size_t vertex_of_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
+constexpr std::size_t vertex_of_quarter_lane(std::size_t lane) { return lane % 4 * kBlocks + lane / 4; }
 
-/// Makes the vectors of a tile unit, by an exact square root and division. Returns the lanes (vertex_of_lane) whose
-/// squared length is in the range in which float keeps its digits; the others come out wrong.
+/// Makes the vectors of a tile unit, by an exact square root and division. Returns the lanes (vertex_of_quarter_lane)
+/// whose squared length is in the range in which float keeps its digits; the others come out wrong.
 HWY_INLINE hn::Mask<TileTag> normalise(Wide (&quarter)[4]) {
   const TileTag d;
   const FourVectors<Wide> v = transpose_blocks(d, quarter[0], quarter[1], quarter[2], quarter[3]);

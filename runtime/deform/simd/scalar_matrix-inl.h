@@ -9,7 +9,7 @@
 #endif
 
 #include "runtime/deform/simd/blend_matrix-inl.h"
-#include "runtime/deform/simd/lanes-inl.h"
+#include "runtime/deform/simd/lane_memory-inl.h"
 
 #if HWY_TARGET == HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
