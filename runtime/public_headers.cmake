@@ -8,6 +8,7 @@ set(sinew_public_headers
   runtime/base/index.h
   runtime/base/result.h
   runtime/base/same_bits.h
+  runtime/base/shared_array.h
   runtime/base/shared_name.h
   runtime/math/affine.h
   runtime/math/axis_angle.h
@@ -45,10 +46,15 @@ set(sinew_public_headers
   runtime/animation/truth_pose.h
   runtime/clip/clip.h
   runtime/clip/clip_certificate.h
+  runtime/clip/base_numbers.h
   runtime/clip/clip_file.h
+  runtime/clip/clip_rest.h
   runtime/clip/keep_joints.h
   runtime/clip/key_tolerances.h
   runtime/clip/unpack_clip.h
+  runtime/library/bind_clips.h
+  runtime/library/clip_channels.h
+  runtime/library/clip_library.h
   runtime/model/material.h
   runtime/model/mesh.h
   runtime/model/mesh_copies.h

@@ -43,6 +43,11 @@ class BaseNumbers {
     std::copy_n(first_, size_, out);
     for (const Own& number : own_) out[number.at] = number.value;
   }
+  std::vector<float> all() const {
+    std::vector<float> numbers(size_);
+    copy_to(numbers.data());
+    return numbers;
+  }
   /// Of this clip alone.
   std::size_t byte_size() const noexcept { return own_.size() * sizeof(Own) + (is_copy_ ? size_ * sizeof(float) : 0); }
 

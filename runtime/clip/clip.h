@@ -63,7 +63,7 @@ Clip compile_clip(const Animation& animation, const Skeleton& skeleton, std::spa
                   std::span<const std::uint32_t> first_weight, const PropertyTable& properties = {},
                   const KeyTolerances& rounding = {});
 
-/// The same clip, with what was measured of it.     cost O(bytes of the clip), allocates a copy of the tracks
+/// The same clip, with what was measured of it. It shares the keys.     cost O(tracks), allocates their tables
 Clip with_certificate(const Clip& clip, const ClipCertificate& certificate);
 
 }  // namespace sinew

@@ -100,12 +100,6 @@ std::vector<float> base_values(const BasePose& base, Property property, const st
   return values;
 }
 
-std::vector<float> all_numbers(const BaseNumbers& base) {
-  std::vector<float> numbers(base.size());
-  base.copy_to(numbers.data());
-  return numbers;
-}
-
 void write_head(const ClipLayout& clip, ByteWriter& out) {
   out.add(std::span<const char>(clip.name));
   out.add(clip.duration_s);
@@ -116,8 +110,8 @@ void write_head(const ClipLayout& clip, ByteWriter& out) {
 
 /// The tracks and base values of a clip, without its name and certificate.
 void write_tracks(const ClipLayout& clip, ByteWriter& out) {
-  write_all(all_numbers(clip.base_weights), out);
-  write_all(all_numbers(clip.base_properties), out);
+  write_all(clip.base_weights.all(), out);
+  write_all(clip.base_properties.all(), out);
   out.add(static_cast<std::uint32_t>(clip.groups.size()));
   for (const TimeGroup& group : clip.groups) {
     write_times(group.times.times_s(), out);
@@ -276,7 +270,7 @@ class Loader {
     const std::uint64_t row = std::uint64_t{block.plane_count} * block.lane_count;
     require(block.rows.size() / row == keys && block.rows.size() % row == 0,
             "a block does not have a row for each key");
-    require(all_finite(block.rows), "a key is not finite");
+    require(all_finite(std::span<const float>(block.rows)), "a key is not finite");
     block.rows.resize(block.rows.size() + kLanePadding, 0.0f);
   }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/base/shared_array.h"
 #include "runtime/clip/base_numbers.h"
 #include "runtime/clip/clip.h"
 #include "runtime/clip/key_times.h"
@@ -90,7 +91,7 @@ struct TrackBlock {
   std::uint32_t value_plane = 0;       ///< first plane of the key's own value
   std::vector<std::uint32_t> targets;  ///< [lane_count] joint, or index of the morph weight or number; increasing
   JointPlaces places;                  ///< where targets are joints; those of weights and numbers are neighbours
-  std::vector<float> rows;  ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
+  SharedArray<float> rows;  ///< [key][plane][lane], and kLanePadding more numbers: lanes may read past the end
   PackedRows packed;        ///< instead of `rows` for step and linear tracks with rounded keys
 
   const float* plane(std::size_t key, std::size_t p) const noexcept {

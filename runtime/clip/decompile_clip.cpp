@@ -73,12 +73,6 @@ WeightTrack constant(std::span<const float> values) {
   return {Interpolation::step, {0.0f}, {values.begin(), values.end()}, static_cast<std::uint32_t>(values.size())};
 }
 
-std::vector<float> all_numbers(const BaseNumbers& base) {
-  std::vector<float> numbers(base.size());
-  base.copy_to(numbers.data());
-  return numbers;
-}
-
 class Decompiler {
  public:
   Decompiler(const ClipLayout& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
@@ -157,7 +151,7 @@ class Decompiler {
   }
 
   void add_constant_joints() {
-    const std::vector<float> base = all_numbers(clip_.base_pose), &rest = *rest_.pose;
+    const std::vector<float> base = clip_.base_pose.all(), &rest = *rest_.pose;
     const std::size_t stride = BasePose::stride_for(clip_.joint_count);
     const auto differs = [&](Property property, std::size_t joint) {
       bool any = false;
@@ -185,7 +179,7 @@ class Decompiler {
 
   /// Runs of weights of one instance that the clip holds at other values than those at rest.
   void add_constant_weights() {
-    const std::vector<float> base = all_numbers(clip_.base_weights);
+    const std::vector<float> base = clip_.base_weights.all();
     const auto is_held = [&](std::uint32_t w) { return !weight_moves_[w] && !same_bits(base[w], (*rest_.weights)[w]); };
     for (std::uint32_t i = 0; i + 1 < first_weight_.size(); ++i)
       for (std::uint32_t first = first_weight_[i]; first < first_weight_[i + 1]; ++first) {
@@ -198,7 +192,7 @@ class Decompiler {
   }
 
   void add_constant_properties() {
-    const std::vector<float> base = all_numbers(clip_.base_properties);
+    const std::vector<float> base = clip_.base_properties.all();
     for (std::size_t e = 0; e < properties_.entries.size(); ++e) {
       const PropertyTable::Entry& entry = properties_.entries[e];
       const auto held = std::span<const float>(base).subspan(entry.first, entry.count);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "runtime/base/contract.h"
-#include "runtime/clip/clip_layout.h"
+#include "runtime/clip/move_lanes.h"
 
 namespace sinew {
 namespace {
@@ -16,44 +16,6 @@ std::vector<std::uint32_t> new_numbers(std::size_t joint_count, std::span<const 
   std::vector<std::uint32_t> numbers(joint_count, kNone);
   for (std::size_t k = 0; k < joints.size(); ++k) numbers[joints[k]] = static_cast<std::uint32_t>(k);
   return numbers;
-}
-
-bool is_of_joints(const TrackBlock& block) noexcept {
-  return block.property != Property::weight && block.property != Property::number;
-}
-
-/// [key][plane][lane] of some lanes alone.
-std::vector<float> keep_rows(const TrackBlock& block, std::span<const std::uint32_t> lanes) {
-  const std::size_t row = block.lane_count, rows = (block.rows.size() - kLanePadding) / row;
-  std::vector<float> kept;
-  kept.reserve(rows * lanes.size() + kLanePadding);
-  for (std::size_t r = 0; r < rows; ++r)
-    for (const std::uint32_t lane : lanes) kept.push_back(block.rows[r * row + lane]);
-  kept.resize(kept.size() + kLanePadding, 0.0f);
-  return kept;
-}
-
-/// The block without the lanes of joints that have no new number; without lanes where none has.
-TrackBlock keep_lanes(const TrackBlock& block, std::span<const std::uint32_t> numbers, std::size_t key_count) {
-  std::vector<std::uint32_t> lanes, targets;
-  for (std::uint32_t lane = 0; lane < block.lane_count; ++lane) {
-    if (numbers[block.targets[lane]] == kNone) continue;
-    lanes.push_back(lane);
-    targets.push_back(numbers[block.targets[lane]]);
-  }
-  TrackBlock kept = block_of(block.property, block.interpolation, lanes.size());
-  if (lanes.empty()) return kept;
-  kept.places = JointPlaces(targets);
-  kept.targets = std::move(targets);
-  if (block.packed.empty()) {
-    kept.rows = keep_rows(block, lanes);
-    return kept;
-  }
-  std::vector<PackedTrack> tracks;
-  for (const std::uint32_t lane : lanes) tracks.push_back(packed_lane(block.packed, block.lane_count, lane, key_count));
-  kept.packed = packed_rows(tracks, key_count);
-  kept.packed.power = block.packed.power;  // so that poses keep their bits
-  return kept;
 }
 
 /// Base poses of some joints. Clips that share one share the new one too.
@@ -102,11 +64,12 @@ Clip keep_tracks(const ClipLayout& whole, std::span<const std::uint32_t> numbers
   for (const TimeGroup& group : whole.groups) {
     TimeGroup left{group.times, {}};
     for (const TrackBlock& block : group.blocks) {
-      TrackBlock lanes = is_of_joints(block) ? keep_lanes(block, numbers, group.times.key_count()) : block;
-      if (lanes.lane_count == 0) continue;
-      count_tracks(lanes, kept.counts);
-      left.blocks.push_back(std::move(lanes));
+      if (is_of_joints(block))
+        add_moved_lanes(block, numbers, group.times.key_count(), left.blocks);
+      else
+        left.blocks.push_back(block);
     }
+    for (const TrackBlock& block : left.blocks) count_tracks(block, kept.counts);
     if (!left.blocks.empty()) kept.groups.push_back(std::move(left));
   }
   kept.counts.time_groups = static_cast<std::uint32_t>(kept.groups.size());

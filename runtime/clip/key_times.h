@@ -6,23 +6,25 @@
 #include <vector>
 
 #include "runtime/animation/track_sample.h"
+#include "runtime/base/shared_array.h"
 
 namespace sinew {
 
 /// The key times of one group of tracks, with a table of uniform buckets: a search costs the same for forward play and
-/// for jumps, O(1) for evenly spread keys and O(log K) at worst.
+/// for jumps, O(1) for evenly spread keys and O(log K) at worst. Copies share the times and the table.
 class KeyTimes {
  public:
   /// in   times_s[K]  K >= 1, finite, never decreasing
-  explicit KeyTimes(std::vector<float> times_s) : times_s_(std::move(times_s)) {
+  explicit KeyTimes(SharedArray<float> times_s) : times_s_(std::move(times_s)) {
     const double first = static_cast<double>(times_s_.front()), span = static_cast<double>(times_s_.back()) - first;
     const std::size_t buckets = span > 0.0 ? times_s_.size() : 1;
     buckets_per_s_ = span > 0.0 ? static_cast<double>(buckets) / span : 0.0;
     first_key_.assign(buckets + 1, 0);
-    for (const float t : times_s_) ++first_key_[bucket_of(static_cast<double>(t)) + 1];
+    std::uint32_t* const first_key = first_key_.own();
+    for (const float t : times_s_) ++first_key[bucket_of(static_cast<double>(t)) + 1];
     for (const std::uint32_t keys : first_key_)
       search_steps_ = std::max<std::size_t>(search_steps_, std::bit_width(keys));
-    for (std::size_t b = 1; b <= buckets; ++b) first_key_[b] += first_key_[b - 1];
+    for (std::size_t b = 1; b <= buckets; ++b) first_key[b] += first_key[b - 1];
   }
 
   /// The same answer as locate_key(times_s(), time_s).
@@ -57,8 +59,8 @@ class KeyTimes {
     return std::min(static_cast<std::size_t>(b), first_key_.size() - 2);
   }
 
-  std::vector<float> times_s_;
-  std::vector<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
+  SharedArray<float> times_s_;
+  SharedArray<std::uint32_t> first_key_;  ///< [buckets + 1] number of keys in all earlier buckets
   double buckets_per_s_ = 0.0;
   std::size_t search_steps_ = 0;  ///< of a binary search in the fullest bucket
 };

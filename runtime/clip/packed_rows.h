@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/base/shared_array.h"
 #include "runtime/clip/packed_keys.h"
 
 namespace sinew {
@@ -38,7 +39,7 @@ struct PackedRows {
   std::vector<std::uint8_t> kinds;    ///< [sixteens of lanes] of rotations
   std::vector<std::uint8_t> power;    ///< [key] of rotations: for their arcs to the next key (slerp_series.h); or one,
                                       ///< the usual, for all keys
-  std::vector<std::uint8_t> bits;     ///< [key][row_bytes], and kReadAhead more bytes
+  SharedArray<std::uint8_t> bits;     ///< [key][row_bytes], and kReadAhead more bytes
 
   bool empty() const noexcept { return mask.empty(); }
   std::size_t power_at(std::size_t key) const noexcept { return power[std::min(key, power.size() - 1)]; }

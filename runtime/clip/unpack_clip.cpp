@@ -18,10 +18,11 @@ void fill_rotations(TrackBlock& block, const PackedTrack& track, std::size_t lan
 
 /// Vectors, weights and numbers are their components.
 void fill_components(TrackBlock& block, const PackedTrack& track, std::size_t lane, std::size_t key_count) {
+  float* const rows = block.rows.own();
   for (std::size_t k = 0; k < key_count; ++k) {
     const std::array<float, 4> v = unpack_key(track, k);
     for (std::size_t c = 0; c < track.components; ++c)
-      block.rows[(k * block.plane_count + c) * block.lane_count + lane] = v[c];
+      rows[(k * block.plane_count + c) * block.lane_count + lane] = v[c];
   }
 }
 

@@ -76,6 +76,11 @@ bool are_instances(std::span<const std::uint32_t> named, std::size_t count) {
   return true;
 }
 
+bool fits(const Clip& clip, const Scene& scene) {
+  return clip.joint_count() == scene.skeleton.joint_count() && clip.weight_count() == scene.weight_count() &&
+         clip.property_count() == scene.properties.rest.size();
+}
+
 bool fits(const MirrorMap& map, const Scene& scene) {
   return map.joints.size() == scene.skeleton.joint_count() &&
          (map.weight_source.empty() || map.weight_source.size() == scene.weight_count());
@@ -149,8 +154,11 @@ std::bitset<kStageCount> chosen_stages(const CompiledPlan& plan) {
 
 }  // namespace
 
-Plan compile_plan(const Scene& scene, const Needs& needs) {
+Plan compile_plan(const Scene& scene, const Needs& needs) { return compile_plan(scene, scene.clips, needs); }
+
+Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& needs) {
   CONTRACT(needs.max_layers > 0);
+  CONTRACT(std::all_of(clips.begin(), clips.end(), [&](const Clip& clip) { return fits(clip, scene); }));
   CONTRACT(std::all_of(needs.masks.begin(), needs.masks.end(),
                        [&](const auto& mask) { return is_mask(mask, scene.skeleton.joint_count()); }));
   CONTRACT(are_instances(needs.cached_instances, scene.instances.size()));
@@ -161,7 +169,7 @@ Plan compile_plan(const Scene& scene, const Needs& needs) {
   CompiledPlan& plan = *made;
   plan.scene = &scene;
   plan.needs = needs;
-  plan.assets = make_assets(scene, needs.skeleton_lod, needs.mirror);
+  plan.assets = make_assets(scene, clips, needs.skeleton_lod, needs.mirror);
   plan.rest_weights = rest_weights_of(scene);
   plan.clip_tracks = tracks_of(plan.assets.clips);
   plan.moved_joints = moved_joints(plan.assets);

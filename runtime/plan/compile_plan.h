@@ -49,8 +49,8 @@ struct ClipTracks {
 ///
 /// The scene must outlive the plan and its frame buffers, at its address, and stays as it was compiled in skeleton,
 /// skins, meshes, instances, first_weight, correctives, properties and hidden_joints. The plan shares the clips: clips
-/// and animations may be added to the scene, moved and removed. Frames know the clips that were there when the plan was
-/// compiled, by the index that they had.
+/// and animations may be added to the scene, moved and removed. Frames know the clips that the plan was compiled for,
+/// by the index that they had.
 class Plan {
  public:
   /// No plan: run_plan answers size_mismatch, and nothing else may be called.
@@ -98,5 +98,10 @@ Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t j
 /// cost O(size of the scene), allocates the plan; where joints are left out also reduced copies of skeleton, clips and
 ///      skins
 Plan compile_plan(const Scene& scene, const Needs& needs);
+
+/// The same for other clips than the scene's own: those of a library for it (library/clip_library.h). Layers name them
+/// by index.
+/// in   clips   of the scene's joints, morph weights and properties; the plan shares them, so that the array may go
+Plan compile_plan(const Scene& scene, std::span<const Clip> clips, const Needs& needs);
 
 }  // namespace sinew

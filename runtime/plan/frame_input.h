@@ -17,7 +17,7 @@ enum class LayerKind : std::uint8_t { blend, add_to_rest, add_to_start };
 
 /// One clip playing at one time, with a weight.
 struct ClipLayer {
-  std::uint32_t clip = 0;  ///< index into Scene::clips as it was when the plan was compiled
+  std::uint32_t clip = 0;  ///< index into the clips that the plan was compiled for
   double time_s = 0.0;
   float weight = 1.0f;
   std::uint32_t mask = kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights and

@@ -93,19 +93,20 @@ std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& deta
   return map;
 }
 
-PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail, const std::shared_ptr<const MirrorMap>& mirror) {
+PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,
+                       const std::shared_ptr<const MirrorMap>& mirror) {
   PlanAssets assets;
   assets.joint_map = map_joints(scene, detail, mirror.get());
   std::vector<std::uint32_t> kept;
   for (std::uint32_t j = 0; j < assets.joint_map.size(); ++j)
     if (assets.joint_map[j].is_kept) kept.push_back(j);
   if (kept.size() == assets.joint_map.size()) {
-    assets.clips = scene.clips;
+    assets.clips.assign(clips.begin(), clips.end());
     assets.mirror = mirror;
     point_at(scene.skeleton, scene.skins, scene.correctives, assets);
     return assets;
   }
-  assets.clips = keep_joints(scene.clips, kept);
+  assets.clips = keep_joints(clips, kept);
   if (mirror != nullptr)
     assets.mirror = std::make_shared<const MirrorMap>(mirror_of_kept(*mirror, assets.joint_map, kept));
   const auto copies = std::make_shared<const Copies>(copy_parts(scene, assets.joint_map, kept));

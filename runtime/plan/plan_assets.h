@@ -23,7 +23,7 @@ struct JointMapping {
 /// shared with the scene, the rest is pointed at. Internal to plan/.
 struct PlanAssets {
   const Skeleton* skeleton = nullptr;  ///< [K joints]
-  std::vector<Clip> clips;             ///< [clips of the scene when the plan was compiled]
+  std::vector<Clip> clips;             ///< [clips of the plan]
   std::vector<const Skin*> skins;      ///< [skins of the scene] inverse bind matrices hold the way to a kept joint
   std::span<const PoseCorrective> correctives;
   std::shared_ptr<const MirrorMap> mirror;  ///< of the joints that poses have; null where the needs have none
@@ -39,8 +39,9 @@ struct PlanAssets {
 std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror = nullptr);
 
 /// The scene must outlive what is answered, but for its clips.
+/// in   clips  of the scene's joints, morph weights and properties
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates
-PlanAssets make_assets(const Scene& scene, const SkeletonLod& detail,
+PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,
                        const std::shared_ptr<const MirrorMap>& mirror = nullptr);
 
 /// World matrix of any joint of the scene.

@@ -63,7 +63,7 @@ TEST(key_times, P03_a_search_takes_the_same_few_comparisons_however_many_keys_th
   for (const std::size_t count : {std::size_t{2}, std::size_t{10}, std::size_t{1'000}, std::size_t{100'000}})
     for (const double fps : {24.0, 30.0, 1000.0})
       EXPECT_LE(KeyTimes(nearly_even(count, fps, random)).search_steps(), 2u) << count << " keys at " << fps;
-  EXPECT_EQ(KeyTimes({1.5f}).search_steps(), 1u);
+  EXPECT_EQ(KeyTimes(std::vector<float>{1.5f}).search_steps(), 1u);
 }
 
 TEST(key_times, P03_crowded_keys_take_no_more_comparisons_than_a_binary_search) {
@@ -78,7 +78,7 @@ TEST(key_times, P03_crowded_keys_take_no_more_comparisons_than_a_binary_search) 
 }
 
 TEST(key_times, a_time_that_is_not_a_number_falls_on_the_first_key) {
-  const KeyTimes times({1, 2, 3});
+  const KeyTimes times(std::vector<float>{1, 2, 3});
   const KeyPosition at = times.locate(std::nan(""));
   EXPECT_TRUE(at.on_key);
   EXPECT_EQ(at.key, 0u);

@@ -29,7 +29,7 @@ Scene arm_scaled_by(std::uint32_t joint, Vec3Track scale) {
 }
 
 JointScale scale_of(const Scene& scene, std::uint32_t joint, bool additive = false) {
-  return joint_scales(make_assets(scene, {}), additive)[joint];
+  return joint_scales(make_assets(scene, scene.clips, {}), additive)[joint];
 }
 
 void expect_scale(const JointScale& scale, ScaleKind kind, int sign, bool may_change) {

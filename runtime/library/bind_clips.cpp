@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/library/bind_clips.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+
+#include "runtime/clip/rebind_clip.h"
+
+namespace sinew {
+namespace {
+
+/// Where the things of a list go in another list.
+struct Match {
+  std::vector<std::uint32_t> target;
+  std::vector<bool> is_ambiguous;
+};
+
+Match each_to_itself(std::size_t count) {
+  Match match{std::vector<std::uint32_t>(count), std::vector<bool>(count)};
+  for (std::uint32_t i = 0; i < count; ++i) match.target[i] = i;
+  return match;
+}
+
+struct Named {
+  std::uint32_t first = 0, count = 0;
+};
+
+std::unordered_map<std::string_view, Named> by_name(const SharedArray<std::string>& names) {
+  std::unordered_map<std::string_view, Named> found;
+  for (std::uint32_t i = 0; i < names.size(); ++i)
+    if (!names[i].empty()) ++found.try_emplace(names[i], Named{i, 0}).first->second.count;
+  return found;
+}
+
+Match match_names(const SharedArray<std::string>& from, const SharedArray<std::string>& to) {
+  Match match{std::vector<std::uint32_t>(from.size(), kNone), std::vector<bool>(from.size())};
+  const auto here = by_name(from), there = by_name(to);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const auto found = there.find(from[i]);
+    if (found == there.end()) continue;
+    match.is_ambiguous[i] = found->second.count > 1 || here.at(from[i]).count > 1;
+    if (!match.is_ambiguous[i]) match.target[i] = found->second.first;
+  }
+  return match;
+}
+
+/// Of weights and numbers, whose lists have no order that a signature tells.
+Match match_lists(const SharedArray<std::string>& from, const SharedArray<std::string>& to) {
+  const bool all_named = std::none_of(from.begin(), from.end(), [](const std::string& name) { return name.empty(); });
+  return from.shares_with(to) || (all_named && from == to) ? each_to_itself(from.size()) : match_names(from, to);
+}
+
+void list(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// Lists what is moved and goes nowhere.
+void list_unbound(const std::vector<bool>& moved, const SharedArray<std::string>& names, const Match& match,
+                  const char* kind, Unbound& unbound) {
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (!moved[i] || match.target[i] != kNone) continue;
+    if (match.is_ambiguous[i])
+      list(unbound.ambiguous, names[i]);
+    else
+      list(unbound.missing, names[i].empty() ? kind + std::to_string(i) + " without a name" : names[i]);
+  }
+}
+
+}  // namespace
+
+void Unbound::add(const Unbound& more) {
+  for (const std::string& name : more.missing) list(missing, name);
+  for (const std::string& name : more.ambiguous) list(ambiguous, name);
+}
+
+BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, const ClipChannels& to) {
+  const Match joints =
+      from.signature == to.signature ? each_to_itself(from.joints.size()) : match_names(from.joints, to.joints);
+  const Match weights = match_lists(from.weights, to.weights), numbers = match_lists(from.numbers, to.numbers);
+  const ClipTargets targets{joints.target, weights.target, numbers.target};
+  BoundClips bound;
+  for (const Clip& clip : clips) {
+    const ClipMotion motion = motion_of(clip, from.rest);
+    list_unbound(motion.joints, from.joints, joints, "joint ", bound.unbound);
+    list_unbound(motion.weights, from.weights, weights, "morph weight ", bound.unbound);
+    list_unbound(motion.numbers, from.numbers, numbers, "property ", bound.unbound);
+    bound.clips.push_back(rebind_clip(clip, from.rest, targets, to.rest));
+  }
+  return bound;
+}
+
+}  // namespace sinew
