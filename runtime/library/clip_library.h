@@ -56,6 +56,7 @@ class ClipLibrary {
 
  private:
   friend BoundClips clips_for(const ClipLibrary& library, const Scene& scene);
+  friend class MemoryCount;
 
   /// Clips that were added at once, up to `end`.
   struct File {

@@ -46,6 +46,9 @@ class FrameBuffer {
 
   const FrameResult& result() const noexcept { return result_; }
 
+  /// Size of the block that the buffer took; 0 for the caller's own.
+  std::size_t owned_bytes() const noexcept { return block_ != nullptr ? block_.get_deleter().byte_count : 0; }
+
   /// Asks the processor for what the next run touches first, without waiting for it. For a crowd: call it for the next
   /// character while this one runs. Worth it where all buffers together exceed the caches.
   void prefetch() const noexcept;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/memory/array_bytes.h"
+#include "runtime/memory/memory_of.h"
+#include "runtime/plan/compiled_plan.h"
+
+namespace sinew {
+namespace {
+
+template <class T>
+std::size_t bytes_of_nested(const std::vector<std::vector<T>>& arrays) {
+  return bytes_of(arrays, [](const std::vector<T>& array) { return bytes_of(array); });
+}
+
+std::size_t bytes_of_influences(const VertexInfluences& influences) {
+  return bytes_of(influences.groups) + bytes_of(influences.joints) + bytes_of(influences.weights);
+}
+
+std::size_t bytes_of_combined(const std::vector<CombinedInfluences>& of_skin) {
+  return bytes_of(of_skin, [](const CombinedInfluences& c) {
+    return bytes_of_influences(c.combinations) + bytes_of_influences(c.vertices);
+  });
+}
+
+std::size_t bytes_of_needs(const Needs& needs) {
+  return bytes_of_nested(needs.masks) + bytes_of(needs.skeleton_lod.kept) + bytes_of(needs.skeleton_lod.held) +
+         bytes_of(needs.cached_instances) + bytes_of(needs.instance_skinning);
+}
+
+std::size_t bytes_of_sums(const MirroredSums& sums) {
+  return bytes_of(sums.joints) + bytes_of(sums.sources) + bytes_of(sums.factors);
+}
+
+/// Tables of one pose, primitive or skin each; those that primitives share come extra.
+std::size_t bytes_of_tables(const CompiledPlan& plan) {
+  const auto pairs = [](const PrimitiveSkinning& skinning) { return bytes_of(skinning.pairs); };
+  return bytes_of(plan.clip_tracks) + bytes_of(plan.moved_joints) + bytes_of(plan.joint_scales) +
+         bytes_of_nested(plan.masks) + bytes_of(plan.rest_weights) + bytes_of(plan.primitives) +
+         bytes_of(plan.primitive_skinning, pairs) + bytes_of(plan.flat_faces) + bytes_of(plan.surface_faces) +
+         bytes_of(plan.first_primitive) + bytes_of(plan.geometry_slot) + bytes_of(plan.instance_skinned) +
+         bytes_of(plan.instance_scales) + bytes_of(plan.palette) + bytes_of(plan.split) +
+         bytes_of(plan.combined, bytes_of_combined) + bytes_of_nested(plan.hemisphere_edges) +
+         bytes_of(plan.layout.palette_at) + bytes_of(plan.layout.split_at) + bytes_of(plan.layout.primitives);
+}
+
+std::size_t bytes_of_mirror(const MirrorTables& tables) {
+  return bytes_of(tables.copies) + bytes_of_sums(tables.translation) + bytes_of_sums(tables.rotation) +
+         bytes_of_sums(tables.scale);
+}
+
+std::size_t bytes_of_map(const MirrorMap& map) {
+  return sizeof map + bytes_of(map.joints) + bytes_of(map.unpaired) + bytes_of(map.weight_source);
+}
+
+std::size_t bytes_of_faces(const FlatFaces& faces) {
+  return sizeof faces + bytes_of(faces.runs) + bytes_of(faces.corners) + bytes_of(faces.faceless);
+}
+
+std::size_t bytes_of_faces(const SurfaceFaces& faces) {
+  return sizeof faces + bytes_of(faces.corners) + bytes_of(faces.point_of_vertex) + bytes_of(faces.tangents);
+}
+
+}  // namespace
+
+MemoryCount& MemoryCount::add(const Plan& handle) {
+  if (!is_new(handle.compiled().get())) return *this;
+  const CompiledPlan& plan = *handle.compiled();
+  const PlanAssets& assets = plan.assets;
+  bytes_.plans +=
+      sizeof plan + bytes_of_tables(plan) + bytes_of_needs(plan.needs) + bytes_of_mirror(plan.mirror_tables);
+  bytes_.plans += bytes_of(assets.clips) + bytes_of(assets.skins) + bytes_of(assets.joint_map);
+  for (const auto& map : {plan.needs.mirror, assets.mirror})
+    if (is_new(map.get())) bytes_.plans += bytes_of_map(*map);
+  for (const auto& faces : plan.flat_faces)
+    if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
+  for (const auto& faces : plan.surface_faces)
+    if (is_new(faces.get())) bytes_.plans += bytes_of_faces(*faces);
+  for (const Clip& clip : assets.clips) add(clip);
+  if (!assets.leaves_out()) return *this;
+  add(*assets.skeleton);  // the reduced copies
+  for (const Skin* skin : assets.skins) bytes_.skins += bytes_of(skin->joints) + bytes_of(skin->inverse_bind);
+  return *this;
+}
+
+MemoryCount& MemoryCount::add(const FrameBuffer& frame) {
+  bytes_.frames += frame.owned_bytes();
+  return *this;
+}
+
+}  // namespace sinew
