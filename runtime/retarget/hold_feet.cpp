@@ -41,9 +41,11 @@ LegGoal<T> leg_goal(const LegPair& leg, T ratio, T ground, const Poses& poses) {
   return goal;
 }
 
-/// How far the hips come down so that the leg reaches its goal, at most a fourth of its length.
+/// How far the hips come down so that the leg reaches its goal, at most a fourth of its length. 0 below a parent that
+/// flattens space, in which no offset is that far.
 template <class T>
 T drop_of(const LegPair& leg, const LegGoal<T>& goal) {
+  if (determinant(goal.pose.above_hips) == T(0)) return T(0);
   const TwoBonesT<T> bones{goal.pose.upper.place, goal.pose.lower.place, goal.pose.foot.place};
   const Vec3<T> way = bones.root - goal.ankle;
   const T reach = free_reach(bones), height = std::sqrt(std::max(T(0), reach * reach - way.x * way.x - way.z * way.z));

@@ -201,6 +201,84 @@ TEST(hold_feet, hips_come_down_where_a_leg_is_too_short_and_feet_in_the_air_stay
   EXPECT_TRUE(test::is_near(translation_of(after[right_foot]), translation_of(before[right_foot]), 1e-9));
 }
 
+/// A pose of the source with its left foot `up` higher than at rest, and the target's.
+struct LiftedFoot {
+  std::vector<Transformd> pose, held;
+
+  LiftedFoot(const Bodies& b, double up) : held(b.target.joint_count()) {
+    Animation animation;
+    add_key(b.source, 0.0, Vec3d(0, up, 0), {0.3, 0.4, 0.1}, animation);
+    TruthPose truth;
+    evaluate_truth(animation, b.source, 0.0, truth);
+    pose = truth.local;
+    retarget_pose(b.map, b.source, b.target, pose, held);
+  }
+};
+
+/// The same body below a root that turns and scales by a hundredth, as exporters add one.
+Skeleton below_a_root(const Skeleton& skeleton) {
+  constexpr float kScale = 0.01f;
+  std::vector<std::uint32_t> parents = {kNone};
+  for (const std::uint32_t parent : skeleton.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
+  Skeleton below = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
+  const glm::quat turn = quat_cast<float>(about_x(-1.5707963267948966));
+  below.rest[0] = {glm::vec3(0.0f), turn, glm::vec3(kScale)};
+  for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
+    Transform rest = skeleton.rest[j];
+    if (j == hips) rest.translation = rotate_vector(quat_conjugate(turn), rest.translation);
+    if (j == hips) rest.rotation = quat_conjugate(turn) * rest.rotation;
+    rest.translation /= kScale;
+    below.rest[j + 1] = rest;
+    below.names[j + 1] = skeleton.names[j];
+  }
+  return below;
+}
+
+TEST(hold_feet, hips_below_a_root_that_turns_and_scales_come_down_as_far) {
+  Bodies b;
+  const Skeleton below = below_a_root(b.target);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t j = 0; j < 9; ++j) pairs.push_back({j, j + 1});
+  const SkeletonMap map = make_skeleton_map(b.source, below, {.pairs = pairs});
+  const FeetMap feet = make_feet_map(map, b.source, below);
+  ASSERT_EQ(feet.legs.size(), 2u);
+  Animation animation;
+  add_key(b.source, 0.0, Vec3d(0, -0.04, 0.05), {0.5, 0.1, 0.0}, animation);
+  TruthPose pose;
+  evaluate_truth(animation, b.source, 0.0, pose);
+  std::vector<Transformd> plain(b.target.joint_count()), other(below.joint_count());
+  retarget_pose(b.map, b.source, b.target, pose.local, plain);
+  retarget_pose(map, b.source, below, pose.local, other);
+  const double before = plain[hips].translation.y;
+  const double ground = translation_of(pose.model[left_foot]).y - 0.1;
+  hold_feet(b.feet, ground, pose.local, plain);
+  hold_feet(feet, ground, pose.local, other);
+  EXPECT_LT(plain[hips].translation.y, before - 0.002) << "they do come down";
+  std::vector<Affined> model(plain.size()), model_below(other.size());
+  model_from_local(b.target, plain, model);
+  model_from_local(below, other, model_below);
+  for (std::size_t j = 0; j < model.size(); ++j)
+    EXPECT_TRUE(test::is_near(translation_of(model_below[j + 1]), translation_of(model[j]), 1e-6)) << j;
+}
+
+TEST(hold_feet, below_a_root_that_flattens_space_poses_stay_finite) {
+  Bodies b;
+  Skeleton flat = below_a_root(b.target);
+  flat.rest[0].scale.y = 0.0f;
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t j = 0; j < 9; ++j) pairs.push_back({j, j + 1});
+  const SkeletonMap map = make_skeleton_map(b.source, flat, {.pairs = pairs});
+  const FeetMap feet = make_feet_map(map, b.source, flat);
+  const LiftedFoot foot(b, 0.0);
+  std::vector<Transformd> held(flat.joint_count());
+  retarget_pose(map, b.source, flat, foot.pose, held);
+  hold_feet(feet, 0.3, foot.pose, held);
+  for (const Transformd& joint : held) {
+    EXPECT_TRUE(std::isfinite(safe_length(joint.translation)));
+    EXPECT_TRUE(std::isfinite(safe_length(joint.rotation)));
+  }
+}
+
 TEST(hold_feet, feet_keep_their_rotation) {
   Bodies b;
   const Animation animation = tiptoe(b.source, {}), plain = retarget_animation(animation, b.map, b.source, b.target);
@@ -226,20 +304,6 @@ TEST(hold_feet, on_its_own_skeleton_an_animation_keeps_its_bits) {
   for (std::size_t i = 0; i < held.bones.size(); ++i)
     EXPECT_EQ(held.bones[i].rotation.values, animation.bones[i].rotation.values);
 }
-
-/// A pose of the source with its left foot `up` higher than at rest, and the target's.
-struct LiftedFoot {
-  std::vector<Transformd> pose, held;
-
-  LiftedFoot(const Bodies& b, double up) : held(b.target.joint_count()) {
-    Animation animation;
-    add_key(b.source, 0.0, Vec3d(0, up, 0), {0.3, 0.4, 0.1}, animation);
-    TruthPose truth;
-    evaluate_truth(animation, b.source, 0.0, truth);
-    pose = truth.local;
-    retarget_pose(b.map, b.source, b.target, pose, held);
-  }
-};
 
 TEST(hold_feet, a_foot_in_the_air_is_as_it_was_and_comes_down_smoothly) {
   Bodies b;
