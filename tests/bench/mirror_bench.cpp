@@ -39,12 +39,15 @@ Skeleton with_other_axes(Skeleton skeleton) {
 /// A pose on the same body with other axes.
 struct Retargeted {
   Room room;
+  Skeleton target;
+  SkeletonMap map;
   RetargetTables tables;
 
-  explicit Retargeted(const std::shared_ptr<const Character>& c) : room(c) {
-    const Skeleton target = with_other_axes(c->skeleton);
-    tables = make_retarget_tables(make_skeleton_map(c->skeleton, target), c->skeleton, target);
-  }
+  explicit Retargeted(const std::shared_ptr<const Character>& c)
+      : room(c),
+        target(with_other_axes(c->skeleton)),
+        map(make_skeleton_map(c->skeleton, target)),
+        tables(make_retarget_tables(map, c->skeleton, target)) {}
   void run_job() { run(RetargetPoseJob{.tables = &tables, .pose = room.pose.span(), .retargeted = room.out.span()}); }
 };
 
@@ -53,9 +56,8 @@ struct HeldFeet {
   Retargeted on;
   FeetMap feet;
 
-  explicit HeldFeet(const std::shared_ptr<const Character>& c) : on(c) {
-    const Skeleton target = with_other_axes(c->skeleton);
-    feet = make_feet_map(make_skeleton_map(c->skeleton, target), c->skeleton, target);
+  explicit HeldFeet(const std::shared_ptr<const Character>& c)
+      : on(c), feet(make_feet_map(on.map, c->skeleton, on.target)) {
     on.run_job();
   }
   void run_job() {

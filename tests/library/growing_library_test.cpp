@@ -62,6 +62,9 @@ TEST(growing_library, a_version_keeps_its_clips_and_later_ones_keep_their_indice
   EXPECT_EQ(first.size(), scene.clips.size());
   ASSERT_EQ(second.size(), 2 * scene.clips.size());
   for (std::size_t c = 0; c < first.size(); ++c) EXPECT_EQ(&first[c].layout(), &second[c].layout());
+  const BoundClips bound = clips_for(second, scene);
+  ASSERT_EQ(bound.clips.size(), second.size()) << "each once";
+  for (std::size_t c = 0; c < second.size(); ++c) EXPECT_EQ(bound.clips[c].name(), second[c].name()) << c;
 }
 
 TEST(growing_library, characters_go_over_to_the_plan_of_the_next_version_without_a_jump) {
