@@ -41,8 +41,8 @@ std::string part_of(const std::string& path) {
   const auto starts = [&](const std::string& folder) { return path.starts_with(folder + "/"); };
   for (const auto& [folder, sees] : runtime_rows())
     if (starts(folder)) return folder;
-  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "viewer/app", "viewer/light",
-                           "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
+  for (const char* part : {"importer/tool", "importer/c", "importer/geometry_cache", "importer/ambient", "viewer/app",
+                           "viewer/light", "viewer/study", "importer", "viewer", "samples", "tests", "runtime"})
     if (starts(part)) return part;
   return "";
 }
@@ -56,6 +56,7 @@ bool sees(const std::string& from, const std::string& to) {
   if (from == "importer/c") return to.starts_with("importer") || to.starts_with("runtime");
   if (from == "importer/geometry_cache")
     return to.starts_with("importer") || kAssets.contains(to) || to == "runtime/geometry_cache";
+  if (from == "importer/ambient") return to == from || to == "importer" || kAssets.contains(to) || to == "runtime/plan";
   if (from == "importer") return to == "importer" || kAssets.contains(to);
   if (from == "viewer/light") return to == from || to == "runtime/base" || to == "runtime/math";
   if (from == "viewer") return to == "viewer" || to == "viewer/light" || to.starts_with("runtime/");
@@ -70,7 +71,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
     {"OpenMesh/", {"importer", "tests"}},
     {"meshoptimizer", {"importer", "importer/tool", "tests"}},
     {"draco/", {"importer", "tests"}},
-    {"embree", {"importer", "viewer/study", "tests"}},
+    {"embree", {"importer/ambient", "tests"}},
     {"vulkan/", {"viewer", "viewer/app", "tests"}},
     {"GLFW/", {"viewer", "viewer/app", "tests"}},
     {"imgui", {"viewer/app", "tests"}},
@@ -80,7 +81,7 @@ const std::map<std::string, std::set<std::string>> kWhoMayInclude = {
      {"runtime/base", "runtime/math", "runtime/pose", "runtime/deform", "runtime/retarget", "runtime/geometry_cache",
       "importer/tool", "tests"}},
     {"zstd", {"runtime/asset_file", "runtime/geometry_cache", "importer/geometry_cache", "importer/tool", "tests"}},
-    {"tbb/", {"runtime/threads", "importer", "importer/tool", "viewer/light", "tests"}},
+    {"tbb/", {"runtime/threads", "importer", "importer/ambient", "importer/tool", "viewer/light", "tests"}},
     {"oneapi/", {"runtime/threads", "importer", "viewer/light", "tests"}},
     {"Eigen/", {"runtime/model", "tests"}},
     {"OpenEXR/", {"viewer/light", "tests"}},
@@ -142,6 +143,8 @@ TEST(include_direction, finds_an_include_against_the_arrow) {
   EXPECT_EQ(count("importer/c/x.cpp", "\"runtime/c/handles.h\""), 0u);
   EXPECT_EQ(count("importer/read/x.cpp", "\"runtime/c/handles.h\""), 1u);
   EXPECT_EQ(count("viewer/passes/x.cpp", "\"importer/import_gltf.h\""), 1u);
+  EXPECT_EQ(count("importer/read/x.cpp", "\"importer/ambient/ray_scene.h\""), 1u);
+  EXPECT_EQ(count("importer/ambient/x.cpp", "\"runtime/pose/sample_clip.h\""), 1u);
   EXPECT_EQ(count("viewer/app/main.cpp", "\"importer/import_gltf.h\""), 0u);
   EXPECT_EQ(count("viewer/passes/x.cpp", "\"viewer/app/panel.h\""), 1u);
   EXPECT_EQ(count("samples/x/main.cpp", "\"tests/support/near.h\""), 1u);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "importer/ambient/bake_ambient_access.h"
+#include "runtime/model/scene.h"
+#include "runtime/plan/frame_result.h"
+
+namespace sinew {
+
+/// A primitive of the scene where a frame places it.
+struct PlacedSurface {
+  std::uint32_t mesh = 0, primitive = 0;
+  AccessSurface surface;
+};
+
+/// The triangles of a frame in world space, one surface for each primitive of each mesh instance and of its copies.
+/// Hidden instances are left out, and so are points and lines. Mirrored placements have their winding reversed.
+/// Surfaces of flat primitives have no normals. Blended materials block no light; where alpha masks cut, the whole
+/// triangle blocks.
+/// in   frame  with positions
+std::vector<PlacedSurface> surfaces_of(const Scene& scene, const FrameResult& frame);
+
+/// Ambient access of the vertices of each mesh: [mesh][primitive][V]. A mesh has one value for a vertex, wherever it is
+/// placed, so several instances and copies get the mean of theirs. Primitives that the frame does not show, points and
+/// lines have none.
+using MeshAccess = std::vector<std::vector<std::vector<float>>>;
+
+/// Bakes the ambient access of a scene in the pose of a frame.
+/// err, cost  those of bake_ambient_access()
+MeshAccess bake_mesh_access(const Scene& scene, const FrameResult& frame, const AccessOptions& options);
+
+}  // namespace sinew

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "importer/ambient/access_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+Primitive square(float half) {
+  Primitive p;
+  p.positions = {{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}};
+  p.normals.assign(4, {0, 1, 0});
+  p.indices = {0, 1, 2, 0, 2, 3};
+  return p;
+}
+
+Affine at_height(float y, float turned = 1.0f) {
+  Affine m;
+  m.row[1] = {0, turned, 0, y};
+  return m;
+}
+
+/// A scene of squares and the frame that places them, made by hand.
+struct Placed {
+  Scene scene;
+  std::vector<InstanceResult> instances;
+  std::vector<DeformedPrimitive> primitives;
+
+  std::uint32_t add_mesh(Primitive primitive) {
+    scene.meshes.push_back({"", {std::move(primitive)}, {}, {}});
+    return static_cast<std::uint32_t>(scene.meshes.size() - 1);
+  }
+  void add(std::uint32_t mesh, const Affine& place, bool mirrored = false) {
+    InstanceResult instance;
+    instance.world_from_mesh = place;
+    instance.first_primitive = static_cast<std::uint32_t>(primitives.size());
+    instance.mirrored = mirrored;
+    scene.instances.push_back({0, mesh});
+    instances.push_back(instance);
+    primitives.push_back({static_cast<std::uint32_t>(instances.size() - 1), 0, {}, {}, {}, {}});
+  }
+  FrameResult frame() const {
+    FrameResult result;
+    result.instances = instances;
+    result.primitives = primitives;
+    return result;
+  }
+  MeshAccess bake(std::uint32_t rays = 512) const { return bake_mesh_access(scene, frame(), {.rays = rays}); }
+};
+
+Material material(bool double_sided, AlphaMode mode) {
+  Material m;
+  m.double_sided = double_sided;
+  m.alpha_mode = mode;
+  return m;
+}
+
+TEST(access_surfaces, are_in_the_world_and_face_as_they_are_placed) {
+  Placed placed;
+  placed.add(placed.add_mesh(square(1.0f)), at_height(3.0f));
+  placed.add(0, at_height(5.0f, -1.0f), true);
+  const auto surfaces = surfaces_of(placed.scene, placed.frame());
+  ASSERT_EQ(surfaces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const AccessSurface& s = surfaces[i].surface;
+    const float up = i == 0 ? 1.0f : -1.0f;
+    const glm::vec3 &a = s.positions[s.indices[0]], &b = s.positions[s.indices[1]], &c = s.positions[s.indices[2]];
+    EXPECT_EQ(a.y, i == 0 ? 3.0f : 5.0f);
+    EXPECT_GT(glm::cross(b - a, c - a).y * up, 0.0f) << "the winding of a mirrored mesh is reversed";
+    EXPECT_EQ(s.normals[0], glm::vec3(0, up, 0));
+  }
+}
+
+TEST(access_surfaces, deformed_vertices_take_the_place_of_the_meshs_own) {
+  Placed placed;
+  placed.add(placed.add_mesh(square(1.0f)), {});
+  const std::vector<glm::vec3> moved(4, {7, 8, 9}), turned(4, {0, 0, 1});
+  placed.primitives[0].positions = moved;
+  placed.primitives[0].normals = turned;
+  const auto surfaces = surfaces_of(placed.scene, placed.frame());
+  EXPECT_EQ(surfaces[0].surface.positions, moved);
+  EXPECT_EQ(surfaces[0].surface.normals, turned);
+}
+
+TEST(access_surfaces, materials_say_what_blocks_and_points_lines_and_hidden_meshes_are_no_surfaces) {
+  Placed placed;
+  placed.scene.materials = {material(true, AlphaMode::opaque), material(false, AlphaMode::blend),
+                            material(false, AlphaMode::mask)};
+  for (const std::uint32_t m : {0u, 1u, 2u, kNone}) {
+    Primitive p = square(1.0f);
+    p.material = m;
+    p.flat_normals = m == 2u;
+    placed.add(placed.add_mesh(p), {});
+  }
+  Primitive lines = square(1.0f);
+  lines.topology = Topology::lines;
+  placed.add(placed.add_mesh(lines), {});
+  placed.add(0, {});
+  placed.instances.back().visible = false;
+  const auto surfaces = surfaces_of(placed.scene, placed.frame());
+  ASSERT_EQ(surfaces.size(), 4u);
+  const std::vector<bool> both = {true, false, false, false}, blocks = {true, false, true, true};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(surfaces[i].surface.both_sides, both[i]) << i;
+    EXPECT_EQ(surfaces[i].surface.blocks, blocks[i]) << i;
+    EXPECT_EQ(surfaces[i].surface.normals.empty(), i == 2) << "flat: vertices of faces are not one";
+  }
+}
+
+TEST(bake_mesh_access, a_mesh_at_several_places_gets_the_mean_of_them) {
+  Placed placed;
+  placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
+  placed.add(0, at_height(10.0f));
+  placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);  // a lid over the first
+  placed.add(placed.add_mesh(square(1.0f)), at_height(0.0f));
+  placed.instances.back().visible = false;
+  const MeshAccess access = placed.bake();
+  ASSERT_EQ(access[0][0].size(), 4u);
+  for (const float share : access[0][0]) EXPECT_NEAR(share, 0.5f, 0.01f);
+  EXPECT_TRUE(access[2][0].empty()) << "nobody sees it";
+}
+
+TEST(bake_mesh_access, copies_of_an_instance_count_like_instances) {
+  Placed placed;
+  placed.add(placed.add_mesh(square(1.0f)), {});
+  Transform above;
+  above.translation = {0, 10, 0};
+  placed.scene.instances[0].copies = {Transform{}, above, above};
+  placed.add(placed.add_mesh(square(50.0f)), at_height(0.01f, -1.0f), true);
+  const MeshAccess access = placed.bake();
+  for (const float share : access[0][0]) EXPECT_NEAR(share, 2.0f / 3.0f, 0.01f);
+}
+
+}  // namespace
+}  // namespace sinew
