@@ -129,7 +129,9 @@ set(sinew_public_headers
   runtime/asset_file/read_assets.h
   runtime/asset_file/write_asset_file.h
   runtime/c/clips.h
+  runtime/c/library.h
   runtime/c/messages.h
+  runtime/c/mirror.h
   runtime/c/root_motion.h
   runtime/c/skeleton_lod.h
   runtime/c/update_levels.h
@@ -137,6 +139,8 @@ set(sinew_public_headers
   runtime/c/jobs.h
   runtime/c/plan.h
   runtime/c/playback.h
+  runtime/c/pose.h
+  runtime/c/retarget.h
   runtime/c/scene.h
   runtime/c/types.h
   runtime/c_assets/sinew_assets.h

@@ -11,6 +11,9 @@ typedef enum sinew_layer_kind {
   SINEW_LAYER_ADD_TO_REST = 1,  ///< adds what the clip differs from the rest pose
   SINEW_LAYER_ADD_TO_START = 2  ///< adds what the clip differs from its own first instant
 } sinew_layer_kind;
+/// Added to a kind: the clip plays with left and right exchanged, its morph weights too (sinew_needs.mirror). Masks
+/// weigh joints of the mirrored pose.
+#define SINEW_LAYER_MIRRORED 0x100u
 
 /// One clip playing at one time. This struct never grows.
 typedef struct sinew_layer {
@@ -18,7 +21,7 @@ typedef struct sinew_layer {
   uint32_t clip;
   uint32_t mask;  ///< of sinew_needs, SINEW_NONE = all joints
   float weight;
-  uint32_t kind;  ///< sinew_layer_kind
+  uint32_t kind;  ///< sinew_layer_kind, and SINEW_LAYER_MIRRORED
 } sinew_layer;
 
 /// Where a frame takes vertices of mesh instances from in place of their pose: from sinew_geometry_player_source
@@ -71,8 +74,9 @@ void sinew_frame_destroy(sinew_frame* frame);
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
 ///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED
-///      (negative weight; weight below 1 where the plan has one layer; adding where the plan has none; an interpolation
-///      factor outside of [0, 1] or where the plan has none). Afterwards the last good frame is still there.
+///      (negative weight; mirrored where the plan has no mirror; weight below 1 where the plan has one layer; adding
+///      where the plan has none; an interpolation factor outside of [0, 1] or where the plan has none). Afterwards the
+///      last good frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Asks for the memory that the next run touches first, without waiting for it: call it for the next character of a

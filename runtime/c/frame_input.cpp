@@ -17,7 +17,7 @@ const sinew_layer* write_layers(std::span<const ClipLayer> layers, std::span<sin
   sinew_layer* first = room.data();
   for (std::size_t i = 0; i < layers.size(); ++i)
     first[i] = {layers[i].time_s, layers[i].clip, layers[i].mask, layers[i].weight,
-                static_cast<std::uint32_t>(layers[i].kind)};
+                static_cast<std::uint32_t>(layers[i].kind) | (layers[i].mirrored ? SINEW_LAYER_MIRRORED : 0u)};
   room = room.subspan(layers.size());
   return layers.empty() ? nullptr : first;
 }
@@ -30,8 +30,10 @@ sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<C
   if (count > room.size()) return SINEW_SIZE_MISMATCH;
   for (std::size_t i = 0; i < count; ++i) {
     const sinew_layer& layer = given[i];
-    if (layer.kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
-    room[i] = {layer.clip, layer.time_s, layer.weight, layer.mask, static_cast<LayerKind>(layer.kind)};
+    const std::uint32_t kind = layer.kind & ~SINEW_LAYER_MIRRORED;
+    if (kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
+    const bool mirrored = layer.kind != kind;
+    room[i] = {layer.clip, layer.time_s, layer.weight, layer.mask, static_cast<LayerKind>(kind), mirrored};
   }
   layers = room.first(count);
   return SINEW_OK;

@@ -2,14 +2,22 @@
 #pragma once
 #include <atomic>
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "runtime/c/library.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/retarget.h"
+#include "runtime/library/clip_library.h"
 #include "runtime/lod/compile_skeleton_lod.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
+#include "runtime/pose/mirror_pose.h"
+#include "runtime/retarget/feet_map.h"
+#include "runtime/retarget/retarget_pose.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)
@@ -20,7 +28,8 @@ struct sinew_scene {
 };
 
 struct sinew_plan {
-  sinew_plan(const sinew_scene& of, const sinew::Needs& needs) : scene(&of), plan(compile_plan(of.scene, needs)) {
+  sinew_plan(const sinew_scene& of, std::span<const sinew::Clip> clips, const sinew::Needs& needs)
+      : scene(&of), plan(compile_plan(of.scene, clips, needs)) {
     ++scene->plan_count;
   }
   ~sinew_plan() { --scene->plan_count; }
@@ -41,6 +50,24 @@ struct sinew_plan {
 struct sinew_skeleton_lod {
   sinew::CompiledSkeletonLod lod;
   std::vector<unsigned char> kept;  // [joints] as C reads it; empty = all
+};
+
+struct sinew_library {
+  sinew::ClipLibrary clips;
+};
+
+struct sinew_mirror {
+  std::shared_ptr<const sinew::MirrorMap> map;
+  sinew::MirrorTables tables;
+  std::vector<std::uint32_t> partner;  // [joints]
+};
+
+struct sinew_skeleton_map {
+  const sinew_scene *source, *target;
+  sinew::SkeletonMap map;
+  sinew::RetargetTables tables;
+  sinew::FeetMap feet;
+  std::vector<sinew_joint_pair> pairs;  // of `map`, as C reads them
 };
 
 struct sinew_messages {

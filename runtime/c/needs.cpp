@@ -15,7 +15,13 @@ static_assert(static_cast<int>(Skinning::linear) == SINEW_SKIN_LINEAR &&
               static_cast<int>(Skinning::center_of_rotation) == SINEW_SKIN_CENTER_OF_ROTATION &&
               static_cast<int>(NormalRule::cofactor) == SINEW_NORMALS_COFACTOR);
 
-sinew_error check(const sinew_needs& given, std::size_t joints, std::size_t instances) noexcept {
+bool fits(const MirrorMap& map, const Scene& scene) noexcept {
+  return map.joints.size() == scene.skeleton.joint_count() &&
+         (map.weight_source.empty() || map.weight_source.size() == scene.weight_count());
+}
+
+sinew_error check(const sinew_needs& given, const Scene& scene) noexcept {
+  const std::size_t joints = scene.skeleton.joint_count(), instances = scene.instances.size();
   if ((given.flags & ~kAllFlags) != 0 || given.max_layers == 0) return SINEW_UNSUPPORTED;
   if (given.skinning > SINEW_SKIN_CENTER_OF_ROTATION || given.normal_rule > SINEW_NORMALS_COFACTOR)
     return SINEW_UNSUPPORTED;
@@ -28,6 +34,7 @@ sinew_error check(const sinew_needs& given, std::size_t joints, std::size_t inst
   if (cached.count > 0 && cached.data == nullptr) return SINEW_NULL_ARGUMENT;
   for (std::size_t i = 0; i < cached.count; ++i)
     if (cached.data[i] >= instances || (i > 0 && cached.data[i] <= cached.data[i - 1])) return SINEW_INDEX_OUT_OF_RANGE;
+  if (given.mirror != nullptr && !fits(*given.mirror->map, scene)) return SINEW_SIZE_MISMATCH;
   if (given.skeleton_lod == nullptr || given.skeleton_lod->kept.empty()) return SINEW_OK;
   return given.skeleton_lod->kept.size() == joints ? SINEW_OK : SINEW_SIZE_MISMATCH;
 }
@@ -38,7 +45,7 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   sinew_needs given = sinew_default_needs();
   if (const sinew_error error = read_struct(caller, given); error != SINEW_OK) return error;
   const std::size_t joints = scene.skeleton.joint_count(), instances = scene.instances.size();
-  if (const sinew_error error = check(given, joints, instances); error != SINEW_OK) return error;
+  if (const sinew_error error = check(given, scene); error != SINEW_OK) return error;
   const auto asked = [&](std::uint32_t flag) { return (given.flags & flag) != 0; };
   needs.joints = asked(SINEW_NEED_JOINTS);
   needs.positions = asked(SINEW_NEED_POSITIONS);
@@ -61,6 +68,7 @@ sinew_error read_needs(const sinew_needs* caller, const Scene& scene, Needs& nee
   for (std::size_t i = 0; given.instance_skinning != nullptr && i < instances; ++i)
     needs.instance_skinning.push_back(static_cast<Skinning>(given.instance_skinning[i]));
   if (given.skeleton_lod != nullptr) needs.skeleton_lod = given.skeleton_lod->lod.detail;
+  if (given.mirror != nullptr) needs.mirror = given.mirror->map;
   needs.cached_instances.assign(given.cached_instances.data,
                                 given.cached_instances.data + given.cached_instances.count);
   return SINEW_OK;
@@ -80,5 +88,6 @@ sinew_needs sinew_default_needs(void) {
           .masks = nullptr,
           .instance_skinning = nullptr,
           .skeleton_lod = nullptr,
-          .cached_instances = {nullptr, 0}};
+          .cached_instances = {nullptr, 0},
+          .mirror = nullptr};
 }

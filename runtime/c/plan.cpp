@@ -11,7 +11,7 @@ sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs
   return c::guarded([&] {
     Needs wanted;
     if (const sinew_error error = c::read_needs(needs, scene->scene, wanted); error != SINEW_OK) return error;
-    *out = new sinew_plan(*scene, wanted);
+    *out = new sinew_plan(*scene, scene->scene.clips, wanted);
     return SINEW_OK;
   });
 }

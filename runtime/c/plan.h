@@ -33,6 +33,8 @@ typedef enum sinew_normal_rule { SINEW_NORMALS_LINEAR = 0, SINEW_NORMALS_COFACTO
 
 /// Joints that poses can do without (skeleton_lod.h).
 typedef struct sinew_skeleton_lod sinew_skeleton_lod;
+/// How left and right are exchanged (mirror.h).
+typedef struct sinew_mirror sinew_mirror;
 
 typedef struct sinew_needs {
   size_t struct_size;
@@ -46,6 +48,7 @@ typedef struct sinew_needs {
   const unsigned char* instance_skinning;  ///< [instances] sinew_skinning of each, or null = `skinning` for all; copied
   const sinew_skeleton_lod* skeleton_lod;  ///< made of the same scene; null = all joints; copied
   sinew_indices cached_instances;  ///< rising: mesh instances that sinew_frame_input.geometry may play in; copied
+  const sinew_mirror* mirror;      ///< of the same scene, for SINEW_LAYER_MIRRORED; null = no layer is mirrored; shared
 } sinew_needs;
 
 /// Everything but bounds, palettes, hidden meshes, adding layers and poses between updates; 4 layers of each kind;
@@ -58,8 +61,8 @@ typedef struct sinew_plan sinew_plan;
 /// in   scene  must outlive the plan;   needs  null = sinew_default_needs
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (an unknown flag or kind, no layer at all),
 ///      SINEW_INDEX_OUT_OF_RANGE (cached instances that do not exist, or do not rise),
-///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD of
-///      another scene), SINEW_OUT_OF_MEMORY
+///      SINEW_NOT_FINITE (a mask with a weight that is not finite or below 0), SINEW_SIZE_MISMATCH (skeleton LOD or
+///      mirror of another scene), SINEW_OUT_OF_MEMORY
 /// cost O(size of the scene); memory of operator new, which an engine may replace
 sinew_error sinew_plan_create(const sinew_scene* scene, const sinew_needs* needs, sinew_plan** out);
 /// Frame buffers, jobs and inputs of the plan must be gone.

@@ -37,6 +37,7 @@ const char* sinew_describe(sinew_error error) {
     case SINEW_WRONG_STRUCT_SIZE: return "a struct_size is not that of any version that this library knows";
     case SINEW_OUT_OF_MEMORY: return "out of memory";
     case SINEW_BAD_FILE: return "the file breaks a rule of its format";
+    case SINEW_UNBOUND: return "clips move what the skeleton or the scene does not have";
     default: return sinew::describe(static_cast<sinew::ErrorCode>(error)).data();  // literals, which end in a zero
   }
 }

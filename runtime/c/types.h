@@ -52,7 +52,8 @@ typedef enum sinew_error {
   SINEW_WRONG_STRUCT_SIZE = 101,  ///< struct_size is smaller than the first version of the struct, or newer than this
                                   ///< library with something in the newer part
   SINEW_OUT_OF_MEMORY = 102,
-  SINEW_BAD_FILE = 103  ///< the message says where and why
+  SINEW_BAD_FILE = 103,  ///< the message says where and why
+  SINEW_UNBOUND = 104    ///< clips move what is not there; the messages name it
 } sinew_error;
 
 /// One sentence, ended by a zero; lives for ever.

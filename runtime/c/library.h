@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/messages.h"
+#include "runtime/c/plan.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Clips of any number of files, bound by the names of joints to one skeleton. Scenes with models on that skeleton
+/// share them. A library may grow while plans run: a plan keeps the clips that it was compiled for.
+typedef struct sinew_library sinew_library;
+
+/// What happens to clips that move what the skeleton or the scene does not have.
+typedef enum sinew_if_unbound {
+  SINEW_LEAVE_OUT = 0,  ///< they play without it
+  SINEW_REFUSE = 1      ///< nothing is added, and the answer is SINEW_UNBOUND
+} sinew_if_unbound;
+
+/// An empty library.
+/// in   scene  gives the skeleton; it may go afterwards
+/// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints), allocates
+sinew_error sinew_library_create(const sinew_scene* scene, sinew_library** out);
+void sinew_library_destroy(sinew_library* library);
+
+/// Adds all clips of a scene, in their order. The library shares them, so that the scene may go.
+/// in   if_unbound  sinew_if_unbound
+/// out  unbound     owned by the caller, one line for each name that does not bind: "missing: hand", "ambiguous: arm"
+///                  (several have the name, so none was taken). NULL where all bind; may be null
+/// err  SINEW_NULL_ARGUMENT, SINEW_UNSUPPORTED (if_unbound), SINEW_UNBOUND, SINEW_OUT_OF_MEMORY. After an error the
+///      library is as before.
+/// cost O(names + clips * (joints + weights + properties)), allocates
+sinew_error sinew_library_add(sinew_library* library, const sinew_scene* scene, uint32_t if_unbound,
+                              sinew_messages** unbound);
+
+// Indices keep their clips as the library grows. What is out of range answers empty strings, 0 and SINEW_NONE.
+size_t sinew_library_clip_count(const sinew_library* library);
+sinew_string sinew_library_clip_name(const sinew_library* library, uint32_t clip);
+double sinew_library_clip_duration_s(const sinew_library* library, uint32_t clip);
+/// The one clip of that name; SINEW_NONE where there is none, and where there are several.
+uint32_t sinew_library_find(const sinew_library* library, const char* name);
+
+/// sinew_plan_create for the clips of a library in place of the scene's own: sinew_layer.clip is an index into the
+/// library as it is now. Morph weights and properties bind to the scene by name.
+/// in   library  may go, or grow, afterwards;   scene  must outlive the plan
+/// out  unbound  as in sinew_library_add; names that only other outfits have are listed, too
+/// err  as sinew_plan_create
+sinew_error sinew_plan_create_from_library(const sinew_scene* scene, const sinew_library* library,
+                                           const sinew_needs* needs, sinew_messages** unbound, sinew_plan** out);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/plan.h"
+#include "runtime/c/pose.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// How left and right of a scene are exchanged: for layers that play mirrored (sinew_needs.mirror and
+// SINEW_LAYER_MIRRORED), and for poses. Joints are paired by their names, or by their places where names do not tell;
+// morph targets by their names. Owned by the caller.
+
+/// in   scene  may go afterwards
+/// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY;   cost O(joints log joints), without names O(joints^2); allocates
+sinew_error sinew_mirror_create(const sinew_scene* scene, sinew_mirror** out);
+void sinew_mirror_destroy(sinew_mirror* mirror);
+
+typedef struct sinew_mirror_info {
+  size_t struct_size;
+  sinew_vec3 plane_normal;  ///< unit, in model space
+  float plane_offset;       ///< along the normal
+  sinew_indices partner;    ///< [joints] the joint whose motion each one takes over; itself where it has no partner
+  sinew_indices unpaired;   ///< rising: joints without a partner though their name or place asks for one
+} sinew_mirror_info;
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
+sinew_error sinew_get_mirror(const sinew_mirror* mirror, sinew_mirror_info* out);
+
+/// The mirrored pose: each joint gets what its partner has, reflected.
+/// in   pose  of the mirror's scene
+/// out  mirrored  of the same size; must not overlap
+/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost O(joints), no allocation
+sinew_error sinew_mirror_pose(const sinew_mirror* mirror, const sinew_pose* pose, const sinew_pose* mirrored);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/library.h"
+#include "runtime/c/pose.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// How poses and clips of one skeleton, the source, go to another, the target. Joints of equal names are mapped, or
+/// those that are the same bone of a human body by the names of VRM, Mixamo, Unreal, Rigify and motion capture; what
+/// finds more. Owned by the caller; any number of threads may read it.
+typedef struct sinew_skeleton_map sinew_skeleton_map;
+
+/// This struct never grows.
+typedef struct sinew_joint_pair {
+  uint32_t source, target;
+} sinew_joint_pair;
+
+typedef enum sinew_limb_directions {
+  SINEW_LIMBS_OF_SOURCE = 0,  ///< arms and legs point where those of the source do, whatever the rest poses
+  SINEW_LIMBS_OF_REST = 1     ///< the rest pose becomes the rest pose
+} sinew_limb_directions;
+
+typedef struct sinew_skeleton_map_options {
+  size_t struct_size;
+  const sinew_joint_pair* pairs;  ///< where given, nothing else is mapped; copied
+  size_t pair_count;
+  uint32_t limbs;  ///< sinew_limb_directions
+} sinew_skeleton_map_options;
+
+/// in   source, target  must outlive the map;   options  null = no pairs, SINEW_LIMBS_OF_SOURCE
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (limbs, a joint of the target in two pairs),
+///      SINEW_INDEX_OUT_OF_RANGE (pairs), SINEW_OUT_OF_MEMORY
+/// cost O(joints log joints), allocates
+sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
+                                      const sinew_skeleton_map_options* options, sinew_skeleton_map** out);
+void sinew_skeleton_map_destroy(sinew_skeleton_map* map);
+
+typedef struct sinew_skeleton_map_info {
+  size_t struct_size;
+  const sinew_joint_pair* pairs;  ///< [pair_count] by rising joints of the target
+  size_t pair_count;
+  sinew_indices unmapped_source, unmapped_target;  ///< rising
+  double height_ratio;                             ///< target to source
+  uint32_t leg_count;                              ///< legs whose feet sinew_hold_feet holds
+} sinew_skeleton_map_info;
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
+sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
+
+/// A pose of the source on the target.
+/// in   pose  of the source
+/// out  scratch     of the source; what it holds afterwards is of no use. Must not overlap `pose`
+///      retargeted  of the target; must not overlap the others
+/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH;   cost O(joints), no allocation
+sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose* pose, const sinew_pose* scratch,
+                                const sinew_pose* retargeted);
+
+/// Holds the feet of a retargeted pose: a foot that is on the ground follows the path of the source's, scaled by
+/// heights, and stands still where that stands still. Thighs and shanks turn; hips come down where legs are too short.
+/// in   ground    height of the ground below the source's feet at rest, in units of the source (sinew_find_ground)
+///      pose      of the source
+///      held      what sinew_retarget_pose answered for it; changed in place
+/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH, SINEW_NOT_FINITE;   cost O(joints of legs), no allocation
+sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,
+                            const sinew_pose* held);
+
+/// Height of the ground of a clip of the source, above that on which the rest pose stands.
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE, SINEW_OUT_OF_MEMORY;   cost O(duration * joints), allocates
+sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
+
+/// Adds a clip of the source to a library as a clip of the target, key by key where joints follow one other joint.
+/// in   library    of the target's skeleton, or one that shares names with it
+///      hold_feet  1 = feet on the ground are held, as by sinew_hold_feet
+///      if_unbound, unbound  as in sinew_library_add
+/// err  SINEW_INDEX_OUT_OF_RANGE (clip), and as sinew_library_add
+/// cost O(keys * joints), with held feet O(duration * joints); allocates
+sinew_error sinew_library_add_retargeted(sinew_library* library, const sinew_skeleton_map* map, uint32_t clip,
+                                         uint32_t hold_feet, uint32_t if_unbound, sinew_messages** unbound);
+
+#ifdef __cplusplus
+}
+#endif

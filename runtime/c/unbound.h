@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <span>
+
+#include "runtime/c/handles.h"
+#include "runtime/c/library.h"
+
+// How names that do not bind cross the C boundary.
+
+namespace sinew::c {
+
+/// One line for each name; null where there is none.
+std::unique_ptr<sinew_messages> messages_of(const Unbound& unbound);
+
+/// Adds clips to a library.
+/// err  SINEW_UNSUPPORTED (if_unbound), SINEW_UNBOUND;   throws std::bad_alloc
+sinew_error add_to(sinew_library& library, std::span<const Clip> clips, const ClipChannels& from,
+                   std::uint32_t if_unbound, sinew_messages** unbound);
+
+}  // namespace sinew::c
