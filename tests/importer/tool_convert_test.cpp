@@ -285,7 +285,31 @@ TEST(convert, mirrors_clips_key_by_key_and_names_joints_without_a_partner) {
   EXPECT_EQ(c.joint, a.joint);
   EXPECT_EQ(c.rotation.values, a.rotation.values);
   EXPECT_EQ(c.translation.values, a.translation.values);
-  EXPECT_EQ(run_tool({"convert", once, twice, "--mirror", "--fps", "30"}).status, 2);
+}
+
+TEST(convert, mirrored_clips_get_fewer_keys_and_are_measured_against_the_mirrored_truth) {
+  const ToolModelFile model;
+  write_one_arm(model);
+  const std::string whole = model.beside("whole.glb"), fewer = model.beside("fewer.glb"),
+                    frames = model.beside("frames.glb");
+  ASSERT_EQ(run_tool({"convert", model.beside("arm.gltf"), whole, "--mirror"}).status, 0);
+  const CommandOutcome budget = run_tool({"convert", model.beside("arm.gltf"), fewer, "--mirror", "--budget", "10mm"});
+  ASSERT_EQ(budget.status, 0) << budget.err;
+  EXPECT_THAT(budget.err, HasSubstr("2 of 4 joints have partners"));
+  const CommandOutcome fps = run_tool({"convert", model.beside("arm.gltf"), frames, "--mirror", "--fps", "4"});
+  ASSERT_EQ(fps.status, 0) << fps.err;
+  const auto truth = import_gltf(whole), reduced = import_gltf(fewer), resampled = import_gltf(frames);
+  ASSERT_TRUE(truth && reduced && resampled);
+  for (const auto* file : {&reduced, &resampled}) {
+    const BoneAnimation &expected = truth->scene.animations[0].bones[0], &bone = (*file)->scene.animations[0].bones[0];
+    EXPECT_EQ(bone.joint, expected.joint) << "the right arm";
+    EXPECT_EQ(bone.translation.values.front(), expected.translation.values.front());
+    EXPECT_EQ(bone.rotation.values.front(), expected.rotation.values.front());
+  }
+  EXPECT_EQ(resampled->scene.animations[0].bones[0].rotation.key_count(), 5u);
+  // Measured against clips that are not mirrored, the arm would be metres off.
+  EXPECT_THAT(budget.out, HasSubstr("10 mm"));
+  EXPECT_THAT(budget.out, Not(HasSubstr(" m ")));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "importer/tool/convert/resample_clips.h"
+#include "runtime/model/scene.h"
 #include "tests/reference/sampling.h"
 
 namespace sinew::tool {
@@ -21,7 +22,7 @@ Animation resampled(double fps, const Animate& animate, double duration_s = 0.0)
   BoneAnimation& bone = animation.bones.emplace_back();
   animate(animation, bone);
   animation.duration_s = duration_s > 0.0 ? duration_s : bone.end_time();
-  const auto out = resample_clips(scene, fps);
+  const auto out = resample_clips(scene.animations, fps);
   EXPECT_EQ(out.size(), 1u);
   EXPECT_EQ(out[0].duration_s, animation.duration_s);
   return out[0];

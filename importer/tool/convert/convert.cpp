@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,31 @@ tl::expected<OutputFiles, std::string> outputs_of(const ConvertOptions& options)
   return *std::move(outputs);
 }
 
+/// What is written in place of the clips of a file.
+struct NewClips {
+  std::vector<Animation> mirrored;         // the clips with left and right exchanged, where that is asked for
+  std::vector<Animation> fewer_keys;       // these, or the file's own, with other keys
+  std::vector<std::uint32_t> channels_to;  // RewriteOptions::channels_to
+
+  /// What other keys are measured against.
+  std::span<const Animation> truths(const Scene& scene) const { return mirrored.empty() ? scene.animations : mirrored; }
+  std::span<const Animation> written() const { return fewer_keys.empty() ? mirrored : fewer_keys; }
+};
+
+NewClips new_clips(const ConvertOptions& options, const Scene& scene, double budget_m) {
+  NewClips clips;
+  if (options.mirror) {
+    MirroredClips found = mirror_clips(scene);
+    say_error(options.in + ": " + found.summary);
+    clips.mirrored = std::move(found.animations);
+    clips.channels_to = std::move(found.channels_to);
+  }
+  const std::span<const Animation> truths = clips.truths(scene);
+  if (options.budget) clips.fewer_keys = fit_keys(scene, truths, budget_m);
+  if (options.fps) clips.fewer_keys = resample_clips({truths.begin(), truths.end()}, *options.fps);
+  return clips;
+}
+
 ExitCode convert_file(const ConvertOptions& options, bool many) {
   const auto outputs = outputs_of(options);
   if (!outputs) return fail_with(ExitCode::wrong_usage, outputs.error());
@@ -87,17 +113,9 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   rewrite.drop.insert(options.drop.begin(), options.drop.end());
   rewrite.buffer_uri = outputs->buffer.filename().string();
   const double budget_m = options.budget ? metres_of(*budget, model->scene) : kNoBudget;
-  std::vector<Animation> animations;
-  if (options.budget) animations = fit_keys(model->scene, budget_m);
-  if (options.fps) animations = resample_clips(model->scene, *options.fps);
-  MirroredClips mirrored;
-  if (options.mirror) {
-    mirrored = mirror_clips(model->scene);
-    animations = std::move(mirrored.animations);
-    rewrite.channels_to = mirrored.channels_to;
-    say_error(options.in + ": " + mirrored.summary);
-  }
-  rewrite.animations = animations;
+  const NewClips clips = new_clips(options, model->scene, budget_m);
+  rewrite.animations = clips.written();
+  rewrite.channels_to = clips.channels_to;
   rewrite.quantize = options.quantize;
   rewrite.meshopt = options.meshopt;
   const auto written = rewrite_gltf(*model, rewrite);
@@ -105,7 +123,7 @@ ExitCode convert_file(const ConvertOptions& options, bool many) {
   for (const ImportIssue& drop : written->drops) say_issue(options.in, drop);
   if (const ExitCode code = write_output(options, *outputs, *written); code != ExitCode::done) return code;
   if (options.budget || options.fps) {
-    const auto table = certificates(model->scene, outputs->file, budget_m);
+    const auto table = certificates(model->scene, clips.truths(model->scene), outputs->file, budget_m);
     if (!table) return refuse_rewrite(options.out, table.error());
     if (!many) print_result_text(*table);
   }
@@ -165,12 +183,10 @@ void add_convert(CLI::App& program, ExitCode& outcome) {
       ->type_name("N")
       ->check(CLI::Range(0.001, 1e6))
       ->excludes("--budget");
-  command
-      ->add_flag("--mirror", options->mirror,
-                 "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
-                 "places where names do not tell; joints without a partner are listed")
-      ->excludes("--budget")
-      ->excludes("--fps");
+  command->add_flag("--mirror", options->mirror,
+                    "Exchange left and right in every clip, key by key: joints are paired by their names, or by their\n"
+                    "places where names do not tell; joints without a partner are listed. With --budget or --fps the\n"
+                    "mirrored clips get fewer keys");
   command->add_flag("--quantize", options->quantize,
                     "Store normals and tangents in 8 bits, texture coordinates in 12, colours and weights in 8,\n"
                     "rotation keys in 16 (with --meshopt in 12, positions in 15 and other keys in 16)");

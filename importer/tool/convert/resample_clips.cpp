@@ -84,8 +84,7 @@ bool lasts(const Animation& animation) {
 
 }  // namespace
 
-std::vector<Animation> resample_clips(const Scene& scene, double fps) {
-  std::vector<Animation> animations = scene.animations;
+std::vector<Animation> resample_clips(std::vector<Animation> animations, double fps) {
   for (Animation& animation : animations) {
     for (BoneAnimation& bone : animation.bones) {
       resample(bone.translation, fps);

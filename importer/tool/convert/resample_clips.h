@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "runtime/animation/bone_animation.h"
-#include "runtime/model/scene.h"
 
 namespace sinew::tool {
 
-/// The scene's animations with linear keys at k / fps and at both ends of each track. STEP tracks keep their keys,
+/// Animations with linear keys at k / fps and at both ends of each track. STEP tracks keep their keys,
 /// which other times would smear (G23); a track of equal values keeps one key, and two where the clip would otherwise
 /// end sooner. Properties keep their keys.
-std::vector<Animation> resample_clips(const Scene& scene, double fps);
+std::vector<Animation> resample_clips(std::vector<Animation> animations, double fps);
 
 }  // namespace sinew::tool
