@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "importer/topology/gather_vertices.h"
+
 namespace sinew {
 namespace {
-
-template <class T>
-void permute(std::vector<T>& values, const std::vector<std::uint32_t>& source) {
-  if (values.empty()) return;
-  std::vector<T> out;
-  out.reserve(values.size());
-  for (const std::uint32_t old : source) out.push_back(values[old]);
-  values = std::move(out);
-}
 
 std::uint32_t count_of(const MergedInfluences& merged, std::uint32_t vertex) {
   return merged.first[vertex + 1] - merged.first[vertex];
@@ -70,20 +63,10 @@ std::vector<std::uint32_t> sorted_by_count(const MergedInfluences& merged, std::
 void group_vertices(Primitive& primitive, MergedInfluences merged) {
   const std::size_t vertices = primitive.vertex_count();
   if (merged.first.size() != vertices + 1 || vertices == 0) return;
-  std::vector<std::uint32_t> source = sorted_by_count(merged, vertices);
+  const std::vector<std::uint32_t> source = sorted_by_count(merged, vertices);
   const bool in_order = std::is_sorted(source.begin(), source.end());
+  if (!in_order) permute_vertices(primitive, source);
   fill_influences(primitive.influences, std::move(merged), source, in_order);
-  if (in_order) return;
-
-  std::vector<std::uint32_t> position(vertices);
-  for (std::uint32_t v = 0; v < vertices; ++v) position[source[v]] = v;
-  permute(primitive.positions, source);
-  permute(primitive.normals, source);
-  permute(primitive.tangents, source);
-  for (auto& set : primitive.texcoords) permute(set, source);
-  permute(primitive.colors, source);
-  for (auto& index : primitive.indices) index = position[index];
-  primitive.source_vertex = std::move(source);
 }
 
 }  // namespace sinew

@@ -6,6 +6,7 @@
 
 #include "importer/topology/adjacency.h"
 #include "importer/topology/face_frame.h"
+#include "importer/topology/flat_order.h"
 #include "importer/topology/split_vertices.h"
 #include "importer/topology/weld.h"
 
@@ -48,6 +49,7 @@ void make_flat_normals(Primitive& primitive) {
   std::vector<std::uint32_t> own_copy(primitive.indices.size());
   std::iota(own_copy.begin(), own_copy.end(), 0u);
   split_vertices(primitive, own_copy);
+  order_flat_corners(primitive);
 
   primitive.normals.assign(primitive.vertex_count(), kUp);
   for (std::size_t f = 0; f < primitive.indices.size() / 3; ++f) {

@@ -2,12 +2,61 @@
 #include "runtime/deform/flat_faces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sinew {
 namespace {
 
-bool is_run(std::span<const std::uint32_t> triangle) {
-  return triangle[1] == triangle[0] + 1 && triangle[2] == triangle[0] + 2;
+using Triangle = std::array<std::uint32_t, 3>;
+
+bool follows(const Triangle& next, const Triangle& triangle) {
+  return next[0] == triangle[0] + 1 && next[1] == triangle[1] + 1 && next[2] == triangle[2] + 1;
+}
+
+std::vector<Triangle> sorted_by_first_corner(std::span<const std::uint32_t> triangles) {
+  std::vector<Triangle> sorted;
+  sorted.reserve(triangles.size() / 3);
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3)
+    sorted.push_back({triangles[t], triangles[t + 1], triangles[t + 2]});
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+void append(const Triangle& triangle, std::vector<std::uint32_t>& to) {
+  to.insert(to.end(), triangle.begin(), triangle.end());
+}
+
+/// Repeats triangles from the first one on until they fill the widest vectors.
+void fill_vectors(std::vector<std::uint32_t>& corners) {
+  constexpr std::size_t kWhole = 3 * FlatStream::kFewest;
+  const std::size_t count = (corners.size() + kWhole - 1) / kWhole * kWhole;
+  corners.reserve(count);
+  for (std::size_t i = 0; corners.size() < count; ++i) corners.push_back(corners[i]);
+}
+
+/// The vertices of no triangle and of those in `alone`.
+std::vector<std::uint32_t> vertices_at_rest(std::vector<bool> has_face, std::span<const std::uint32_t> alone) {
+  for (const std::uint32_t vertex : alone) has_face[vertex] = false;
+  std::vector<std::uint32_t> at_rest;
+  for (std::uint32_t v = 0; v < has_face.size(); ++v)
+    if (!has_face[v]) at_rest.push_back(v);
+  return at_rest;
+}
+
+/// Sorts triangles that share no vertex.
+void sort_apart(std::span<const std::uint32_t> triangles, std::size_t vertex_count, FlatFaces& faces) {
+  const auto has_last_vertex = [&](const Triangle& triangle) {
+    return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();
+  };
+  const std::vector<Triangle> sorted = sorted_by_first_corner(triangles);
+  for (std::size_t t = 0, end = 0; t < sorted.size(); t = end) {
+    for (end = t + 1; end < sorted.size() && follows(sorted[end], sorted[end - 1]);) ++end;
+    if (end - t >= FlatStream::kFewest)
+      faces.streams.push_back({sorted[t], static_cast<std::uint32_t>(end - t)});
+    else
+      for (; t < end; ++t) append(sorted[t], has_last_vertex(sorted[t]) ? faces.alone : faces.corners);
+  }
+  fill_vectors(faces.corners);
 }
 
 }  // namespace
@@ -15,30 +64,18 @@ bool is_run(std::span<const std::uint32_t> triangle) {
 FlatFaces sort_flat_faces(std::span<const std::uint32_t> triangles, std::size_t vertex_count) {
   FlatFaces faces;
   triangles = triangles.first(triangles.size() / 3 * 3);
+  faces.count = triangles.size() / 3;
   std::vector<bool> has_face(vertex_count);
+  bool share_vertices = false;
   for (const std::uint32_t vertex : triangles) {
-    faces.share_vertices |= has_face[vertex];
+    share_vertices |= has_face[vertex];
     has_face[vertex] = true;
   }
-  for (std::uint32_t v = 0; v < vertex_count; ++v)
-    if (!has_face[v]) faces.faceless.push_back(v);
-  if (faces.share_vertices) {
-    faces.corners.assign(triangles.begin(), triangles.end());
-    return faces;
-  }
-  std::vector<std::uint32_t> last;
-  for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    const auto triangle = triangles.subspan(t, 3);
-    if (is_run(triangle))
-      faces.runs.push_back(triangle[0]);
-    else if (std::find(triangle.begin(), triangle.end(), vertex_count - 1) == triangle.end())
-      faces.corners.insert(faces.corners.end(), triangle.begin(), triangle.end());
-    else
-      last.assign(triangle.begin(), triangle.end());
-  }
-  faces.corners.insert(faces.corners.end(), last.begin(), last.end());
-  const auto run_of_last = std::find(faces.runs.begin(), faces.runs.end(), vertex_count - 3);
-  if (run_of_last != faces.runs.end()) std::rotate(run_of_last, run_of_last + 1, faces.runs.end());
+  if (share_vertices)
+    faces.alone.assign(triangles.begin(), triangles.end());
+  else
+    sort_apart(triangles, vertex_count, faces);
+  faces.at_rest = vertices_at_rest(std::move(has_face), faces.alone);
   return faces;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "runtime/deform/simd/lane_memory-inl.h"
+#include "runtime/deform/simd/triples-inl.h"
 #include "runtime/pose/simd/dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,15 +23,11 @@ struct FaceArrays {
   float sign;
 };
 
-/// Triangles from one on: three vertices in a row from `indices[t]` on, or any three.
-template <bool kRun>
-struct Faces {
+/// Any three vertices a triangle.
+struct CornerFaces {
   const std::uint32_t* indices;
 
-  HWY_INLINE std::size_t corner(std::size_t t, std::size_t c) const {
-    return kRun ? std::size_t{indices[t]} + c : indices[3 * t + c];
-  }
-  HWY_INLINE Faces from(std::size_t t) const { return {indices + t * (kRun ? 1 : 3)}; }
+  HWY_INLINE std::size_t corner(std::size_t t, std::size_t c) const { return indices[3 * t + c]; }
 };
 
 /// The cross product in double, so that neither tiny, huge nor narrow triangles lose their normal. False without area.
@@ -44,16 +41,46 @@ bool write_careful_normal(const FaceArrays& arrays, std::size_t a, std::size_t b
   return true;
 }
 
+/// From the second and the third corner to the first.
+struct Edges {
+  Lanes3 u, v;
+};
+
+/// Where the corners of a stream of triangles are, and where their normals go.
+struct FaceStream {
+  const glm::vec3 *a, *b, *c;
+  glm::vec3 *na, *nb, *nc;
+
+  FaceStream(const FaceArrays& arrays, const FlatStream& stream)
+      : a(arrays.positions + stream.first[0]),
+        b(arrays.positions + stream.first[1]),
+        c(arrays.positions + stream.first[2]),
+        na(arrays.normals + stream.first[0]),
+        nb(arrays.normals + stream.first[1]),
+        nc(arrays.normals + stream.first[2]) {}
+
+  HWY_INLINE Edges edges(std::size_t t) const {
+    const Triples from = load_triples(a + t);
+    return {lanes_of(minus(from, load_triples(b + t))), lanes_of(minus(from, load_triples(c + t)))};
+  }
+  HWY_INLINE void store(const Lanes3& n, std::size_t t) const {
+    const Triples normals = triples_of(n);
+    store_triples(normals, na + t);
+    store_triples(normals, nb + t);
+    store_triples(normals, nc + t);
+  }
+};
+
 #if HWY_TARGET == HWY_SCALAR
 
-template <bool kRun>
-Lanes3 load_corners(const FaceArrays& arrays, Faces<kRun> faces, std::size_t c) {
-  return load3(arrays.positions + faces.corner(0, c));
+Edges load_edges(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t) {
+  const Lanes3 a = load3(arrays.positions + faces.corner(t, 0));
+  return {minus(a, load3(arrays.positions + faces.corner(t, 1))),
+          minus(a, load3(arrays.positions + faces.corner(t, 2)))};
 }
 
-template <bool kRun>
-void store_normals(const Lanes3& n, const FaceArrays& arrays, Faces<kRun> faces) {
-  for (std::size_t c = 0; c < 3; ++c) store3(n, arrays.normals + faces.corner(0, c));
+void store_normals(const Lanes3& n, const FaceArrays& arrays, const CornerFaces& faces, std::size_t t) {
+  for (std::size_t c = 0; c < 3; ++c) store3(n, arrays.normals + faces.corner(t, c));
 }
 
 #else
@@ -91,92 +118,42 @@ HWY_INLINE void for_each_block(Wide quarter, const Body& body) {
 #endif
 }
 
-/// Calls `body(b, store, first)` for the blocks of two quarters: `store(to)` writes a block of the first, then one of
-/// the second.
-template <class Body>
-HWY_INLINE void for_each_block_pair(Wide firsts, Wide seconds, const Body& body) {
-#if HWY_MAX_BYTES >= 32
-  const hn::CappedTag<float, 8> pair;
-  const auto do_half = [&](std::size_t b, hn::Vec<decltype(pair)> first, hn::Vec<decltype(pair)> second) HWY_ATTR {
-    const auto low = hn::ConcatLowerLower(pair, second, first), high = hn::ConcatUpperUpper(pair, second, first);
-    body(
-        b, [&](float* to) HWY_ATTR { hn::StoreU(low, pair, to); }, hn::LowerHalf(low));
-    body(
-        b + 1, [&](float* to) HWY_ATTR { hn::StoreU(high, pair, to); }, hn::LowerHalf(high));
-  };
-#if HWY_MAX_BYTES >= 64
-  do_half(0, hn::LowerHalf(firsts), hn::LowerHalf(seconds));
-  do_half(2, hn::UpperHalf(pair, firsts), hn::UpperHalf(pair, seconds));
-#else
-  do_half(0, firsts, seconds);
-#endif
-#else
-  const auto store = [&](float* to) HWY_ATTR {
-    hn::StoreU(firsts, TileTag(), to);
-    hn::StoreU(seconds, TileTag(), to + kTileSize);
-  };
-  body(0, store, firsts);
-#endif
-}
-
-/// Corner `c` of a tile of triangles. Reads four floats of each, so never of the last vertex of a mesh.
-template <bool kRun>
-HWY_INLINE Lanes3 load_corners(const FaceArrays& arrays, Faces<kRun> faces, std::size_t c) {
+/// Corner `c` of the tile of triangles from `t` on. Reads four floats of each vertex, so never of the last one of a
+/// mesh.
+HWY_INLINE Lanes3 load_corners(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t, std::size_t c) {
   const auto quarter = [&](std::size_t q) HWY_ATTR {
     return join_blocks([&](std::size_t b) HWY_ATTR {
-      return hn::LoadU(BlockTag(), &arrays.positions[faces.corner(q * kBlocks + b, c)].x);
+      return hn::LoadU(BlockTag(), &arrays.positions[faces.corner(t + q * kBlocks + b, c)].x);
     });
   };
   const Lanes4 all = transpose(quarter(0), quarter(1), quarter(2), quarter(3));
   return {all.x, all.y, all.z};
 }
 
-/// (x y z x) to (y z x y) in each block.
-HWY_INLINE Wide rotated(Wide quarter) {
-  const hn::Repartition<std::uint8_t, TileTag> bytes;
-  struct Table {
-    HWY_ALIGN std::uint8_t of[4 * kTileSize];
-    constexpr Table() : of() {
-      for (std::size_t i = 0; i < 4 * kTileSize; ++i)
-        of[i] = static_cast<std::uint8_t>((i % 16 / 4 + 1) % 3 * 4 + i % 4);
-    }
-  };
-  static constexpr Table kTable;
-  return hn::BitCast(TileTag(), hn::TableLookupBytes(hn::BitCast(bytes, quarter), hn::Load(bytes, kTable.of)));
+HWY_INLINE Edges load_edges(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t) {
+  const Lanes3 a = load_corners(arrays, faces, t, 0);
+  return {minus(a, load_corners(arrays, faces, t, 1)), minus(a, load_corners(arrays, faces, t, 2))};
 }
 
-using Pair = hn::Vec<hn::CappedTag<float, 2> >;
-HWY_INLINE Pair low_pair(Block xyzx) { return hn::LowerHalf(hn::CappedTag<float, 2>(), xyzx); }
-HWY_INLINE void store_third(Block xyzx, glm::vec3& to) {
+HWY_INLINE void store_normal(Block xyz, glm::vec3& to) {
   const hn::CappedTag<float, 1> one;
-  hn::StoreU(hn::LowerHalf(one, hn::UpperHalf(hn::CappedTag<float, 2>(), xyzx)), one, &to.z);
+  const hn::CappedTag<float, 2> two;
+  hn::StoreU(hn::LowerHalf(two, xyz), two, &to.x);
+  hn::StoreU(hn::LowerHalf(one, hn::UpperHalf(two, xyz)), one, &to.z);
 }
 
-/// Writes each normal to the three vertices of its triangle, in few stores, which take most of the time. Where they go
-/// is read first: compilers would read it again after every store.
-template <bool kRun>
-HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, Faces<kRun> faces) {
+/// Where normals go is read first: compilers would read it again after every store.
+HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, const CornerFaces& faces, std::size_t t) {
   const Lanes4 all = transpose(n.x, n.y, n.z, n.x);
   const Wide quarters[4] = {all.x, all.y, all.z, all.w};
   glm::vec3* const normals = arrays.normals;
   for_each_quarter([&](auto q) HWY_ATTR {
-    if constexpr (kRun) {
-      for_each_block_pair(quarters[q], rotated(quarters[q]), [&](std::size_t b, auto store_pair, Block xyzx) HWY_ATTR {
-        glm::vec3* const to = &normals[faces.corner(q * kBlocks + b, 0)];
-        store_pair(&to->x);
-        store_third(xyzx, to[2]);
-      });
-    } else {
-      for_each_block(quarters[q], [&](std::size_t b, Block xyzx) HWY_ATTR {
-        const std::size_t t = q * kBlocks + b;
-        glm::vec3* const to[3] = {&normals[faces.corner(t, 0)], &normals[faces.corner(t, 1)],
-                                  &normals[faces.corner(t, 2)]};
-        for (glm::vec3* const corner : to) {
-          hn::StoreU(low_pair(xyzx), hn::CappedTag<float, 2>(), &corner->x);
-          store_third(xyzx, *corner);
-        }
-      });
-    }
+    for_each_block(quarters[q], [&](std::size_t b, Block xyzx) HWY_ATTR {
+      const std::size_t at = t + q * kBlocks + b;
+      glm::vec3* const to[3] = {&normals[faces.corner(at, 0)], &normals[faces.corner(at, 1)],
+                                &normals[faces.corner(at, 2)]};
+      for (glm::vec3* const corner : to) store_normal(xyzx, *corner);
+    });
   });
 }
 
@@ -184,61 +161,75 @@ HWY_INLINE void store_normals(const Lanes3& n, const FaceArrays& arrays, Faces<k
 
 /// Triangles that are left to the careful path. They are done together: branches of a tile on its own would be
 /// mispredicted, and their square roots would not overlap.
-template <bool kRun>
 class CarefulList {
  public:
-  CarefulList(const FaceArrays& arrays, Faces<kRun> faces, std::size_t count)
-      : arrays_(arrays), faces_(faces), face_count_(count) {}
+  CarefulList(const FaceArrays& arrays, CornerFaces corners) : arrays_(arrays), corners_(corners) {}
 
-  /// `first` is the number of the tile's first triangle.
-  HWY_INLINE void add(std::size_t first, hn::Mask<TileTag> unsound) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(TileTag(), unsound, bytes);
-    const auto lanes = static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
-    tiles_[count_] = {first, lanes};
-    count_ += lanes != 0;
+  HWY_INLINE void add(const FlatStream& stream, std::size_t first, hn::Mask<TileTag> unsound) {
+    add({&stream, first, lanes_of(unsound)});
   }
+  HWY_INLINE void add(std::size_t first, hn::Mask<TileTag> unsound) { add({nullptr, first, lanes_of(unsound)}); }
   /// Room for so many tiles; what they wrote before must be complete.
   HWY_INLINE void make_room(std::size_t tile_count) {
     if (HWY_UNLIKELY(count_ + tile_count > kRoom)) clear();
   }
   HWY_NOINLINE void clear() {
-    for (std::size_t i = 0; i < count_; ++i)
-      for (unsigned left = tiles_[i].lanes; left != 0; left &= left - 1) {
-        const std::size_t face =
-            tiles_[i].first + vertex_of_quarter_lane(static_cast<std::size_t>(std::countr_zero(left)));
-        if (face < face_count_) redo(face);
+    for (const Tile& tile : std::span(tiles_).first(count_)) {
+      for (unsigned left = tile.lanes; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        if (tile.stream != nullptr)
+          redo(*tile.stream, tile.first + vertex_of_triple_lane(lane));
+        else
+          redo(corners_, tile.first + vertex_of_quarter_lane(lane));
       }
+    }
     count_ = 0;
   }
 
  private:
   struct Tile {
-    std::size_t first;
+    const FlatStream* stream;  ///< null = of the other triangles
+    std::size_t first;         ///< triangle
     std::uint16_t lanes;
   };
   static constexpr std::size_t kRoom = 64;
 
-  void redo(std::size_t t) const {
-    const std::size_t corners[3] = {faces_.corner(t, 0), faces_.corner(t, 1), faces_.corner(t, 2)};
-    if (write_careful_normal(arrays_, corners[0], corners[1], corners[2])) return;
-    for (const std::size_t v : corners) arrays_.normals[v] = arrays_.rest_normals[v];
+  static HWY_INLINE std::uint16_t lanes_of(hn::Mask<TileTag> unsound) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(TileTag(), unsound, bytes);
+    return static_cast<std::uint16_t>(bytes[0] | bytes[1] << 8);
+  }
+
+  HWY_INLINE void add(const Tile& tile) {
+    tiles_[count_] = tile;
+    count_ += tile.lanes != 0;
+  }
+
+  void redo(const FlatStream& stream, std::size_t t) const {
+    redo(stream.first[0] + t, stream.first[1] + t, stream.first[2] + t);
+  }
+  void redo(CornerFaces faces, std::size_t t) const {
+    redo(faces.corner(t, 0), faces.corner(t, 1), faces.corner(t, 2));
+  }
+  void redo(std::size_t a, std::size_t b, std::size_t c) const {
+    if (write_careful_normal(arrays_, a, b, c)) return;
+    for (const std::size_t v : {a, b, c}) arrays_.normals[v] = arrays_.rest_normals[v];
   }
 
   const FaceArrays arrays_;
-  const Faces<kRun> faces_;
-  const std::size_t face_count_;
+  const CornerFaces corners_;
   std::size_t count_ = 0;
   Tile tiles_[kRoom];
 };
 
 /// Lanes where float is exact enough: both edges and the area keep their digits, and the edges are not nearly parallel.
+/// An area that is too large fails as if the edges were parallel.
 HWY_INLINE hn::Mask<TileTag> is_sound(const Lanes3& u, const Lanes3& v, Wide squared_area) {
   const TileTag d;
   const Wide uu = dot(u, u), vv = dot(v, v);
-  const auto has_edges = hn::Gt(hn::Min(uu, vv), hn::Set(d, 1e-30f));
-  const auto is_wide = hn::Gt(hn::Mul(squared_area, hn::Set(d, 64.0f)), hn::Mul(uu, vv));
-  return hn::And(keeps_digits(squared_area), hn::And(has_edges, is_wide));
+  const auto keep_digits = hn::Gt(hn::Min(hn::Min(uu, vv), squared_area), hn::Set(d, 1e-30f));
+  const Wide area = hn::Min(squared_area, hn::Set(d, 1e30f));
+  return hn::And(keep_digits, hn::Gt(hn::Mul(area, hn::Set(d, 64.0f)), hn::Mul(uu, vv)));
 }
 
 /// Normals of a tile, kept in memory for later.
@@ -257,72 +248,59 @@ struct KeptNormals {
   }
 };
 
-/// Normals of a tile of triangles. Returns the lanes that are left to the careful path.
-template <bool kRun>
-HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, Faces<kRun> faces, KeptNormals& normals) {
+/// Normals of the tile of triangles from `t` on. Returns the lanes that are left to the careful path.
+HWY_INLINE hn::Mask<TileTag> find_normals(const FaceArrays& arrays, const CornerFaces& faces, std::size_t t,
+                                          KeptNormals& normals) {
   const TileTag d;
-  const Lanes3 a = load_corners(arrays, faces, 0);
-  const Lanes3 u = minus(load_corners(arrays, faces, 1), a), v = minus(load_corners(arrays, faces, 2), a);
+  const auto [u, v] = load_edges(arrays, faces, t);
   const Lanes3 n = cross(u, v);
   const Wide squared = dot(n, n);
   normals.keep(times(n, hn::Div(hn::Set(d, arrays.sign), hn::Sqrt(squared))));
   return hn::Not(is_sound(u, v, squared));
 }
 
-/// Up to one tile of triangles, through copies: nothing past the vertices is read or written.
-template <bool kRun>
-hn::Mask<TileTag> flatten_last(const FaceArrays& arrays, Faces<kRun> faces, std::size_t count) {
-  glm::vec3 positions[3 * kTileSize + 1], normals[3 * kTileSize];
-  std::uint32_t own[kTileSize];
-  for (std::size_t t = 0; t < kTileSize; ++t) {
-    own[t] = static_cast<std::uint32_t>(3 * t);
-    for (std::size_t c = 0; c < 3; ++c)
-      positions[3 * t + c] = arrays.positions[faces.corner(std::min(t, count - 1), c)];
+/// The last tile ends with the stream, so that it may do triangles again.
+void flatten(const FaceArrays& arrays, const FlatStream& stream, CarefulList& careful) {
+  const FaceStream faces(arrays, stream);
+  const std::size_t count = stream.count, last = count - kTileSize;
+  const Wide sign = hn::Set(TileTag(), arrays.sign);
+  for (std::size_t t = 0; t < count; t += kTileSize) {
+    const std::size_t first = std::min(t, last);
+    careful.make_room(1);
+    const auto [u, v] = faces.edges(first);
+    const Lanes3 n = cross(u, v);
+    const Wide squared = dot(n, n);
+    faces.store(times(n, hn::Div(sign, hn::Sqrt(squared))), first);
+    careful.add(stream, first, hn::Not(is_sound(u, v, squared)));
   }
-  const FaceArrays copies{positions, nullptr, normals, arrays.sign};
-  KeptNormals kept;
-  const auto unsound = find_normals(copies, Faces<true>{own}, kept);
-  store_normals(kept.load(), copies, Faces<true>{own});
-  for (std::size_t t = 0; t < count; ++t)
-    for (std::size_t c = 0; c < 3; ++c) arrays.normals[faces.corner(t, c)] = normals[3 * t + c];
-  return unsound;
 }
 
-/// All triangles of a list. Normals are stored some tiles after they were found: processors do not look far enough
+/// Normals are stored some tiles after they were found: with so many small stores, processors do not look far enough
 /// ahead to overlap a square root and a division with the next tile.
-template <bool kRun>
-void flatten(const FaceArrays& arrays, std::span<const std::uint32_t> indices) {
+void flatten(const FaceArrays& arrays, CornerFaces faces, std::size_t count, CarefulList& careful) {
   constexpr std::size_t kKept = 4;
-  const Faces<kRun> faces{indices.data()};
-  const std::size_t count = indices.size() / (kRun ? 1 : 3);
-  if (count == 0) return;
-  CarefulList<kRun> careful(arrays, faces, count);
   KeptNormals kept[kKept];
-  const std::size_t last = (count - 1) / kTileSize;
-  for (std::size_t first = 0; first < last; first += kKept) {
-    const std::size_t end = std::min(last, first + kKept);
+  for (std::size_t begin = 0; begin < count; begin += kKept * kTileSize) {
+    const std::size_t end = std::min(count, begin + kKept * kTileSize);
     careful.make_room(kKept);
-    for (std::size_t t = first; t < end; ++t)
-      careful.add(t * kTileSize, find_normals(arrays, faces.from(t * kTileSize), kept[t - first]));
-    for (std::size_t t = first; t < end; ++t) store_normals(kept[t - first].load(), arrays, faces.from(t * kTileSize));
+    for (std::size_t t = begin; t < end; t += kTileSize)
+      careful.add(t, find_normals(arrays, faces, t, kept[(t - begin) / kTileSize]));
+    for (std::size_t t = begin; t < end; t += kTileSize)
+      store_normals(kept[(t - begin) / kTileSize].load(), arrays, faces, t);
   }
-  careful.make_room(1);
-  careful.add(last * kTileSize, flatten_last(arrays, faces.from(last * kTileSize), count - last * kTileSize));
-  careful.clear();
 }
 
 void flat_normals(const FlatNormalsJob& job) {
   const FlatFaces& faces = *job.faces;
   const FaceArrays arrays{job.positions.data(), job.rest_normals.data(), job.normals.data(), job.turned ? -1.0f : 1.0f};
-  if (faces.share_vertices) {
-    std::copy(job.rest_normals.begin(), job.rest_normals.end(), job.normals.begin());
-    for (std::size_t i = 0; i < faces.corners.size(); i += 3)
-      write_careful_normal(arrays, faces.corners[i], faces.corners[i + 1], faces.corners[i + 2]);
-    return;
-  }
-  for (const std::uint32_t v : faces.faceless) job.normals[v] = job.rest_normals[v];
-  flatten<true>(arrays, faces.runs);
-  flatten<false>(arrays, faces.corners);
+  for (const std::uint32_t v : faces.at_rest) job.normals[v] = job.rest_normals[v];
+  const CornerFaces corners{faces.corners.data()};
+  CarefulList careful(arrays, corners);
+  for (const FlatStream& stream : faces.streams) flatten(arrays, stream, careful);
+  flatten(arrays, corners, faces.corners.size() / 3, careful);
+  careful.clear();
+  for (std::size_t i = 0; i < faces.alone.size(); i += 3)
+    write_careful_normal(arrays, faces.alone[i], faces.alone[i + 1], faces.alone[i + 2]);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace sinew {
 /// in   faces       of the mesh (sort_flat_faces); where they share vertices, the last triangle decides
 ///      positions[V];   rest_normals[V]  kept by the vertices of triangles without area and of no triangle
 /// out  normals[V]  unit, within 2e-6 of the exact normal of the positions: edges and cross product are float where
-///      sin(b - a, c - a) exceeds 1/8 and the squares of lengths stay inside 1e-30 and 1e30, and double elsewhere
+///      sin(b - a, c - a) exceeds 1/8 and the squares of lengths stay above 1e-30, that of the area below 1e30, and
+///      double elsewhere
 /// cost O(V), no allocation; where faces share vertices ten times as long
 struct FlatNormalsJob {
   const FlatFaces* faces = nullptr;

@@ -52,7 +52,8 @@ std::size_t bytes_of_map(const MirrorMap& map) {
 }
 
 std::size_t bytes_of_faces(const FlatFaces& faces) {
-  return sizeof faces + bytes_of(faces.runs) + bytes_of(faces.corners) + bytes_of(faces.faceless);
+  return sizeof faces + bytes_of(faces.streams) + bytes_of(faces.corners) + bytes_of(faces.alone) +
+         bytes_of(faces.at_rest);
 }
 
 std::size_t bytes_of_faces(const SurfaceFaces& faces) {

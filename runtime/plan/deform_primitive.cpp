@@ -157,7 +157,7 @@ std::span<const glm::vec3> flatten_primitive(const CompiledPlan& plan, std::size
                      .rest_normals = primitive.normals,
                      .turned = turned,
                      .normals = normals});
-  work.flat_triangles += faces.count();
+  work.flat_triangles += faces.count;
   work.spent_on(Stage::flat_normals);
   return normals;
 }

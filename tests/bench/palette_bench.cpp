@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What frames do between matrices and vertices, and after them: palettes, their rigid parts, flat normals.
+#include "importer/topology/flat_order.h"
 #include "runtime/deform/flat_normals.h"
 #include "runtime/pose/hemisphere_pairs.h"
 #include "runtime/pose/joint_palette.h"
@@ -51,7 +52,9 @@ void add_palettes() {
 
 void add_flat_normals() {
   constexpr std::uint32_t kTriangles = 4'000;
-  const auto surface = std::make_shared<const Primitive>(scenes::skinned_surface(scenes::biped(), 3 * kTriangles, 4));
+  Primitive ordered = scenes::skinned_surface(scenes::biped(), 3 * kTriangles, 4);
+  order_flat_corners(ordered);
+  const auto surface = std::make_shared<const Primitive>(std::move(ordered));
   const auto faces = std::make_shared<const FlatFaces>(sort_flat_faces(surface->indices, surface->vertex_count()));
   const auto normals = std::make_shared<std::vector<glm::vec3>>(surface->vertex_count());
   add("flat_normals/sinew/4ktriangles", kTriangles, [surface, faces, normals] {

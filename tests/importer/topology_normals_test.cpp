@@ -38,6 +38,13 @@ TEST(make_flat_normals, G46_splits_every_corner_and_marks_the_primitive) {
   EXPECT_THAT(used, testing::Each(1));
 }
 
+TEST(make_flat_normals, order_corners_so_that_they_lie_in_a_row) {
+  Primitive p = test::cube();
+  make_flat_normals(p);
+  for (std::uint32_t f = 0; f < 12; ++f)
+    for (std::uint32_t k = 0; k < 3; ++k) EXPECT_EQ(p.indices[3 * f + k], 12 * k + f);
+}
+
 TEST(make_flat_normals, point_out_of_the_faces_of_a_cube) {
   Primitive p = test::cube();
   make_flat_normals(p);
