@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "importer/rewrite/add_animations.h"
+#include "importer/rewrite/add_attributes.h"
 #include "importer/rewrite/embed_images.h"
 #include "importer/rewrite/mend.h"
 #include "importer/rewrite/pack_buffer.h"
@@ -84,6 +85,7 @@ ImportResult<RewrittenFile> rewritten(const ImportedFile& file, const RewriteOpt
   if (!options.animations.empty())
     rewrite::replace_keys(document, file.scene, {options.animations, options.channels_to}, draft);
   rewrite::add_animations(file.scene, options.added_animations, draft);
+  rewrite::add_attributes(options.added_attributes, draft);
   recode(document, options, draft);
   rewrite::embed_images(document, draft);
   rewrite::remove_unused(draft);

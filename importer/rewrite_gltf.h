@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <span>
@@ -10,6 +11,13 @@
 #include "importer/import_gltf.h"
 
 namespace sinew {
+
+/// A vertex attribute of one number a vertex.
+struct AddedAttribute {
+  std::uint32_t mesh = 0, primitive = 0;  ///< of the file
+  std::string name;                       ///< with an underscore before it: an attribute that glTF does not define
+  std::vector<float> values;              ///< one for each vertex of the file's primitive, in the file's order
+};
 
 /// How a file is written again. Without a choice its data stay as they are, except that compressed data are decoded.
 struct RewriteOptions {
@@ -21,6 +29,8 @@ struct RewriteOptions {
   std::span<const std::uint32_t> channels_to = {};
   /// Animations of joints to write behind the file's. Their weights and properties are not written.
   std::span<const Animation> added_animations = {};
+  /// Vertex attributes to write beside those of the file; one of the same name is replaced.
+  std::span<const AddedAttribute> added_attributes = {};
   /// Smaller numbers, with a loss that importer/rewrite/quantize_streams.h bounds: normals and tangents in 8 bits
   /// (KHR_mesh_quantization), texture coordinates in 12, colours and weights in 8, rotation keys in 16 (12 with
   /// `meshopt`). Positions stay floats; with `meshopt` they keep 15 bits, and keys of translations and scales 16.

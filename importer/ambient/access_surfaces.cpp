@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "importer/ambient/access_surfaces.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "runtime/math/determinant_sign.h"
@@ -58,6 +60,15 @@ std::vector<PlacedSurface> surfaces_of(const Scene& scene, const FrameResult& fr
     });
   }
   return surfaces;
+}
+
+double default_access_distance_m(const Scene& scene, const FrameResult& frame) {
+  Aabb box;
+  for (const PlacedSurface& placed : surfaces_of(scene, frame))
+    for (const glm::vec3& p : placed.surface.positions) box.add(p);
+  if (box.empty()) return std::numeric_limits<double>::infinity();
+  const glm::dvec3 sides = glm::dvec3(box.upper) - glm::dvec3(box.lower);
+  return 0.25 * std::max({sides.x, sides.y, sides.z});
 }
 
 MeshAccess bake_mesh_access(const Scene& scene, const FrameResult& frame, const AccessOptions& options) {

@@ -22,6 +22,11 @@ struct PlacedSurface {
 /// in   frame  with positions
 std::vector<PlacedSurface> surfaces_of(const Scene& scene, const FrameResult& frame);
 
+/// How far ambient access looks when nobody says: far enough for what a body hides of itself, and not from wall to wall
+/// of a room, which would be black.
+/// eq   a quarter of the longest side of the box around all surfaces
+double default_access_distance_m(const Scene& scene, const FrameResult& frame);
+
 /// Ambient access of the vertices of each mesh: [mesh][primitive][V]. A mesh has one value for a vertex, wherever it is
 /// placed, so several instances and copies get the mean of theirs. Primitives that the frame does not show, points and
 /// lines have none.

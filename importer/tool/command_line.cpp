@@ -60,6 +60,9 @@ ExitCode run_command_line(int argc, const char* const* argv) {
   add_retarget(program, outcome);
   add_compile(program, outcome);
   add_bake(program, outcome);
+#ifdef SINEW_WITH_RAYS
+  add_bake_ao(program, outcome);
+#endif
 #ifdef SINEW_WITH_COST
   add_cost(program, outcome);
 #endif

@@ -14,6 +14,7 @@ void add_check(CLI::App& program, ExitCode& outcome);
 void add_plan(CLI::App& program, ExitCode& outcome);
 void add_compile(CLI::App& program, ExitCode& outcome);
 void add_bake(CLI::App& program, ExitCode& outcome);
+void add_bake_ao(CLI::App& program, ExitCode& outcome);  ///< in builds with Embree
 void add_convert(CLI::App& program, ExitCode& outcome);
 void add_retarget(CLI::App& program, ExitCode& outcome);
 void add_cost(CLI::App& program, ExitCode& outcome);  ///< in builds with Google Benchmark

@@ -4,18 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "importer/export_glb.h"
 #include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
+#include "tests/importer/gltf_validator.h"
 #include "tests/importer/tool_model.h"
 #include "tests/support/corpus.h"
 
@@ -156,37 +155,6 @@ TEST(convert, says_why_the_output_cannot_be_written) {
   EXPECT_THAT(failed.err, HasSubstr(endless + ": write-file: "));
 }
 
-/// Prints {file: [[code, rest], ...]} for the errors of the files given, with the npm package gltf-validator. Buffers
-/// and images beside a file are read, too.
-constexpr const char* kScript = R"(
-const validator = require(process.env.SINEW_GLTF_VALIDATOR || 'gltf-validator'), fs = require('fs');  // a folder, or by NODE_PATH
-const path = require('path');
-const beside = file => async uri => new Uint8Array(fs.readFileSync(path.join(path.dirname(file), decodeURIComponent(uri))));
-if (process.argv.length > 2) (async () => {
-  const out = {};
-  for (const file of process.argv.slice(2)) {
-    const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)),
-                                                 {maxIssues: 100000, externalResourceFunction: beside(file)});
-    out[file] = report.issues.messages.filter(m => m.severity == 0).map(m => [m.code, m.pointer + ' ' + m.message]);
-  }
-  console.log(JSON.stringify(out));
-})();
-)";
-
-constexpr const char* kNoValidator =
-    "no gltf-validator: install the npm package and name its folder in SINEW_GLTF_VALIDATOR";
-
-/// Errors that the validator finds in each file; nothing where the validator is not installed.
-std::optional<nlohmann::json> errors_by_validator(const ToolModelFile& folder, const std::vector<std::string>& files) {
-  const std::string script = folder.beside("validate.js"), report = folder.beside("report.json");
-  std::ofstream(script) << kScript;
-  if (std::system(("node " + script + " >/dev/null 2>&1").c_str()) != 0) return std::nullopt;
-  std::string command = "node " + script;
-  for (const std::string& file : files) command += " '" + file + "'";
-  EXPECT_EQ(std::system((command + " >" + report).c_str()), 0);
-  return nlohmann::json::parse(content_of(report));
-}
-
 TEST(convert, an_independent_validator_finds_no_error_in_the_samples_as_they_are_written) {
   const ToolModelFile folder;
   std::vector<std::string> files;
@@ -199,7 +167,7 @@ TEST(convert, an_independent_validator_finds_no_error_in_the_samples_as_they_are
   }
   ASSERT_EQ(run_tool({"convert", folder.path(), folder.beside("model.glb")}).status, 0);
   files.push_back(folder.beside("model.glb"));
-  const auto errors = errors_by_validator(folder, files);
+  const auto errors = issues_by_validator(folder, files, 0);
   if (!errors) GTEST_SKIP() << kNoValidator;
   for (const std::string& file : files) EXPECT_TRUE(errors->at(file).empty()) << file << ": " << errors->at(file);
 }
@@ -225,7 +193,7 @@ void expect_no_new_errors(const std::vector<std::string>& how, const char* exten
       pairs.emplace_back(file.string(), out);
     }
   ASSERT_FALSE(pairs.empty());
-  const auto errors = errors_by_validator(folder, files);
+  const auto errors = issues_by_validator(folder, files, 0);
   if (!errors) GTEST_SKIP() << kNoValidator;
   for (const auto& [in, out] : pairs)
     for (const auto& error : errors->at(out)) EXPECT_TRUE(has_code(errors->at(in), error[0])) << in << ": " << error;

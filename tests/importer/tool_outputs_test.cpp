@@ -38,6 +38,10 @@ const std::map<std::string, Command> kWriting = {
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"bake", in, "-o", out};
      }},
+    {"bake-ao",
+     [](const auto& in, const auto& out) {
+       return std::vector<std::string>{"bake-ao", in, "-o", out};
+     }},
     {"convert",
      [](const auto& in, const auto& out) {
        return std::vector<std::string>{"convert", in, out};
@@ -94,7 +98,7 @@ TEST(tool_outputs, an_output_never_takes_the_place_of_an_input) {
   fs::create_hard_link(model.path(), model.beside("hard.gltf"));
   for (const std::string& out :
        {model.path(), model.beside("./model.gltf"), model.beside("symbolic.gltf"), model.beside("hard.gltf")})
-    expect_refused(model.path(), out, {"sample", "compile", "bake", "convert", "retarget"});
+    expect_refused(model.path(), out, {"sample", "compile", "bake", "bake-ao", "convert", "retarget"});
   const auto left = fs::directory_iterator(fs::path(model.path()).parent_path());
   EXPECT_EQ(std::distance(left, fs::directory_iterator()), 3) << "nothing else was written";
 }
@@ -110,7 +114,7 @@ TEST(tool_outputs, buffers_and_images_of_a_file_are_inputs_too) {
     expect_refused(in, model.beside(out), {"sample", "compile", "bake"});
   fs::create_symlink("data.bin", model.beside("data.glb"));
   fs::create_symlink("data.bin", model.beside("new.bin"));
-  expect_refused(in, model.beside("data.glb"), {"convert"});
+  expect_refused(in, model.beside("data.glb"), {"convert", "bake-ao"});
   const CommandOutcome beside = run_tool({"convert", in, model.beside("new.gltf")});
   EXPECT_EQ(beside.status, 2);
   EXPECT_THAT(beside.err, HasSubstr("new.bin is read; it is left as it is")) << "the buffer beside a .gltf";

@@ -19,8 +19,7 @@ constexpr const char* kAbout =
     "What files hold, what is wrong with them, and where every joint and vertex is at any time of their clips.";
 
 constexpr const char* kEnding =
-    "`sinew COMMAND --help` explains one command.\n\n"
-    "Examples:\n"
+    "`sinew COMMAND --help` explains one command. Examples:\n"
     "  sinew info fox.glb                                  what is inside\n"
     "  sinew check fox.glb                                 every rule that the file breaks\n"
     "  sinew sample fox.glb --clip Walk --fps 30 -o walk.json\n"

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "importer/rewrite/draft.h"
+#include "importer/rewrite_gltf.h"
+
+namespace sinew::rewrite {
+
+/// Adds vertex attributes to primitives of the document; one of the same name is replaced.
+/// in    attributes   as many values as the primitive has vertices
+void add_attributes(std::span<const AddedAttribute> attributes, Draft& draft);
+
+}  // namespace sinew::rewrite

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "importer/ambient/ambient_attribute.h"
+#include "importer/file/json_pointer.h"
+#include "importer/tool/clip_choice.h"
+#include "importer/tool/commands.h"
+#include "importer/tool/files/output_check.h"
+#include "importer/tool/files/output_files.h"
+#include "importer/tool/length_text.h"
+#include "importer/tool/load_file.h"
+#include "importer/tool/messages.h"
+#include "importer/tool/model_size.h"
+#include "importer/tool/progress_line.h"
+#include "runtime/plan/run_plan.h"
+
+namespace sinew::tool {
+namespace {
+
+struct BakeAoOptions {
+  std::string file, out;
+  std::uint32_t rays = AccessOptions{}.rays;
+  std::uint64_t seed = AccessOptions{}.seed;
+  std::optional<std::string> distance, pose;
+  std::vector<std::string> drop;
+};
+
+/// The pose in which the model is baked.
+struct ChosenPose {
+  std::uint32_t clip = kNone;  ///< kNone = the rest pose
+  double time_s = 0.0;
+};
+
+/// Reads "CLIP@TIME".
+/// err   a sentence
+tl::expected<ChosenPose, std::string> pose_of(const std::optional<std::string>& text, const Scene& scene) {
+  if (!text) return ChosenPose{};
+  const std::size_t at = text->rfind('@');
+  ChosenPose pose;
+  const char* end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(at == std::string::npos ? end : text->data() + at + 1, end, pose.time_s);
+  if (error != std::errc() || stop != end || !std::isfinite(pose.time_s) || pose.time_s < 0.0)
+    return tl::unexpected(fmt::format("--pose: \"{}\" is not CLIP@SECONDS, such as Walk@0.5", *text));
+  const auto clips = choose_clips(scene, text->substr(0, at));
+  if (!clips) return tl::unexpected(fmt::format("--pose {}: no such clip; {}", *text, list_of_clips(scene)));
+  pose.clip = clips->front();
+  return pose;
+}
+
+/// Metres; infinite for "none".
+/// err   a sentence
+tl::expected<double, std::string> distance_of(const std::string& text, const Scene& scene) {
+  if (text == "none") return std::numeric_limits<double>::infinity();
+  const auto length = parse_length(text);
+  if (!length) return tl::unexpected("--distance: " + length.error());
+  const double metres = metres_of(*length, scene);
+  if (!(metres > 0.0)) return tl::unexpected(fmt::format("--distance: \"{}\" is not above 0", text));
+  return metres;
+}
+
+/// Casts the rays.
+/// err   a sentence
+tl::expected<MeshAccess, std::string> bake(const BakeAoOptions& options, const Scene& scene) {
+  const auto pose = pose_of(options.pose, scene);
+  if (!pose) return tl::unexpected(pose.error());
+  Needs needs;
+  needs.positions = needs.normals = true;
+  const Plan plan = compile_plan(scene, needs);
+  FrameBuffer frame(plan);
+  const ClipLayer layer{pose->clip, pose->time_s, 1.0f};
+  FrameInput input;
+  if (pose->clip != kNone) input.layers = {&layer, 1};
+  if (run_plan(plan, input, frame) != ErrorCode::ok) return tl::unexpected(std::string("the pose cannot be evaluated"));
+  AccessOptions how{.rays = options.rays, .seed = options.seed};
+  if (options.distance) {
+    const auto distance = distance_of(*options.distance, scene);
+    if (!distance) return tl::unexpected(distance.error());
+    how.distance_m = *distance;
+  } else {
+    how.distance_m = default_access_distance_m(scene, frame.result());
+  }
+  ProgressLine progress;
+  how.progress = [&](double done) { progress.show("casting rays", done); };
+  return bake_mesh_access(scene, frame.result(), how);
+}
+
+/// Warns of meshes that a file shows several times: they have one value for a vertex.
+void say_means(const BakeAoOptions& options, const Scene& scene) {
+  std::vector<std::size_t> places(scene.meshes.size());
+  for (const MeshInstance& instance : scene.instances)
+    places[instance.mesh] += std::max<std::size_t>(instance.copies.size(), 1);
+  for (std::size_t m = 0; m < places.size(); ++m)
+    if (places[m] > 1)
+      say_error(fmt::format("{}: {}: warning: is at {}; its vertices get the mean of them", options.file,
+                            pointer("meshes", m), counted(places[m], "place")));
+}
+
+void print_summary(const std::vector<AddedAttribute>& attributes) {
+  std::size_t vertices = 0;
+  double sum = 0.0, darkest = 1.0;
+  for (const AddedAttribute& attribute : attributes)
+    for (const float value : attribute.values) {
+      ++vertices;
+      sum += static_cast<double>(value);
+      darkest = std::min(darkest, static_cast<double>(value));
+    }
+  print_result("{} vertices of {}: mean access {:.3f}, darkest {:.3f}\n", vertices,
+               counted(attributes.size(), "primitive"), sum / static_cast<double>(vertices), darkest);
+}
+
+ExitCode bake_ao(const BakeAoOptions& options) {
+  const auto outputs = output_files(options.out);
+  if (!outputs) return fail_with(ExitCode::wrong_usage, options.out + ": OUT must end in .glb or .gltf");
+  ImportOptions import;
+  import.decode_images = import.make_tangents = false;
+  import.carry_document = true;
+  const auto model = load_file(options.file, import);
+  if (!model) return ExitCode::input_at_fault;
+  for (const std::filesystem::path& output : outputs->all())
+    if (const auto why = objection_to_output(output, model->facts.files)) return fail_with(ExitCode::wrong_usage, *why);
+  const auto access = bake(options, model->scene);
+  if (!access) return fail_with(ExitCode::wrong_usage, access.error());
+  const std::vector<AddedAttribute> attributes = ambient_attributes(model->scene, *access);
+  if (attributes.empty())
+    return fail_with(ExitCode::input_at_fault, options.file + ": no node shows triangles, so nothing is baked");
+  say_means(options, model->scene);
+  RewriteOptions rewrite;
+  rewrite.added_attributes = attributes;
+  rewrite.drop.insert(options.drop.begin(), options.drop.end());
+  rewrite.buffer_uri = outputs->buffer.filename().string();
+  const auto written = rewrite_gltf(*model, rewrite);
+  if (!written) return refuse_rewrite(options.file, written.error());
+  for (const ImportIssue& drop : written->drops) say_issue(options.file, drop);
+  if (const ExitCode code = write_files(*outputs, *written); code != ExitCode::done) return code;
+  print_summary(attributes);
+  print_result("{}: {} bytes\n", options.out, written->file.size() + written->buffer.size());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_bake_ao(CLI::App& program, ExitCode& outcome) {
+  auto options = std::make_shared<BakeAoOptions>();
+  CLI::App* command = program.add_subcommand(
+      "bake-ao",
+      "Bake ambient access into the vertices of a file, by casting rays\n"
+      "Ambient access is the fraction of the light from all around that arrives. Each vertex casts rays over the "
+      "hemispheres of its faces; those that meet nothing within the distance count. Every primitive that a node shows "
+      "gets the attribute _AMBIENT_ACCESS, a float from 0 to 1 a vertex. A mesh at several places gets the mean of "
+      "them. `sinew-viewer OUT --ao rays` shows it.\n"
+      "\n"
+      "OUT is FILE with this attribute and everything else that the file says; what cannot be carried is listed, and "
+      "nothing is written unless --drop names it. The same file and options give the same bytes on the same kind of "
+      "machine, for any number of threads.");
+  command->add_option("FILE", options->file, "A .gltf or .glb file")->required();
+  command->add_option("-o,--output", options->out, "The .glb or .gltf file to write")->required()->type_name("OUT");
+  command->add_option("--rays", options->rays, "Rays for each vertex, shared by its faces")
+      ->check(CLI::Range(1u, 1u << 20))
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      ->add_option("--distance", options->distance,
+                   fmt::format("What is farther blocks no light, {}; or none: nothing is too far (default: a quarter "
+                               "of the longest side of the model)",
+                               kLengthHelp))
+      ->type_name("LENGTH");
+  command->add_option("--seed", options->seed, "Another number gives other rays")
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_option("--pose", options->pose, "The pose to bake, such as Walk@0.5 (default: the rest pose)")
+      ->type_name("CLIP@SECONDS");
+  command->add_option("--drop", options->drop, "What may be lost: names as they are listed, or all")
+      ->delimiter(',')
+      ->type_name("NAME[,NAME...]");
+  command->callback([options, &outcome] { outcome = bake_ao(*options); });
+}
+
+}  // namespace sinew::tool
