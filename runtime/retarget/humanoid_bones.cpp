@@ -121,4 +121,11 @@ std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton) {
   return joints;
 }
 
+std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips) {
+  std::uint32_t root = kNone;
+  for (std::uint32_t j = hips; j != kNone; j = skeleton.parents[j])
+    if (j != hips && part_of(skeleton.names[j]) == "root") root = j;
+  return root;
+}
+
 }  // namespace sinew

@@ -73,4 +73,8 @@ std::uint32_t humanoid_bone(std::string_view name) noexcept;
 /// out  [kHumanoidBones] a joint, or kNone     cost O(J log J), allocates
 std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
 
+/// The joint above the hips that carries a character through the world, by its name ("root", "Root_Bone"); the topmost
+/// of several, kNone without one.     cost O(joints above the hips)
+std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips);
+
 }  // namespace sinew

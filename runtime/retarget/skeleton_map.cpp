@@ -76,6 +76,15 @@ Pairs pairs_by_bones(std::span<const std::uint32_t> source, std::span<const std:
   return pairs;
 }
 
+/// Joints above the hips that carry the characters, where both have one. Where the source alone has one, its motion is
+/// part of what the hips see, since they see from model space.
+void add_roots(const Skeleton& source, std::span<const std::uint32_t> source_bones, const Skeleton& target,
+               std::span<const std::uint32_t> target_bones, Pairs& pairs) {
+  const std::uint32_t hips = humanoid_bone("hips"), from = find_root_joint(source, source_bones[hips]),
+                      to = find_root_joint(target, target_bones[hips]);
+  if (from != kNone && to != kNone) pairs.push_back({from, to});
+}
+
 /// R of the equation for the joints of the target that play a bone of an arm or leg; the others have none.
 std::vector<Quatd> limb_turns(const Pairs& bones, const RestPose& from, const RestPose& to,
                               std::span<const std::uint32_t> source, std::span<const std::uint32_t> target) {
@@ -112,21 +121,43 @@ Quatd without_rounding(const Quatd& q) noexcept {
              : q;
 }
 
+/// The rule of each joint of the target: its own, else that of its parent.
+std::vector<TranslationRule> rules_of_joints(const Skeleton& target, const SkeletonMapOptions& options) {
+  std::vector<TranslationRule> rules;
+  for (const std::uint32_t parent : target.parents) {
+    rules.push_back(parent == kNone ? options.translations : rules[parent]);
+    for (const ChainRule& chain : options.chains)
+      if (chain.joint + 1 == rules.size()) rules.back() = chain.rule;
+  }
+  return rules;
+}
+
+double ratio_of(double source, double target) noexcept { return source > 0.0 && target > 0.0 ? target / source : 1.0; }
+
 /// Makes the map from pairs.
 class Mapping {
  public:
   Mapping(const Skeleton& source, const Skeleton& target, const RestPose& from, const RestPose& to,
-          std::vector<Quatd> turns)
-      : source_(source), target_(target), from_(from), to_(to), turns_(std::move(turns)) {}
+          std::vector<Quatd> turns, const SkeletonMapOptions& options)
+      : source_(source),
+        target_(target),
+        from_(from),
+        to_(to),
+        turns_(std::move(turns)),
+        rules_(rules_of_joints(target, options)) {}
 
-  SkeletonMap map(Pairs pairs, bool by_names) {
+  /// in   hips  of the target, where they are known
+  SkeletonMap map(Pairs pairs, bool by_names, std::uint32_t hips) {
     map_.by_names = by_names;
+    for (std::uint32_t j = hips; j != kNone; j = target_.parents[j]) carries_path_[j] = true;
     std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
     source_of_.assign(target_.joint_count(), kNone);
     for (const auto& [s, t] : pairs) {
       lowest_source_ = std::min(lowest_source_, from_.place(s).y);
       lowest_target_ = std::min(lowest_target_, to_.place(t).y);
     }
+    for (const auto& [s, t] : pairs)
+      if (t == hips) path_ratio_ = ratio_of_heights(s, t);
     for (const auto& [s, t] : pairs) add(s, t);
     std::vector<bool> used(source_.joint_count());
     for (const MappedJoint& joint : map_.joints) used[joint.source] = true;
@@ -169,20 +200,20 @@ class Mapping {
     const bool is_child = source_.parents[joint.source] == joint.above_source;
     joint.source_place =
         is_child ? from_.local[joint.source].translation : from_.seen_from(joint.above_source, joint.source);
-    const bool is_top = joint.above_target == kNone;
-    joint.moves = is_top || map_.by_names;
-    double ratio = 1.0;
-    if (is_top) {
-      const double height = from_.place(joint.source).y - lowest_source_,
-                   own_height = to_.place(joint.target).y - lowest_target_;
-      if (height > 0.0 && own_height > 0.0) ratio = own_height / height;
-      map_.height_ratio = ratio;
-      ratio *= from_.scale_of(joint.above_source) / to_.scale_of(parent);
-    } else {
-      const double length = safe_length(joint.source_place), own = safe_length(to_.local[joint.target].translation);
-      ratio = length > 0.0 && own > 0.0 ? own / length : 1.0;
-    }
+    const TranslationRule rule = rules_[joint.target];
+    const bool is_path = joint.above_target == kNone || carries_path_[joint.target];
+    joint.moves =
+        rule == TranslationRule::by_length || (rule == TranslationRule::hips_by_height && (is_path || map_.by_names));
+    if (is_path) map_.height_ratio = path_ratio_ > 0.0 ? path_ratio_ : ratio_of_heights(joint.source, joint.target);
+    const bool by_height = is_path && rule != TranslationRule::by_length;
+    const double ratio =
+        by_height ? map_.height_ratio * from_.scale_of(joint.above_source) / to_.scale_of(parent)
+                  : ratio_of(safe_length(joint.source_place), safe_length(to_.local[joint.target].translation));
     joint.translation = matrix_from_unit_quat(joint.before) * ratio;
+  }
+
+  double ratio_of_heights(std::uint32_t s, std::uint32_t t) const {
+    return ratio_of(from_.place(s).y - lowest_source_, to_.place(t).y - lowest_target_);
   }
 
   const Skeleton &source_, &target_;
@@ -191,6 +222,9 @@ class Mapping {
   std::vector<std::uint32_t> source_of_;
   double lowest_source_ = std::numeric_limits<double>::infinity();  // of the joints that are mapped
   double lowest_target_ = lowest_source_;
+  std::vector<TranslationRule> rules_;                                         // [target joints]
+  std::vector<bool> carries_path_ = std::vector<bool>(target_.joint_count());  // the hips and all above them
+  double path_ratio_ = 0.0;                                                    // of heights of the hips; 0 = not known
   SkeletonMap map_;
 };
 
@@ -202,12 +236,16 @@ SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, co
                                    target_bones = find_humanoid_bones(target);
   Pairs by_names = pairs_of_one(source, target);
   if (by_names.empty()) by_names = pairs_by_names(source, target);
-  const Pairs by_bones = pairs_by_bones(source_bones, target_bones);
+  Pairs by_bones = pairs_by_bones(source_bones, target_bones);
+  if (!by_bones.empty()) add_roots(source, source_bones, target, target_bones, by_bones);
   const bool names = options.pairs.empty() && by_names.size() >= by_bones.size();
   const bool turns = !names && options.limbs == LimbDirections::of_source;
   Mapping mapping(source, target, from, to,
-                  limb_turns(turns ? by_bones : Pairs{}, from, to, source_bones, target_bones));
-  return mapping.map(!options.pairs.empty() ? options.pairs : names ? by_names : by_bones, names);
+                  limb_turns(turns ? by_bones : Pairs{}, from, to, source_bones, target_bones), options);
+  return mapping.map(!options.pairs.empty() ? options.pairs
+                     : names                ? by_names
+                                            : by_bones,
+                     names, target_bones[humanoid_bone("hips")]);
 }
 
 }  // namespace sinew

@@ -24,7 +24,7 @@ struct MappedJoint {
 struct SkeletonMap {
   std::vector<MappedJoint> joints;  ///< rising targets: parents before children
   bool by_names = false;            ///< the skeletons share names, and scale tracks are carried
-  double height_ratio = 1.0;        ///< of the top joints above the lowest mapped joint, target to source
+  double height_ratio = 1.0;  ///< of the hips, or of the top joints, above the lowest mapped joint; target to source
   std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
 };
 
@@ -34,13 +34,30 @@ enum class LimbDirections : std::uint8_t {
   of_rest,    ///< the rest pose becomes the rest pose
 };
 
+/// What becomes of the translations of mapped joints.
+enum class TranslationRule : std::uint8_t {
+  hips_by_height,  ///< the path of top joints and of hips is scaled by the ratio of heights; others keep their place
+                   ///< against the parent, or are scaled by the ratio of lengths where the skeletons share names
+  by_length,       ///< each is scaled by how long its bone is against that of the source: bones may stretch
+  keep             ///< all keep their place against the parent
+};
+
+/// A rule for a joint of the target and all below it, as far as no other one is given there.
+struct ChainRule {
+  std::uint32_t joint = 0;
+  TranslationRule rule = TranslationRule::hips_by_height;
+};
+
 struct SkeletonMapOptions {
   std::vector<std::array<std::uint32_t, 2>> pairs;  ///< joints {source, target}; where given, nothing else is mapped
   LimbDirections limbs = LimbDirections::of_source;
+  TranslationRule translations = TranslationRule::hips_by_height;
+  std::vector<ChainRule> chains;  ///< other rules than `translations`
 };
 
 /// Maps joints of equal names, or joints that play the same humanoid bone (humanoid_bones.h): what finds more. A joint
-/// whose mapped joint above is not above it in both skeletons is left out.
+/// whose mapped joint above is not above it in both skeletons is left out. A root joint above the hips follows the
+/// other root joint; where one alone has it, the hips carry the whole path.
 ///
 /// What is carried is how far each joint is turned from the rest pose, in model space. With W the rotations at rest and
 /// G those of the pose in model space, m the mapped joint above j, Q = G_m^-1 G_j the rotation of j seen from m (over
@@ -49,10 +66,9 @@ struct SkeletonMapOptions {
 ///      Without R this is q' = L' W'^-1 N W' with N = W L^-1 q W^-1 (VRMC_vrm_animation, "humanoid"), for any axes and
 ///      roll, and for joints that one side alone has. R_j is the shortest arc from the target's limb to the source's in
 ///      rest poses, for upper and lower arms and legs, and that of the lower arm for hands and fingers; else the
-///      identity. t' = r' + k R (p - p_rest), p the place of j seen from m; k = height ratio for the top joints, and
-///      the ratio of lengths for others of equal names; bones of others keep their length. Scales of parents are taken
-///      out.
-/// in   skeletons  rest rotations unit
+///      identity. t' = r' + k R (p - p_rest), p the place of j seen from m, k by TranslationRule. Scales of parents are
+///      taken out.
+/// in   skeletons  rest rotations unit;   options  joints in range
 /// cost O(J log J), allocates
 SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options = {});
 

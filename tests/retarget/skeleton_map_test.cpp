@@ -163,5 +163,84 @@ TEST(skeleton_map, hips_move_by_the_ratio_of_heights_under_a_root_of_scale_100) 
       test::is_near(translation_of(model[1]), Vec3d(inner.rest[0].translation) + 2.0 * Vec3d(0.1, -0.2, 0.3), 1e-5));
 }
 
+/// The body with a joint above the hips that stands on the ground.
+Skeleton with_root(const Skeleton& inner, const char* name) {
+  std::vector<std::uint32_t> parents = {kNone};
+  for (const std::uint32_t parent : inner.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
+  Skeleton made = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
+  made.names[0] = name;
+  for (std::uint32_t j = 0; j < inner.joint_count(); ++j) {
+    made.names[j + 1] = inner.names[j];
+    made.rest[j + 1] = inner.rest[j];
+  }
+  return made;
+}
+
+Skeleton twice_as_tall(Skeleton skeleton) {
+  for (Transform& rest : skeleton.rest) rest.translation *= 2.0f;
+  return skeleton;
+}
+
+Vec3d place_of(const Skeleton& skeleton, const std::vector<Transformd>& local, std::uint32_t joint) {
+  std::vector<Affined> model(local.size());
+  model_from_local(skeleton, local, model);
+  return translation_of(model[joint]);
+}
+
+/// Root motion: the root walks and turns, and the hips sway in it.
+TEST(skeleton_map, a_root_joint_carries_the_character_by_the_ratio_of_the_hips_heights) {
+  const Skeleton body = named(scenes::two_sided(RightSide::any_axes, 1).skeleton);
+  const Skeleton tall = twice_as_tall(renamed(scenes::two_sided(RightSide::any_axes, 2).skeleton));
+  const Skeleton from = with_root(body, "Root"), to = with_root(tall, "root"), bare = tall;
+  std::vector<Transform> pose = from.rest;
+  pose[0].translation = {1.0f, 0.0f, 3.0f};
+  pose[0].rotation = quat_xyzw(0.0f, 0.6f, 0.0f, 0.8f);
+  pose[1].translation += glm::vec3(0.1f, -0.2f, 0.3f);
+  const SkeletonMap map = make_skeleton_map(from, to), to_bare = make_skeleton_map(from, bare),
+                    back = make_skeleton_map(bare, from);
+  for (const SkeletonMap* each : {&map, &to_bare}) EXPECT_NEAR(each->height_ratio, 2.0, 1e-5);
+  EXPECT_NEAR(back.height_ratio, 0.5, 1e-5);
+  ASSERT_EQ(map.joints[0].target, 0u);
+  EXPECT_EQ(map.joints[0].source, 0u);
+  const std::vector<Transformd> found = retargeted(map, from, to, pose),
+                                whole_by_hips = retargeted(to_bare, from, bare, pose);
+  EXPECT_TRUE(test::is_near(found[0].translation, Vec3d(2, 0, 6), 1e-5)) << "the root's own path";
+  EXPECT_LT(test::angle_between(found[0].rotation, pose[0].rotation), 1e-6);
+  const Vec3d hips = 2.0 * place_of(from, in_doubles(pose), 1);
+  EXPECT_TRUE(test::is_near(place_of(to, found, 1), hips, 1e-5));
+  EXPECT_TRUE(test::is_near(place_of(bare, whole_by_hips, 0), hips, 1e-5)) << "no root: the hips carry it all";
+  std::vector<Transform> moved = bare.rest;
+  moved[0].translation = {4.0f, 2.0f, 6.0f};
+  const std::vector<Transformd> rooted = retargeted(back, bare, from, moved);
+  EXPECT_EQ(rooted[0].translation, Vec3d(0.0)) << "a root that nothing moves rests";
+  EXPECT_TRUE(test::is_near(place_of(from, rooted, 1), Vec3d(2, 1, 3), 1e-5));
+}
+
+TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
+  const Skeleton from = named(scenes::two_sided(RightSide::any_axes, 1).skeleton);
+  const Skeleton to = renamed(twice_as_tall(scenes::two_sided(RightSide::any_axes, 2).skeleton));
+  std::vector<Transform> pose = from.rest;
+  for (Transform& local : pose) local.translation *= 1.5f;
+  const auto found = [&](const SkeletonMapOptions& options) {
+    return retargeted(make_skeleton_map(from, to, options), from, to, pose);
+  };
+  const auto stretch = [&](const std::vector<Transformd>& local, std::uint32_t joint) {
+    return safe_length(local[joint].translation) / safe_length(Vec3d(to.rest[joint].translation));
+  };
+  const auto by_height = found({}), by_length = found({.translations = TranslationRule::by_length}),
+             kept = found({.translations = TranslationRule::keep}),
+             one_arm = found({.chains = {{kForearm, TranslationRule::by_length}, {kHand, TranslationRule::keep}}});
+  EXPECT_NEAR(stretch(by_height, 0), 1.5, 0.01) << "the hips move";
+  EXPECT_NEAR(stretch(by_height, kForearm), 1.0, 1e-6);
+  for (const std::uint32_t joint : {0u, kForearm, kHand}) {
+    EXPECT_NEAR(stretch(by_length, joint), 1.5, 1e-5) << joint;
+    EXPECT_NEAR(stretch(kept, joint), 1.0, 1e-6) << joint;
+  }
+  EXPECT_NEAR(stretch(one_arm, 0), 1.5, 0.01);
+  EXPECT_NEAR(stretch(one_arm, kForearm), 1.5, 1e-5);
+  EXPECT_NEAR(stretch(one_arm, kForearm + 1), 1.0, 1e-6) << "the other arm";
+  EXPECT_NEAR(stretch(one_arm, kHand), 1.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -15,6 +15,7 @@ Study study_skinning(const Subject& subject);
 Study study_skinned_normals(const Subject& subject);
 Study study_morphing(const Subject& subject);
 Study study_arithmetic(const Subject& subject);
+Study study_retargeting(const Subject& subject);
 Study study_geometry(const Subject& subject);
 
 /// The positions of a take, as many frames as `effort` has key intervals.
