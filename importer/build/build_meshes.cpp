@@ -101,8 +101,7 @@ std::vector<float> default_weights(const gltf::Mesh& mesh, std::uint32_t index, 
 /// The highest set that the textures of a material need, plus one; 0 without textures.
 std::size_t needed_sets(const Material& material) {
   std::size_t needed = 0;
-  for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
+  for (const TextureUse* use : texture_uses(material))
     if (use->used()) needed = std::max(needed, std::size_t{use->texcoord} + 1);
   return needed;
 }

@@ -6,6 +6,7 @@
 
 #include "importer/file/json_pointer.h"
 #include "importer/read/extension_fields.h"
+#include "importer/read/material_layers.h"
 #include "importer/read/specular_glossiness.h"
 #include "importer/read/textures.h"
 
@@ -24,6 +25,7 @@ class MaterialReader {
     read_alpha();
     read_emission();
     read_specular_glossiness();
+    read_material_layers(source_.extensions, place_, document_.textures.size(), out_, log_);
     out_.unlit = static_cast<bool>(ExtensionFields(source_.extensions, place_, "KHR_materials_unlit", log_));
     return std::move(out_);
   }
@@ -87,7 +89,7 @@ class MaterialReader {
     extension.numbers("diffuseFactor", &diffuse.x, 4, 0.0, 1.0);
     extension.numbers("specularFactor", &specular.x, 3, 0.0, 1.0);
     const double glossiness = extension.number("glossinessFactor", 1.0, 0.0, 1.0);
-    out_.base_color_texture = texture_of(extension, "diffuseTexture");
+    out_.base_color_texture = read_texture_use(extension, "diffuseTexture", document_.textures.size());
 
     const bool textured_specular = extension.has("specularGlossinessTexture");
     const MetallicRoughness surface = to_metallic_roughness({glm::dvec3(diffuse), glm::dvec3(specular), glossiness});
@@ -98,16 +100,6 @@ class MaterialReader {
     out_.roughness = static_cast<float>(surface.roughness);
     log_.report(Rule::material_approximated, extension.place(),
                 textured_specular ? "its specular-glossiness texture is left out" : "converted by its factors");
-  }
-
-  TextureUse texture_of(const ExtensionFields& parent, const char* name) {
-    const ExtensionFields field = parent.object(name);
-    gltf::TextureInfo info;
-    info.index = field.index("index", document_.textures.size());
-    if (const std::uint32_t set = field.index("texCoord", kNone); set != kNone) info.texcoord = set;
-    const gltf::Json extensions = field.extensions();
-    info.extensions = &extensions;
-    return read_texture_use(info, field.place(), log_);
   }
 
   TextureUse texture(TextureSlot slot, const std::string& place) {

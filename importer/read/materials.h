@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-/// Reads every material in metallic-roughness form, with KHR_materials_unlit and KHR_materials_emissive_strength.
+/// Reads every material in metallic-roughness form, with KHR_materials_unlit, KHR_materials_emissive_strength and the
+/// extensions of material_layers.h.
 /// KHR_materials_pbrSpecularGlossiness is approximated, except where the material also has metallic-roughness values:
 /// its author wrote those for readers like this one.
 /// in       references in range

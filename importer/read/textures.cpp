@@ -113,4 +113,14 @@ TextureUse read_texture_use(gltf::TextureInfo info, const std::string& place, Is
   return use;
 }
 
+TextureUse read_texture_use(const ExtensionFields& extension, const char* name, std::size_t texture_count) {
+  const ExtensionFields field = extension.object(name);
+  gltf::TextureInfo info;
+  info.index = field.index("index", texture_count);
+  if (const std::uint32_t set = field.index("texCoord", kNone); set != kNone) info.texcoord = set;
+  const gltf::Json extensions = field.extensions();
+  info.extensions = &extensions;
+  return read_texture_use(info, field.place(), field.log());
+}
+
 }  // namespace sinew

@@ -4,6 +4,7 @@
 
 #include "importer/file/document.h"
 #include "importer/issue_log.h"
+#include "importer/read/extension_fields.h"
 #include "runtime/model/material.h"
 
 namespace sinew {
@@ -18,5 +19,8 @@ std::vector<Texture> read_textures(const gltf::Document& document, IssueLog& log
 /// Reads how a material uses a texture. KHR_texture_transform may select another texture coordinate set (G60).
 /// in    place   JSON pointer of the texture info
 TextureUse read_texture_use(gltf::TextureInfo info, const std::string& place, IssueLog& log);
+
+/// The same for the member `name` of an extension; unused where it is absent or names no texture.
+TextureUse read_texture_use(const ExtensionFields& extension, const char* name, std::size_t texture_count);
 
 }  // namespace sinew

@@ -12,27 +12,19 @@ namespace {
 using Object = tinygltf::Value::Object;
 using Array = tinygltf::Value::Array;
 
-/// A texture that a clip transforms needs the extension even where nothing is transformed at rest.
-bool has_transform(const TextureUse& use, bool animated) {
-  return animated || use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
-}
-
 tinygltf::Value pair(const glm::vec2& v) {
   return tinygltf::Value(Array{tinygltf::Value(static_cast<double>(v.x)), tinygltf::Value(static_cast<double>(v.y))});
 }
 
-/// Fills the members that all kinds of texture references have.
+/// Fills the members that all kinds of texture references have. A texture that a clip transforms needs the extension
+/// even where nothing is transformed at rest.
 template <class Info>
 void reference(const TextureUse& use, bool animated, tinygltf::Model& model, Info& info) {
   if (!use.used()) return;
   info.index = static_cast<int>(use.texture);
   info.texCoord = static_cast<int>(use.texcoord);
-  if (!has_transform(use, animated)) return;
-  info.extensions["KHR_texture_transform"] =
-      tinygltf::Value(Object{{"offset", pair(use.offset)},
-                             {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
-                             {"scale", pair(use.scale)}});
-  declare_extension(model, "KHR_texture_transform");
+  if (!animated && !has_transform(use)) return;
+  info.extensions["KHR_texture_transform"] = transform_of(use, model);
 }
 
 const char* name_of(AlphaMode mode) {
@@ -96,6 +88,7 @@ tinygltf::Material written(const Material& material, const MovedParts& moved, ti
     out.extensions["KHR_materials_unlit"] = tinygltf::Value(Object{});
     declare_extension(model, "KHR_materials_unlit");
   }
+  write_material_layers(material, model, out);
   out.alphaMode = name_of(material.alpha_mode);
   out.alphaCutoff = material.alpha_cutoff;
   out.doubleSided = material.double_sided;
@@ -120,6 +113,17 @@ int wrap_of(Wrap wrap) {
 }
 
 }  // namespace
+
+bool has_transform(const TextureUse& use) noexcept {
+  return use.offset != glm::vec2(0.0f) || use.rotation_rad != 0.0f || use.scale != glm::vec2(1.0f);
+}
+
+tinygltf::Value transform_of(const TextureUse& use, tinygltf::Model& model) {
+  declare_extension(model, "KHR_texture_transform");
+  return tinygltf::Value(Object{{"offset", pair(use.offset)},
+                                {"rotation", tinygltf::Value(static_cast<double>(use.rotation_rad))},
+                                {"scale", pair(use.scale)}});
+}
 
 void write_materials(const Scene& scene, tinygltf::Model& model) {
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m)

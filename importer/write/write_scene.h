@@ -15,6 +15,15 @@ inline constexpr double kFarPlane_m = 10'000.0;
 /// Adds a name to extensionsUsed, unless it is there.
 void declare_extension(tinygltf::Model& model, const char* name);
 
+/// A use of a texture needs KHR_texture_transform.
+bool has_transform(const TextureUse& use) noexcept;
+
+/// The object of KHR_texture_transform; declares the extension.
+tinygltf::Value transform_of(const TextureUse& use, tinygltf::Model& model);
+
+/// Writes the members specular, clearcoat, sheen and transmission as extensions, where they differ from the defaults.
+void write_material_layers(const Material& material, tinygltf::Model& model, tinygltf::Material& out);
+
 /// The parts of export_glb() in the order in which they run. Each appends to `model` and `buffer`.
 void write_images(const Scene& scene, tinygltf::Model& model, GlbBuffer& buffer);
 void write_materials(const Scene& scene, tinygltf::Model& model);

@@ -100,7 +100,7 @@ class AssetFile {
 bool looks_like_asset_file(std::span<const std::byte> start) noexcept;
 
 inline constexpr std::uint32_t kAssetFileVersion = 1;
-inline constexpr std::uint32_t kAssetBlockVersion = 1;  ///< of every kind
+inline constexpr std::uint32_t kAssetBlockVersion = 2;  ///< of every kind
 inline constexpr std::size_t kAssetHead = 32, kAssetEntry = 64, kAssetAlignment = 64;
 /// Limit of the memory that known blocks may take when unpacked: kAssetMadeBytes, and kAssetMadeTimes the file.
 inline constexpr std::uint64_t kAssetMadeBytes = std::uint64_t{16} << 20, kAssetMadeTimes = 64;

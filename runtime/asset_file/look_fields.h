@@ -25,13 +25,33 @@ auto fields(Is<TextureUse> auto& u) {
   return std::tie(texture, texcoord, offset, rotation_rad, scale);
 }
 
+auto fields(Is<Specular> auto& s) {
+  auto& [ior, factor, texture, color, color_texture] = s;
+  return std::tie(ior, factor, texture, color, color_texture);
+}
+
+auto fields(Is<Clearcoat> auto& c) {
+  auto& [factor, texture, roughness, roughness_texture, normal_texture, normal_scale] = c;
+  return std::tie(factor, texture, roughness, roughness_texture, normal_texture, normal_scale);
+}
+
+auto fields(Is<Sheen> auto& s) {
+  auto& [color, color_texture, roughness, roughness_texture] = s;
+  return std::tie(color, color_texture, roughness, roughness_texture);
+}
+
+auto fields(Is<Transmission> auto& t) {
+  auto& [factor, texture] = t;
+  return std::tie(factor, texture);
+}
+
 auto fields(Is<Material> auto& m) {
   auto& [name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
          normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture, alpha_mode,
-         alpha_cutoff, double_sided, unlit] = m;
+         alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission] = m;
   return std::tie(name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture, normal_texture,
                   normal_scale, occlusion_texture, occlusion_strength, emissive, emissive_strength, emissive_texture,
-                  alpha_mode, alpha_cutoff, double_sided, unlit);
+                  alpha_mode, alpha_cutoff, double_sided, unlit, specular, clearcoat, sheen, transmission);
 }
 
 auto fields(Is<Camera> auto& c) {

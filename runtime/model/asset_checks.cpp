@@ -140,12 +140,15 @@ void check_texture_use(const TextureUse& use, const Scene& scene, Findings& f) n
 }
 
 void check_material(const Material& m, const Scene& scene, Findings& f) noexcept {
-  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
-                                &m.occlusion_texture, &m.emissive_texture})
-    check_texture_use(*use, scene, f);
+  for (const TextureUse* use : texture_uses(m)) check_texture_use(*use, scene, f);
   f.require(are_finite({m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w, m.metallic, m.roughness,
                         m.normal_scale, m.occlusion_strength, m.emissive.x, m.emissive.y, m.emissive.z,
                         m.emissive_strength, m.alpha_cutoff}),
+            ErrorCode::not_finite);
+  const Specular& s = m.specular;
+  const Clearcoat& c = m.clearcoat;
+  f.require(are_finite({s.ior, s.factor, s.color.x, s.color.y, s.color.z, c.factor, c.roughness, c.normal_scale,
+                        m.sheen.color.x, m.sheen.color.y, m.sheen.color.z, m.sheen.roughness, m.transmission.factor}),
             ErrorCode::not_finite);
 }
 

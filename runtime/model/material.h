@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -50,6 +51,44 @@ struct TextureUse {
   bool used() const noexcept { return texture != kNone; }
 };
 
+/// How much a surface that is no metal reflects (KHR_materials_ior, KHR_materials_specular).
+/// eq   f0 = min(((ior - 1) / (ior + 1))^2 * color, 1) * factor along the normal; `factor` at grazing angles
+struct Specular {
+  float ior = 1.5f;  ///< 0, or at least 1
+  float factor = 1.0f;
+  TextureUse texture;     ///< A, linear, times the factor
+  glm::vec3 color{1.0f};  ///< above 1 too
+  TextureUse color_texture;
+
+  bool has_effect() const noexcept {
+    return ior != 1.5f || factor != 1.0f || color != glm::vec3(1.0f) || texture.used() || color_texture.used();
+  }
+};
+
+/// A clear layer of lacquer over the surface (KHR_materials_clearcoat). It is there where the factor is above 0.
+struct Clearcoat {
+  float factor = 0.0f;
+  TextureUse texture;  ///< R, linear, times the factor
+  float roughness = 0.0f;
+  TextureUse roughness_texture;  ///< G, linear
+  TextureUse normal_texture;     ///< without it, the layer has the normals of the mesh
+  float normal_scale = 1.0f;
+};
+
+/// Fibres on the surface (KHR_materials_sheen). They are there where the colour is not black.
+struct Sheen {
+  glm::vec3 color{0.0f};
+  TextureUse color_texture;
+  float roughness = 0.0f;
+  TextureUse roughness_texture;  ///< A, linear
+};
+
+/// Light that passes through a thin surface that is no metal (KHR_materials_transmission).
+struct Transmission {
+  float factor = 0.0f;
+  TextureUse texture;  ///< R, linear, times the factor
+};
+
 /// glTF 2.0 metallic-roughness material; factors are linear, colour textures are sRGB.
 struct Material {
   std::string name;
@@ -69,6 +108,20 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;  ///< KHR_materials_unlit
+  Specular specular;
+  Clearcoat clearcoat;
+  Sheen sheen;
+  Transmission transmission;
 };
+
+/// Every use of a texture, those of the layers too. Pointers to const for a const material.
+template <class M>
+auto texture_uses(M& m) noexcept {
+  return std::array{&m.base_color_texture,       &m.metallic_roughness_texture, &m.normal_texture,
+                    &m.occlusion_texture,        &m.emissive_texture,           &m.specular.texture,
+                    &m.specular.color_texture,   &m.clearcoat.texture,          &m.clearcoat.roughness_texture,
+                    &m.clearcoat.normal_texture, &m.sheen.color_texture,        &m.sheen.roughness_texture,
+                    &m.transmission.texture};
+}
 
 }  // namespace sinew

@@ -105,7 +105,7 @@ TEST(asset_file, other_versions_of_the_file_and_of_blocks_are_refused_by_name) {
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().rule, "asset-version");
   EXPECT_EQ(scene.error().block, "model");
-  EXPECT_THAT(describe(scene.error()), testing::HasSubstr("version 2, this library reads version 1"));
+  EXPECT_THAT(describe(scene.error()), testing::HasSubstr("version 3, this library reads version 2"));
 }
 
 TEST(asset_file, blocks_of_unknown_kinds_are_left_alone) {

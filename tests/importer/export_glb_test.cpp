@@ -53,7 +53,7 @@ Scene rich_scene() {
       {0, {Filter::nearest, Filter::linear, Filter::nearest, true, Wrap::clamp_to_edge, Wrap::mirrored_repeat}});
   for (Mesh& mesh : scene.meshes)
     for (Primitive& primitive : mesh.primitives)
-      primitive.texcoords.assign(1, std::vector<glm::vec2>(primitive.vertex_count(), {0.5f, 0.25f}));
+      primitive.texcoords.assign(2, std::vector<glm::vec2>(primitive.vertex_count(), {0.5f, 0.25f}));
   Material& material = scene.materials[0];
   material.base_color_texture.texture = 0;
   material.base_color_texture.offset = {0.25f, 0.5f};
@@ -64,8 +64,10 @@ Scene rich_scene() {
   material.double_sided = true;
   material.emissive = {1.0f, 0.5f, 0.25f};
   material.emissive_strength = 2.0f;
-  Primitive& floor = scene.meshes[0].primitives[0];
-  floor.texcoords.emplace_back(floor.vertex_count(), glm::vec2(0.5f, 0.25f));
+  material.specular = {1.25f, 0.5f, {0, 1}, {2.0f, 0.5f, 1.0f}, {0, 0, {0.5f, 0.25f}, 0.75f}};
+  material.clearcoat = {0.75f, {0, 1}, 0.25f, {0, 0, {0.0f, 0.5f}}, {0, 1}, -2.0f};
+  material.sheen = {{0.5f, 0.25f, 1.0f}, {0, 1}, 0.625f, {0, 0, {0.0f, 0.0f}, 0.0f, {2.0f, 1.0f}}};
+  material.transmission = {0.375f, {0, 1}};
   Camera camera;
   camera.name = "eye";
   camera.joint = 0;

@@ -175,6 +175,10 @@ TEST(asset_checks, every_broken_rule_is_found) {
       {"clip missing", [](Scene& s) { s.clips.clear(); }, ErrorCode::size_mismatch},
       {"weight offsets", [](Scene& s) { s.first_weight.push_back(1); }, ErrorCode::size_mismatch},
       {"texture index", [](Scene& s) { s.materials[0].normal_texture.texture = 0; }, ErrorCode::index_out_of_range},
+      {"texture of a layer", [](Scene& s) { s.materials[0].clearcoat.normal_texture.texture = 0; },
+       ErrorCode::index_out_of_range},
+      {"index of refraction", [](Scene& s) { s.materials[0].specular.ior = kNan; }, ErrorCode::not_finite},
+      {"sheen", [](Scene& s) { s.materials[0].sheen.roughness = kNan; }, ErrorCode::not_finite},
       {"image index",
        [](Scene& s) {
          s.textures.push_back({0, {}});

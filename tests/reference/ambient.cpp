@@ -28,10 +28,10 @@ struct Layer {
   glm::dvec3 once, again;
 };
 
-Layer layer(const glm::dvec3& f0, const glm::dvec2& sums) {
-  const glm::dvec3 once = f0 * sums.x + glm::dvec3(sums.y);
+Layer layer(const glm::dvec3& f0, double f90, const glm::dvec2& sums) {
+  const glm::dvec3 once = f0 * sums.x + glm::dvec3(f90 * sums.y);
   const double rest = 1.0 - sums.x - sums.y;
-  const glm::dvec3 mean = f0 + (glm::dvec3(1.0) - f0) / 21.0;
+  const glm::dvec3 mean = f0 + (glm::dvec3(f90) - f0) / 21.0;
   return {once, once * mean * rest / (glm::dvec3(1.0) - mean * rest)};
 }
 
@@ -80,8 +80,9 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
   };
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
-  const Layer metal = layer(s.base_color, sums), coat = layer(glm::dvec3(0.04), sums);
-  const glm::dvec3 ground = s.base_color * (glm::dvec3(1.0) - coat.once - coat.again);
+  const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
+  const glm::dvec3 returned = coat.once + coat.again;
+  const glm::dvec3 ground = s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b}));
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
   const glm::dvec3 mirrored = 2.0 * glm::dot(s.normal, s.to_viewer) * s.normal - s.to_viewer;

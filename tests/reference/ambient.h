@@ -21,9 +21,9 @@ struct AmbientGradient {
 };
 
 /// Radiance towards the viewer from ambient light.
-/// eq   a layer of reflectance f0 returns once = f0 x + y, and of the rest 1 - x - y, with the mean reflectance
-///      m = f0 + (1 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour, the
-///      dielectric one of 0.04 over a matte ground, which gets 1 - once - again.
+/// eq   a layer of reflectance f0 returns once = f0 x + f90 y, and of the rest 1 - x - y, with the mean reflectance
+///      m = f0 + (f90 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour and
+///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again).
 ///      The light of `once` is that around the mirror direction, of the others that of the half sphere
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light);
 

@@ -37,6 +37,15 @@ double baked_access(const Scene& scene, const SurfacePoint& point) {
   return 1.0 + static_cast<double>(point.material.occlusion_strength) * (red - 1.0);
 }
 
+/// eq   KHR_materials_ior, KHR_materials_specular: min(((ior - 1) / (ior + 1))^2 * color, 1), before the factor
+glm::dvec3 dielectric_f0(const Scene& scene, const SurfacePoint& point) {
+  const Specular& specular = point.material.specular;
+  const double ior = static_cast<double>(specular.ior), root = (ior - 1.0) / (ior + 1.0);
+  const glm::dvec3 color =
+      glm::dvec3(specular.color) * glm::dvec3(looked_up(scene, point, specular.color_texture, true));
+  return glm::min(root * root * color, glm::dvec3(1.0));
+}
+
 glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
   const Material& material = point.material;
   const glm::dvec4 texel = looked_up(scene, point, material.metallic_roughness_texture, false);
@@ -44,6 +53,9 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.base_color = glm::dvec3(base_color(scene, point));
   shaded.metallic = static_cast<double>(material.metallic) * texel.b;
   shaded.roughness = std::clamp(static_cast<double>(material.roughness) * texel.g, kLeastRoughness, 1.0);
+  shaded.dielectric_f90 =
+      static_cast<double>(material.specular.factor) * looked_up(scene, point, material.specular.texture, false).a;
+  shaded.dielectric_f0 = dielectric_f0(scene, point) * shaded.dielectric_f90;
   shaded.normal = mapped_normal(scene, point);
   shaded.to_viewer = point.to_viewer;
   glm::dvec3 sum = ambient(shaded, around.ambient) * around.access * baked_access(scene, point);

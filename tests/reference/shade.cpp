@@ -21,8 +21,8 @@ glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::d
   const double edge = std::pow(1.0 - v_h, 5.0);
   const glm::dvec3 diffuse = s.base_color / std::numbers::pi;
   const double specular = distribution * visibility;
-  const double dielectric_fresnel = 0.04 + 0.96 * edge;
-  const glm::dvec3 dielectric = diffuse * (1.0 - dielectric_fresnel) + glm::dvec3(specular * dielectric_fresnel);
+  const glm::dvec3 fresnel = s.dielectric_f0 * (1.0 - edge) + glm::dvec3(s.dielectric_f90 * edge);
+  const glm::dvec3 dielectric = diffuse * (1.0 - std::max({fresnel.r, fresnel.g, fresnel.b})) + specular * fresnel;
   const glm::dvec3 metal = specular * (s.base_color + (glm::dvec3(1.0) - s.base_color) * edge);
   return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * n_l * irradiance;
 }

@@ -9,11 +9,13 @@ struct ShadedPoint {
   glm::dvec3 base_color{1.0};
   double metallic = 0.0, roughness = 1.0;
   glm::dvec3 normal{0.0, 1.0, 0.0}, to_viewer{0.0, 1.0, 0.0};
+  glm::dvec3 dielectric_f0{0.04};  ///< what the dielectric reflects along its normal
+  double dielectric_f90 = 1.0;     ///< and at grazing angles
 };
 
 /// Radiance towards the viewer from light of one direction.
-/// eq   glTF 2.0, Appendix B.3: mix(mix(diffuse, specular, 0.04 + 0.96 * (1 - v.h)^5), metal, metallic) with GGX and
-///      height-correlated Smith visibility
+/// eq   glTF 2.0, Appendix B.3: mix(dielectric, metal, metallic) with GGX and height-correlated Smith visibility;
+///      KHR_materials_specular: dielectric = diffuse * (1 - max(F)) + specular * F, F = f0 + (f90 - f0) * (1 - v.h)^5
 glm::dvec3 direct(const ShadedPoint& point, const glm::dvec3& to_light, const glm::dvec3& irradiance);
 
 /// Khronos PBR Neutral tone mapping.

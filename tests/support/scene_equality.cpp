@@ -139,6 +139,18 @@ void expect_same_use(const TextureUse& a, const TextureUse& b, const char* what)
   EXPECT_EQ(a.scale, b.scale) << what;
 }
 
+void expect_same_layers(const Material& x, const Material& y) {
+  EXPECT_EQ(x.specular.ior, y.specular.ior);
+  EXPECT_EQ(x.specular.factor, y.specular.factor);
+  EXPECT_EQ(x.specular.color, y.specular.color);
+  EXPECT_EQ(x.clearcoat.factor, y.clearcoat.factor);
+  EXPECT_EQ(x.clearcoat.roughness, y.clearcoat.roughness);
+  EXPECT_EQ(x.clearcoat.normal_scale, y.clearcoat.normal_scale);
+  EXPECT_EQ(x.sheen.color, y.sheen.color);
+  EXPECT_EQ(x.sheen.roughness, y.sheen.roughness);
+  EXPECT_EQ(x.transmission.factor, y.transmission.factor);
+}
+
 void expect_same_materials(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i) {
@@ -154,11 +166,10 @@ void expect_same_materials(const Scene& a, const Scene& b) {
     EXPECT_EQ(x.alpha_cutoff, y.alpha_cutoff);
     EXPECT_EQ(x.double_sided, y.double_sided);
     EXPECT_EQ(x.unlit, y.unlit);
-    expect_same_use(x.base_color_texture, y.base_color_texture, "base color");
-    expect_same_use(x.metallic_roughness_texture, y.metallic_roughness_texture, "metallic roughness");
-    expect_same_use(x.normal_texture, y.normal_texture, "normal");
-    expect_same_use(x.occlusion_texture, y.occlusion_texture, "occlusion");
-    expect_same_use(x.emissive_texture, y.emissive_texture, "emissive");
+    expect_same_layers(x, y);
+    const auto uses = texture_uses(x), others = texture_uses(y);
+    for (std::size_t u = 0; u < uses.size(); ++u)
+      expect_same_use(*uses[u], *others[u], ("texture use " + std::to_string(u)).c_str());
   }
   ASSERT_EQ(a.images.size(), b.images.size());
   for (std::size_t i = 0; i < a.images.size(); ++i) {

@@ -10,27 +10,6 @@ namespace {
 
 class material_picture : public DeviceTest {};
 
-/// A wall of this material under a lamp near it and a directional light.
-BuiltScene lit_wall(BuiltScene built, const Material& material, const Primitive& primitive = wall(),
-                    const Affine& world_from_wall = {}, bool mirrored = false) {
-  built.add(primitive, built.add_material(material), world_from_wall, mirrored);
-  add_light_at(built, {.kind = Light::Kind::point, .intensity = 1.2f}, {-0.2f, 0.35f, 0.6f}, {0, 0, -1});
-  add_light_at(built, {.color = {0.5f, 0.6f, 1.0f}, .intensity = 0.8f}, {0, 0, 0}, {-0.7f, 0.3f, -0.6f});
-  return built;
-}
-
-Material plain() {
-  Material material = matte({0.7f, 0.6f, 0.5f});
-  material.roughness = 0.7f;
-  return material;
-}
-
-RenderOptions every_light() {
-  RenderOptions options;
-  options.ao.on = false;
-  return options;
-}
-
 TEST_F(material_picture, base_color_is_factor_times_texture_times_vertex_color) {
   BuiltScene built;
   Material material;

@@ -116,6 +116,7 @@ MeshPipelineKey full_key(Pass pass) {
   key.surface.normals = NormalSource::vertices;
   key.surface.tangents = true;
   key.surface.material.texcoord_sets = {1, 1, 1, 1, 1};
+  key.surface.material.layers = {.specular = true, .textures = {3, 5}};
   return key;
 }
 
@@ -137,6 +138,7 @@ TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cut
   EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.unlit = true; }));
   for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
     EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.layers = {}; }));
   EXPECT_TRUE(shared(key, [](auto& k) { k.surface.tangents = false; })) << "without a normal map";
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.normals = NormalSource::none; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.depth_only = true; }));
@@ -157,6 +159,8 @@ TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.tangents = false; }));
   for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
     EXPECT_FALSE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.specular = false; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.textures[1] = 0; }));
   EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))
       << "blended surfaces take no occlusion";
   MeshPipelineKey flat = key;
@@ -169,6 +173,7 @@ TEST_F(pass_pipelines, unlit_surfaces_have_a_base_colour_alone) {
   key.surface.material.unlit = true;
   for (const std::size_t slot : {1u, 2u, 3u, 4u})
     EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 0; })) << slot;
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.layers = {}; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[0] = 0; }));
   EXPECT_TRUE(shared(key, [](auto& k) { k.surface.normals = NormalSource::none; }));
   EXPECT_TRUE(shared(key, [](auto& k) { k.frame = {}; })) << "no light reaches them";

@@ -67,6 +67,12 @@ RenderOptions only_scene_lights() {
   return options;
 }
 
+RenderOptions every_light() {
+  RenderOptions options;
+  options.ao.on = false;
+  return options;
+}
+
 RenderOptions only_ambient_light() {
   RenderOptions options;
   options.ao.on = false;
@@ -82,6 +88,20 @@ Primitive wall() {
   p.texcoords.emplace_back();
   for (const glm::vec2& uv : p.texcoords[0]) p.texcoords[1].push_back({0.15f + 0.55f * uv.y, 0.9f - 0.7f * uv.x});
   return p;
+}
+
+Material plain() {
+  Material material = matte({0.7f, 0.6f, 0.5f});
+  material.roughness = 0.7f;
+  return material;
+}
+
+BuiltScene lit_wall(BuiltScene built, const Material& material, const Primitive& primitive,
+                    const Affine& world_from_wall, bool mirrored) {
+  built.add(primitive, built.add_material(material), world_from_wall, mirrored);
+  add_light_at(built, {.kind = Light::Kind::point, .intensity = 1.2f}, {-0.2f, 0.35f, 0.6f}, {0, 0, -1});
+  add_light_at(built, {.color = {0.5f, 0.6f, 1.0f}, .intensity = 0.8f}, {0, 0, 0}, {-0.7f, 0.3f, -0.6f});
+  return built;
 }
 
 View view_of_wall() { return look_at({0.5, 0.3, 1.6}, {0.1, 0.0, 0.0}, 0.8, 0.05); }

@@ -27,11 +27,21 @@ void expect_reference_picture(const BuiltScene& built, const View& view, const R
 /// No environment, no occlusion, and no light at all but the scene's.
 RenderOptions only_scene_lights();
 
+/// All light, without occlusion.
+RenderOptions every_light();
+
 /// No light but the ambient light.
 RenderOptions only_ambient_light();
 
 /// A wall in the plane z = 0 that faces +z: 2.4 m wide and high, with tangents and two sets of texture coordinates.
 Primitive wall();
+
+/// A plain, rather rough, non-metallic material.
+Material plain();
+
+/// A wall of this material under a lamp near it and a directional light.
+BuiltScene lit_wall(BuiltScene built, const Material& material, const Primitive& primitive = wall(),
+                    const Affine& world_from_wall = {}, bool mirrored = false);
 
 /// In front of the wall, aside: the wall fills the picture.
 View view_of_wall();

@@ -268,5 +268,25 @@ TEST_F(material_set, G66_features_leave_out_data_that_cannot_be_read_but_not_col
   EXPECT_EQ(set.features_of(kNone).texcoord_sets, (Sets{}));
 }
 
+TEST(material_places, textures_of_layers_take_free_places_or_share_one) {
+  Material m;
+  for (TextureUse* use : texture_uses(m)) *use = {9, 0};
+  m.base_color_texture.texture = 1;
+  m.metallic_roughness_texture.texture = m.occlusion_texture.texture = 2;
+  m.normal_texture = {};
+  m.emissive_texture.texture = 3;
+  EXPECT_EQ(material_features(m).layers.textures[0], 1 + 2 * 2) << "the place of the normal map is free";
+  EXPECT_EQ(material_features(m).layers.textures[1], 1 + 2 * 5) << "as sRGB it is another image";
+  EXPECT_EQ(texture_places(m)[2].texture, 9u);
+  EXPECT_TRUE(texture_places(m)[5].srgb);
+  m.specular.texture = {2, 1};
+  EXPECT_EQ(material_features(m).layers.textures[0], 1 + 2 * 1 + 1) << "shares with metallic-roughness, TEXCOORD_1";
+  m.specular.texture = {1, 0};
+  EXPECT_EQ(material_features(m).layers.textures[0], 1) << "alpha is the same in sRGB";
+  EXPECT_TRUE(shows_all_textures(m));
+  m.unlit = true;
+  EXPECT_EQ(material_features(m).layers, LayerFeatures{});
+}
+
 }  // namespace
 }  // namespace sinew::viewer

@@ -14,6 +14,7 @@
 #include "samples/showcase/showcase.h"
 #include "viewer/app/load_environment.h"
 #include "viewer/passes/frame_uniforms.h"
+#include "viewer/upload/upload_materials.h"
 
 namespace sinew::viewer {
 namespace {
@@ -55,12 +56,14 @@ void say_what_is_left_out(const std::string& file, const Scene& scene, const Say
   if (scene.lights.size() > kMaxLights)
     say(file + ": warning: " + std::to_string(scene.lights.size()) + " lights; the viewer uses the first " +
         std::to_string(kMaxLights));
-  for (const Material& material : scene.materials)
-    for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                  &material.normal_texture, &material.occlusion_texture, &material.emissive_texture})
+  for (const Material& material : scene.materials) {
+    if (!shows_all_textures(material))
+      say(file + ": warning: material \"" + material.name + "\" has more images than the viewer shows");
+    for (const TextureUse* use : texture_uses(material))
       if (use->used() && use->texcoord > 1)
         say(file + ": warning: material \"" + material.name + "\" uses TEXCOORD_" + std::to_string(use->texcoord) +
             "; the viewer takes TEXCOORD_0 instead");
+  }
 }
 
 tl::unexpected<LoadError> fails(std::string why) { return tl::unexpected(LoadError{1, std::move(why)}); }

@@ -41,7 +41,9 @@ enum ConstantId : std::size_t {
   id_shadow_map = 16,
   id_shadow_light = 17,
   id_unlit_image = 18,
-  id_auto_exposure = 19
+  id_auto_exposure = 19,
+  id_specular = 24,
+  id_layer_textures = 28
 };
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -62,6 +64,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     key.frame.light_count = 0;
     key.frame.shadow_light = kNone;
     sets[1] = sets[2] = sets[3] = 0;
+    surface.material.layers = {};
   }
   if (!shades || surface.material.unlit) sets[4] = 0;
   if (!shades) key.frame.unlit_image = false;
@@ -114,6 +117,9 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_unlit] = key.surface.material.unlit;
   for (std::size_t i = 0; i < kMaterialTextures; ++i)
     shape.constants[id_texcoord_sets + i] = key.surface.material.texcoord_sets[i];
+  const LayerFeatures& layers = key.surface.material.layers;
+  shape.constants[id_specular] = layers.specular;
+  for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_shadow_map] = key.pass == Pass::shadow;

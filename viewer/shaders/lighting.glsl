@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Direct and ambient light on a metallic-roughness surface.
 // eq   glTF 2.0, Appendix B: mix(dielectric, metal, metallic); the dielectric is Lambert under a Fresnel layer of GGX with
-//      height-correlated Smith visibility
+//      height-correlated Smith visibility. KHR_materials_specular: F = f0 + (f90 - f0) (1 - v.h)^5, and Lambert gets
+//      1 - max(F)
 
 const float kPi = 3.14159265358979;
 
@@ -9,7 +10,11 @@ struct Surface {
   vec3 base_color;
   float metallic, roughness;
   vec3 n, to_viewer;
+  vec3 dielectric_f0;     // what the dielectric reflects along its normal,
+  float dielectric_f90;   // and at grazing angles
 };
+
+float greatest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
 vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   float n_l = dot(s.n, to_light);
@@ -21,10 +26,10 @@ vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
   float distribution = alpha2 / (kPi * d * d);
   float smith = n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) + n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2);
-  vec3 f0 = mix(vec3(0.04), s.base_color, s.metallic);
   float away = 1.0 - v_h, edge = away * away * away * away * away;
-  vec3 fresnel = f0 + (1.0 - f0) * edge;
-  vec3 diffuse = (1.0 - 0.04) * (1.0 - edge) * (1.0 - s.metallic) * s.base_color / kPi;
+  vec3 dielectric = s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * edge;
+  vec3 fresnel = mix(dielectric, s.base_color + (1.0 - s.base_color) * edge, s.metallic);
+  vec3 diffuse = (1.0 - greatest(dielectric)) * (1.0 - s.metallic) * s.base_color / kPi;
   return (diffuse + fresnel * distribution * 0.5 / smith) * n_l * irradiance;
 }
 
@@ -68,12 +73,12 @@ vec3 mirrored_light(vec3 direction, float roughness) {
 
 // Shares of ambient light that a rough layer reflects after one reflection on it, and after more.
 // eq   Fdez-Aguera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting" (2019): what one
-//      reflection loses, 1 - x - y, is reflected again with the mean reflectance f0 + (1 - f0) / 21
-// in   sums  of the split sum: once = f0 * x + y
-void layer(vec3 f0, vec2 sums, out vec3 once, out vec3 again) {
-  once = f0 * sums.x + sums.y;
+//      reflection loses, 1 - x - y, is reflected again with the mean reflectance f0 + (f90 - f0) / 21
+// in   sums  of the split sum: once = f0 * x + f90 * y
+void layer(vec3 f0, float f90, vec2 sums, out vec3 once, out vec3 again) {
+  once = f0 * sums.x + f90 * sums.y;
   float lost = 1.0 - sums.x - sums.y;
-  vec3 mean = f0 + (1.0 - f0) / 21.0;
+  vec3 mean = f0 + (f90 - f0) / 21.0;
   again = once * mean * lost / (1.0 - mean * lost);
 }
 
@@ -84,9 +89,9 @@ vec3 ambient(Surface s) {
   vec2 size = vec2(textureSize(split_sum_image, 0));
   vec2 sums = textureLod(split_sum_image, (vec2(sqrt(n_v), s.roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
   vec3 metal_once, metal_again, once, again;
-  layer(s.base_color, sums, metal_once, metal_again);
-  layer(vec3(0.04), sums, once, again);
-  vec3 below = s.base_color * (1.0 - once - again);
+  layer(s.base_color, 1.0, sums, metal_once, metal_again);
+  layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);
+  vec3 below = s.base_color * (1.0 - greatest(once + again));
   vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
   return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) +
          mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic);

@@ -15,7 +15,15 @@ layout(set = 1, binding = 0, std140) uniform Material {
   float roughness;
   float normal_scale;
   float occlusion_strength;
-  TextureTransform transforms[5];   // of the textures below, in their order
+  vec3 dielectric_f0;               // of ior and specular colour; not clipped
+  float specular;
+  float clearcoat;
+  float clearcoat_roughness;
+  float clearcoat_normal_scale;
+  float transmission;
+  vec3 sheen_color;
+  float sheen_roughness;
+  TextureTransform transforms[13];  // of the five textures below in their order, then of those of the layers
 } material;
 
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
@@ -23,6 +31,8 @@ layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_texture;
 layout(set = 1, binding = 3) uniform sampler2D normal_texture;
 layout(set = 1, binding = 4) uniform sampler2D occlusion_texture;
 layout(set = 1, binding = 5) uniform sampler2D emissive_texture;
+layout(set = 1, binding = 6) uniform sampler2D other_texture;
+layout(set = 1, binding = 7) uniform sampler2D last_texture;
 
 // in   set  one of the constants k...Set;   texcoords  both sets of the vertex
 vec2 uv_of_set(int set, vec4 texcoords) {
@@ -35,6 +45,20 @@ vec2 transformed_uv(int index, int set, vec4 texcoords) {
   TextureTransform t = material.transforms[index];
   vec2 uv = uv_of_set(set, texcoords);
   return vec2(dot(t.row_u.xy, uv) + t.row_u.z, dot(t.row_v.xy, uv) + t.row_v.z);
+}
+
+// A texture of a layer. Its image has one of the places above: where the five have none, or share one with it.
+// in   use    one of the constants k...Texture;   index  into material.transforms
+vec4 layer_texel(int use, int index, vec4 texcoords) {
+  vec2 uv = transformed_uv(index, 1 + (use - 1) % 2, texcoords);
+  int place = (use - 1) / 2;
+  if (place == 0) return texture(base_color_texture, uv);
+  if (place == 1) return texture(metallic_roughness_texture, uv);
+  if (place == 2) return texture(normal_texture, uv);
+  if (place == 3) return texture(occlusion_texture, uv);
+  if (place == 4) return texture(emissive_texture, uv);
+  if (place == 5) return texture(other_texture, uv);
+  return texture(last_texture, uv);
 }
 
 vec4 base_color_at(vec4 texcoords, vec4 vertex_color) {

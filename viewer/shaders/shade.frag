@@ -71,6 +71,18 @@ vec3 mapped_normal(vec3 n) {
   return normalize(t * relief.x * material.normal_scale + b * relief.y * material.normal_scale + n * relief.z);
 }
 
+// eq   KHR_materials_ior and KHR_materials_specular: f0 = min(f0 of ior * color, 1) * specular, f90 = specular
+void set_specular(inout Surface s) {
+  s.dielectric_f0 = vec3(0.04);
+  s.dielectric_f90 = 1.0;
+  if (!kSpecular) return;
+  vec3 f0 = material.dielectric_f0;
+  s.dielectric_f90 = material.specular;
+  if (kSpecularTexture != 0) s.dielectric_f90 *= layer_texel(kSpecularTexture, 5, texcoords).a;
+  if (kSpecularColorTexture != 0) f0 *= layer_texel(kSpecularColorTexture, 6, texcoords).rgb;
+  s.dielectric_f0 = min(f0, vec3(1.0)) * s.dielectric_f90;
+}
+
 vec3 lit(vec3 base_color, vec3 geometry_normal) {
   Surface s;
   s.base_color = base_color;
@@ -82,6 +94,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
     s.roughness *= texel.g;
   }
   s.roughness = clamp(s.roughness, 0.045, 1.0);   // keeps the highlight of a mirror visible and finite
+  set_specular(s);
   s.n = mapped_normal(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
   float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal);

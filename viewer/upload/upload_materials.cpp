@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/upload/upload_materials.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -17,30 +18,95 @@ TextureTransformUniforms texture_transform(const TextureUse& use) noexcept {
           {-s * use.scale.x, c * use.scale.y, use.offset.y, 0.0f}};
 }
 
+/// eq   KHR_materials_ior: ((ior - 1) / (ior + 1))^2; times the colour of KHR_materials_specular
+glm::vec3 dielectric_f0(const Specular& s) noexcept {
+  const float root = (s.ior - 1.0f) / (s.ior + 1.0f);
+  return root * root * s.color;
+}
+
+/// How the shader reads a texture of a layer.
+enum class Reading : std::uint8_t { data, color, alpha };  ///< alpha is the same in sRGB images and others
+
+constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Reading::color, Reading::data,
+                                                           Reading::data,  Reading::data,  Reading::color,
+                                                           Reading::alpha, Reading::data};
+
+/// The layer of each texture is there.
+std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
+  const bool specular = !m.unlit && m.specular.has_effect();
+  return {specular, specular};
+}
+
+/// Which place each texture of a layer has, and what the places hold.
+struct Places {
+  std::array<TexturePlace, kTexturePlaces> held;
+  std::array<std::size_t, kLayerTextures> of_layer{};  ///< kTexturePlaces = none
+  bool complete = true;
+};
+
+Places places_of(const Material& m) noexcept {
+  const auto uses = texture_uses(m);
+  const auto shown = layers_shown(m);
+  Places places;
+  for (std::size_t i = 0; i < kMaterialTextures; ++i) places.held[i] = {uses[i]->texture, i == 0 || i == 4};
+  places.of_layer.fill(kTexturePlaces);
+  for (std::size_t i = 0; i < kLayerTextures; ++i) {
+    const std::uint32_t texture = uses[kMaterialTextures + i]->texture;
+    if (!shown[i] || texture == kNone) continue;
+    const bool srgb = kReadings[i] == Reading::color;
+    const auto find = [&](const auto& fits) {
+      return static_cast<std::size_t>(std::find_if(places.held.begin(), places.held.end(), fits) - places.held.begin());
+    };
+    std::size_t place = find([&](const TexturePlace& p) {
+      return p.texture == texture && (p.srgb == srgb || kReadings[i] == Reading::alpha);
+    });
+    if (place == kTexturePlaces) place = find([](const TexturePlace& p) { return p.texture == kNone; });
+    if (place == kTexturePlaces) {
+      places.complete = false;
+      continue;
+    }
+    if (places.held[place].texture == kNone) places.held[place] = {texture, srgb};
+    places.of_layer[i] = place;
+  }
+  return places;
+}
+
 }  // namespace
 
 MaterialUniforms material_uniforms(const Material& m) noexcept {
-  return {m.base_color,
-          m.emissive * m.emissive_strength,
-          m.alpha_cutoff,
-          m.metallic,
-          m.roughness,
-          m.normal_scale,
-          m.occlusion_strength,
-          {texture_transform(m.base_color_texture), texture_transform(m.metallic_roughness_texture),
-           texture_transform(m.normal_texture), texture_transform(m.occlusion_texture),
-           texture_transform(m.emissive_texture)}};
+  MaterialUniforms out{m.base_color,          m.emissive * m.emissive_strength,
+                       m.alpha_cutoff,        m.metallic,
+                       m.roughness,           m.normal_scale,
+                       m.occlusion_strength,  dielectric_f0(m.specular),
+                       m.specular.factor,     m.clearcoat.factor,
+                       m.clearcoat.roughness, m.clearcoat.normal_scale,
+                       m.transmission.factor, m.sheen.color,
+                       m.sheen.roughness,     {}};
+  const auto uses = texture_uses(m);
+  for (std::size_t i = 0; i < uses.size(); ++i) out.transforms[i] = texture_transform(*uses[i]);
+  return out;
 }
 
 MaterialFeatures material_features(const Material& m) noexcept {
-  const auto set_of = [](const TextureUse& use) -> std::uint8_t { return !use.used() ? 0 : use.texcoord == 1 ? 2 : 1; };
-  return {m.unlit,
-          {set_of(m.base_color_texture), set_of(m.metallic_roughness_texture), set_of(m.normal_texture),
-           set_of(m.occlusion_texture), set_of(m.emissive_texture)}};
+  const auto uses = texture_uses(m);
+  const Places places = places_of(m);
+  MaterialFeatures out{.unlit = m.unlit};
+  for (std::size_t i = 0; i < kMaterialTextures; ++i)
+    if (uses[i]->used()) out.texcoord_sets[i] = uses[i]->texcoord == 1 ? 2 : 1;
+  out.layers.specular = layers_shown(m)[0];
+  for (std::size_t i = 0; i < kLayerTextures; ++i)
+    if (const std::size_t place = places.of_layer[i]; place < kTexturePlaces)
+      out.layers.textures[i] =
+          static_cast<std::uint8_t>(1 + 2 * place + (uses[kMaterialTextures + i]->texcoord == 1 ? 1 : 0));
+  return out;
 }
 
+std::array<TexturePlace, kTexturePlaces> texture_places(const Material& m) noexcept { return places_of(m).held; }
+
+bool shows_all_textures(const Material& m) noexcept { return places_of(m).complete; }
+
 VkDescriptorSetLayout make_material_layout(const Device& device) {
-  std::array<VkDescriptorSetLayoutBinding, 6> bindings{};
+  std::array<VkDescriptorSetLayoutBinding, 1 + kTexturePlaces> bindings{};
   for (std::uint32_t i = 0; i < bindings.size(); ++i)
     bindings[i] = {i, i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1,
                    VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
@@ -79,7 +145,8 @@ MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, s
 void MaterialSet::allocate_sets() {
   const std::uint32_t count = count_ * slots_;
   const std::array<VkDescriptorPoolSize, 2> sizes = {
-      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5 * count}}};
+      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, count},
+       {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, static_cast<std::uint32_t>(kTexturePlaces) * count}}};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   pool.maxSets = count;
   pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
@@ -104,11 +171,13 @@ void MaterialSet::update(std::uint32_t slot, std::span<const Material> materials
   for (const std::uint32_t m : animated_) write_uniforms(slot % slots_ * count_ + m, usable(materials[m]));
 }
 
-/// The material without its unreadable data textures; only their factors count then.
+/// The material without its unreadable textures, but for base colour and emission; only their factors count then.
 Material MaterialSet::usable(const Material& given) const {
   Material material = given;
-  for (TextureUse* data : {&material.metallic_roughness_texture, &material.normal_texture, &material.occlusion_texture})
-    if (!readable(scene_, *data)) *data = {};
+  for (TextureUse* use : texture_uses(material)) {
+    const bool replaced = use == &material.base_color_texture || use == &material.emissive_texture;
+    if (!replaced && !readable(scene_, *use)) *use = {};
+  }
   return material;
 }
 
@@ -119,16 +188,13 @@ void MaterialSet::write_uniforms(std::size_t set, const Material& material) {
 
 void MaterialSet::write_set(std::size_t set, const Material& given, Staging& staging) {
   const Material material = usable(given);
-  const Scene& scene = scene_;
   write_uniforms(set, material);
   const VkDescriptorBufferInfo buffer{uniforms_.handle(), stride_ * set, sizeof(MaterialUniforms)};
-  const std::array<VkDescriptorImageInfo, 5> images = {
-      textures_.use(scene, material.base_color_texture.texture, true, staging),
-      textures_.use(scene, material.metallic_roughness_texture.texture, false, staging),
-      textures_.use(scene, material.normal_texture.texture, false, staging),
-      textures_.use(scene, material.occlusion_texture.texture, false, staging),
-      textures_.use(scene, material.emissive_texture.texture, true, staging)};
-  std::array<VkWriteDescriptorSet, 6> writes{};
+  std::array<VkDescriptorImageInfo, kTexturePlaces> images{};
+  const auto places = texture_places(material);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    images[i] = textures_.use(scene_, places[i].texture, places[i].srgb, staging);
+  std::array<VkWriteDescriptorSet, 1 + kTexturePlaces> writes{};
   for (std::uint32_t i = 0; i < writes.size(); ++i) {
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
     writes[i].dstSet = sets_[set];

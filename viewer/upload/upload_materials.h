@@ -17,28 +17,58 @@ struct TextureTransformUniforms {
 };
 
 inline constexpr std::size_t kMaterialTextures = 5;  ///< base colour, metallic-roughness, normal, occlusion, emissive
+inline constexpr std::size_t kLayerTextures = 8;     ///< those of the layers, in the order of texture_uses()
+
+/// Vulkan promises 16 images to a shader, of which a frame takes 9. Layers take the places that the five textures of a
+/// material leave, and those of images that are there already.
+inline constexpr std::size_t kTexturePlaces = 7;
 
 struct MaterialUniforms {
   glm::vec4 base_color;
   glm::vec3 emissive;
   float alpha_cutoff;
   float metallic, roughness, normal_scale, occlusion_strength;
-  std::array<TextureTransformUniforms, kMaterialTextures> transforms;
+  glm::vec3 dielectric_f0;
+  float specular;
+  float clearcoat, clearcoat_roughness, clearcoat_normal_scale, transmission;
+  glm::vec3 sheen_color;
+  float sheen_roughness;
+  std::array<TextureTransformUniforms, kMaterialTextures + kLayerTextures> transforms;
 };
-static_assert(sizeof(MaterialUniforms) == 16 * (3 + 2 * kMaterialTextures));
+static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLayerTextures)));
+
+/// The layers of a surface that shaders are compiled for.
+struct LayerFeatures {
+  bool specular = false;
+  /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
+  std::array<std::uint8_t, kLayerTextures> textures{};
+
+  auto operator<=>(const LayerFeatures&) const = default;
+};
 
 /// What shaders are compiled for: these never change in a clip, unlike the uniforms.
 struct MaterialFeatures {
   bool unlit = false;
   std::array<std::uint8_t, kMaterialTextures> texcoord_sets{};  ///< 0 = no texture, 1 = TEXCOORD_0, 2 = TEXCOORD_1
 
+  LayerFeatures layers;
+
   auto operator<=>(const MaterialFeatures&) const = default;
 };
 
+/// What each place for a texture holds.
+struct TexturePlace {
+  std::uint32_t texture = kNone;
+  bool srgb = false;
+};
+
 MaterialFeatures material_features(const Material& material) noexcept;
+std::array<TexturePlace, kTexturePlaces> texture_places(const Material& material) noexcept;
+/// False where the layers of the material have more images than there are places; the last are left out.
+bool shows_all_textures(const Material& material) noexcept;
 MaterialUniforms material_uniforms(const Material& material) noexcept;
 
-/// Descriptor set 1 of all geometry pipelines: the uniforms and five textures. The caller destroys it.
+/// Descriptor set 1 of all geometry pipelines: the uniforms and kTexturePlaces textures. The caller destroys it.
 VkDescriptorSetLayout make_material_layout(const Device& device);
 
 /// One descriptor set per material of the scene, and a last one for primitives without a material (glTF's default). If

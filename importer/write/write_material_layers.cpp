@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "importer/write/write_scene.h"
+
+namespace sinew::write {
+namespace {
+
+using Object = tinygltf::Value::Object;
+using Array = tinygltf::Value::Array;
+
+tinygltf::Value number(float value) { return tinygltf::Value(static_cast<double>(value)); }
+
+tinygltf::Value color(const glm::vec3& c) { return tinygltf::Value(Array{number(c.x), number(c.y), number(c.z)}); }
+
+/// Adds a reference to a texture as the member `name`, where it is used.
+/// in   scale  of a normal texture; 1 is left out
+void add_texture(Object& extension, const char* name, const TextureUse& use, tinygltf::Model& model,
+                 float scale = 1.0f) {
+  if (!use.used()) return;
+  Object info{{"index", tinygltf::Value(static_cast<int>(use.texture))},
+              {"texCoord", tinygltf::Value(static_cast<int>(use.texcoord))}};
+  if (scale != 1.0f) info["scale"] = number(scale);
+  if (has_transform(use))
+    info["extensions"] = tinygltf::Value(Object{{"KHR_texture_transform", transform_of(use, model)}});
+  extension[name] = tinygltf::Value(std::move(info));
+}
+
+/// Declares and adds an extension that says something.
+void add(const char* name, Object&& extension, tinygltf::Model& model, tinygltf::Material& out) {
+  if (extension.empty()) return;
+  out.extensions[name] = tinygltf::Value(std::move(extension));
+  declare_extension(model, name);
+}
+
+Object written(const Specular& s, tinygltf::Model& model) {
+  Object out;
+  if (s.factor != 1.0f) out["specularFactor"] = number(s.factor);
+  if (s.color != glm::vec3(1.0f)) out["specularColorFactor"] = color(s.color);
+  add_texture(out, "specularTexture", s.texture, model);
+  add_texture(out, "specularColorTexture", s.color_texture, model);
+  return out;
+}
+
+Object written(const Clearcoat& c, tinygltf::Model& model) {
+  Object out;
+  if (c.factor != 0.0f) out["clearcoatFactor"] = number(c.factor);
+  if (c.roughness != 0.0f) out["clearcoatRoughnessFactor"] = number(c.roughness);
+  add_texture(out, "clearcoatTexture", c.texture, model);
+  add_texture(out, "clearcoatRoughnessTexture", c.roughness_texture, model);
+  add_texture(out, "clearcoatNormalTexture", c.normal_texture, model, c.normal_scale);
+  return out;
+}
+
+Object written(const Sheen& s, tinygltf::Model& model) {
+  Object out;
+  if (s.color != glm::vec3(0.0f)) out["sheenColorFactor"] = color(s.color);
+  if (s.roughness != 0.0f) out["sheenRoughnessFactor"] = number(s.roughness);
+  add_texture(out, "sheenColorTexture", s.color_texture, model);
+  add_texture(out, "sheenRoughnessTexture", s.roughness_texture, model);
+  return out;
+}
+
+Object written(const Transmission& t, tinygltf::Model& model) {
+  Object out;
+  if (t.factor != 0.0f) out["transmissionFactor"] = number(t.factor);
+  add_texture(out, "transmissionTexture", t.texture, model);
+  return out;
+}
+
+}  // namespace
+
+void write_material_layers(const Material& material, tinygltf::Model& model, tinygltf::Material& out) {
+  if (material.specular.ior != 1.5f)
+    add("KHR_materials_ior", Object{{"ior", number(material.specular.ior)}}, model, out);
+  add("KHR_materials_specular", written(material.specular, model), model, out);
+  add("KHR_materials_clearcoat", written(material.clearcoat, model), model, out);
+  add("KHR_materials_sheen", written(material.sheen, model), model, out);
+  add("KHR_materials_transmission", written(material.transmission, model), model, out);
+}
+
+}  // namespace sinew::write

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Pictures of one layer of a material each (ior, specular), compared with the reference renderer.
+#include "samples/showcase/shapes.h"
+#include "tests/reference/shade.h"
+#include "tests/viewer/reference_picture.h"
+#include "viewer/upload/upload_materials.h"
+
+namespace sinew::viewer {
+namespace {
+
+class layer_picture : public DeviceTest {};
+
+/// A wall with a sphere before it, so that light grazes the surface somewhere.
+BuiltScene lit_ball(const Material& material, BuiltScene built = {}) {
+  built.add(showcase::sphere({0.1f, 0.0f, 0.4f}, 0.4f, 16, 8), built.add_material(material));
+  return lit_wall(std::move(built), plain());
+}
+
+void expect_layer(const Material& material, const char* what) {
+  SCOPED_TRACE(what);
+  for (const RenderOptions& options : {only_scene_lights(), only_ambient_light(), every_light()})
+    expect_reference_picture(lit_ball(material), view_of_wall(), options, {.bound = 0.002});
+}
+
+TEST_F(layer_picture, index_of_refraction_says_what_is_reflected_along_the_normal) {
+  for (const float ior : {1.0f, 1.2f, 2.4f, 0.0f}) {
+    Material material = plain();
+    material.roughness = 0.4f;
+    material.specular.ior = ior;
+    expect_layer(material, ("ior " + std::to_string(ior)).c_str());
+  }
+}
+
+TEST_F(layer_picture, specular_scales_what_a_dielectric_reflects_and_tints_it_along_the_normal) {
+  for (const float metallic : {0.0f, 0.4f, 1.0f}) {
+    Material material = plain();
+    material.roughness = 0.35f;
+    material.metallic = metallic;
+    material.specular.factor = 0.3f;
+    expect_layer(material, "factor");
+    material.specular.color = {1.0f, 0.2f, 0.6f};
+    expect_layer(material, "colour");
+    material.specular = {.ior = 1.8f, .color = {30.0f, 2.0f, 0.0f}};  // red is clipped to all light
+    expect_layer(material, "colour above 1");
+  }
+}
+
+struct LayerTexture {
+  const char* what;
+  TextureUse& (*use)(Material&);
+  bool srgb;
+};
+
+constexpr LayerTexture kTextures[] = {
+    {"specular", [](Material& m) -> TextureUse& { return m.specular.texture; }, false},
+    {"specular colour", [](Material& m) -> TextureUse& { return m.specular.color_texture; }, true},
+};
+
+Material with_all_layers() {
+  Material material = plain();
+  material.roughness = 0.4f;
+  material.specular = {.ior = 1.9f, .factor = 0.8f, .color = {0.9f, 0.5f, 0.7f}};
+  return material;
+}
+
+TEST_F(layer_picture, each_texture_of_a_layer_has_its_own_coordinates_and_transform) {
+  for (const LayerTexture& texture : kTextures)
+    for (const std::uint32_t set : {0u, 1u})
+      for (const bool moved : {false, true}) {
+        BuiltScene built;
+        Material material = with_all_layers();
+        TextureUse& use = texture.use(material);
+        use.texture = add_noise_texture(built);
+        use.texcoord = set;
+        if (moved) {
+          use.offset = {0.13f, -0.21f};
+          use.rotation_rad = 0.6f;
+          use.scale = {1.4f, 0.5f};
+        }
+        expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
+                                 {.bound = texture.srgb ? kDecodedBound : 0.002, .sharp = 0.5});
+        if (HasFailure()) FAIL() << texture.what << ", set " << set << " moved " << moved;
+      }
+}
+
+TEST_F(layer_picture, textures_of_layers_share_images_with_others) {
+  BuiltScene built;
+  Material material = with_all_layers();
+  const std::uint32_t shared = add_noise_texture(built), other = add_noise_texture(built);
+  for (TextureUse* use : texture_uses(material)) use->texture = shared;
+  material.normal_texture.texture = material.occlusion_texture.texture = other;
+  for (const LayerTexture& texture : kTextures) texture.use(material).texcoord = 1;
+  ASSERT_TRUE(shows_all_textures(material));
+  expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
+                           {.bound = kDecodedBound, .sharp = 0.4});
+}
+
+TEST_F(layer_picture, white_surfaces_in_white_light_return_all_of_it_under_every_layer) {
+  constexpr float radiance = 0.5f;
+  RenderOptions options = only_ambient_light();
+  options.transparent_background = true;
+  options.lighting.environment = gradient_environment({.sky = glm::vec3(radiance), .ground = glm::vec3(radiance)});
+  const double white = reference::srgb_encoded(reference::tone_mapped(glm::dvec3(radiance)).r);
+  Material layers[1];
+  layers[0].specular = {.ior = 2.2f, .factor = 0.6f};
+  for (Material& material : layers)
+    for (const float roughness : {0.1f, 0.5f, 1.0f}) {
+      material.metallic = 0.0f;
+      material.roughness = roughness;
+      BuiltScene built;
+      built.add(showcase::sphere({0, 0, 0}, 0.9f, 20, 12), built.add_material(material));
+      const View view = look_at({0.8, 1.2, 2.2}, {0.0, 0.0, 0.0}, 0.75, 0.05);
+      int covered = 0;
+      for (const glm::vec4& pixel : render_float(built, 32, 32, view, options).pixels) {
+        if (pixel.a == 0.0f) continue;
+        ++covered;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(pixel[c], white, 0.004) << roughness;
+      }
+      EXPECT_GT(covered, 200);
+    }
+}
+
+}  // namespace
+}  // namespace sinew::viewer
