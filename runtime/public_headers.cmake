@@ -110,6 +110,8 @@ set(sinew_public_headers
   runtime/retarget/humanoid_bones.h
   runtime/retarget/retarget_animation.h
   runtime/retarget/retarget_pose.h
+  runtime/retarget/retarget_properties.h
+  runtime/retarget/retarget_weights.h
   runtime/retarget/skeleton_map.h
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h

@@ -60,6 +60,11 @@ Json animation_of(const Scene& scene, const Animation& animation, Draft& draft) 
     add(keys_of(bone.rotation), target("rotation"));
     add(keys_of(bone.scale), target("scale"));
   }
+  for (const WeightAnimation& animated : animation.weights) {
+    const MeshInstance& instance = scene.instances[animated.instance];
+    if (animated.weights.target_count == instance.rest_weights.size())
+      add(keys_of(animated.weights), {{"node", scene.skeleton.node_of_joint[instance.joint]}, {"path", "weights"}});
+  }
   if (out["channels"].empty()) add(Keys{Interpolation::step, {0.0f}, {0, 0, 0}, 3}, Json{{"path", "translation"}});
   writer.finish();
   return out;

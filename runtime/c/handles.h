@@ -18,6 +18,7 @@
 #include "runtime/pose/mirror_pose.h"
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/retarget_pose.h"
+#include "runtime/retarget/retarget_weights.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)
@@ -68,6 +69,7 @@ struct sinew_skeleton_map {
   sinew::RetargetTables tables;
   sinew::FeetMap feet;
   std::vector<sinew_joint_pair> pairs;  // of `map`, as C reads them
+  sinew::WeightMap weights;
 };
 
 struct sinew_messages {

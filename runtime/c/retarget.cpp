@@ -10,6 +10,7 @@
 #include "runtime/retarget/hold_feet.h"
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
+#include "runtime/retarget/retarget_properties.h"
 
 using namespace sinew;
 
@@ -42,6 +43,9 @@ Clip retargeted(const sinew_skeleton_map& own, std::uint32_t clip, bool hold) {
   const Animation& animation = source.animations[clip];
   Animation made = retarget_animation(animation, own.map, source.skeleton, target.skeleton);
   if (hold) hold_feet(own.feet, animation, source.skeleton, target.skeleton, made);
+  retarget_weights(own.weights, animation, source, target, made);
+  retarget_properties(animation, own.map, source, target, made);
+  std::erase_if(made.properties, [&](const PropertyTrack& track) { return !target.properties.find(track.target); });
   return compile_clip(made, target.skeleton, rest_weights_of(target), target.first_weight, target.properties);
 }
 
@@ -59,7 +63,9 @@ sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_sce
     FeetMap feet = make_feet_map(map, from, to);
     std::vector<sinew_joint_pair> pairs;
     for (const MappedJoint& joint : map.joints) pairs.push_back({joint.source, joint.target});
-    *out = new sinew_skeleton_map{source, target, std::move(map), std::move(tables), std::move(feet), std::move(pairs)};
+    WeightMap weights = make_weight_map(source->scene, target->scene);
+    *out = new sinew_skeleton_map{source,          target,           std::move(map),    std::move(tables),
+                                  std::move(feet), std::move(pairs), std::move(weights)};
     return SINEW_OK;
   });
 }

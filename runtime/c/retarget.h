@@ -70,6 +70,8 @@ sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const s
 sinew_error sinew_find_ground(const sinew_skeleton_map* map, uint32_t clip, float* ground);
 
 /// Adds a clip of the source to a library as a clip of the target, key by key where joints follow one other joint.
+/// Morph targets follow those of equal names, whatever their meshes, and properties those of things of equal names as
+/// far as clips of the target's scene animate them, too.
 /// in   library    of the target's skeleton, or one that shares names with it
 ///      hold_feet  1 = feet on the ground are held, as by sinew_hold_feet
 ///      if_unbound, unbound  as in sinew_library_add

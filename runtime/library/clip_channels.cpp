@@ -76,14 +76,21 @@ std::string thing_of(const Scene& scene, const PropertyTarget& target) {
   return named("material ", scene.materials[target.index].name);
 }
 
+}  // namespace
+
+std::string property_name(const Scene& scene, const PropertyTarget& target) {
+  std::string name = thing_of(scene, target);
+  if (name.empty()) return name;
+  if (target.kind >= PropertyKind::texture_offset) name.append(name_of(target.slot));
+  return name.append(name_of(target.kind));
+}
+
+namespace {
+
 std::vector<std::string> number_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const PropertyTable::Entry& entry : scene.properties.entries) {
-    std::string name = thing_of(scene, entry.target);
-    if (!name.empty()) {
-      if (entry.target.kind >= PropertyKind::texture_offset) name.append(name_of(entry.target.slot));
-      name.append(name_of(entry.target.kind));
-    }
+    const std::string name = property_name(scene, entry.target);
     for (std::uint32_t c = 0; c < entry.count; ++c)
       names.push_back(name.empty() || entry.count == 1 ? name : name + '/' + std::to_string(c));
   }

@@ -32,4 +32,8 @@ ClipChannels clip_channels(const Scene& scene);
 /// Those of a skeleton alone, without weights and properties.     cost O(J), allocates
 ClipChannels clip_channels(const Skeleton& skeleton);
 
+/// "material skin/base_color": the name of a property of a scene, without its components; empty where the thing that
+/// has it is without a name.
+std::string property_name(const Scene& scene, const PropertyTarget& target);
+
 }  // namespace sinew

@@ -19,8 +19,8 @@ void retarget_pose(const SkeletonMap& map, const Skeleton& source, const Skeleto
 /// retarget_pose at every time, but for rounding; on its own skeleton an animation keeps its bits. Where several joints
 /// of the source add up (a spine of more joints, a wrist), there are linear keys at the key times of all of them, and
 /// at the middles between these.
-/// Morph weights and properties are those of the source's meshes and are left out; so are scales, unless the skeletons
-/// share names.
+/// Scales are left out unless the skeletons share names. Morph weights and properties are the business of
+/// retarget_weights.h and retarget_properties.h.
 /// in   animation  checked, of the source
 /// cost O(keys * joints between mapped ones), allocates
 Animation retarget_animation(const Animation& animation, const SkeletonMap& map, const Skeleton& source,

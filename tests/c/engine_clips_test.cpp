@@ -218,6 +218,29 @@ TEST(c_clips, a_retargeted_clip_joins_a_library_and_the_map_says_what_it_did) {
   sinew_skeleton_map_destroy(map);
 }
 
+TEST(c_clips, morph_weights_and_properties_of_equal_names_come_along) {
+  Scene moving = face_scene(), resting = face_scene();
+  moving.materials.emplace_back().name = "skin";
+  PropertyTrack glows{{PropertyKind::roughness, 0}, {Interpolation::linear, {0.0f, 1.0f}, {0.0f, 1.0f}, 1}},
+      fades{{PropertyKind::metallic, 0}, {Interpolation::linear, {0.0f, 1.0f}, {0.0f, 1.0f}, 1}};
+  moving.animations[0].properties = {glows, fades};
+  resting.materials = moving.materials;
+  resting.meshes[0].name = "another face";
+  resting.animations[0] = {"own", 1.0, {}, {}, {glows}};
+  finish_scene(moving);
+  finish_scene(resting);
+  const sinew_scene source{moving}, target{resting};
+  sinew_skeleton_map* map = nullptr;
+  ASSERT_EQ(sinew_skeleton_map_create(&source, &target, nullptr, &map), SINEW_OK);
+  sinew_library* library = library_of(target, {});
+  ASSERT_EQ(sinew_library_add_retargeted(library, map, 0, 0, SINEW_REFUSE, nullptr), SINEW_OK);
+  const Sample found = sample(library->clips[0], 0.5);
+  EXPECT_EQ(found.weights, (std::vector<float>{0.5f, 1.0f}));
+  EXPECT_EQ(found.numbers, (std::vector<float>{0.5f})) << "the target animates the roughness alone";
+  sinew_library_destroy(library);
+  sinew_skeleton_map_destroy(map);
+}
+
 TEST(c_clips, the_pairs_that_an_engine_names_are_all_that_is_mapped) {
   const sinew_scene source{walker(1.0f)}, target{walker(0.7f)};
   const sinew_joint_pair pairs[] = {{0, 0}, {1, 2}};

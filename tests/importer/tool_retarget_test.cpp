@@ -12,6 +12,7 @@
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "tests/importer/tool_model.h"
+#include "tests/scenes/hand_scenes.h"
 #include "tests/support/corpus.h"
 
 namespace sinew::test {
@@ -256,6 +257,45 @@ TEST(retarget_corpus, limbs_of_humanoids_find_each_other) {
   if (corpus()) {
     EXPECT_GE(humanoids, 2u);
   }
+}
+
+TEST(retarget, carries_morph_weights_by_name_and_lists_what_it_cannot) {
+  const ToolModelFile model;
+  Scene clips = face_scene(), character = face_scene();
+  for (Scene* scene : {&clips, &character}) scene->skeleton.names[0] = "head";
+  character.meshes[0].target_names = {"puff", "Face.SPREAD"};
+  character.animations.clear();
+  for (Scene* scene : {&clips, &character}) finish_scene(*scene);
+  ASSERT_TRUE(export_glb(clips, model.beside("clips.glb")) && export_glb(character, model.beside("character.glb")));
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.glb"), "--onto", model.beside("character.glb"), "-o", model.beside("out.glb")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("morph targets that the character lacks: \"lift\"\n"));
+  const auto out = import_gltf(model.beside("out.glb"));
+  ASSERT_TRUE(out);
+  ASSERT_EQ(out->scene.animations.size(), 1u);
+  ASSERT_EQ(out->scene.animations[0].weights.size(), 1u);
+  const WeightTrack &found = out->scene.animations[0].weights[0].weights,
+                    &from = clips.animations[0].weights[0].weights;
+  EXPECT_EQ(found.times_s, from.times_s);
+  EXPECT_EQ(found.values, (std::vector<float>{0.25f, 0.0f, 0.25f, 2.0f})) << "the rest weight, and the spread";
+}
+
+TEST(retarget, translations_follow_the_rule_that_is_asked_for) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "mixamorig:Hips", "mixamorig:LeftArm", 1.0, true);
+  write_body(model.beside(""), "tall", "pelvis", "upperarm_l", 3.0, false);
+  const auto hips = [&](const std::string& rule) {
+    const CommandOutcome outcome =
+        run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("tall.gltf"), "-o",
+                  model.beside(rule + ".glb"), "--translations", rule});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return import_gltf(model.beside(rule + ".glb"))->scene.animations[0].bones[0];
+  };
+  EXPECT_EQ(hips("hips-by-height").translation.values.size(), 2u);
+  EXPECT_TRUE(hips("keep").translation.empty());
+  EXPECT_EQ(hips("by-length").translation.values.size(), 2u);
+  EXPECT_EQ(run_tool({"retarget", "a.glb", "--onto", "b.glb", "-o", "c.glb", "--translations", "half"}).status, 2);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "importer/tool/cost/other_body.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 

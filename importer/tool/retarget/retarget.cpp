@@ -18,8 +18,10 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/retarget/joint_pairs.h"
 #include "importer/tool/text_table.h"
+#include "runtime/library/clip_channels.h"
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
+#include "runtime/retarget/retarget_weights.h"
 
 namespace sinew::tool {
 namespace {
@@ -28,6 +30,7 @@ struct RetargetOptions {
   std::string clips, character, out;
   std::optional<std::string> map;
   std::vector<std::string> drop;
+  std::string translations = "hips-by-height";
   bool keep_rest = false, hold_feet = false;
 };
 
@@ -41,6 +44,12 @@ void print_joints(const char* title, const Skeleton& skeleton, const std::vector
   std::string names;
   for (const std::uint32_t joint : joints) names += (names.empty() ? "" : ", ") + name_of(skeleton, joint);
   print_result("{}: {}\n", title, names);
+}
+
+void print_names(const char* title, const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + in_quotes(name);
+  if (!names.empty()) print_result("{}: {}\n", title, all);
 }
 
 void print_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target) {
@@ -65,17 +74,28 @@ std::string held_feet(const FeetMap& feet, const Animation& animation, const Sce
                      length_text(after.largest), counted(after.contacts, "contact"));
 }
 
+/// Morph weights of a clip on the character; says what is not carried: properties cannot be written (rewrite_gltf.h).
+void carry_weights(const WeightMap& weights, const Animation& animation, const Scene& clips, const Scene& character,
+                   Animation& retargeted) {
+  retarget_weights(weights, animation, clips, character, retargeted);
+  for (const PropertyTrack& track : animation.properties)
+    print_result("  not carried: {}\n", in_quotes(property_name(clips, track.target)));
+}
+
 /// The clips on the character; says how far each is from the poses that it was made of.
 std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet,
                                       const Scene& character) {
   constexpr double kDegrees = 57.29577951308232;
   std::vector<Animation> all;
+  const WeightMap weights = make_weight_map(clips, character);
+  print_names("morph targets that the character lacks", weights.not_found);
   for (const Animation& animation : clips.animations) {
     Animation retargeted = retarget_animation(animation, map, clips.skeleton, character.skeleton);
     const RetargetError error = measure_retarget(retargeted, animation, map, clips.skeleton, character.skeleton);
     const std::string slide = feet.legs.empty() ? "" : held_feet(feet, animation, clips, character, retargeted);
     print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
                  counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
+    carry_weights(weights, animation, clips, character, retargeted);
     all.push_back(std::move(retargeted));
   }
   return all;
@@ -86,6 +106,8 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
 tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const Skeleton& source,
                                               const Skeleton& target) {
   SkeletonMapOptions choice;
+  if (options.translations == "by-length") choice.translations = TranslationRule::by_length;
+  if (options.translations == "keep") choice.translations = TranslationRule::keep;
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
   if (options.map) {
     auto pairs = read_joint_pairs(*options.map, source, target);
@@ -152,7 +174,7 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
       "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
       "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
       "their "
-      "height.\n"
+      "height. Morph targets follow those of equal names.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
       "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; "
@@ -173,6 +195,13 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
   command->add_flag("--hold-feet", options->hold_feet,
                     "Feet that are on the ground follow those of CLIPS, and stand still where they do: hips and knees "
                     "turn. Prints how far feet slide without and with it");
+  command
+      ->add_option(
+          "--translations", options->translations,
+          "hips-by-height: the path of the hips is scaled by their height, bones keep their length (default);\n"
+          "by-length: each joint is scaled by the length of its bone; keep: all stay where they rest")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"hips-by-height", "by-length", "keep"}));
   command->add_flag("--keep-rest", options->keep_rest,
                     "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
   command->callback([options, &outcome] { outcome = retarget(*options); });
