@@ -37,11 +37,12 @@ Device* test_device() { return only().device.get(); }
 const std::string& no_device_reason() { return only().reason; }
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
-                          const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion) {
+                          const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion,
+                          const VertexAccess* access, const AccessBlend& blend) {
   constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
   Device& device = *test_device();
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  const SceneUpload scene(device, built.scene);
+  const SceneUpload scene(device, built.scene, 1, access);
   FrameUpload frame(device, built.scene, 1);
   frame.update(0, built.frame());
   FrameRenderer renderer(device, format, 1, occlusion);
@@ -49,7 +50,7 @@ FloatPicture render_float(const BuiltScene& built, int width, int height, const 
                        {format, extent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
   const Buffer pixels(device, sizeof(glm::vec4) * extent.width * extent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                       MemoryUse::read_back);
-  const DrawnScene drawn{&scene, &frame};
+  const DrawnScene drawn{&scene, &frame, kNone, blend};
   FrameInputs inputs = extras;
   inputs.scenes = {&drawn, 1};
   inputs.view = view;

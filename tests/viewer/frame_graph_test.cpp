@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "viewer/passes/pass_stages.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -34,6 +36,27 @@ TEST(frame_graph, P17_has_no_occlusion_passes_or_images_when_occlusion_is_off_or
 
 TEST(frame_graph, has_no_occlusion_without_opaque_surfaces) {
   EXPECT_THAT(passes({.opaque = false, .blended = true}), ElementsAre(Pass::opaque, Pass::transparent, Pass::tonemap));
+}
+
+TEST(frame_graph, P17_has_no_pass_for_ambient_access_that_comes_with_the_vertices) {
+  const FrameNeeds needs{.opaque = true, .occlusion = false, .baked = true};
+  EXPECT_THAT(passes(needs), ElementsAre(Pass::opaque, Pass::tonemap));
+  EXPECT_TRUE(FrameGraph(needs).vertex_access);
+  EXPECT_FALSE(FrameGraph(needs).normal_image || FrameGraph(needs).ao_image);
+  for (const PassStage& stage : describe_passes(needs, {.opaque_draws = 1, .extent = {8, 8}, .ao_extent = {4, 4}}))
+    if (stage.pass == Pass::normal_depth || stage.pass == Pass::ssao || stage.pass == Pass::blur_vertical) {
+      EXPECT_FALSE(stage.runs);
+      EXPECT_EQ(stage.count, 0u);
+      EXPECT_EQ(stage.reason, "ambient access comes with the vertices, baked by rays");
+    } else if (stage.pass == Pass::opaque) {
+      EXPECT_EQ(stage.reason, "shades what is opaque or alpha-tested, with the ambient access of the vertices");
+    }
+  const FrameNeeds shown{.opaque = true, .occlusion = false, .baked = true, .show = Show::ao};
+  EXPECT_THAT(passes(shown), ElementsAre(Pass::normal_depth, Pass::show));
+  EXPECT_TRUE(FrameGraph(shown).normal_image && FrameGraph(shown).vertex_access);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .ambient = false, .occlusion = false, .baked = true}).vertex_access);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .baked = true, .show = Show::normals}).vertex_access);
+  EXPECT_TRUE(FrameGraph({.blended = true, .occlusion = false, .baked = true}).vertex_access);
 }
 
 TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {

@@ -37,6 +37,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.occlusion_method, OcclusionMethod::gtao);
   EXPECT_EQ(accepted({"--ao", "ssao"}).occlusion_method, OcclusionMethod::ssao);
   EXPECT_EQ(accepted({"--ao", "gtao"}).occlusion_method, OcclusionMethod::gtao);
+  EXPECT_EQ(accepted({"--ao", "rays"}).occlusion_method, OcclusionMethod::rays);
+  EXPECT_EQ(options.key_poses, 1u);
+  EXPECT_EQ(accepted({"--ao", "rays", "--key-poses", "8"}).key_poses, 8u);
   EXPECT_EQ(options.framing, Framing::clip);
   EXPECT_EQ(accepted({"--frame", "pose"}).framing, Framing::pose);
   EXPECT_EQ(accepted({"--frame", "follow"}).framing, Framing::follow);

@@ -166,6 +166,9 @@ TEST_F(PanelTest, switches_change_the_settings) {
   EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::ssao);
   choose("occlusion", "none", playback);
   EXPECT_FALSE(settings_.ambient_occlusion);
+  facts_.has_access = true;
+  choose("occlusion", "rays: at vertices", playback);
+  EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::rays);
   choose("occlusion", "gtao: horizons", playback);
   EXPECT_TRUE(settings_.ambient_occlusion && settings_.occlusion_method == OcclusionMethod::gtao);
   for (const auto& [name, look] : {std::pair{"none", GroundLook::none}, {"grid", GroundLook::grid}}) {

@@ -208,20 +208,25 @@ TEST_F(mesh_set, streams_lie_one_after_another_on_multiples_of_16_bytes_behind_t
   bare.texcoords = {std::vector<glm::vec2>(5)};
   bare.indices = {0, 1, 2, 2, 3, 4};
   Staging copies(*test_device());
-  const MeshSet set(*test_device(), scene, copies);
+  VertexAccess access;
+  access.times_s = {0.0, 1.0};
+  access.values = {{{}, {}}, {std::vector<float>(10, 0.5f)}};
+  const MeshSet set(*test_device(), scene, &access, copies);
   const auto waiting = copies.waiting_bytes();
   copies.send();
   using Places = std::array<VkDeviceSize, kAttributeCount>;
-  EXPECT_EQ(set.primitive(0, 0).attributes, (Places{kAbsent, kAbsent, kAbsent, kAbsent, kAbsent, kAbsent}));
+  EXPECT_EQ(set.primitive(0, 0).attributes,
+            (Places{kAbsent, kAbsent, kAbsent, kAbsent, kAbsent, kAbsent, kAbsent, kAbsent}));
   EXPECT_EQ(set.primitive(0, 0).index_count, 0u);
-  EXPECT_EQ(set.primitive(0, 1).attributes, (Places{48, 96, 144, 192, 224, 256}));
+  EXPECT_EQ(set.primitive(0, 1).attributes, (Places{48, 96, 144, 192, 224, 256, kAbsent, kAbsent}));
   EXPECT_EQ(set.primitive(0, 1).indices, 304u);
   EXPECT_EQ(set.primitive(0, 1).index_count, 3u);
-  EXPECT_EQ(set.primitive(1, 0).attributes, (Places{320, kAbsent, kAbsent, 384, kAbsent, kAbsent}));
-  EXPECT_EQ(set.primitive(1, 0).indices, 432u);
+  EXPECT_EQ(set.primitive(1, 0).attributes, (Places{320, kAbsent, kAbsent, 384, kAbsent, kAbsent, 432, 432}));
+  EXPECT_EQ(set.primitive(1, 0).indices, 480u) << "behind two key poses of five vertices";
   EXPECT_EQ(set.primitive(1, 0).index_count, 6u);
-  EXPECT_EQ(waiting, 432u + 6 * 4);
-  EXPECT_EQ(set.default_of(Attribute::color), 16u) << "ones";
+  EXPECT_EQ(waiting, 480u + 6 * 4);
+  for (const Attribute one : {Attribute::color, Attribute::access, Attribute::next_access})
+    EXPECT_EQ(set.default_of(one), 16u);
   EXPECT_EQ(set.default_of(Attribute::tangent), 32u) << "x, right-handed";
   for (const Attribute zero : {Attribute::position, Attribute::normal, Attribute::texcoord_0, Attribute::texcoord_1})
     EXPECT_EQ(set.default_of(zero), 0u);

@@ -12,6 +12,7 @@
 #include "runtime/base/contract.h"
 #include "runtime/model/show_scene.h"
 #include "samples/showcase/showcase.h"
+#include "viewer/app/bake_access.h"
 #include "viewer/app/load_environment.h"
 #include "viewer/passes/frame_uniforms.h"
 #include "viewer/upload/upload_materials.h"
@@ -98,6 +99,8 @@ tl::expected<Exhibit, LoadError> from_file(const Options& options, const Say& sa
                                            const std::function<void(double)>& progress) {
   const std::string &file = options.file, &cache = options.cache;
   ImportOptions how;
+  const bool reads_access = options.occlusion_method == OcclusionMethod::rays && options.key_poses == 1;
+  how.carry_document = reads_access;
   if (progress) how.progress = [&](const char*, double done) { progress(done); };
   auto imported = import_gltf(std::filesystem::path(file), how);
   const auto& warnings = imported ? imported->warnings : imported.error().warnings;
@@ -108,6 +111,7 @@ tl::expected<Exhibit, LoadError> from_file(const Options& options, const Say& sa
   if (auto chosen = choose_scene(file, options.scene, imported->scene, say); !chosen)
     return tl::unexpected(std::move(chosen.error()));
   Exhibit exhibit;
+  if (reads_access) exhibit.access = access_of_file(*imported, say);
   exhibit.name = std::filesystem::path(file).filename().string();
   exhibit.scene = std::move(imported->scene);
   if (cache.empty()) return exhibit;

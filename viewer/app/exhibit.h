@@ -14,6 +14,7 @@
 #include "viewer/app/options.h"
 #include "viewer/app/update_levels.h"
 #include "viewer/light/environment.h"
+#include "viewer/upload/vertex_access.h"
 
 namespace sinew::viewer {
 
@@ -25,6 +26,7 @@ struct Exhibit {
   std::shared_ptr<const CacheOnScene> cache;       ///< none = no geometry cache plays
   std::vector<Skinning> instance_skinning;         ///< as in Needs: the kind of skinning that the scene itself asks for
   std::shared_ptr<const Environment> environment;  ///< light from all around; null = none
+  std::shared_ptr<const VertexAccess> access;      ///< ambient access of its vertices; null = none
   std::optional<PlacedCamera> camera;              ///< none = the camera frames everything
   double fov_y_rad = 0.785398163397448;
 };

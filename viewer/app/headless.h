@@ -18,14 +18,15 @@ struct Picture {
 /// Draws frames of one scene into pictures, without a window.
 class Headless {
  public:
+  /// in   access  ambient access of the vertices for OcclusionMethod::rays, null = none; not read after the call
   Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
-           const OcclusionShape& occlusion = {});
+           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr);
   ~Headless();
 
   /// Draws one frame. The same input gives the same bytes on the same driver.
   /// in   variant  material variant of the scene, kNone = the materials of the primitives
   Picture render(const FrameResult& frame, const View& view, const RenderOptions& options,
-                 std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone);
+                 std::span<const LineVertex> lines = {}, std::uint32_t variant = kNone, const AccessBlend& access = {});
 
   // Of the last picture:
   std::span<const PassTime> pass_times() const;

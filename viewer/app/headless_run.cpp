@@ -121,7 +121,8 @@ class PictureMaker {
                  exhibit.cache ? exhibit.cache->reach(exhibit.scene) : std::vector<Aabb>()),
         shadow_(shadow_way(exhibit.scene, settings_.shadows, bounds_.reached)),
         skeleton_(exhibit.scene),
-        headless_(device, exhibit.scene, options.width, options.height) {
+        access_(exhibit.access),
+        headless_(device, exhibit.scene, options.width, options.height, {}, access_.get()) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
   }
 
@@ -159,7 +160,8 @@ class PictureMaker {
     look.transparent_background = transparent_;
     std::span<const LineVertex> lines;
     if (settings_.skeleton) lines = skeleton_.make(pose.model, skeleton_.axis_length_m(bounds_.largest));
-    Picture picture = headless_.render(pose, view_, look, lines, settings_.variant);
+    Picture picture = headless_.render(pose, view_, look, lines, settings_.variant,
+                                       access_ ? access_blend(*access_, clip_, time_s) : AccessBlend{});
     if (watches_plan_) {
       live_plan_.updates(evaluator_.levels());
       live_plan_.evaluated(evaluator_.stages(), pose);
@@ -190,6 +192,7 @@ class PictureMaker {
   std::optional<glm::vec3> shadow_;
   std::optional<CameraPose> camera_;  // set when the picture shows the view of a camera of the file
   SkeletonLines skeleton_;
+  std::shared_ptr<const VertexAccess> access_;
   Headless headless_;
   LivePlan live_plan_;
 };

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "importer/file/cache_folder.h"
+#include "viewer/app/bake_access.h"
 #include "viewer/app/exhibit.h"
 #include "viewer/app/headless_run.h"
 #include "viewer/app/options.h"
@@ -71,6 +72,13 @@ int show(const Options& options) {
   if (options.headless.empty()) return run_window(options, *exhibits, clip);
   Exhibit& exhibit = (*exhibits)[options.first_exhibit()];
   add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
+  if (options.occlusion_method == OcclusionMethod::rays) {
+    const auto baked = add_missing_access(exhibit, {options.key_poses, clip}, say, progress_of("casting rays"));
+    if (!baked) {
+      say(baked.error());
+      return 3;
+    }
+  }
   return write_pictures(*device.get(), options, exhibit, clip);
 }
 

@@ -79,6 +79,8 @@ bool names_png(const std::string& path) {
 void check_together(const Options& options) {
   if (options.camera && options.camera->eye == options.camera->target)
     throw CLI::ValidationError("--eye", "the camera cannot look at the same point that it is at");
+  if (options.key_poses > 1 && options.occlusion_method != OcclusionMethod::rays)
+    throw CLI::ValidationError("--key-poses", "rays are cast with --ao rays only");
   if (options.headless.empty()) return;
   if (options.frames && names_png(options.headless))
     throw CLI::ValidationError("--headless",
@@ -120,11 +122,21 @@ void add_picture_options(CLI::App& app, Options& options) {
     options.show = named<Show>(
         "--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals}, {"depth", Show::depth}});
   });
-  auto* method = text_option(app, "--ao", "METHOD", "ambient occlusion: gtao (horizons) or ssao (points around) (gtao)",
-                             [&](const std::string& text) {
-                               options.occlusion_method = named<OcclusionMethod>(
-                                   "--ao", text, {{"gtao", OcclusionMethod::gtao}, {"ssao", OcclusionMethod::ssao}});
-                             });
+  auto* method = text_option(
+      app, "--ao", "METHOD", "ambient occlusion: gtao (horizons), ssao (points around), or rays at vertices (gtao)",
+      [&](const std::string& text) {
+        options.occlusion_method = named<OcclusionMethod>(
+            "--ao", text,
+            {{"gtao", OcclusionMethod::gtao}, {"ssao", OcclusionMethod::ssao}, {"rays", OcclusionMethod::rays}});
+      });
+  text_option(app, "--key-poses", "N", "cast rays for N poses of the clip, blended while it plays (the rest pose)",
+              [&](const std::string& text) {
+                const auto count = number<std::uint32_t>(text);
+                if (!count || *count < 2 || *count > 64)
+                  throw CLI::ValidationError("--key-poses", "'" + text + "' is not a number from 2 to 64");
+                options.key_poses = *count;
+              })
+      ->needs(method);
   app.add_flag_callback(
          "--no-ao", [&] { options.ambient_occlusion = false; }, "leave ambient occlusion out")
       ->excludes(method);

@@ -44,6 +44,7 @@ struct Options {
   Show show = Show::color;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
+  std::uint32_t key_poses = 1;  ///< of the clip, for which rays are cast; 1 = the rest pose
   bool shadows = true;
   GroundLook ground = GroundLook::shadows;
   std::optional<bool> smooth_edges;    ///< unset = in pictures, and in the window of a graphics card

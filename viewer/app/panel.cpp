@@ -182,7 +182,10 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   skinning_choice(facts, settings);
   updates_choice(facts, settings);
   int occlusion = settings.ambient_occlusion ? 1 + static_cast<int>(settings.occlusion_method) : 0;
-  choice("occlusion", {"none", "ssao: points", "gtao: horizons"}, occlusion);
+  if (facts.has_access)
+    choice("occlusion", {"none", "ssao: points", "gtao: horizons", "rays: at vertices"}, occlusion);
+  else
+    choice("occlusion", {"none", "ssao: points", "gtao: horizons"}, occlusion);
   settings.ambient_occlusion = occlusion > 0;
   if (occlusion > 0) settings.occlusion_method = static_cast<OcclusionMethod>(occlusion - 1);
   ImGui::Checkbox("skeleton", &settings.skeleton);

@@ -24,6 +24,7 @@ struct PanelFacts {
   std::optional<CacheFacts> cache;        ///< none = no geometry cache plays
   std::span<const PlanRow> rows;          ///< the live plan
   bool resting = false;                   ///< nothing moves, so no pose is evaluated
+  bool has_access = false;                ///< the exhibit has ambient access at its vertices
   double frame_ms = 0.0;                  ///< time from one picture to the next, smoothed
   std::span<const std::string> exhibits;  ///< names of the scenes; a choice is offered from two on
   std::uint32_t exhibit = 0;

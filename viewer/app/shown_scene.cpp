@@ -18,7 +18,7 @@ ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation&
       playback_(exhibit.scene, cache_duration_s(exhibit)),
       culling_(culling_for(exhibit, needs_of(exhibit, evaluation))),
       culled_(culling_.all_in_view()),
-      scene_upload_(device, exhibit.scene, slot_count),
+      scene_upload_(device, exhibit.scene, slot_count, exhibit.access.get()),
       frame_upload_(device, exhibit.scene, slot_count),
       look_(exhibit.scene),
       skeleton_(exhibit.scene),
@@ -123,7 +123,9 @@ std::optional<CacheFacts> ShownScene::cache_facts() const {
 DrawnScene ShownScene::upload(std::uint32_t slot, std::uint32_t variant) {
   frame_upload_.update(slot, newest(), plan_number_);
   scene_upload_.update(slot, frame_upload_.look(slot));
-  return {&scene_upload_, &frame_upload_, variant};
+  const AccessBlend access =
+      exhibit_.access ? access_blend(*exhibit_.access, playback_.clip(), playback_.time_s()) : AccessBlend{};
+  return {&scene_upload_, &frame_upload_, variant, access};
 }
 
 View ShownScene::view_of(std::uint32_t camera_index, double aspect) {

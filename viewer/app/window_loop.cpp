@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "viewer/app/bake_access.h"
 #include "viewer/app/frame.h"
 #include "viewer/app/keys.h"
 #include "viewer/app/live_plan.h"
@@ -62,6 +63,7 @@ class WindowLoop {
 
  private:
   void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
+  void add_access(std::uint32_t clip);
   void place_camera();
   void frame_all();
   void follow();
@@ -107,11 +109,19 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   exhibit_ = index;
   shown_.reset();  // frees its memory before the next scene is uploaded
   add_missing_centers(exhibits_[index], settings_.skinning);
+  add_access(clip.value_or(exhibits_[index].scene.animations.empty() ? kNone : 0));
   shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots);
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
   place_camera();
+}
+
+/// Casts rays for an exhibit that is shown for the first time. The window goes on without where it cannot.
+void WindowLoop::add_access(std::uint32_t clip) {
+  if (options_.occlusion_method != OcclusionMethod::rays) return;
+  const auto say = [](const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); };
+  if (auto done = add_missing_access(exhibits_[exhibit_], {options_.key_poses, clip}, say); !done) say(done.error());
 }
 
 void WindowLoop::place_camera() {
@@ -244,6 +254,7 @@ PanelFacts WindowLoop::facts() {
   facts.cache = shown_->cache_facts();
   facts.updates = shown_->update_levels().reason();
   facts.rows = live_plan_.rows();
+  facts.has_access = exhibit.access != nullptr;
   facts.resting = shown_->resting();
   facts.frame_ms = frame_ms_;
   facts.exhibits = names_;

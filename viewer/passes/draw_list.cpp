@@ -18,13 +18,21 @@ struct Source {
 void bind_attributes(Draw& draw, const MeshSet& meshes, const PrimitiveBuffers& own, const DeformedBuffers& deformed,
                      const Source& source) {
   const std::array<VkDeviceSize, kAttributeCount> moved = {
-      deformed.positions, deformed.normals, deformed.tangents, kAbsent, kAbsent, deformed.colors};
+      deformed.positions, deformed.normals, deformed.tangents, kAbsent, kAbsent, deformed.colors, kAbsent, kAbsent};
   for (std::size_t a = 0; a < kAttributeCount; ++a) {
     const bool is_moved = moved[a] != kAbsent, is_own = own.attributes[a] != kAbsent;
     draw.buffers[a] = is_moved ? source.deformed : source.own;
     draw.offsets[a] = is_moved ? moved[a] : is_own ? own.attributes[a] : meshes.default_of(static_cast<Attribute>(a));
     draw.strides[a] = is_moved || is_own ? kAttributeBytes[a] : 0;
   }
+}
+
+/// Moves ambient access from the first key pose to the two around the time of the frame.
+void choose_key_poses(Draw& draw, const PrimitiveBuffers& own, std::size_t vertices, const AccessBlend& blend) {
+  const auto access = static_cast<std::size_t>(Attribute::access);
+  if (own.attributes[access] == kAbsent) return;
+  draw.offsets[access] += VkDeviceSize{kAttributeBytes[access]} * vertices * blend.pose;
+  draw.offsets[access + 1] += VkDeviceSize{kAttributeBytes[access]} * vertices * blend.next;
 }
 
 /// Number of draws of an instance that is in view.
@@ -99,13 +107,15 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const AlphaMode alpha = material ? material->alpha_mode : AlphaMode::opaque;
     Draw draw;
     bind_attributes(draw, meshes, own, deformed, {meshes.buffer(), vertices.buffer.handle()});
+    choose_key_poses(draw, own, primitive.vertex_count(), drawn.access);
     draw.indices = meshes.buffer();
     draw.indices_at = own.indices;
     draw.index_count = own.index_count;
     draw.material = drawn.scene->materials().set_of(material_index, frame.slot);
     draw.constants = {{view_from_mesh.row[0], view_from_mesh.row[1], view_from_mesh.row[2]},
                       mirrored ? -1.0f : 1.0f,
-                      frame.point_size};
+                      frame.point_size,
+                      drawn.access.factor};
     draw.surface = surface_of(primitive, drawn.scene->materials().features_of(material_index));
     draw.topology = primitive.topology;
     draw.masked = alpha == AlphaMode::mask;

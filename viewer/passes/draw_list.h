@@ -17,6 +17,7 @@ struct DrawConstants {
   std::array<glm::vec4, 3> view_from_mesh;  ///< rows
   float handedness = 1.0f;                  ///< -1 for mirrored meshes
   float point_size = 1.0f;
+  float access_factor = 0.0f;  ///< AccessBlend::factor
 };
 
 /// Where the normals of a surface come from.

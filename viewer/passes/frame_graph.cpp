@@ -38,7 +38,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   ground_occluded = occlusion && needs.ground;
   sampled = picture && needs.smooth_edges;
   depth_image = prepass || !sampled;
-  normal_image = occlusion || needs.show == Show::normals;
+  vertex_access = needs.reads_baked();
+  normal_image = occlusion || needs.show == Show::normals || (vertex_access && needs.show == Show::ao);
   color_image = picture;
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;

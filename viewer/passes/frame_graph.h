@@ -35,7 +35,8 @@ struct FrameNeeds {
   bool unlit = false;     ///< something is visible whose colours are shown as the file has them
   bool shadows = false;   ///< a light casts them
   bool ambient = true;    ///< there is ambient light
-  bool occlusion = true;  ///< ambient occlusion is switched on, and not of strength 0
+  bool occlusion = true;  ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
+  bool baked = false;     ///< ambient access comes with the vertices; then `occlusion` is false
   bool blur = true;
   bool auto_exposure = false;
   bool ground = false;        ///< it is switched on and seen from above
@@ -48,6 +49,11 @@ struct FrameNeeds {
   /// Some pass reads ambient access.
   bool occluded() const noexcept {
     return opaque && occlusion && (show == Show::ao || (show == Show::color && ambient));
+  }
+
+  /// Some pass reads ambient access of the vertices.
+  bool reads_baked() const noexcept {
+    return (opaque || blended) && baked && (show == Show::ao || (show == Show::color && ambient));
   }
 };
 
@@ -64,6 +70,7 @@ class FrameGraph {
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
   bool exposure_image = false;
   bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
+  bool vertex_access = false;    ///< vertices bring their ambient access
   bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
   bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image
   bool ao_image = false,

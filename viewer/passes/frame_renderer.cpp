@@ -105,6 +105,7 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
 FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights,
                           const ShadowLight& shadow) {
   return {.occluded = graph.ao_image,
+          .vertex_access = graph.vertex_access,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
           .ambient = inputs.options.lighting.ambient(),
@@ -124,7 +125,8 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .unlit = draws.unlit(),
           .shadows = shadow.index != kNone && !draws.casters().empty(),
           .ambient = inputs.options.lighting.ambient(),
-          .occlusion = inputs.options.ao.has_effect(),
+          .occlusion = inputs.options.ao.in_screen_space(),
+          .baked = inputs.options.ao.at_vertices(),
           .blur = inputs.options.ao.blur,
           .auto_exposure = inputs.options.lighting.auto_exposure,
           .ground = ground_is_seen(inputs.view, inputs.options.ground),

@@ -30,6 +30,7 @@ struct DrawnScene {
   const SceneUpload* scene = nullptr;
   const FrameUpload* frame = nullptr;
   std::uint32_t variant = kNone;  ///< material variant of the scene, kNone = the materials of the primitives
+  AccessBlend access = {};        ///< of ambient access at the vertices
 };
 
 /// End point of a line that is drawn over the picture without a depth test. Two vertices per line.

@@ -116,7 +116,7 @@ void write_ground(const View& view, const RenderOptions& options, const ShadowLi
   u.ground_grid_step_m = ground.grid_step_m;
   u.ground_grid_offset = {static_cast<float>(ground.middle.x - step * std::floor(ground.middle.x / step)),
                           static_cast<float>(ground.middle.z - step * std::floor(ground.middle.z / step))};
-  u.ground_reach = ground_reach(ground, shadow, options.ao.has_effect() ? options.ao.radius_m : 0.0);
+  u.ground_reach = ground_reach(ground, shadow, options.ao.in_screen_space() ? options.ao.radius_m : 0.0);
 }
 
 }  // namespace

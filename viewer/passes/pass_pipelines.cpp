@@ -6,8 +6,8 @@ namespace sinew::viewer {
 namespace {
 
 constexpr std::array<VkFormat, kAttributeCount> kAttributeFormats = {
-    VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
-    VK_FORMAT_R32G32_SFLOAT,    VK_FORMAT_R32G32_SFLOAT,    VK_FORMAT_R32G32B32A32_SFLOAT};
+    VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,    VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32G32_SFLOAT,
+    VK_FORMAT_R32G32_SFLOAT,    VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32_SFLOAT,          VK_FORMAT_R32_SFLOAT};
 
 VkPrimitiveTopology vulkan(Topology topology) noexcept {
   switch (topology) {
@@ -42,6 +42,7 @@ enum ConstantId : std::size_t {
   id_shadow_light = 17,
   id_unlit_image = 18,
   id_auto_exposure = 19,
+  id_vertex_access = 20,
   id_specular = 24,
   id_layer_textures = 28
 };
@@ -59,6 +60,8 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
   if (key.depth_only) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
+  const bool shows_access = key.pass == Pass::normal_depth && !key.depth_only;
+  if ((!shades && !shows_access) || surface.normals == NormalSource::none) key.frame.vertex_access = false;
   if (!shades || surface.normals == NormalSource::none) {
     key.frame.occluded = key.frame.ambient = false;
     key.frame.light_count = 0;
@@ -123,6 +126,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_shadow_map] = key.pass == Pass::shadow;
+  shape.constants[id_vertex_access] = key.frame.vertex_access;
   shape.constants[id_shadow_light] = key.frame.shadow_light;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
@@ -167,6 +171,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_backdrop] = static_cast<std::uint32_t>(key.frame.backdrop);
   shape.constants[id_auto_exposure] = key.frame.auto_exposure;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
+  shape.constants[id_vertex_access] = key.frame.vertex_access;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
   constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {

@@ -67,8 +67,9 @@ class FrameSet {
 /// specialisation constants. They are no uniforms, because drivers that run on the CPU compile a shader again for each
 /// value of a uniform that it branches on.
 struct FrameFeatures {
-  bool occluded = false;  ///< there is an ambient access image
-  bool parallel = false;  ///< parallel projection
+  bool occluded = false;       ///< there is an ambient access image
+  bool vertex_access = false;  ///< vertices bring their ambient access
+  bool parallel = false;       ///< parallel projection
   bool transparent_background = false;
   bool ambient = false;                ///< there is an environment
   std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does

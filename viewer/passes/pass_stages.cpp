@@ -6,6 +6,7 @@ namespace {
 
 std::string_view why_not_occluded(const FrameNeeds& needs) {
   if (!needs.opaque) return "nothing opaque is in view";
+  if (needs.reads_baked()) return "ambient access comes with the vertices, baked by rays";
   if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
   if (needs.show == Show::normals || needs.show == Show::depth)
     return "the picture shows a buffer that needs no ambient occlusion";
@@ -15,6 +16,7 @@ std::string_view why_not_occluded(const FrameNeeds& needs) {
 std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
   if (!runs) return why_not_occluded(needs);
   if (needs.occluded()) return "ambient occlusion reads normals and depth";
+  if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
   return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
 }
 
@@ -49,7 +51,10 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
       return picture ? "darkens what is behind, by shadows and contact" : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
-    case Pass::opaque: return picture ? "shades what is opaque or alpha-tested" : "the picture shows a buffer instead";
+    case Pass::opaque:
+      if (!picture) return "the picture shows a buffer instead";
+      return needs.reads_baked() ? "shades what is opaque or alpha-tested, with the ambient access of the vertices"
+                                 : "shades what is opaque or alpha-tested";
     case Pass::tonemap:
       if (!picture) return "the picture shows a buffer instead";
       return needs.unlit ? "from light to displayed colours; unlit ones stay as they are"

@@ -33,11 +33,12 @@ enum class Backdrop : std::uint8_t {
 /// How ambient occlusion looks for what is in the way.
 enum class OcclusionMethod : std::uint8_t {
   ssao,  ///< points around the surface, looked up in the depth image
-  gtao   ///< horizons along lines through the pixel
+  gtao,  ///< horizons along lines through the pixel
+  rays   ///< nothing: it was baked at the vertices (VertexAccess)
 };
 
-/// Screen-space ambient occlusion. Lengths are metres in view space. They must follow the size of the scene: start from
-/// ambient_occlusion_for.
+/// Ambient occlusion in screen space or at vertices. Lengths are metres in view space. They must follow the size of the
+/// scene: start from ambient_occlusion_for.
 struct AmbientOcclusion {
   bool on = true;
   OcclusionMethod method = OcclusionMethod::gtao;
@@ -50,6 +51,8 @@ struct AmbientOcclusion {
 
   /// It is on and not of strength 0.
   bool has_effect() const noexcept { return on && power > 0.0f && radius_m > 0.0f; }
+  bool in_screen_space() const noexcept { return has_effect() && method != OcclusionMethod::rays; }
+  bool at_vertices() const noexcept { return has_effect() && method == OcclusionMethod::rays; }
 };
 
 /// eq   radius = 0.1 * r, epsilon = 0.02 * radius, fade from 0.4 to 2 times the radius; r = half the box's diagonal

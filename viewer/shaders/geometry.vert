@@ -7,7 +7,8 @@
 #include "geometry.glsl"
 #include "projection.glsl"
 
-layout(constant_id = 16) const bool kShadowMap = false;   // draws the shadow map
+layout(constant_id = 16) const bool kShadowMap = false;      // draws the shadow map
+layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -15,12 +16,15 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 texcoord_0;
 layout(location = 4) in vec2 texcoord_1;
 layout(location = 5) in vec4 color;
+layout(location = 6) in float access;        // ambient access in the key pose before the time of the frame, and in the next
+layout(location = 7) in float next_access;
 
 layout(location = 0) out vec3 view_position;
 layout(location = 1) out vec3 view_normal;
 layout(location = 2) out vec4 view_tangent;
 layout(location = 3) out vec4 texcoords;
 layout(location = 4) out vec4 vertex_color;
+layout(location = 5) out float vertex_access;
 
 invariant gl_Position;
 
@@ -44,6 +48,7 @@ void main() {
                       dot(draw.view_from_mesh[2], direction), tangent.w);
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
+  vertex_access = kVertexAccess ? mix(access, next_access, draw.access_factor) : 1.0;
   if (kShadowMap) {
     vec4 from = vec4(view, 1.0);
     gl_Position = vec4(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from),

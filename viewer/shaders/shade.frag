@@ -19,6 +19,7 @@ layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
 layout(constant_id = 13) const int kLightCount = 1;
 layout(constant_id = 17) const int kShadowLight = -1;    // index of the light that casts shadows, -1 = none
+layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
 
 const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
@@ -28,6 +29,7 @@ layout(location = 1) in vec3 view_normal;
 layout(location = 2) in vec4 view_tangent;
 layout(location = 3) in vec4 texcoords;
 layout(location = 4) in vec4 vertex_color;
+layout(location = 5) in float vertex_access;
 
 layout(location = 0) out vec4 color;   // premultiplied light, and coverage of all surfaces
 layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for the image of such a frame
@@ -98,6 +100,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal) {
   s.n = mapped_normal(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
   float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal);
+  if (kVertexAccess) access = clamp(vertex_access, 0.0, 1.0);   // at edges it is interpolated beyond the triangle
   if (kOcclusionSet != 0) {
     float baked = texture(occlusion_texture, transformed_uv(3, kOcclusionSet, texcoords)).r;
     access *= 1.0 + material.occlusion_strength * (baked - 1.0);

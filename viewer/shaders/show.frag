@@ -10,6 +10,7 @@
 #include "ambient_access.glsl"
 
 layout(constant_id = 1) const int kShow = 1;   // enum Show: 1 ambient occlusion, 2 normals, 3 depth
+layout(constant_id = 20) const bool kVertexAccess = false;   // it is beside the normals
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
 layout(location = 0) out vec4 shown;
@@ -25,7 +26,10 @@ void main() {
   float covered = far_p > 0.0 ? 1.0 : 0.0;
   vec3 value;
   if (kShow == 1) {
-    value = vec3(covered == 0.0 || !kOccluded ? 1.0 : access_at(pixel, far_p));
+    float access = 1.0;
+    if (kVertexAccess) access = clamp(texelFetch(normal_image, pixel, 0).a, 0.0, 1.0);
+    else if (kOccluded) access = access_at(pixel, far_p);
+    value = vec3(covered == 0.0 ? 1.0 : access);
   } else if (kShow == 2) {
     value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz * 0.5 + 0.5;
   } else {

@@ -20,12 +20,13 @@ constexpr VkDeviceSize kZeros = 0, kOnes = 16, kUnitX = 32;
 
 }  // namespace
 
-MeshSet::MeshSet(const Device& device, const Scene& scene, Staging& staging) {
+MeshSet::MeshSet(const Device& device, const Scene& scene, const VertexAccess* access, Staging& staging) {
   std::vector<std::byte> bytes;
   append(bytes, std::vector<glm::vec4>{glm::vec4(0.0f), glm::vec4(1.0f), {1.0f, 0.0f, 0.0f, 1.0f}});  // the defaults
-  for (const Mesh& mesh : scene.meshes) {
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
     first_.push_back(primitives_.size());
-    for (const Primitive& primitive : mesh.primitives) {
+    for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
+      const Primitive& primitive = scene.meshes[m].primitives[p];
       PrimitiveBuffers buffers;
       const auto texcoords = [&](std::size_t set) {
         return primitive.texcoords.size() > set ? append(bytes, primitive.texcoords[set]) : kAbsent;
@@ -35,7 +36,10 @@ MeshSet::MeshSet(const Device& device, const Scene& scene, Staging& staging) {
                             append(bytes, primitive.tangents),
                             texcoords(0),
                             texcoords(1),
-                            append(bytes, primitive.colors)};
+                            append(bytes, primitive.colors),
+                            access ? append(bytes, access->values[m][p]) : kAbsent,
+                            kAbsent};
+      buffers.attributes.back() = buffers.attributes[static_cast<std::size_t>(Attribute::access)];
       buffers.indices = append(bytes, primitive.indices);
       buffers.index_count = static_cast<std::uint32_t>(primitive.indices.size());
       primitives_.push_back(buffers);
@@ -49,7 +53,7 @@ MeshSet::MeshSet(const Device& device, const Scene& scene, Staging& staging) {
 }
 
 VkDeviceSize MeshSet::default_of(Attribute attribute) const noexcept {
-  if (attribute == Attribute::color) return kOnes;
+  if (attribute == Attribute::color || attribute >= Attribute::access) return kOnes;
   return attribute == Attribute::tangent ? kUnitX : kZeros;
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/bake_access.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "importer/ambient/ambient_attribute.h"
+#include "samples/showcase/showcase.h"
+#include "viewer/app/clip_poses.h"
+
+namespace sinew::viewer {
+namespace {
+
+Exhibit arms() {
+  Exhibit exhibit;
+  exhibit.name = "arms";
+  exhibit.scene = showcase::twisted_arms().scene;
+  return exhibit;
+}
+
+/// What a pose has by itself, within the reach that the first pose of the clip gives.
+MeshAccess baked(const Scene& scene, std::uint32_t clip, double time_s) {
+  AccessOptions how;
+  const double times[] = {0.0, time_s};
+  bool first = true;
+  MeshAccess access;
+  for_each_pose(scene, clip, nullptr, times, [&](const FrameResult& pose) {
+    if (first) how.distance_m = default_access_distance_m(scene, pose);
+    first = false;
+    access = bake_mesh_access(scene, pose, how);
+  });
+  return access;
+}
+
+TEST(bake_access, key_poses_are_spread_over_the_clip_one_after_another) {
+  Exhibit exhibit = arms();
+  exhibit.scene.animations[0].duration_s *= 0.4;  // the arms go there and back: the whole is the same in reverse
+  const double duration = exhibit.scene.animations[0].duration_s;
+  std::vector<std::string> said;
+  std::vector<double> told;
+  ASSERT_TRUE(add_missing_access(
+      exhibit, {4, 0}, [&](const std::string& line) { said.push_back(line); },
+      [&](double part) { told.push_back(part); }));
+  ASSERT_TRUE(exhibit.access);
+  EXPECT_EQ(exhibit.access->clip, 0u);
+  EXPECT_THAT(exhibit.access->times_s, testing::ElementsAre(0.0, duration / 3, duration * 2 / 3, duration));
+  const MeshAccess second = baked(exhibit.scene, 0, duration / 3);
+  for (std::size_t m = 0; m < exhibit.scene.meshes.size(); ++m) {
+    const std::vector<float>&all = exhibit.access->values[m][0], &own = second[m][0];
+    const std::size_t vertices = exhibit.scene.meshes[m].primitives[0].vertex_count();
+    ASSERT_EQ(all.size(), 4 * vertices);
+    if (own.empty()) continue;
+    EXPECT_TRUE(std::equal(own.begin(), own.end(), all.begin() + static_cast<std::ptrdiff_t>(vertices)));
+  }
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_THAT(said[0], testing::MatchesRegex("arms: ambient access of 4 key poses, 256 rays a vertex, baked in .* s"));
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1.0);
+}
+
+TEST(bake_access, one_pose_is_the_rest_pose_and_what_is_there_stays) {
+  Exhibit exhibit = arms();
+  int said = 0;
+  const auto say = [&](const std::string&) { ++said; };
+  ASSERT_TRUE(add_missing_access(exhibit, {1, 0}, say));
+  EXPECT_EQ(exhibit.access->clip, kNone);
+  const MeshAccess rest = baked(exhibit.scene, kNone, 0.0);
+  for (std::size_t m = 0; m < rest.size(); ++m) {
+    if (!rest[m][0].empty()) {
+      EXPECT_EQ(exhibit.access->values[m][0], rest[m][0]);
+    }
+  }
+  const auto before = exhibit.access;
+  ASSERT_TRUE(add_missing_access(exhibit, {4, 0}, say));
+  EXPECT_EQ(exhibit.access, before);
+  EXPECT_EQ(said, 1);
+}
+
+}  // namespace
+}  // namespace sinew::viewer
