@@ -69,8 +69,10 @@ class Recorder : public testing::EmptyTestEventListener {
 
 const bool recording = [] {
   const char* path = std::getenv("SINEW_MUTATION_RECORD");
-  if (path != nullptr) testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
-  return path != nullptr;
+  if (path == nullptr) return false;
+  testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
+  ::unsetenv("SINEW_MUTATION_RECORD");  // programs that tests start would begin the file again
+  return true;
 }();
 
 }  // namespace

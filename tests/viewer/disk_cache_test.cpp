@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -12,7 +11,7 @@
 
 #include "runtime/base/same_bits.h"
 #include "viewer/app/load_environment.h"
-#include "viewer/device/pipeline_cache.h"
+#include "viewer/device/disk_cache.h"
 #include "viewer/light/split_sum.h"
 #include "viewer/light/stored_environment.h"
 
@@ -93,31 +92,6 @@ TEST(disk_cache, without_a_folder_or_where_none_can_be_is_empty) {
   const DiskCache blocked(folder.path() / "inside");
   blocked.store("a", 1, some_bytes());
   EXPECT_FALSE(blocked.load("a", 1));
-}
-
-TEST(pipeline_cache, takes_only_data_of_this_device_and_driver) {
-  VkPhysicalDeviceProperties device{};
-  device.vendorID = 0x10de;
-  device.deviceID = 0x2335;
-  device.pipelineCacheUUID[3] = 7;
-  const auto data_with = [&](auto change) {
-    VkPipelineCacheHeaderVersionOne header{sizeof header, VK_PIPELINE_CACHE_HEADER_VERSION_ONE, 0x10de, 0x2335, {}};
-    header.pipelineCacheUUID[3] = 7;
-    change(header);
-    std::vector<std::byte> data(sizeof header + 16);
-    std::memcpy(data.data(), &header, sizeof header);
-    return data;
-  };
-  const auto as_it_is = data_with([](auto&) {});
-  EXPECT_TRUE(holds_pipelines_for(device, as_it_is));
-  EXPECT_FALSE(holds_pipelines_for(device, std::span(as_it_is).first(32))) << "the header alone";
-  EXPECT_FALSE(holds_pipelines_for(device, {}));
-  EXPECT_FALSE(holds_pipelines_for(device, data_with([](auto& h) { h.vendorID = 0x1002; })));
-  EXPECT_FALSE(holds_pipelines_for(device, data_with([](auto& h) { h.deviceID = 1; })));
-  EXPECT_FALSE(holds_pipelines_for(device, data_with([](auto& h) { h.pipelineCacheUUID[15] = 1; })));
-  EXPECT_FALSE(holds_pipelines_for(device, data_with([](auto& h) { h.headerSize = 16; })));
-  EXPECT_FALSE(holds_pipelines_for(
-      device, data_with([](auto& h) { h.headerVersion = static_cast<VkPipelineCacheHeaderVersion>(2); })));
 }
 
 void expect_same_light(const Environment& a, const Environment& b) {
