@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 TEST(tiny, clamps) {
   EXPECT_EQ(clamped(-3, 0, 5), 0);
   EXPECT_EQ(clamped(3, 0, 5), 3);
@@ -22,3 +24,9 @@ class Prepared : public testing::Test {
 };
 
 TEST_F(Prepared, value) { EXPECT_EQ(value_, 6); }
+
+/// It starts the program again, and what the tests before it reached stays recorded.
+TEST(started_again, ends_well) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(std::exit(0), testing::ExitedWithCode(0), "");
+}
