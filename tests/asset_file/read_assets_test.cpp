@@ -120,6 +120,7 @@ TEST(read_assets, clips_of_another_skeleton_are_refused_and_both_are_named) {
   const auto added = add_clips(opened(clips), other);
   ASSERT_FALSE(added);
   EXPECT_EQ(added.error().rule, "asset-signature");
+  EXPECT_EQ(added.error().offset, 0u) << "it is the whole block";
   EXPECT_EQ(added.error().block, "clips");
   const Skeleton* both[] = {&scene.skeleton, &other.skeleton};
   for (const Skeleton* skeleton : both) {

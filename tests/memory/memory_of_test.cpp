@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "runtime/model/mirror_scene.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/allocation_counter.h"
 
@@ -53,7 +56,7 @@ TEST(memory_of, a_scene_takes_what_its_copy_allocates_and_what_both_share) {
   const std::size_t allocated = in_use.count();
   const MemoryBytes bytes = memory_of(copy);
   expect_close(bytes.total() - shared, allocated);
-  EXPECT_GE(bytes.images, 4096u);
+  EXPECT_EQ(bytes.images, copy.images.capacity() * sizeof(Image) + 4096);
   EXPECT_GT(bytes.morphs, 0u);
   EXPECT_GT(bytes.vertices, bytes.skins);
   EXPECT_GT(bytes.clip_keys, 0u);
@@ -123,6 +126,34 @@ TEST(memory_of, a_plan_and_a_frame_take_what_making_them_leaves) {
     const auto begin = reinterpret_cast<std::uintptr_t>(own.data());
     const std::size_t aligned = (FrameBuffer::kAlignment - begin % FrameBuffer::kAlignment) % FrameBuffer::kAlignment;
     EXPECT_EQ(memory_of(FrameBuffer(plan, std::span(own).subspan(aligned))).total(), 0u) << "it is the caller's";
+  }
+}
+
+TEST(memory_of, how_plans_mirror_counts_once) {
+  const Scene scene = scene_with_everything();
+  Needs needs;
+  const Plan plain = compile_plan(scene, needs);
+  needs.mirror = std::make_shared<const MirrorMap>(make_mirror_map(scene));
+  const Plan a = compile_plan(scene, needs), b = compile_plan(scene, needs);
+  const std::size_t of_map = sizeof(MirrorMap) + needs.mirror->joints.size() * sizeof(needs.mirror->joints[0]);
+  const std::size_t of_a = memory_of(a).plans, both = MemoryCount().add(a).add(b).bytes().plans;
+  EXPECT_GE(of_a, memory_of(plain).plans + of_map);
+  EXPECT_LE(both, 2 * of_a - of_map);
+  EXPECT_GT(both, of_a);
+}
+
+TEST(memory_of, a_library_takes_what_adding_to_it_leaves) {
+  Scene scene = scene_with_everything();
+  for (std::string& name : scene.skeleton.names) name.resize(200, 'x');
+  finish_scene(scene);
+  for (const std::size_t files : {0u, 1u, 3u}) {
+    const BytesInUse in_use;
+    ClipLibrary library(scene.skeleton);
+    for (std::size_t f = 0; f < files; ++f) library.add(scene);
+    const std::size_t allocated = in_use.count();
+    MemoryCount count;
+    const std::size_t of_scene = count.add(scene).bytes().total();  // keys and numbers at rest are shared
+    expect_close(count.add(library).bytes().total() - of_scene, allocated);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/retarget/humanoid_bones.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <iterator>
@@ -10,6 +11,8 @@
 
 namespace sinew {
 namespace {
+
+using testing::ElementsAre;
 
 /// Hips, three joints of a spine, neck and head, a left leg, a left arm with a thumb: names in this order.
 using Names = std::vector<std::string>;
@@ -60,6 +63,25 @@ TEST(humanoid_bones, are_found_by_the_names_of_known_rigs) {
       EXPECT_EQ(joints[humanoid_bone(kBones[j])], j) << names[j] << " as " << kBones[j];
     EXPECT_EQ(joints[humanoid_bone("rightHand")], kNone);
   }
+}
+
+/// A chain of hips, `count` joints and a neck.
+std::vector<std::uint32_t> bones_of_spine(std::uint32_t count) {
+  Skeleton skeleton = test::chain_skeleton(count + 2);
+  skeleton.names.assign(count + 2, "joint");
+  skeleton.names.front() = "hips";
+  skeleton.names.back() = "neck";
+  const std::vector<std::uint32_t> joints = find_humanoid_bones(skeleton);
+  return {joints[humanoid_bone("spine")], joints[humanoid_bone("chest")], joints[humanoid_bone("upperChest")]};
+}
+
+TEST(humanoid_bones, spines_of_any_length_begin_at_the_hips_and_end_at_the_neck) {
+  EXPECT_THAT(bones_of_spine(0), ElementsAre(kNone, kNone, kNone));
+  EXPECT_THAT(bones_of_spine(1), ElementsAre(1, kNone, kNone));
+  EXPECT_THAT(bones_of_spine(2), ElementsAre(1, 2, kNone));
+  EXPECT_THAT(bones_of_spine(3), ElementsAre(1, 2, 3));
+  EXPECT_THAT(bones_of_spine(4), ElementsAre(1, 3, 4));
+  EXPECT_THAT(bones_of_spine(5), ElementsAre(1, 3, 5));
 }
 
 TEST(humanoid_bones, controls_and_twist_joints_are_none) {

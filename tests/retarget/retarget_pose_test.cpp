@@ -43,6 +43,25 @@ Retargeted two_bodies(std::uint64_t seed, bool all_joints) {
   return {scenes::two_sided(RightSide::any_axes, seed).skeleton, to, seed};
 }
 
+/// Joints of the target rest with another scale along each axis, which scales of the source multiply.
+Retargeted scaled_bodies() {
+  Skeleton from = scenes::two_sided(RightSide::any_axes, 1).skeleton, to = from;
+  for (std::size_t j = 0; j < to.rest.size(); ++j) to.rest[j].scale = {1.0f, 1.5f, 2.0f + 0.1f * static_cast<float>(j)};
+  Retargeted r(from, to, 1);
+  for (std::size_t j = 0; j < r.local.size(); ++j) {
+    r.local[j].scale = {0.9f, 1.1f + 0.01f * static_cast<float>(j), 1.3f};
+    r.pose.span().set(j, r.local[j]);
+  }
+  return r;
+}
+
+TEST(retarget_pose, scales_multiply_those_at_rest_axis_by_axis) {
+  Retargeted r = scaled_bodies();
+  run(r.job());
+  for (std::size_t j = 0; j < 14; ++j)
+    EXPECT_TRUE(test::is_near(r.out.span().get(j).scale, r.to.rest[j].scale * r.local[j].scale, 1e-6)) << j;
+}
+
 TEST(retarget_pose, rejects_other_joint_counts_and_a_missing_scratch) {
   Retargeted r = two_bodies(1, false);
   test::PoseBuffer other(60);

@@ -111,6 +111,8 @@ TEST(skeleton_map, arms_point_where_those_of_the_source_do_from_a_pose_to_t_pose
     EXPECT_TRUE(test::is_near(direction(to, aligned, a, b), expected, 2e-6)) << a;
     EXPECT_FALSE(test::is_near(direction(to, kept, a, b), expected, 0.05)) << a;
   }
+  for (const std::uint32_t joint : {0u, 1u, 2u, 3u, 4u, 7u, 8u})  // hips, spine, head, legs and feet
+    EXPECT_LT(test::angle_between(aligned[joint].rotation, kept[joint].rotation), 1e-12) << joint;
 }
 
 TEST(skeleton_map, joints_that_one_side_alone_has_do_not_matter) {

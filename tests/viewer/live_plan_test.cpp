@@ -11,6 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<PlanStage> small_plan() {
   return {{"sample", true, "a clip plays", 12, 640}, {"morph", false, "no mesh has targets", 0, 0}};
@@ -124,15 +125,17 @@ TEST(live_plan, becomes_a_table_of_text) {
 }
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
-  for (std::uint32_t bits = 0; bits < 256; ++bits)
+  for (std::uint32_t bits = 0; bits < 1024; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
                              .overlay = (bits & 4) != 0,
+                             .unlit = (bits & 256) != 0,
                              .shadows = (bits & 64) != 0,
                              .ambient = (bits & 8) != 0,
                              .occlusion = (bits & 16) != 0,
                              .blur = (bits & 32) != 0,
+                             .auto_exposure = (bits & 512) != 0,
                              .ground = (bits & 128) != 0,
                              .show = show};
       const FrameGraph graph(needs);
@@ -159,6 +162,12 @@ TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
   EXPECT_THAT(why({.shadows = true}, Pass::shadow), HasSubstr("nothing is in view"));
   EXPECT_THAT(why({.opaque = true, .shadows = true, .show = Show::ao}, Pass::shadow), HasSubstr("a buffer instead"));
   EXPECT_THAT(why({.opaque = true, .show = Show::depth}, Pass::normal_depth), HasSubstr("depth only"));
+  EXPECT_THAT(why({.opaque = true}, Pass::exposure), HasSubstr("exposure is given"));
+  EXPECT_THAT(why({.auto_exposure = true}, Pass::exposure), HasSubstr("nothing is in view"));
+  EXPECT_THAT(why({.opaque = true, .auto_exposure = true, .show = Show::ao}, Pass::exposure),
+              HasSubstr("a buffer instead"));
+  EXPECT_THAT(why({.opaque = true, .unlit = true}, Pass::tonemap), HasSubstr("unlit ones stay"));
+  EXPECT_THAT(why({.opaque = true}, Pass::tonemap), Not(HasSubstr("unlit")));
 }
 
 }  // namespace

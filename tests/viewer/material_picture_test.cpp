@@ -156,6 +156,17 @@ TEST_F(material_picture, normal_map_without_tangents_follows_the_texture_coordin
   expect_reference_picture(built, view_of_wall(), every_light());
 }
 
+TEST_F(material_picture, normal_map_without_tangents_on_one_texel_changes_nothing) {
+  const auto pixels = [](float scale, const Primitive& p) {
+    return render_float(relief_wall(scale, p), 16, 16, view_of_wall(), every_light()).pixels;
+  };
+  Primitive p = wall();
+  const auto plain = pixels(0.0f, p);
+  p.tangents.clear();
+  for (glm::vec2& uv : p.texcoords[0]) uv = {0.0f, 0.0f};
+  EXPECT_EQ(pixels(1.0f, p), plain);
+}
+
 TEST_F(material_picture, back_sides_have_the_whole_normal_reversed) {
   Affine turned;  // about y by 180 degrees
   turned.row[0].x = turned.row[2].z = -1.0f;
