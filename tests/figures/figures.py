@@ -6,7 +6,7 @@ speed     the table of `./run bench` in tests/bench/README.md, and its few rows 
 budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models, in runtime/compress/README.md
 caches    sizes and speed of geometry caches, in runtime/geometry_cache/README.md
 cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
-showcase  showcase.png and flag.png in samples/showcase
+showcase  showcase.png and flag.png in samples/showcase, and one_motion.png in samples/one_motion
 
 A table goes between the lines `<!-- figures: NAME -->` and `<!-- end -->` of its file. Models come from CORPUS; without it,
 figures that need them stay as they are. Leave the machine alone meanwhile.
@@ -216,6 +216,12 @@ def showcase(build, corpus):
     subprocess.run([ROOT / "run", "--preset", build.name, "demo"], env=no_display, check=True)
     for name in ("showcase.png", "flag.png"):
         shutil.copy(ROOT / "build/demo" / name, ROOT / "samples/showcase" / name)
+    bodies, picture = ROOT / "build/demo/one_motion.glb", ROOT / "samples/one_motion/one_motion.png"
+    subprocess.run([build / "bin/one_motion", bodies], check=True)
+    subprocess.run([build / "bin/sinew-viewer", bodies, "--headless", picture, "--time", "0.25", "--size", "960x400", "--eye",
+                    "2.8,1.5,6.2", "--target", "0,0.86,0", "--fov", "23"], check=True)
+    if shutil.which("convert"):
+        subprocess.run(["convert", picture, "-colors", "200", picture], check=True)
 
 
 def main():
