@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sinew::viewer {
 namespace {
 
@@ -44,6 +46,21 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_FALSE(settings.skeleton);
   options.skeleton = true;
   EXPECT_TRUE(settings_from(options, scene).skeleton);
+}
+
+TEST(settings, begin_with_the_camera_and_the_variant_that_the_command_line_names) {
+  Scene scene;
+  scene.cameras = {{.name = "front", .joint = 0}, {.name = "side", .joint = 0}};
+  scene.variants = {"day", "night"};
+  Options options;
+  EXPECT_EQ(settings_from(options, scene).camera, kNone);
+  EXPECT_EQ(settings_from(options, scene).variant, kNone);
+  options.file_camera = "side";
+  options.variant = "night";
+  options.framing = Framing::follow;
+  EXPECT_EQ(settings_from(options, scene).framing, Framing::follow);
+  EXPECT_EQ(settings_from(options, scene).camera, 1u);
+  EXPECT_EQ(settings_from(options, scene).variant, 1u);
 }
 
 TEST(settings, ground_changes_in_turn) {
@@ -125,6 +142,9 @@ TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
   EXPECT_EQ(a.ao.radius_m, b.ao.radius_m);
   EXPECT_GT(a.ao.radius_m, 0.0f);
   EXPECT_GT(b.depth_range.farthest_m, a.depth_range.farthest_m);
+  const DepthRange inside = render_options(settings, nullptr, standing, {0, 1, 0}).depth_range;
+  EXPECT_EQ(inside.nearest_m, 0.0f) << "the eye is among what it sees";
+  EXPECT_FLOAT_EQ(inside.farthest_m, std::sqrt(3.0f));
   EXPECT_FALSE(a.ao.on);
   EXPECT_EQ(a.show, Show::normals);
 }

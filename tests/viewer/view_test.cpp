@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -89,6 +90,33 @@ TEST(view, of_all_holds_every_corner_in_wide_and_narrow_pictures) {
       EXPECT_LE(std::abs(v.y), -v.z * tangent);
     }
   }
+}
+
+/// How much of half the picture's width or height a box takes, seen in perspective.
+double share_of_picture(const Aabb& box, const View& view, double aspect) {
+  const Mat4<double> clip = clip_from_view(view, aspect);
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
+                       corner & 4 ? box.upper.z : box.lower.z);
+    const glm::dvec4 c = clip * glm::dvec4(transform_point(view.view_from_world, p), 1.0);
+    largest = std::max({largest, std::abs(c.x / c.w), std::abs(c.y / c.w)});
+  }
+  return largest;
+}
+
+TEST(view, of_all_fills_the_picture_but_for_a_margin_from_the_right_of_the_front_and_above) {
+  const glm::dvec3 middle(4.0, 2.0, -1.0), from = glm::normalize(glm::dvec3(0.5, 0.35, 1.0));
+  for (const glm::dvec3& half : {glm::dvec3(3, 0.2, 0.5), {0.2, 3, 0.5}, {0.5, 0.2, 3}})
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+      const Aabb box{glm::vec3(middle - half), glm::vec3(middle + half)};
+      const Aabb larger{glm::vec3(middle - 1.06 * half), glm::vec3(middle + 1.06 * half)};
+      const View view = view_of_all(box, 0.8, aspect);
+      EXPECT_TRUE(test::is_near(glm::normalize(eye_of(view) - middle), from, 1e-6));
+      EXPECT_NEAR(share_of_picture(larger, view, aspect), 1.0, 1e-6);
+    }
+  const glm::dvec3 eye = eye_of(view_of_all(Aabb{glm::vec3(-0.5f), glm::vec3(0.5f)}, 0.8, 1.0));
+  EXPECT_TRUE(test::is_near(eye_of(view_of_all(Aabb{}, 0.8, 1.0)), eye, 1e-9)) << "nothing is as a cube of a metre";
 }
 
 TEST(view, of_an_empty_or_flat_box_is_finite) {
