@@ -24,6 +24,7 @@ constexpr std::string_view kRead[] = {
     "KHR_mesh_quantization",
     "KHR_texture_transform",
     "KHR_materials_emissive_strength",
+    "KHR_materials_clearcoat",
     "KHR_materials_ior",
     "KHR_materials_specular",
     "KHR_materials_unlit",
@@ -43,7 +44,6 @@ constexpr std::string_view kRead[] = {
 /// application does with its nodes. No pose needs them.
 constexpr std::string_view kReadPast[] = {
     "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",
     "KHR_materials_dispersion",
     "KHR_materials_iridescence",
     "KHR_materials_sheen",

@@ -70,14 +70,25 @@ double reflected_cosine(double roughness) {
   return sum / weights;
 }
 
+namespace {
+
+/// The gradient around a direction, of which the part `left` is left.
+glm::dvec3 from(const AmbientGradient& light, const glm::dvec3& d, double left) {
+  const double t = 0.5 + 0.5 * left * glm::dot(d, light.up);
+  return light.ground * (1.0 - t) + light.sky * t;
+}
+
+/// Light around the mirror direction.
+glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm::dvec3& v, double roughness) {
+  static std::map<double, double> cosines;  // by roughness: most pictures have few
+  const auto [known, is_new] = cosines.try_emplace(roughness, 0.0);
+  if (is_new) known->second = reflected_cosine(roughness);
+  return from(light, 2.0 * glm::dot(n, v) * n - v, known->second);
+}
+
+}  // namespace
+
 glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
-  static std::map<double, double> cosines;  // by roughness: most pictures have one
-  const auto [known, is_new] = cosines.try_emplace(s.roughness, 0.0);
-  if (is_new) known->second = reflected_cosine(s.roughness);
-  const auto from = [&](const glm::dvec3& d, double left) {
-    const double t = 0.5 + 0.5 * left * glm::dot(d, light.up);
-    return light.ground * (1.0 - t) + light.sky * t;
-  };
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
   const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
@@ -85,8 +96,14 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
   const glm::dvec3 ground = s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b}));
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
-  const glm::dvec3 mirrored = 2.0 * glm::dot(s.normal, s.to_viewer) * s.normal - s.to_viewer;
-  return from(s.normal, 2.0 / 3.0) * scattered + from(mirrored, known->second) * reflected;
+  return from(light, s.normal, 2.0 / 3.0) * scattered + mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected;
+}
+
+glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light) {
+  const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(coat.normal, to_viewer), 0.0, 1.0), coat.roughness);
+  const double once = sums.x + sums.y;
+  return mirrored(light, coat.normal, to_viewer, coat.roughness) * once +
+         from(light, coat.normal, 2.0 / 3.0) * (1.0 - once);
 }
 
 }  // namespace sinew::reference

@@ -27,4 +27,7 @@ struct AmbientGradient {
 ///      The light of `once` is that around the mirror direction, of the others that of the half sphere
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light);
 
+/// The same from a clear layer, before its share: such a layer of f0 = f90 = 1.
+glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light);
+
 }  // namespace sinew::reference

@@ -20,11 +20,10 @@ glm::dvec4 looked_up(const Scene& scene, const SurfacePoint& point, const Textur
   return texel(scene, use, transformed(use, point.uv[use.texcoord]), srgb);
 }
 
-glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point) {
-  const Material& material = point.material;
-  if (!material.normal_texture.used()) return seen_normal(point);
-  const glm::dvec3 stored(looked_up(scene, point, material.normal_texture, false));
-  const double scale = static_cast<double>(material.normal_scale);
+glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const TextureUse& map, float map_scale) {
+  if (!map.used()) return seen_normal(point);
+  const glm::dvec3 stored(looked_up(scene, point, map, false));
+  const double scale = static_cast<double>(map_scale);
   const glm::dvec3 local = (stored * 2.0 - 1.0) * glm::dvec3(scale, scale, 1.0);
   const glm::dvec3 normal =
       glm::normalize(point.tangent * local.x + point.bitangent * local.y + point.normal * local.z);
@@ -46,6 +45,15 @@ glm::dvec3 dielectric_f0(const Scene& scene, const SurfacePoint& point) {
   return glm::min(root * root * color, glm::dvec3(1.0));
 }
 
+Coat coat_at(const Scene& scene, const SurfacePoint& point) {
+  const Clearcoat& coat = point.material.clearcoat;
+  const double roughness =
+      static_cast<double>(coat.roughness) * looked_up(scene, point, coat.roughness_texture, false).g;
+  return {static_cast<double>(coat.factor) * looked_up(scene, point, coat.texture, false).r,
+          std::clamp(roughness, kLeastRoughness, 1.0),
+          mapped_normal(scene, point, coat.normal_texture, coat.normal_scale)};
+}
+
 glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
   const Material& material = point.material;
   const glm::dvec4 texel = looked_up(scene, point, material.metallic_roughness_texture, false);
@@ -56,11 +64,17 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.dielectric_f90 =
       static_cast<double>(material.specular.factor) * looked_up(scene, point, material.specular.texture, false).a;
   shaded.dielectric_f0 = dielectric_f0(scene, point) * shaded.dielectric_f90;
-  shaded.normal = mapped_normal(scene, point);
+  shaded.normal = mapped_normal(scene, point, material.normal_texture, material.normal_scale);
   shaded.to_viewer = point.to_viewer;
-  glm::dvec3 sum = ambient(shaded, around.ambient) * around.access * baked_access(scene, point);
-  for (const ArrivingLight& light : around.lights) sum += direct(shaded, light.to_light, light.irradiance);
-  return sum;
+  const Coat coat = coat_at(scene, point);
+  const double share = coat_share(coat, point.to_viewer), access = around.access * baked_access(scene, point);
+  glm::dvec3 below = ambient(shaded, around.ambient) * access;
+  glm::dvec3 above = ambient(coat, point.to_viewer, around.ambient) * access;
+  for (const ArrivingLight& light : around.lights) {
+    below += direct(shaded, light.to_light, light.irradiance);
+    above += ggx(coat.normal, point.to_viewer, light.to_light, coat.roughness) * light.irradiance;
+  }
+  return below * (1.0 - share) + above * share;
 }
 
 }  // namespace
@@ -77,7 +91,8 @@ glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroun
   const glm::dvec3 base(base_color(scene, point));
   if (material.unlit) return base;
   const bool shows_light = point.normal != glm::dvec3(0.0);
-  const glm::dvec3 emitted = glm::dvec3(material.emissive) * static_cast<double>(material.emissive_strength) *
+  const double through = shows_light ? 1.0 - coat_share(coat_at(scene, point), point.to_viewer) : 1.0;
+  const glm::dvec3 emitted = through * glm::dvec3(material.emissive) * static_cast<double>(material.emissive_strength) *
                              glm::dvec3(looked_up(scene, point, material.emissive_texture, true));
   return (shows_light ? reflected(scene, point, around) : base) + emitted;
 }

@@ -9,22 +9,29 @@
 
 namespace sinew::reference {
 
-glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::dvec3& irradiance) {
-  const double n_l = glm::dot(s.normal, to_light), n_v = std::max(glm::dot(s.normal, s.to_viewer), 1e-4);
-  if (n_l <= 0.0) return glm::dvec3(0.0);
-  const glm::dvec3 h = glm::normalize(to_light + s.to_viewer);
-  const double n_h = glm::dot(s.normal, h), v_h = glm::dot(s.to_viewer, h);
-  const double a2 = std::pow(s.roughness, 4.0);
+double coat_share(const Coat& coat, const glm::dvec3& to_viewer) {
+  return coat.weight * (0.04 + 0.96 * std::pow(1.0 - std::abs(glm::dot(coat.normal, to_viewer)), 5.0));
+}
+
+double ggx(const glm::dvec3& normal, const glm::dvec3& to_viewer, const glm::dvec3& to_light, double roughness) {
+  const double n_l = glm::dot(normal, to_light), n_v = std::max(glm::dot(normal, to_viewer), 1e-4);
+  if (n_l <= 0.0) return 0.0;
+  const double n_h = glm::dot(normal, glm::normalize(to_light + to_viewer)), a2 = std::pow(roughness, 4.0);
   const double distribution = a2 / (std::numbers::pi * std::pow(n_h * n_h * (a2 - 1.0) + 1.0, 2.0));
-  const double visibility =
-      0.5 / (n_l * std::sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
-  const double edge = std::pow(1.0 - v_h, 5.0);
-  const glm::dvec3 diffuse = s.base_color / std::numbers::pi;
-  const double specular = distribution * visibility;
+  return distribution * 0.5 * n_l /
+         (n_l * std::sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * std::sqrt(n_l * n_l * (1.0 - a2) + a2));
+}
+
+glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::dvec3& irradiance) {
+  const double n_l = glm::dot(s.normal, to_light);
+  if (n_l <= 0.0) return glm::dvec3(0.0);
+  const double v_h = glm::dot(s.to_viewer, glm::normalize(to_light + s.to_viewer)), edge = std::pow(1.0 - v_h, 5.0);
+  const glm::dvec3 diffuse = s.base_color * (n_l / std::numbers::pi);
+  const double specular = ggx(s.normal, s.to_viewer, to_light, s.roughness);
   const glm::dvec3 fresnel = s.dielectric_f0 * (1.0 - edge) + glm::dvec3(s.dielectric_f90 * edge);
   const glm::dvec3 dielectric = diffuse * (1.0 - std::max({fresnel.r, fresnel.g, fresnel.b})) + specular * fresnel;
   const glm::dvec3 metal = specular * (s.base_color + (glm::dvec3(1.0) - s.base_color) * edge);
-  return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * n_l * irradiance;
+  return (dielectric * (1.0 - s.metallic) + metal * s.metallic) * irradiance;
 }
 
 glm::dvec3 tone_mapped(const glm::dvec3& color) {

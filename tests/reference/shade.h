@@ -13,6 +13,19 @@ struct ShadedPoint {
   double dielectric_f90 = 1.0;     ///< and at grazing angles
 };
 
+/// A clear layer over a surface (KHR_materials_clearcoat).
+struct Coat {
+  double weight = 0.0, roughness = 0.0;
+  glm::dvec3 normal{0.0, 1.0, 0.0};
+};
+
+/// Share of the light that the layer reflects, and what is below does not get.
+/// eq   KHR_materials_clearcoat: weight * (0.04 + 0.96 * (1 - |n.v|)^5)
+double coat_share(const Coat& coat, const glm::dvec3& to_viewer);
+
+/// D V n.l of GGX with height-correlated Smith visibility; 0 where the light is behind.
+double ggx(const glm::dvec3& normal, const glm::dvec3& to_viewer, const glm::dvec3& to_light, double roughness);
+
 /// Radiance towards the viewer from light of one direction.
 /// eq   glTF 2.0, Appendix B.3: mix(dielectric, metal, metallic) with GGX and height-correlated Smith visibility;
 ///      KHR_materials_specular: dielectric = diffuse * (1 - max(F)) + specular * F, F = f0 + (f90 - f0) * (1 - v.h)^5

@@ -102,7 +102,7 @@ void add_point(const Triangle& triangle, const SightLine& line, std::vector<Surf
     point.uv[set] = mixed(triangle, share, triangle.primitive.texcoords[set], in_double);
   if (!triangle.primitive.colors.empty()) point.color = mixed(triangle, share, triangle.primitive.colors, in_double);
   point.normal = normal_at(triangle, share);
-  if (point.material.normal_texture.used()) {
+  if (point.material.normal_texture.used() || point.material.clearcoat.normal_texture.used()) {
     if (triangle.primitive.tangents.empty())
       derived_frame(triangle, point);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of one layer of a material each (ior, specular), compared with the reference renderer.
+// Pictures of one layer of a material each (ior, specular, clearcoat), compared with the reference renderer.
 #include "samples/showcase/shapes.h"
 #include "tests/reference/shade.h"
 #include "tests/viewer/reference_picture.h"
@@ -45,6 +45,46 @@ TEST_F(layer_picture, specular_scales_what_a_dielectric_reflects_and_tints_it_al
   }
 }
 
+TEST_F(layer_picture, clearcoat_reflects_by_its_own_roughness_and_takes_light_from_what_is_below) {
+  for (const float metallic : {0.0f, 1.0f})
+    for (const float roughness : {0.0f, 0.5f}) {
+      Material material = plain();
+      material.metallic = metallic;
+      material.emissive = {0.1f, 0.3f, 0.0f};
+      material.clearcoat = {.factor = 0.8f, .roughness = roughness};
+      SCOPED_TRACE(roughness);
+      for (const RenderOptions& options : {only_scene_lights(), only_ambient_light(), every_light()})
+        expect_reference_picture(lit_ball(material), view_of_wall(), options,
+                                 {.bound = 0.002, .sharp = roughness > 0.0f ? 0.7 : 0.5});
+    }
+}
+
+TEST_F(layer_picture, clearcoat_has_the_normals_of_the_mesh_or_of_its_own_map) {
+  for (const bool own : {false, true})
+    for (const bool tangents : {false, true}) {
+      BuiltScene built;
+      Material material = plain();
+      material.clearcoat = {.factor = 1.0f, .roughness = 0.4f};
+      material.normal_texture.texture = add_plain_texture(built, {196, 90, 220, 255});
+      if (own) material.clearcoat.normal_texture.texture = add_plain_texture(built, {80, 150, 230, 255});
+      material.clearcoat.normal_scale = 0.7f;
+      Primitive p = wall();
+      if (!tangents) p.tangents.clear();
+      expect_reference_picture(lit_wall(built, material, p), view_of_wall(), every_light(), {.bound = 0.002});
+    }
+}
+
+TEST_F(layer_picture, back_sides_are_coated_with_the_normal_reversed) {
+  BuiltScene built;
+  Material material = plain();
+  material.double_sided = true;
+  material.clearcoat = {.factor = 1.0f, .roughness = 0.3f};
+  material.clearcoat.normal_texture.texture = add_plain_texture(built, {196, 90, 220, 255});
+  Affine turned;  // about y by 180 degrees
+  turned.row[0].x = turned.row[2].z = -1.0f;
+  expect_reference_picture(lit_wall(built, material, wall(), turned), view_of_wall(), every_light(), {.bound = 0.002});
+}
+
 struct LayerTexture {
   const char* what;
   TextureUse& (*use)(Material&);
@@ -54,12 +94,16 @@ struct LayerTexture {
 constexpr LayerTexture kTextures[] = {
     {"specular", [](Material& m) -> TextureUse& { return m.specular.texture; }, false},
     {"specular colour", [](Material& m) -> TextureUse& { return m.specular.color_texture; }, true},
+    {"clearcoat", [](Material& m) -> TextureUse& { return m.clearcoat.texture; }, false},
+    {"clearcoat roughness", [](Material& m) -> TextureUse& { return m.clearcoat.roughness_texture; }, false},
+    {"clearcoat normal", [](Material& m) -> TextureUse& { return m.clearcoat.normal_texture; }, false},
 };
 
 Material with_all_layers() {
   Material material = plain();
   material.roughness = 0.4f;
   material.specular = {.ior = 1.9f, .factor = 0.8f, .color = {0.9f, 0.5f, 0.7f}};
+  material.clearcoat = {.factor = 0.9f, .roughness = 0.6f};
   return material;
 }
 
@@ -101,8 +145,10 @@ TEST_F(layer_picture, white_surfaces_in_white_light_return_all_of_it_under_every
   options.transparent_background = true;
   options.lighting.environment = gradient_environment({.sky = glm::vec3(radiance), .ground = glm::vec3(radiance)});
   const double white = reference::srgb_encoded(reference::tone_mapped(glm::dvec3(radiance)).r);
-  Material layers[1];
+  Material layers[3];
   layers[0].specular = {.ior = 2.2f, .factor = 0.6f};
+  layers[1].clearcoat = {.factor = 1.0f, .roughness = 0.0f};
+  layers[2].clearcoat = {.factor = 0.7f, .roughness = 0.8f};
   for (Material& material : layers)
     for (const float roughness : {0.1f, 0.5f, 1.0f}) {
       material.metallic = 0.0f;

@@ -160,12 +160,15 @@ TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
   for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
     EXPECT_FALSE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.specular = false; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.clearcoat = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.textures[1] = 0; }));
   EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))
       << "blended surfaces take no occlusion";
   MeshPipelineKey flat = key;
   flat.surface.material.texcoord_sets[2] = 0;
   EXPECT_TRUE(shared(flat, [](auto& k) { k.surface.tangents = false; })) << "without a normal map";
+  flat.surface.material.layers.textures[kClearcoatNormal] = 1;
+  EXPECT_FALSE(shared(flat, [](auto& k) { k.surface.tangents = false; })) << "the clear layer has one";
 }
 
 TEST_F(pass_pipelines, unlit_surfaces_have_a_base_colour_alone) {

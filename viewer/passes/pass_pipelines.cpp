@@ -44,6 +44,7 @@ enum ConstantId : std::size_t {
   id_auto_exposure = 19,
   id_vertex_access = 20,
   id_specular = 24,
+  id_clearcoat = 25,
   id_layer_textures = 28
 };
 
@@ -73,7 +74,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (!shades) key.frame.unlit_image = false;
   if (!shades) surface.material.unlit = false;
   if (!shades && !key.masked) sets[0] = 0;
-  if (sets[2] == 0) surface.tangents = false;
+  if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
   return key;
 }
 
@@ -122,6 +123,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
     shape.constants[id_texcoord_sets + i] = key.surface.material.texcoord_sets[i];
   const LayerFeatures& layers = key.surface.material.layers;
   shape.constants[id_specular] = layers.specular;
+  shape.constants[id_clearcoat] = layers.clearcoat;
   for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;

@@ -5,6 +5,7 @@
 //      1 - max(F)
 
 const float kPi = 3.14159265358979;
+const float kLeastRoughness = 0.045;   // keeps the highlight of a mirror visible and finite
 
 struct Surface {
   vec3 base_color;
@@ -16,21 +17,28 @@ struct Surface {
 
 float greatest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
-vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
-  float n_l = dot(s.n, to_light);
-  if (n_l <= 0.0) return vec3(0.0);
-  float n_v = max(dot(s.n, s.to_viewer), 1e-4);
-  vec3 middle = normalize(to_light + s.to_viewer);
-  float n_h = clamp(dot(s.n, middle), 0.0, 1.0), v_h = clamp(dot(s.to_viewer, middle), 0.0, 1.0);
-  float alpha = s.roughness * s.roughness, alpha2 = alpha * alpha;
+// D V n.l of GGX: what a mirror of this roughness reflects of one light; 0 where the light is behind.
+float ggx(vec3 n, vec3 to_viewer, vec3 to_light, float roughness) {
+  float n_l = dot(n, to_light);
+  if (n_l <= 0.0) return 0.0;
+  float n_v = max(dot(n, to_viewer), 1e-4);
+  float n_h = clamp(dot(n, normalize(to_light + to_viewer)), 0.0, 1.0);
+  float alpha = roughness * roughness, alpha2 = alpha * alpha;
   float d = n_h * n_h * (alpha2 - 1.0) + 1.0;
   float distribution = alpha2 / (kPi * d * d);
   float smith = n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) + n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2);
+  return distribution * 0.5 / smith * n_l;
+}
+
+vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
+  float n_l = dot(s.n, to_light);
+  if (n_l <= 0.0) return vec3(0.0);
+  float v_h = clamp(dot(s.to_viewer, normalize(to_light + s.to_viewer)), 0.0, 1.0);
   float away = 1.0 - v_h, edge = away * away * away * away * away;
   vec3 dielectric = s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * edge;
   vec3 fresnel = mix(dielectric, s.base_color + (1.0 - s.base_color) * edge, s.metallic);
   vec3 diffuse = (1.0 - greatest(dielectric)) * (1.0 - s.metallic) * s.base_color / kPi;
-  return (diffuse + fresnel * distribution * 0.5 / smith) * n_l * irradiance;
+  return (diffuse * n_l + fresnel * ggx(s.n, s.to_viewer, to_light, s.roughness)) * irradiance;
 }
 
 // eq   KHR_lights_punctual: inverse square with a smooth end at the range, and a smooth edge of the cone of a spot light
@@ -47,12 +55,6 @@ vec3 arriving(Light light, vec3 p, out vec3 to_light) {
   bool directional = light.kind == 0u;
   to_light = mix(to_point, light.to_light, bvec3(directional));
   return light.color * mix(1.0 / d2 * within * cone, 1.0, directional);
-}
-
-vec3 from_light(Light light, Surface s, vec3 p) {
-  vec3 to_light;
-  vec3 irradiance = arriving(light, p, to_light);
-  return reflected(s, to_light, irradiance);
 }
 
 // Irradiance / pi on a surface.
@@ -82,12 +84,16 @@ void layer(vec3 f0, float f90, vec2 sums, out vec3 once, out vec3 again) {
   again = once * mean * lost / (1.0 - mean * lost);
 }
 
+// The table of the split sum (viewer/light/split_sum.h).
+vec2 split_sums(float n_v, float roughness) {
+  vec2 size = vec2(textureSize(split_sum_image, 0));
+  return textureLod(split_sum_image, (vec2(sqrt(n_v), roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
+}
+
 // Ambient light. What the layer of a dielectric does not reflect is scattered below it, so a white surface in white
 // light returns all of it.
 vec3 ambient(Surface s) {
-  float n_v = clamp(dot(s.n, s.to_viewer), 0.0, 1.0);
-  vec2 size = vec2(textureSize(split_sum_image, 0));
-  vec2 sums = textureLod(split_sum_image, (vec2(sqrt(n_v), s.roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
+  vec2 sums = split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness);
   vec3 metal_once, metal_again, once, again;
   layer(s.base_color, 1.0, sums, metal_once, metal_again);
   layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);

@@ -33,8 +33,8 @@ constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Readi
 
 /// The layer of each texture is there.
 std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
-  const bool specular = !m.unlit && m.specular.has_effect();
-  return {specular, specular};
+  const bool specular = !m.unlit && m.specular.has_effect(), coat = !m.unlit && m.clearcoat.factor > 0.0f;
+  return {specular, specular, coat, coat, coat};
 }
 
 /// Which place each texture of a layer has, and what the places hold.
@@ -93,7 +93,9 @@ MaterialFeatures material_features(const Material& m) noexcept {
   MaterialFeatures out{.unlit = m.unlit};
   for (std::size_t i = 0; i < kMaterialTextures; ++i)
     if (uses[i]->used()) out.texcoord_sets[i] = uses[i]->texcoord == 1 ? 2 : 1;
-  out.layers.specular = layers_shown(m)[0];
+  const auto shown = layers_shown(m);
+  out.layers.specular = shown[0];
+  out.layers.clearcoat = shown[2];
   for (std::size_t i = 0; i < kLayerTextures; ++i)
     if (const std::size_t place = places.of_layer[i]; place < kTexturePlaces)
       out.layers.textures[i] =

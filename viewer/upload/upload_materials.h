@@ -19,6 +19,8 @@ struct TextureTransformUniforms {
 inline constexpr std::size_t kMaterialTextures = 5;  ///< base colour, metallic-roughness, normal, occlusion, emissive
 inline constexpr std::size_t kLayerTextures = 8;     ///< those of the layers, in the order of texture_uses()
 
+inline constexpr std::size_t kClearcoatNormal = 4;  ///< among those of the layers
+
 /// Vulkan promises 16 images to a shader, of which a frame takes 9. Layers take the places that the five textures of a
 /// material leave, and those of images that are there already.
 inline constexpr std::size_t kTexturePlaces = 7;
@@ -39,7 +41,7 @@ static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLa
 
 /// The layers of a surface that shaders are compiled for.
 struct LayerFeatures {
-  bool specular = false;
+  bool specular = false, clearcoat = false;
   /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
   std::array<std::uint8_t, kLayerTextures> textures{};
 

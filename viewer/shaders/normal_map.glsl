@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Normals of normal maps. The shader that includes this has the inputs view_position, view_tangent and texcoords.
+
+// Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
+bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
+  t = view_tangent.xyz - n * dot(n, view_tangent.xyz);
+  if (dot(t, t) == 0.0) return false;
+  t = normalize(t);
+  // On back faces n is reversed; the bitangent must not change then.
+  float side = gl_FrontFacing ? draw.handedness : -draw.handedness;
+  b = cross(n, t) * view_tangent.w * side;
+  return true;
+}
+
+// The same for a mesh without tangents, from screen-space derivatives, as stored tangents would have it: the tangent lies
+// along u, and the bitangent is perpendicular to it on the side where v falls.
+// eq   [dP/dx, dP/dy] = [dP/du, dP/dv] * [duv/dx, duv/dy]
+bool derived_frame(vec3 n, int set, out vec3 t, out vec3 b) {
+  vec3 dx = dFdx(view_position), dy = dFdy(view_position);
+  vec2 uv = uv_of_set(set, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
+  float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
+  vec3 along_u = side * (dx * uv_y.y - dy * uv_x.y), along_v = side * (dy * uv_x.x - dx * uv_y.x);
+  t = along_u - n * dot(n, along_u);
+  if (dot(t, t) == 0.0) return false;
+  t = normalize(t);
+  b = cross(n, t);
+  if (dot(b, along_v) > 0.0) b = -b;
+  return true;
+}
+
+// in   n  on the seen side;   texel  of the map;   set  of its texture coordinates: 1 or 2
+vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
+  vec3 relief = texel * 2.0 - 1.0;
+  vec3 t, b;
+  bool found;
+  if (kTangents) found = stored_frame(n, t, b);
+  else found = derived_frame(n, set, t, b);
+  if (!found) return n;
+  if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is reversed already: a bump of the front is a dent of the back
+  return normalize(t * relief.x * scale + b * relief.y * scale + n * relief.z);
+}
+
+vec3 with_normal_map(vec3 n) {
+  if (kNormalSet == 0) return n;
+  vec3 texel = texture(normal_texture, transformed_uv(2, kNormalSet, texcoords)).xyz;
+  return mapped_normal(n, texel, material.normal_scale, kNormalSet);
+}
