@@ -21,7 +21,7 @@ glm::dvec4 looked_up(const Scene& scene, const SurfacePoint& point, const Textur
 }
 
 glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const TextureUse& map, float map_scale) {
-  if (!map.used()) return seen_normal(point);
+  if (!map.used() || point.normal == glm::dvec3(0.0)) return seen_normal(point);
   const glm::dvec3 stored(looked_up(scene, point, map, false));
   const double scale = static_cast<double>(map_scale);
   const glm::dvec3 local = (stored * 2.0 - 1.0) * glm::dvec3(scale, scale, 1.0);
@@ -85,6 +85,10 @@ glm::dvec4 base_color(const Scene& scene, const SurfacePoint& point) {
 }
 
 glm::dvec3 seen_normal(const SurfacePoint& point) { return point.front ? point.normal : -point.normal; }
+
+glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point) {
+  return mapped_normal(scene, point, point.material.normal_texture, point.material.normal_scale);
+}
 
 glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
   const Material& material = point.material;

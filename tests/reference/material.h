@@ -21,6 +21,9 @@ glm::dvec4 base_color(const Scene& scene, const SurfacePoint& point);
 /// The normal on the seen side: that of the vertices, reversed on back sides.   (glTF 2.0, 3.9.6)
 glm::dvec3 seen_normal(const SurfacePoint& point);
 
+/// The normal that light and occlusion have: that of the normal map, else the seen one.
+glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point);
+
 /// Linear light from a surface point to the viewer.
 /// eq   glTF 2.0, 3.9 and appendix B: metallic = factor * blue, roughness = factor * green (at least 0.045);
 ///      normal map (2 texel - 1) * (scale, scale, 1), the whole normal reversed on back sides;

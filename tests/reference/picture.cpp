@@ -169,7 +169,7 @@ double automatic_exposure(const PictureOf& picture) {
 DepthAndNormal depth_at(const PictureOf& picture, double x, double y) {
   for (const SurfacePoint& point : layers(picture, x, y)) {
     if (point.material.alpha_mode == AlphaMode::blend) continue;
-    return {point.distance_m, transform_vector(picture.view.view_from_world, seen_normal(point))};
+    return {point.distance_m, transform_vector(picture.view.view_from_world, mapped_normal(picture.scene, point))};
   }
   return {};
 }

@@ -136,10 +136,11 @@ TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cut
   EXPECT_TRUE(shared(key, [](auto& k) { k.frame.occluded = k.frame.ambient = false; }));
   EXPECT_TRUE(shared(key, [](auto& k) { k.frame.light_count = 0; }));
   EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.unlit = true; }));
-  for (const std::size_t slot : {0u, 1u, 2u, 3u, 4u})
+  for (const std::size_t slot : {0u, 1u, 3u, 4u})
     EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
   EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.layers = {}; }));
-  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.tangents = false; })) << "without a normal map";
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[2] = 0; })) << "its normal map";
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.tangents = false; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.normals = NormalSource::none; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.depth_only = true; }));
   MeshPipelineKey masked = key;
@@ -148,6 +149,8 @@ TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cut
   MeshPipelineKey depth = key;
   depth.depth_only = true;
   EXPECT_TRUE(shared(depth, [](auto& k) { k.surface.normals = NormalSource::none; }));
+  EXPECT_TRUE(shared(depth, [](auto& k) { k.surface.material.texcoord_sets[2] = 0; })) << "nothing reads normals";
+  EXPECT_TRUE(shared(depth, [](auto& k) { k.surface.tangents = false; }));
 }
 
 TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {

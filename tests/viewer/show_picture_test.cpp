@@ -42,6 +42,25 @@ TEST_F(show_picture, normals_are_those_of_the_seen_sides_in_view_space) {
   }
 }
 
+TEST_F(show_picture, normals_are_those_of_normal_maps) {
+  RenderOptions options;
+  options.show = Show::normals;
+  for (const bool tangents : {false, true})
+    for (const bool behind : {false, true}) {
+      BuiltScene built;
+      Material material = matte({1, 1, 1});
+      material.double_sided = true;
+      material.normal_scale = 0.8f;
+      material.normal_texture.texture = add_plain_texture(built, {196, 90, 220, 255});
+      Primitive p = wall();
+      if (!tangents) p.tangents.clear();
+      Affine turned;  // about y by 180 degrees
+      if (behind) turned.row[0].x = turned.row[2].z = -1.0f;
+      built.add(p, built.add_material(material), turned);
+      expect_reference_picture(built, view_of_wall(), options, {.bound = 0.002});
+    }
+}
+
 TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
   RenderOptions options;
   options.show = Show::depth;
@@ -55,8 +74,8 @@ TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
     expect_reference_picture(shapes(), view, options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
 }
 
-TEST_F(show_picture, ambient_access_is_that_of_the_reference_from_its_own_depth_and_normals) {
-  const BuiltScene built = box_and_sphere_on_floor();
+/// Compares ambient access with the reference's, from the depth and the normals that the reference sees.
+void expect_reference_access(const BuiltScene& built, double bound) {
   RenderOptions options;
   options.show = Show::ao;
   options.ao.radius_m = 0.7f;
@@ -77,7 +96,18 @@ TEST_F(show_picture, ambient_access_is_that_of_the_reference_from_its_own_depth_
     occluded += (1.0 - access[i]) / static_cast<double>(access.size());
   }
   EXPECT_GT(occluded, 0.015) << "nothing is occluded: the comparison is empty";
-  EXPECT_LT(mean, 2e-3);  // a sample may fall to either side of an edge
+  EXPECT_LT(mean, bound);  // a sample may fall to either side of an edge
+}
+
+TEST_F(show_picture, ambient_access_is_that_of_the_reference_from_its_own_depth_and_normals) {
+  expect_reference_access(box_and_sphere_on_floor(), 2e-3);
+}
+
+TEST_F(show_picture, ambient_access_is_that_of_the_normals_of_normal_maps) {
+  BuiltScene built = box_and_sphere_on_floor();
+  const std::uint32_t leaning = add_plain_texture(built, {196, 100, 225, 255});
+  for (Material& material : built.scene.materials) material.normal_texture.texture = leaning;
+  expect_reference_access(built, 5e-3);  // the floor rises above the horizon of leaning normals everywhere
 }
 
 }  // namespace

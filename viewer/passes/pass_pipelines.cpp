@@ -67,9 +67,10 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     key.frame.occluded = key.frame.ambient = false;
     key.frame.light_count = 0;
     key.frame.shadow_light = kNone;
-    sets[1] = sets[2] = sets[3] = 0;
+    sets[1] = sets[3] = 0;
     surface.material.layers = {};
   }
+  if (key.depth_only || surface.normals == NormalSource::none) sets[2] = 0;
   if (!shades || surface.material.unlit) sets[4] = 0;
   if (!shades) key.frame.unlit_image = false;
   if (!shades) surface.material.unlit = false;

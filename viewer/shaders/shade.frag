@@ -51,7 +51,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   set_specular(s);
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
-  float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, geometry_normal);
+  float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n);
   if (kVertexAccess) access = clamp(vertex_access, 0.0, 1.0);   // at edges it is interpolated beyond the triangle
   if (kOcclusionSet != 0) {
     float baked = texture(occlusion_texture, transformed_uv(3, kOcclusionSet, texcoords)).r;
