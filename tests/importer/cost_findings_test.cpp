@@ -279,6 +279,24 @@ TEST(cost_findings, timed_moments_lie_one_in_each_sixteenth_of_a_clip_and_on_no_
     EXPECT_NEAR(moments[i], (static_cast<double>(i) + 0.37) / 4.0, 1e-12);
 }
 
+TEST(cost_findings, rays_at_vertices_have_a_sentence_for_each_number_of_them) {
+  const auto answer = [](const std::string& at_vertices) {
+    return R"({"device": "a device", "width": 100, "height": 50, "pixels": 3000, "radius_m": 0.5, "error_without": 0.2,
+      "trials": [{"name": "2 slices of 12", "note": "", "method": "gtao", "samples": 24, "full_size": false,
+        "blur": true, "default": true, "error": 0.05, "milliseconds": [2.0, 2.01, 1.99]}])" +
+           at_vertices + "}";
+  };
+  const auto without = cost::occlusion_group(answer("")).findings;
+  const auto findings = cost::occlusion_group(answer(R"(, "at_vertices": [
+    {"rays": 64, "vertex_error": 0.025, "error": 0.061, "seconds": 0.5},
+    {"rays": 256, "vertex_error": 0.013, "error": 0.043, "seconds": 2.0}])"))
+                            .findings;
+  ASSERT_EQ(findings.size(), without.size() + 2);
+  EXPECT_EQ(findings.back(),
+            "256 rays a vertex, baked in 2 s before the first frame, leave 4.3 % and take no time in a frame; at the "
+            "vertices they are 1.3 % off 4096 rays, the rest is what triangles interpolate.");
+}
+
 TEST(cost_findings, ambient_occlusion_is_looked_at_in_the_same_clip_of_the_same_file) {
   EXPECT_THAT(cost::occlusion_arguments("a file.glb", 3, true),
               ElementsAre("--quick", "--clip", "3", "--", "a file.glb"));

@@ -142,6 +142,40 @@ TEST_F(occlusion_study, N34_ambient_occlusion_is_nearer_to_rays_than_none_and_th
   }
 }
 
+TEST_F(occlusion_study,
+       N34_rays_at_vertices_are_nearer_to_many_rays_the_more_there_are_and_know_no_more_than_the_mesh) {
+  BuiltScene built;
+  const std::uint32_t material = built.add_material(matte({1, 1, 1}));
+  Primitive floor;  // 41 x 41 vertices, 0.1 m apart
+  for (int z = 0; z <= 40; ++z)
+    for (int x = 0; x <= 40; ++x) floor.positions.emplace_back(0.1f * (float(x) - 20), 0.0f, 0.1f * (float(z) - 20));
+  floor.normals.assign(floor.positions.size(), {0, 1, 0});
+  for (std::uint32_t z = 0; z < 40; ++z)
+    for (std::uint32_t x = 0; x < 40; ++x) {
+      const std::uint32_t v = 41 * z + x;
+      floor.indices.insert(floor.indices.end(), {v, v + 41, v + 1, v + 1, v + 41, v + 42});
+    }
+  built.add(floor, material);
+  built.add(showcase::sphere({0, 0.6f, 0}, 0.5f), material);
+  AmbientOcclusion settings;
+  settings.radius_m = 1.0f;
+  const OcclusionStudy study =
+      study_occlusion(*test_device(), built.scene, built.frame(), look_at({1.5, 3.2, 3.0}, {0, 0, 0}, 0.5, 0.05),
+                      settings, {96, 64, 256, 0, true});
+  ASSERT_EQ(study.at_vertices.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const VertexTrial& trial = study.at_vertices[i];
+    EXPECT_EQ(trial.rays, 16u << (2 * i));
+    EXPECT_GT(trial.vertex_error, 0.0);
+    EXPECT_GT(trial.seconds, 0.0);
+    if (i > 0) {
+      EXPECT_LT(trial.vertex_error, 0.7 * study.at_vertices[i - 1].vertex_error);
+    }
+  }
+  EXPECT_LT(study.at_vertices[3].vertex_error, 0.01);
+  EXPECT_LT(study.at_vertices[3].error, 0.3 * study.error_without) << "the mesh is fine enough here";
+}
+
 TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_device_fills) {
   const BuiltScene built = box_and_sphere_on_floor();
   constexpr int kWidth = 63, kHeight = 48;

@@ -38,6 +38,10 @@ Json json_of(const OcclusionStudy& study) {
          {"default", t.is_default},
          {"error", t.error},
          {"milliseconds", t.milliseconds}});
+  out["at_vertices"] = Json::array();
+  for (const VertexTrial& t : study.at_vertices)
+    out["at_vertices"].push_back(
+        {{"rays", t.rays}, {"vertex_error", t.vertex_error}, {"error", t.error}, {"seconds", t.seconds}});
   return out;
 }
 

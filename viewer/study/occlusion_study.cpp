@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <random>
 
+#include "importer/ambient/access_surfaces.h"
 #include "runtime/base/contract.h"
 #include "viewer/app/headless.h"
 
@@ -69,8 +71,8 @@ std::vector<OcclusionTrial> trials_of(bool every_way) {
 class Drawing {
  public:
   Drawing(Device& device, const Scene& scene, const OcclusionEffort& effort, const OcclusionTrial& trial,
-          const AmbientOcclusion& settings)
-      : headless_(device, scene, effort.width, effort.height, trial.shape) {
+          const AmbientOcclusion& settings, const VertexAccess* access = nullptr)
+      : headless_(device, scene, effort.width, effort.height, trial.shape, access) {
     options_.show = Show::ao;
     options_.ao = settings;
     options_.ao.method = trial.method;
@@ -112,6 +114,44 @@ Difference difference_of(const Picture& picture, const std::vector<double>& trut
     ++d.pixels;
   }
   return d;
+}
+
+/// Root mean square difference over the vertices of all meshes.
+double difference_of(const MeshAccess& a, const MeshAccess& b) {
+  Difference d;
+  for (std::size_t m = 0; m < a.size(); ++m)
+    for (std::size_t p = 0; p < a[m].size(); ++p)
+      for (std::size_t v = 0; v < a[m][p].size(); ++v, ++d.pixels) {
+        const double off = static_cast<double>(a[m][p][v]) - static_cast<double>(b[m][p][v]);
+        d.squares += off * off;
+      }
+  return d.root_mean();
+}
+
+/// Bakes with several numbers of rays that reach as far as those of the pixels.
+std::vector<VertexTrial> study_vertices(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
+                                        const AmbientOcclusion& settings, const OcclusionEffort& effort,
+                                        const std::vector<double>& truth) {
+  constexpr std::size_t kMostVertices = 20000;  // 4,096 rays each take a minute
+  std::size_t vertices = 0;
+  for (const PlacedSurface& placed : surfaces_of(scene, frame)) vertices += placed.surface.positions.size();
+  if (vertices == 0 || vertices > kMostVertices) return {};
+  const double reach = static_cast<double>(settings.radius_m);
+  const MeshAccess exact = bake_mesh_access(scene, frame, {.rays = 4096, .distance_m = reach});
+  std::vector<VertexTrial> trials;
+  for (const std::uint32_t rays :
+       effort.every_way ? std::vector<std::uint32_t>{16, 64, 256, 1024} : std::vector<std::uint32_t>{64, 256}) {
+    const auto start = std::chrono::steady_clock::now();
+    VertexAccess access;
+    access.values = bake_mesh_access(scene, frame, {.rays = rays, .distance_m = reach, .seed = 2});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    OcclusionTrial drawn;
+    drawn.method = OcclusionMethod::rays;
+    const Picture picture = Drawing(device, scene, effort, drawn, settings, &access).draw(frame, view);
+    const Difference off = difference_of(picture, truth, [](std::uint8_t grey) { return grey / 255.0; });
+    trials.push_back({rays, difference_of(access.values, exact), off.root_mean(), seconds});
+  }
+  return trials;
 }
 
 }  // namespace
@@ -157,6 +197,7 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
     study.error_without = difference_of(picture, truth, [](std::uint8_t) { return 1.0; }).root_mean();
     order.push_back(order.size());
   }
+  study.at_vertices = study_vertices(device, scene, frame, view, settings, effort, truth);
   std::mt19937 random(1);
   for (int repetition = 0; repetition < effort.repetitions; ++repetition) {
     std::shuffle(order.begin(), order.end(), random);

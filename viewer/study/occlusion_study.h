@@ -22,6 +22,14 @@ struct OcclusionTrial {
   std::vector<double> milliseconds;  ///< GPU time of its passes, one for each repetition; empty without timestamps
 };
 
+/// Rays cast at vertices before any picture is drawn (OcclusionMethod::rays), measured.
+struct VertexTrial {
+  std::uint32_t rays = 0;     ///< a vertex
+  double vertex_error = 0.0;  ///< root mean square difference of ambient access from 4,096 rays, over the vertices
+  double error = 0.0;         ///< as OcclusionTrial::error: of the picture, in which triangles interpolate
+  double seconds = 0.0;       ///< to bake all vertices once
+};
+
 struct OcclusionStudy {
   std::string device;
   std::uint32_t width = 0, height = 0;
@@ -29,6 +37,7 @@ struct OcclusionStudy {
   double error_without = 0.0;  ///< of a picture without ambient occlusion
   double radius_m = 0.0;
   std::vector<OcclusionTrial> trials;
+  std::vector<VertexTrial> at_vertices;  ///< by rising number of rays; empty for more than 20,000 vertices
 };
 
 /// Size of the picture and number of repetitions.
