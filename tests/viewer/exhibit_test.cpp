@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Files as the viewer shows them: which scene, what is said of the others, and what is asked of the runtime.
+#include "viewer/app/exhibit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace sinew::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class exhibit : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  tl::expected<std::vector<Exhibit>, LoadError> load(const std::string& json, Options options = {}) {
+    options.file = (folder_ / "thing.gltf").string();
+    std::ofstream(options.file) << json;
+    said_.clear();
+    parts_.clear();
+    return load_exhibits(
+        options, [this](const std::string& line) { said_.push_back(line); },
+        [this](double done) { parts_.push_back(done); });
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("exhibit" + std::to_string(::getpid()));
+  std::vector<std::string> said_;
+  std::vector<double> parts_;
+};
+
+constexpr const char* kTwoScenes =
+    R"({"asset": {"version": "2.0"}, "scene": 1, "materials": [{"name": "plain"}], "scenes": [{"nodes": [0]}, {"nodes": [1]}],
+        "nodes": [{"name": "first"}, {"name": "second"}]})";
+
+TEST_F(exhibit, has_the_name_of_its_file_and_tells_of_other_scenes) {
+  const auto shown = load(kTwoScenes);
+  ASSERT_TRUE(shown) << shown.error().message;
+  ASSERT_EQ(shown->size(), 1u);
+  EXPECT_EQ(shown->front().name, "thing.gltf");
+  EXPECT_EQ(cache_duration_s(shown->front()), 0.0);
+  EXPECT_THAT(said_, ElementsAre(HasSubstr("2 scenes; scene 1 is shown")));
+  EXPECT_THAT(parts_, testing::Not(IsEmpty()));
+  Options first;
+  first.scene = 0;
+  EXPECT_TRUE(load(kTwoScenes, first));
+  EXPECT_THAT(said_, IsEmpty()) << "it was asked for";
+}
+
+TEST_F(exhibit, of_a_scene_that_the_file_has_not_names_those_that_it_has) {
+  Options options;
+  options.scene = 2;
+  const auto none = load(kTwoScenes, options);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().exit_code, 2);
+  EXPECT_THAT(none.error().message, HasSubstr("scenes 0 to 1"));
+  const auto empty = load(R"({"asset": {"version": "2.0"}})", options);
+  ASSERT_FALSE(empty);
+  EXPECT_THAT(empty.error().message, HasSubstr("no scenes"));
+}
+
+TEST_F(exhibit, of_a_file_that_cannot_be_read_says_why) {
+  const auto none = load("{");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().exit_code, 1);
+  EXPECT_THAT(none.error().message, HasSubstr("thing.gltf"));
+}
+
+TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
+  Exhibit shown;
+  shown.instance_skinning = {Skinning::linear};
+  const Needs plain = needs_of(shown, {});
+  EXPECT_TRUE(plain.bounds);
+  EXPECT_EQ(plain.max_layers, 1u);
+  EXPECT_EQ(plain.instance_skinning, shown.instance_skinning);
+  EXPECT_FALSE(plain.stage_times || plain.between_updates);
+  const Needs asked =
+      needs_of(shown, {.skinning = Skinning::dual_quaternion, .updates = Updates::interpolated, .stage_times = true});
+  EXPECT_EQ(asked.skinning, Skinning::dual_quaternion);
+  EXPECT_TRUE(asked.stage_times && asked.between_updates);
+}
+
+}  // namespace
+}  // namespace sinew::viewer
