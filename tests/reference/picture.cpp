@@ -2,12 +2,14 @@
 #include "tests/reference/picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "tests/reference/gooch.h"
 #include "tests/reference/material.h"
 #include "tests/reference/shade.h"
 
@@ -105,6 +107,35 @@ glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   return displayed(lighting, light * static_cast<double>(lighting.environment_intensity));
 }
 
+/// Cool to warm tone of a surface in the light of the first lamp, linear.
+glm::dvec3 tone_of(const PictureOf& picture, const SurfacePoint& point) {
+  const glm::dvec3 base = each(glm::dvec3(base_color(picture.scene, point)), srgb_encoded);
+  const glm::dvec3 normal = seen_normal(point);
+  if (normal == glm::dvec3(0.0)) return each(base, srgb_decoded);
+  return each(gooch_tone(base, normal, lights_at(picture, point.position)[0].to_light, point.to_viewer), srgb_decoded);
+}
+
+/// How black the outlines are at a point of the picture: the pixels around it are those around its own middle.
+double outline_at(const PictureOf& picture, double x, double y) {
+  if (depth_at(picture, x, y).normal == glm::dvec3(0.0)) return 0.0;
+  const View& view = picture.view;
+  const bool parallel = view.half_height_m > 0.0;
+  double line = 0.0;
+  for (const glm::dvec2 step : {glm::dvec2(1.0, 0.0), {0.0, 1.0}}) {
+    std::array<OutlinePixel, 3> row;
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) {
+      const double at_x = x + (i - 1) * step.x, at_y = y + (i - 1) * step.y;
+      inside = inside && at_x > 0.0 && at_y > 0.0 && at_x < picture.width && at_y < picture.height;
+      const DepthAndNormal at = depth_at(picture, at_x, at_y);
+      row[static_cast<std::size_t>(i)] = {at.distance_m, at.normal};
+    }
+    const double half_height = parallel ? view.half_height_m : std::tan(0.5 * view.fov_y_rad) * row[1].distance_m;
+    if (inside) line = std::max(line, outline(row, 0.5 * picture.height / half_height, parallel));
+  }
+  return line;
+}
+
 /// The layers of a pixel over each other: light and unlit colours, and how much of the pixel they cover.
 struct Layered {
   glm::dvec3 light{0.0}, unlit{0.0};
@@ -119,9 +150,14 @@ Layered layered(const PictureOf& picture, double x, double y) {
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
     for (double* below : {&sum.coverage, &sum.lit}) *below *= 1.0 - alpha;
     for (glm::dvec3* below : {&sum.light, &sum.unlit}) *below *= 1.0 - alpha;
-    (point->material.unlit ? sum.unlit : sum.light) += radiance_of(picture, *point, x, y) * alpha;
+    const bool gooch = picture.options.shading == viewer::Shading::gooch;
+    if (gooch && !point->material.unlit)
+      sum.unlit += tone_of(picture, *point) * alpha;
+    else
+      (point->material.unlit ? sum.unlit : sum.light) += radiance_of(picture, *point, x, y) * alpha;
     sum.coverage += alpha;
-    if (!point->material.unlit) sum.lit += alpha;
+    if (!gooch && !point->material.unlit) sum.lit += alpha;
+    if (gooch && !blended) sum.unlit *= 1.0 - outline_at(picture, x, y);
   }
   return sum;
 }

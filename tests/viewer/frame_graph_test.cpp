@@ -119,6 +119,17 @@ TEST(frame_graph, P17_occlusion_of_strength_0_is_none) {
   EXPECT_FALSE(ao.has_effect());
 }
 
+TEST(frame_graph, gooch_shading_draws_outlines_from_normals_and_depth_on_what_is_opaque) {
+  const FrameNeeds needs{.opaque = true, .blended = true, .unlit = true, .gooch = true, .ambient = false};
+  EXPECT_THAT(passes(needs),
+              ElementsAre(Pass::normal_depth, Pass::opaque, Pass::outline, Pass::transparent, Pass::tonemap));
+  const FrameGraph graph(needs);
+  EXPECT_TRUE(graph.normal_image && graph.depth_image && graph.unlit_image);
+  EXPECT_FALSE(graph.ao_image || graph.shadow_image || graph.exposure_image);
+  EXPECT_FALSE(FrameGraph({.blended = true, .gooch = true, .ambient = false}).has(Pass::outline));
+  EXPECT_FALSE(FrameGraph({.opaque = true, .gooch = true, .show = Show::depth}).has(Pass::outline));
+}
+
 TEST(frame_graph, names_every_pass) {
   EXPECT_EQ(name_of(Pass::normal_depth), "normal_depth");
   EXPECT_EQ(name_of(Pass::overlay), "overlay");

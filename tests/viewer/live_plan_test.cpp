@@ -39,8 +39,8 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   std::vector<std::string> stages;
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
   EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao",
-                                  "blur_horizontal", "blur_vertical", "opaque", "ground", "transparent", "exposure",
-                                  "tonemap", "show", "overlay"));
+                                  "blur_horizontal", "blur_vertical", "opaque", "outline", "ground", "transparent",
+                                  "exposure", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -125,12 +125,13 @@ TEST(live_plan, becomes_a_table_of_text) {
 }
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
-  for (std::uint32_t bits = 0; bits < 1024; ++bits)
+  for (std::uint32_t bits = 0; bits < 2048; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
                              .overlay = (bits & 4) != 0,
                              .unlit = (bits & 256) != 0,
+                             .gooch = (bits & 1024) != 0,
                              .shadows = (bits & 64) != 0,
                              .ambient = (bits & 8) != 0,
                              .occlusion = (bits & 16) != 0,
@@ -161,6 +162,12 @@ TEST(pass_stages, the_reason_is_the_one_thing_that_keeps_a_pass_out) {
   EXPECT_THAT(why({.opaque = true}, Pass::shadow), HasSubstr("no light casts"));
   EXPECT_THAT(why({.shadows = true}, Pass::shadow), HasSubstr("nothing is in view"));
   EXPECT_THAT(why({.opaque = true, .shadows = true, .show = Show::ao}, Pass::shadow), HasSubstr("a buffer instead"));
+  EXPECT_THAT(why({.opaque = true}, Pass::outline), HasSubstr("part of Gooch shading"));
+  EXPECT_THAT(why({.gooch = true}, Pass::outline), HasSubstr("nothing opaque"));
+  const FrameNeeds gooch{.opaque = true, .gooch = true, .ambient = false};
+  EXPECT_THAT(why(gooch, Pass::normal_depth), HasSubstr("outlines read"));
+  EXPECT_THAT(why(gooch, Pass::ssao), HasSubstr("Gooch shading counts no light"));
+  EXPECT_THAT(why(gooch, Pass::shadow), HasSubstr("Gooch shading counts no light"));
   EXPECT_THAT(why({.opaque = true, .show = Show::depth}, Pass::normal_depth), HasSubstr("depth only"));
   EXPECT_THAT(why({.opaque = true}, Pass::exposure), HasSubstr("exposure is given"));
   EXPECT_THAT(why({.auto_exposure = true}, Pass::exposure), HasSubstr("nothing is in view"));

@@ -47,6 +47,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(accepted({"--ground", "none"}).ground, GroundLook::none);
   EXPECT_EQ(accepted({"--ground", "shadows"}).ground, GroundLook::shadows);
   EXPECT_EQ(accepted({"--ground", "grid"}).ground, GroundLook::grid);
+  EXPECT_EQ(options.shading, Shading::physical);
+  EXPECT_EQ(accepted({"--shading", "gooch"}).shading, Shading::gooch);
+  EXPECT_EQ(accepted({"--shading", "physical"}).shading, Shading::physical);
   EXPECT_FALSE(options.smooth_edges.has_value());
   EXPECT_EQ(accepted({"--smoothing", "on"}).smooth_edges, true);
   EXPECT_EQ(accepted({"--smoothing", "off"}).smooth_edges, false);

@@ -131,6 +131,19 @@ TEST_F(pass_pipelines, what_screens_use_alone_makes_no_other_pipeline_for_meshes
   }
 }
 
+TEST_F(pass_pipelines, gooch_shading_reads_base_colours_alone_and_is_not_of_the_prepass) {
+  EXPECT_TRUE(shared(full_key(Pass::normal_depth), [](auto& k) { k.frame.gooch = true; }));
+  EXPECT_FALSE(shared(full_key(Pass::opaque), [](auto& k) { k.frame.gooch = true; }));
+  MeshPipelineKey key = full_key(Pass::opaque);
+  key.frame.gooch = true;
+  EXPECT_TRUE(shared(key, [](auto& k) { k.frame.light_count = 1; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.layers = {}; }));
+  EXPECT_TRUE(shared(key, [](auto& k) { k.surface.tangents = false; })) << "no normal map acts on tones";
+  for (const std::size_t slot : {1u, 2u, 3u, 4u})
+    EXPECT_TRUE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 0; })) << slot;
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[0] = 0; }));
+}
+
 TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cuts_by_alpha) {
   const MeshPipelineKey key = full_key(Pass::normal_depth);
   EXPECT_TRUE(shared(key, [](auto& k) { k.frame.occluded = k.frame.ambient = false; }));

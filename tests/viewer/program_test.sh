@@ -85,11 +85,19 @@ ends 0 '' --exposure auto --headless followed.png --size 320x180 --time 1 --vali
 grep -q 'exposure .* on .*log average' out || complain "--plan does not tell the exposure"
 ends 0 '' --exposure auto --headless wide.png --size 4000x1 --time 1 --validate
 ends 0 '' --exposure auto --headless dot.png --size 1x1 --time 1 --validate
+ends 0 '' --shading gooch --headless gooch.png --size 320x180 --time 1 --validate --plan
+grep -q 'outline .* on .*silhouettes' out || complain "--plan does not tell the outlines"
+ends 0 '' --shading gooch --ground grid --smoothing off --headless lines.png --size 320x180 --time 1 --validate
+ends 0 '' --shading gooch --backdrop blurred --transparent --headless clear.png --size 320x180 --time 1 --validate
+ends 0 '' --shading gooch --show normals --headless shown.png --size 64x64 --time 1 --validate
+ends 0 '' --shading gooch --headless wide.png --size 4000x1 --time 1 --validate
+ends 0 '' --shading gooch --headless dot.png --size 1x1 --time 1 --validate
 ends 0 '' --environment-turn 120 --headless turned.png --size 320x180 --time 1
 
 ends 0 '' --headless a.png --size 320x180 --time 1 --validate
 cmp -s a.png turned.png && complain "--environment-turn changes nothing"
 cmp -s a.png followed.png && complain "--exposure auto changes nothing"
+cmp -s a.png gooch.png && complain "--shading changes nothing"
 cmp -s a.png exposed.png && complain "--exposure changes nothing"
 ends 0 '' --headless b.png --size 320x180 --time 1
 if cmp -s a.png b.png; then echo "ok: the same picture twice is the same bytes"; else complain "the same picture twice differs"; fi

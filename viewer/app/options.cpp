@@ -122,6 +122,12 @@ void add_picture_options(CLI::App& app, Options& options) {
     options.show = named<Show>(
         "--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals}, {"depth", Show::depth}});
   });
+  text_option(app, "--shading", "HOW",
+              "physical, or gooch: cool to warm tones with outlines, without shadows and ambient light (physical)",
+              [&](const std::string& text) {
+                options.shading =
+                    named<Shading>("--shading", text, {{"physical", Shading::physical}, {"gooch", Shading::gooch}});
+              });
   auto* method = text_option(
       app, "--ao", "METHOD", "ambient occlusion: gtao (horizons), ssao (points around), or rays at vertices (gtao)",
       [&](const std::string& text) {
@@ -202,7 +208,8 @@ void add_light_options(CLI::App& app, Options& options) {
   text_option(app, "--environment-intensity", "X", "times as much of it (1)", [&, bounded](const std::string& text) {
     options.environment_intensity = bounded("--environment-intensity", text, 0.0f, 1e6f, "a factor from 0 on");
   });
-  text_option(app, "--backdrop", "WHAT", "what is behind: plain, blurred or sharp light from all around (blurred)",
+  text_option(app, "--backdrop", "WHAT",
+              "what is behind: plain, blurred or sharp light from all around (blurred; plain for gooch)",
               [&](const std::string& text) {
                 options.backdrop = named<Backdrop>(
                     "--backdrop", text,

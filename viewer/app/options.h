@@ -42,6 +42,7 @@ struct Options {
   std::uint32_t width = 1280, height = 720;
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
+  Shading shading = Shading::physical;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   std::uint32_t key_poses = 1;  ///< of the clip, for which rays are cast; 1 = the rest pose
@@ -51,7 +52,7 @@ struct Options {
   std::string environment = "studio";  ///< studio, plain, none, or the file of a panorama
   float environment_turn_deg = 0.0f;   ///< about +y, counter-clockwise from above
   float environment_intensity = 1.0f;
-  Backdrop backdrop = Backdrop::blurred;
+  std::optional<Backdrop> backdrop;  ///< unset = blurred; plain behind Gooch shading
   ToneCurve tone_curve = ToneCurve::neutral;
   float exposure_ev = 0.0f;  ///< stops: 1 doubles the light
   bool auto_exposure = false;

@@ -132,6 +132,7 @@ void choice(const char* label, std::initializer_list<const char*> names, Choice&
 void light_controls(Settings& settings) {
   choice("ground", {"none", "shadows", "grid"}, settings.ground);
   choice("backdrop", {"plain", "blurred", "sharp"}, settings.backdrop);
+  choice("shading", {"physical", "gooch"}, settings.shading);
   choice("tone", {"neutral", "aces", "none"}, settings.tone_curve);
   ImGui::SliderFloat("exposure", &settings.exposure_ev, -6.0f, 6.0f, "%+.1f EV");
   ImGui::Checkbox("exposure follows the picture", &settings.auto_exposure);

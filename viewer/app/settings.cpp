@@ -13,6 +13,7 @@ namespace sinew::viewer {
 Settings settings_from(const Options& options, const Scene& scene) {
   Settings settings;
   settings.show = options.show;
+  settings.shading = options.shading;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.occlusion_method = options.occlusion_method;
   settings.environment_turn_deg = options.environment_turn_deg;
@@ -22,7 +23,8 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.shadows = options.shadows;
   settings.ground = options.ground;
   settings.smooth_edges = options.smooth_edges.value_or(true);
-  settings.backdrop = options.backdrop;
+  settings.backdrop =
+      options.backdrop.value_or(options.shading == Shading::gooch ? Backdrop::plain : Backdrop::blurred);
   settings.tone_curve = options.tone_curve;
   settings.skinning = options.skinning;
   settings.framing = options.framing;
@@ -84,6 +86,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.ao.on = settings.ambient_occlusion;
   options.ao.method = settings.occlusion_method;
   options.show = settings.show;
+  options.shading = settings.shading;
   options.lighting.environment = std::move(environment);
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);

@@ -11,6 +11,7 @@ namespace sinew::viewer {
 /// What the user can change while the window is open. Clips and times are in Playback.
 struct Settings {
   Show show = Show::color;
+  Shading shading = Shading::physical;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   bool shadows = true;

@@ -17,6 +17,12 @@ constexpr std::uint32_t kCutSamplesFrag[] =
 constexpr std::uint32_t kShadeFrag[] =
 #include "shade.frag.inc"
     ;
+constexpr std::uint32_t kGoochFrag[] =
+#include "gooch.frag.inc"
+    ;
+constexpr std::uint32_t kOutlineFrag[] =
+#include "outline.frag.inc"
+    ;
 constexpr std::uint32_t kFullScreenVert[] =
 #include "full_screen.vert.inc"
     ;
@@ -65,6 +71,8 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
     case Shader::normal_depth_frag: return kNormalDepthFrag;
     case Shader::cut_samples_frag: return kCutSamplesFrag;
     case Shader::shade_frag: return kShadeFrag;
+    case Shader::gooch_frag: return kGoochFrag;
+    case Shader::outline_frag: return kOutlineFrag;
     case Shader::full_screen_vert: return kFullScreenVert;
     case Shader::ssao_frag: return kSsaoFrag;
     case Shader::gtao_frag: return kGtaoFrag;

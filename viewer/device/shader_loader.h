@@ -13,6 +13,8 @@ enum class Shader : std::uint8_t {
   normal_depth_frag,
   cut_samples_frag,
   shade_frag,
+  gooch_frag,
+  outline_frag,
   full_screen_vert,
   ssao_frag,
   gtao_frag,

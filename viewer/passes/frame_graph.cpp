@@ -7,7 +7,7 @@ namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
-      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque",
+      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque", "outline",
       "ground", "transparent",  "exposure", "tonemap",         "show",          "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
@@ -15,7 +15,8 @@ std::string_view name_of(Pass pass) noexcept {
 FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   const bool picture = needs.show == Show::color;
   const bool occlusion = needs.occluded();
-  const bool prepass = occlusion || !picture;
+  const bool outlined = needs.outlined();
+  const bool prepass = occlusion || outlined || !picture;
   if (needs.shadowed()) add(Pass::shadow);
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {
@@ -27,6 +28,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   }
   if (picture) {
     add(Pass::opaque);
+    if (outlined) add(Pass::outline);
     if (needs.ground) add(Pass::ground);
     if (needs.blended) add(Pass::transparent);
     if (needs.auto_exposure && (needs.opaque || needs.blended)) add(Pass::exposure);
@@ -39,7 +41,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   sampled = picture && needs.smooth_edges;
   depth_image = prepass || !sampled;
   vertex_access = needs.reads_baked();
-  normal_image = occlusion || needs.show == Show::normals || (vertex_access && needs.show == Show::ao);
+  normal_image = occlusion || outlined || needs.show == Show::normals || (vertex_access && needs.show == Show::ao);
   color_image = picture;
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;

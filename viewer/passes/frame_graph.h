@@ -16,14 +16,15 @@ enum class Pass : std::uint8_t {
   blur_horizontal,
   blur_vertical,
   opaque,
-  ground,  ///< shadows and contact on a level ground, and its grid
+  outline,  ///< of Gooch shading: lines at silhouettes and creases
+  ground,   ///< shadows and contact on a level ground, and its grid
   transparent,
   exposure,  ///< automatic: from the light of the picture
   tonemap,
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 12;
+inline constexpr std::size_t kPassCount = 13;
 
 std::string_view name_of(Pass pass) noexcept;
 
@@ -31,10 +32,11 @@ std::string_view name_of(Pass pass) noexcept;
 struct FrameNeeds {
   bool opaque = false;  ///< something opaque or masked is visible
   bool blended = false;
-  bool overlay = false;   ///< lines or a panel
-  bool unlit = false;     ///< something is visible whose colours are shown as the file has them
-  bool shadows = false;   ///< a light casts them
-  bool ambient = true;    ///< there is ambient light
+  bool overlay = false;  ///< lines or a panel
+  bool unlit = false;    ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
+  bool gooch = false;    ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
+  bool shadows = false;  ///< a light casts them
+  bool ambient = true;   ///< there is ambient light
   bool occlusion = true;  ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
   bool baked = false;     ///< ambient access comes with the vertices; then `occlusion` is false
   bool blur = true;
@@ -45,6 +47,9 @@ struct FrameNeeds {
 
   /// Some pass reads the shadow map.
   bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended || ground); }
+
+  /// Some pass reads normals and depth to draw lines.
+  bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
 
   /// Some pass reads ambient access.
   bool occluded() const noexcept {

@@ -102,34 +102,45 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
   return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
+bool is_gooch(const FrameInputs& inputs) { return inputs.options.shading == Shading::gooch; }
+
+/// Gooch shading counts no light of the environment, but its backdrop may show it.
+bool reads_environment(const FrameInputs& inputs) {
+  return inputs.options.lighting.ambient() && (!is_gooch(inputs) || inputs.options.backdrop != Backdrop::plain);
+}
+
 FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights,
                           const ShadowLight& shadow) {
   return {.occluded = graph.ao_image,
           .vertex_access = graph.vertex_access,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
-          .ambient = inputs.options.lighting.ambient(),
+          .ambient = inputs.options.lighting.ambient() && !is_gooch(inputs),
           .shadow_light = graph.shadow_image ? shadow.index : kNone,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
           .auto_exposure = graph.exposure_image,
           .unlit_image = graph.unlit_image,
+          .gooch = is_gooch(inputs),
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
 }
 
 FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLight& shadow) {
+  const bool gooch = is_gooch(inputs), visible = !draws.opaque().empty() || !draws.blended().empty();
+  const bool ground = !gooch || inputs.options.ground.look == GroundLook::grid;
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
-          .unlit = draws.unlit(),
+          .unlit = draws.unlit() || (gooch && visible),
+          .gooch = gooch,
           .shadows = shadow.index != kNone && !draws.casters().empty(),
-          .ambient = inputs.options.lighting.ambient(),
+          .ambient = inputs.options.lighting.ambient() && !gooch,
           .occlusion = inputs.options.ao.in_screen_space(),
           .baked = inputs.options.ao.at_vertices(),
           .blur = inputs.options.ao.blur,
-          .auto_exposure = inputs.options.lighting.auto_exposure,
-          .ground = ground_is_seen(inputs.view, inputs.options.ground),
+          .auto_exposure = inputs.options.lighting.auto_exposure && !gooch,
+          .ground = ground && ground_is_seen(inputs.view, inputs.options.ground),
           .smooth_edges = inputs.options.smooth_edges,
           .show = inputs.options.show};
 }
@@ -143,7 +154,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
   const auto start = std::chrono::steady_clock::now();
   state.collect_lights(inputs);
-  const ShadowLight shadow = shadow_light(inputs.view, inputs.options, state.lights);
+  const ShadowLight shadow = is_gooch(inputs) ? ShadowLight{} : shadow_light(inputs.view, inputs.options, state.lights);
   const bool casters = shadow.index != kNone && inputs.options.show == Show::color;
   state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
                       std::min(kPointPixels, state.device.max_point_size()), casters);
@@ -153,7 +164,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   state.targets.fit(graph, target.extent);
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.ao_image;
-  if (inputs.options.lighting.ambient()) state.environment.show(inputs.options.lighting.environment);
+  if (reads_environment(inputs)) state.environment.show(inputs.options.lighting.environment);
   slot.set.write(
       make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel),
       state.targets, state.environment, graph.has(Pass::normal_depth));

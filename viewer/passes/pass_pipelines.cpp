@@ -75,6 +75,12 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (!shades) key.frame.unlit_image = false;
   if (!shades) surface.material.unlit = false;
   if (!shades && !key.masked) sets[0] = 0;
+  key.frame.gooch = key.frame.gooch && shades && !surface.material.unlit;
+  if (key.frame.gooch) {
+    key.frame.light_count = 0;
+    sets[1] = sets[2] = sets[3] = sets[4] = 0;
+    surface.material.layers = {};
+  }
   if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
   return key;
 }
@@ -110,7 +116,10 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.attributes = attributes;
   const bool prepass = key.pass == Pass::normal_depth || key.depth_only, blended = key.pass == Pass::transparent;
   const bool cut_samples = key.depth_only && key.masked && shape.samples > 1;
-  shape.fragment = cut_samples ? Shader::cut_samples_frag : prepass ? Shader::normal_depth_frag : Shader::shade_frag;
+  shape.fragment = cut_samples       ? Shader::cut_samples_frag
+                   : prepass         ? Shader::normal_depth_frag
+                   : key.frame.gooch ? Shader::gooch_frag
+                                     : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
   shape.constants[id_blended] = blended;
@@ -135,7 +144,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
   shape.second_color = key.frame.unlit_image;
-  shape.adds_second = key.surface.material.unlit;
+  shape.adds_second = key.surface.material.unlit || key.frame.gooch;
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
 
@@ -156,6 +165,15 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_shadow_light] = key.frame.shadow_light;
+}
+
+void shape_outline(const ScreenPipelineKey& key, PipelineShape& shape) {
+  shape.fragment = Shader::outline_frag;
+  shape.color_format = kColorFormat;
+  shape.samples = key.frame.smooth_edges ? kSmoothSamples : 1;
+  shape.depth = true;
+  shape.depth_compare = VK_COMPARE_OP_LESS;  // the triangle is at depth 0: only where surfaces are
+  shape.blend = shape.second_color = shape.adds_second = true;
 }
 
 }  // namespace
@@ -194,6 +212,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
       shape.constants[1] = occlusion_.blur_reach;
       shape.constants[2] = occlusion_.keep_edges;
       break;
+    case Pass::outline: shape_outline(key, shape); break;
     case Pass::normal_depth:
     case Pass::ground: shape_ground(key, shape); break;
     case Pass::exposure:

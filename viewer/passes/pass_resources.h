@@ -77,6 +77,7 @@ struct FrameFeatures {
   Backdrop backdrop = Backdrop::plain;
   bool auto_exposure = false;  ///< there is an image with the exposure
   bool unlit_image = false;    ///< there is an image for colours that no tone curve changes
+  bool gooch = false;          ///< Gooch shading
   bool smooth_edges = false;   ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 

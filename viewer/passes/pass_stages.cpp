@@ -10,6 +10,7 @@ std::string_view why_not_occluded(const FrameNeeds& needs) {
   if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
   if (needs.show == Show::normals || needs.show == Show::depth)
     return "the picture shows a buffer that needs no ambient occlusion";
+  if (needs.gooch) return "Gooch shading counts no light";
   return "there is no ambient light for occlusion to scale";
 }
 
@@ -17,6 +18,7 @@ std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
   if (!runs) return why_not_occluded(needs);
   if (needs.occluded()) return "ambient occlusion reads normals and depth";
   if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
+  if (needs.outlined()) return "outlines read normals and depth";
   return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
 }
 
@@ -25,8 +27,15 @@ std::string_view why_blur(const FrameNeeds& needs) {
   return needs.blur ? "smooths ambient access on each surface" : "the blur is switched off";
 }
 
+std::string_view why_outline(const FrameNeeds& needs) {
+  if (!needs.gooch) return "outlines are part of Gooch shading";
+  if (needs.show != Show::color) return "the picture shows a buffer instead";
+  return needs.opaque ? "lines at silhouettes and creases" : "nothing opaque is in view";
+}
+
 std::string_view why_shadow(const FrameNeeds& needs) {
   if (needs.shadowed()) return "depth as the light sees it that casts shadows";
+  if (needs.gooch) return "Gooch shading counts no light";
   if (!needs.shadows) return "no light casts shadows";
   return needs.show == Show::color ? "nothing is in view" : "the picture shows a buffer instead";
 }
@@ -39,20 +48,24 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::ssao: return runs ? "ambient occlusion is on" : why_not_occluded(needs);
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return why_blur(needs);
+    case Pass::outline: return why_outline(needs);
     case Pass::transparent:
       if (!needs.blended) return "nothing blended is in view";
       return picture ? "blended surfaces, from far to near" : "the picture shows a buffer instead";
     case Pass::exposure:
+      if (needs.gooch) return "Gooch shading counts no light";
       if (!needs.auto_exposure) return "the exposure is given";
       if (!picture) return "the picture shows a buffer instead";
       return runs ? "from the log average of light" : "nothing is in view";
     case Pass::ground:
       if (!needs.ground) return "no ground is asked for, or the eye is below it";
-      return picture ? "darkens what is behind, by shadows and contact" : "the picture shows a buffer instead";
+      return picture ? needs.gooch ? "the grid alone" : "darkens what is behind, by shadows and contact"
+                     : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
     case Pass::opaque:
       if (!picture) return "the picture shows a buffer instead";
+      if (needs.gooch) return "cool to warm tones of what is opaque or alpha-tested";
       return needs.reads_baked() ? "shades what is opaque or alpha-tested, with the ambient access of the vertices"
                                  : "shades what is opaque or alpha-tested";
     case Pass::tonemap:
@@ -75,6 +88,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::ssao:
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return std::uint64_t{work.ao_extent.width} * work.ao_extent.height;
+    case Pass::outline:
     case Pass::exposure:
     case Pass::tonemap:
     case Pass::show: return width * height;

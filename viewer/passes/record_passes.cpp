@@ -196,6 +196,7 @@ void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments
   const SceneTargets scene(context.graph);
   const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent
                     : context.graph.has(Pass::ground)    ? Pass::ground
+                    : context.graph.has(Pass::outline)   ? Pass::outline
                                                          : Pass::opaque;
   const bool resolves = scene.sampled && pass == last;
   const auto attach = [&](Target drawn, Target resolved, VkImageView& view, VkImageView& resolve) {
@@ -243,6 +244,11 @@ Attachments over_opaque(const PassContext& context, Pass pass) {
                           .extent = context.targets.extent()};
   attach_colors(context, pass, true, attachments);
   return attachments;
+}
+
+void record_outline(const PassContext& context) {
+  const Rendering rendering(context.commands, over_opaque(context, Pass::outline));
+  draw_screen(context, context.pipelines.screen({.pass = Pass::outline, .frame = context.features}), context.set.set());
 }
 
 void record_ground(const PassContext& context) {
@@ -320,6 +326,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::blur_horizontal: return record_ssao_blur(context, false);
     case Pass::blur_vertical: return record_ssao_blur(context, true);
     case Pass::opaque: return record_opaque(context);
+    case Pass::outline: return record_outline(context);
     case Pass::ground: return record_ground(context);
     case Pass::transparent: return record_transparent(context);
     case Pass::exposure: return record_exposure(context);

@@ -16,6 +16,12 @@ enum class Show : std::uint8_t {
   depth     ///< distance in grey within depth_range, near = bright
 };
 
+/// What the colours of surfaces say.
+enum class Shading : std::uint8_t {
+  physical,  ///< the light that they reflect
+  gooch      ///< their shape: cool to warm tones with outlines, as in technical illustrations
+};
+
 /// How light of the scene becomes light of the display.
 enum class ToneCurve : std::uint8_t {
   neutral,  ///< Khronos PBR Neutral: keeps base colours, compresses highlights
@@ -107,6 +113,7 @@ struct DepthRange {
 
 struct RenderOptions {
   Show show = Show::color;
+  Shading shading = Shading::physical;
   AmbientOcclusion ao;
   Lighting lighting;
   Shadows shadows;
