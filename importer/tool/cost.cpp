@@ -126,13 +126,13 @@ ExitCode report_cost(const CostOptions& options) {
 
 void add_cost(CLI::App& program, ExitCode& outcome) {
   auto options = std::make_shared<CostOptions>();
-  CLI::App* command =
-      program.add_subcommand("cost",
-                             "Measure what accuracy costs in time, on a file of yours, as a page with charts\n"
-                             "Ways to interpolate, to store keys, to skin, to morph, to calculate, to retarget, to keep every "
-                             "vertex of every frame, and to compute ambient occlusion. Each has its error against "
-                             "double precision (or rays) and its time on this machine. DIR gets report.html (open it "
-                             "in a browser), report.json and report.csv, and appears complete or not at all.");
+  CLI::App* command = program.add_subcommand(
+      "cost",
+      "Measure what accuracy costs in time, on a file of yours, as a page with charts\n"
+      "Ways to interpolate, to store keys, to skin, to morph, to calculate, to retarget, to keep every "
+      "vertex of every frame, and to compute ambient occlusion. Each has its error against "
+      "double precision (or rays) and its time on this machine. DIR gets report.html (open it "
+      "in a browser), report.json and report.csv, and appears complete or not at all.");
   command->add_option("FILE", options->file,
                       "A .gltf or .glb file, or a geometry cache; without it the built-in showcase");
   command->add_option("-o,--output", options->folder, "The folder to write")->required()->type_name("DIR");
