@@ -15,7 +15,8 @@ namespace {
 struct CornerPlace {
   std::uint32_t group = 0;
   std::array<std::uint32_t, 3> groups_of_triangle{kNone, kNone, kNone};
-  std::uint32_t corner = 0, triangle = 0;
+  std::uint32_t corner = 0;
+  std::uint32_t first_vertex = 0;  ///< of the triangle
 
   friend auto operator<=>(const CornerPlace&, const CornerPlace&) = default;
 };
@@ -40,7 +41,7 @@ std::vector<CornerPlace> corner_places(const Primitive& primitive) {
         .group = groups[primitive.indices[i]],
         .groups_of_triangle = {groups[triangle[0]], groups[triangle[1]], groups[triangle[2]]},
         .corner = i % 3,
-        .triangle = i / 3};
+        .first_vertex = triangle[0]};
   }
   return places;
 }

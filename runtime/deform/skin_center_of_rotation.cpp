@@ -9,8 +9,8 @@
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/kept_splits-inl.h"
+#include "runtime/deform/simd/lane_matrix-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"
-#include "runtime/deform/simd/scalar_matrix-inl.h"
 #include "runtime/deform/skin_single_influences.h"
 #include "runtime/deform/vertex_checks.h"
 
@@ -49,7 +49,7 @@ template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
                                 const glm::vec3* centers) {
 #if HWY_TARGET == HWY_SCALAR
-  return transform_points(blend_scalar_matrix(PaletteBases(palette), joints), load3(centers));
+  return transform_points(blend_lane_matrix(PaletteBases(palette), joints), load3(centers));
 #else
   Wide quarters[4];
   for_each_quarter([&](auto q) HWY_ATTR {

@@ -6,7 +6,8 @@
 #include <hwy/foreach_target.h>
 
 #include "runtime/deform/simd/blend_columns-inl.h"
-#include "runtime/deform/simd/scalar_matrix-inl.h"
+#include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/simd/triples-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
 #include "runtime/pose/simd/dispatch.h"
@@ -45,7 +46,7 @@ struct SkinRow {
   void skin_tile(const Row& row, std::size_t t) const {
     const TileInput in = row.in(t);
     const TileOutput out = row.out(t);
-    const ScalarMatrix m = blend_scalar_matrix(palette, row.joints(t));
+    const LaneMatrix m = blend_lane_matrix(palette, row.joints(t));
     store3(transform_points(m, load3(in.positions)), out.positions);
     if constexpr (kNormals) {
       Lanes3 n = moved_normals(m, load3(in.normals), kCofactor);
@@ -65,26 +66,94 @@ struct SkinRow {
 #else
 
   HWY_INLINE void operator()(const Row& row) const {
-    KeptQuarters normals[kNormals ? kKept : 1], tangents[kTangents ? kKept : 1];
-    for (std::size_t first = 0; first < row.tile_count; first += kKept) {
-      const std::size_t end = std::min(row.tile_count, first + kKept);
-      for (std::size_t t = first; t < end; ++t)
-        move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
-      auto sound = hn::FirstN(TileTag(), kTileSize);
-      for (std::size_t t = first; t < end; ++t) {
-        if constexpr (kNormals) sound = hn::And(sound, write_normals(normals[t - first], row, t));
-        if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
+    for (std::size_t t = 0; t < row.tile_count;) {
+      const std::size_t begin = t;
+      if constexpr (kCount == 1) {
+        if (begins_run(row, t)) {
+          t = end_of_run(row, t);
+          follow_one_joint(Row(row), begin, t);
+          continue;
+        }
       }
-      if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
-        for (std::size_t t = first; t < end; ++t)
-          SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row),
-                                       t);
+      t = end_of_others(row, t);
+      skin_tiles(row, begin, t);
     }
   }
 
  private:
   static constexpr std::size_t kKept =
       kTangents ? 2 : 8;  ///< tiles; fewer of more arrays, whose lines memory takes in turns
+
+  /// Vertices that follow one joint need no matrix of their own. The importer puts them in a row. Fewer than these are
+  /// not worth twelve broadcasts and a branch that is mispredicted.
+  static constexpr std::size_t kFewestFollowers = 16;
+
+  static HWY_INLINE bool have_one_joint(const std::uint16_t* joints, std::size_t count) {
+    const hn::CappedTag<std::uint16_t, kTileSize> d;
+    auto same = hn::Eq(hn::LoadU(d, joints), hn::Set(d, *joints));
+    for (std::size_t v = kTileSize; v < count; v += kTileSize)
+      same = hn::And(same, hn::Eq(hn::LoadU(d, joints + v), hn::Set(d, *joints)));
+    return hn::AllTrue(d, same);
+  }
+  static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
+    constexpr bool kPays = kCount == 1 && (kTileSize > 4 || kNormals);  // positions alone take 19 instructions for 17
+    if (!kPays || row.past_caches || row.tile_count - t < kFewestFollowers / kTileSize) return false;
+    const std::uint16_t* joints = row.joints(t).first.joints;
+    return joints[0] == joints[kFewestFollowers - 1] && have_one_joint(joints, kFewestFollowers);
+  }
+  /// The end of the tiles from `t` on that follow the joint of the first one.
+  static HWY_INLINE std::size_t end_of_run(const Row& row, std::size_t t) {
+    const std::uint16_t joint = *row.joints(t).first.joints;
+    for (t += kFewestFollowers / kTileSize; t < row.tile_count; ++t) {
+      const std::uint16_t* joints = row.joints(t).first.joints;
+      if (*joints != joint || !have_one_joint(joints, kTileSize)) break;
+    }
+    return t;
+  }
+  /// The end of the tiles from `t` on, one at least, that begin no run; at most those that are kept.
+  static HWY_INLINE std::size_t end_of_others(const Row& row, std::size_t t) {
+    const std::size_t most = std::min(row.tile_count, t + kKept);
+    for (++t; t < most && !begins_run(row, t);) ++t;
+    return t;
+  }
+
+  HWY_NOINLINE void follow_one_joint(const Row& row, std::size_t begin, std::size_t end) const {
+    const LaneMatrix m = lane_matrix(palette.palette[*row.joints(begin).first.joints]);
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::size_t v = t * kTileSize;
+      const Lanes3 p = lanes_of(load_triples(row.all_in.positions + v));
+      store_triples(triples_of(transform_points(m, p)), row.all_out.positions + v);
+      if constexpr (kNormals) {
+        Lanes3 n = moved_normals(m, lanes_of(load_triples(row.normals_in(t))), kCofactor);
+        const auto sound = normalise(n);
+        store_triples(triples_of(n), row.normals_out(t));
+        for_each_lane_not_in(sound,
+                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_triple_lane(lane)); });
+      }
+      if constexpr (kTangents) {
+        const Lanes4 tangent = load4(row.tangents_in(t));
+        Lanes3 moved = transform_vectors(m, {tangent.x, tangent.y, tangent.z});
+        const auto sound = normalise(moved);
+        store4({moved.x, moved.y, moved.z, tangent.w}, row.tangents_out(t));
+        for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+      }
+    }
+  }
+
+  HWY_INLINE void skin_tiles(const Row& row, std::size_t first, std::size_t end) const {
+    KeptQuarters normals[kNormals ? kKept : 1], tangents[kTangents ? kKept : 1];
+    for (std::size_t t = first; t < end; ++t)
+      move(row, t, normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0]);
+    auto sound = hn::FirstN(TileTag(), kTileSize);
+    for (std::size_t t = first; t < end; ++t) {
+      if constexpr (kNormals) sound = hn::And(sound, write_normals(normals[t - first], row, t));
+      if constexpr (kTangents) sound = hn::And(sound, write_tangents(tangents[t - first], row, t));
+    }
+    if (HWY_UNLIKELY(!hn::AllTrue(TileTag(), sound)))
+      for (std::size_t t = first; t < end; ++t)
+        SkinRow(*this).write_careful(normals[kNormals ? t - first : 0], tangents[kTangents ? t - first : 0], Row(row),
+                                     t);
+  }
 
   HWY_INLINE void move(const Row& row, std::size_t t, KeptQuarters& normals, KeptQuarters& tangents) const {
     const TileInfluences<kCount> joints = row.joints(t);

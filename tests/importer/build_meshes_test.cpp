@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "importer/build/build_meshes.h"
+#include "importer/build/group_vertices.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,6 +86,54 @@ TEST(build_meshes, vertices_are_grouped_by_influence_count_with_the_way_back) {
   EXPECT_THAT(p.morphs.targets[0].positions.vertices, ElementsAre(1, 2))
       << "follow their vertices, zero deltas are gone";
   EXPECT_EQ(p.morphs.targets[0].positions.deltas[1], glm::vec3(0, 0, 7));
+}
+
+/// Vertices with the joints 0 to 3 and their weights, as a triangle list.
+Primitive grouped(std::vector<std::vector<std::pair<std::uint16_t, float>>> influences) {
+  MergedInfluences merged;
+  for (const auto& of_vertex : influences) {
+    merged.first.push_back(static_cast<std::uint32_t>(merged.joints.size()));
+    for (const auto& [joint, weight] : of_vertex) {
+      merged.joints.push_back(joint);
+      merged.weights.push_back(weight);
+    }
+  }
+  merged.first.push_back(static_cast<std::uint32_t>(merged.joints.size()));
+  Primitive primitive;
+  primitive.positions.resize(influences.size());
+  group_vertices(primitive, std::move(merged));
+  return primitive;
+}
+
+TEST(build_meshes, vertices_with_the_same_influences_come_together_where_the_first_of_them_is) {
+  const Primitive p = grouped({{{3, 1.0f}},
+                               {{1, .75f}, {2, .25f}},
+                               {{0, 1.0f}},
+                               {{2, .75f}, {1, .25f}},
+                               {{3, 1.0f}},
+                               {{1, .5f}, {2, .5f}},
+                               {{0, 1.0f}},
+                               {{1, .75f}, {2, .25f}},
+                               {{3, 1.0f}}});
+  EXPECT_THAT(p.source_vertex, ElementsAre(0, 4, 8, 2, 6, 1, 7, 3, 5));
+  EXPECT_THAT(p.influences.joints, ElementsAre(3, 3, 3, 0, 0, 1, 2, 1, 2, 2, 1, 1, 2));
+  EXPECT_THAT(p.influences.weights, ElementsAre(1, 1, 1, 1, 1, .75f, .25f, .75f, .25f, .75f, .25f, .5f, .5f));
+  ASSERT_THAT(p.influences.groups, SizeIs(2));
+  EXPECT_EQ(p.influences.groups[1].first_vertex, 5u);
+}
+
+TEST(build_meshes, vertices_that_are_together_already_keep_the_order_of_the_file) {
+  const Primitive p = grouped({{{3, 1.0f}}, {{3, 1.0f}}, {{0, 1.0f}}, {{1, .5f}, {2, .5f}}, {{1, .25f}, {2, .75f}}});
+  EXPECT_TRUE(p.source_vertex.empty());
+}
+
+TEST(build_meshes, influences_that_differ_are_never_taken_for_the_same) {
+  std::vector<std::vector<std::pair<std::uint16_t, float>>> influences;
+  for (std::uint16_t v = 0; v < 300; ++v) influences.push_back({{v, .5f}, {static_cast<std::uint16_t>(v + 1), .5f}});
+  influences.push_back(influences[0]);
+  const Primitive p = grouped(influences);
+  EXPECT_EQ(p.source_vertex[1], 300u);
+  for (std::uint32_t v = 2; v < 301; ++v) EXPECT_EQ(p.source_vertex[v], v - 1);
 }
 
 TEST(build_meshes, every_attribute_follows_its_vertex_into_the_groups) {

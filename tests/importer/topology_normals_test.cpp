@@ -41,8 +41,10 @@ TEST(make_flat_normals, G46_splits_every_corner_and_marks_the_primitive) {
 TEST(make_flat_normals, order_corners_so_that_they_lie_in_a_row) {
   Primitive p = test::cube();
   make_flat_normals(p);
-  for (std::uint32_t f = 0; f < 12; ++f)
-    for (std::uint32_t k = 0; k < 3; ++k) EXPECT_EQ(p.indices[3 * f + k], 12 * k + f);
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    EXPECT_LT(p.indices[3 * f], 12u);
+    for (std::uint32_t k = 1; k < 3; ++k) EXPECT_EQ(p.indices[3 * f + k], 12 * k + p.indices[3 * f]);
+  }
 }
 
 TEST(make_flat_normals, point_out_of_the_faces_of_a_cube) {
