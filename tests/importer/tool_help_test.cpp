@@ -144,7 +144,7 @@ std::string in_form(const std::string& form, const std::string& option) {
 /// The part of a form that is about one command.
 std::string part_about(const std::string& form, const std::string& text, const std::string& command) {
   if (form == "man") {
-    const std::size_t begin = text.find(".SS \\fBsinew " + command);
+    const std::size_t begin = text.find(".SS \\fBsinew " + in_form(form, command));
     EXPECT_NE(begin, text.npos) << command;
     return text.substr(begin, text.find(".SS ", begin + 1) - begin);
   }
