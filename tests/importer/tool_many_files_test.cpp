@@ -55,6 +55,23 @@ std::vector<std::string> listed(const std::vector<std::string>& arguments, bool 
   return out;
 }
 
+TEST(many_files, check_takes_the_asset_files_of_a_folder) {
+  const ToolModelFile place;
+  const std::string root = place.beside("checked");
+  write(root + "/b.SINEW", "not an asset file");
+  write(root + "/a.gltf", kWarned);
+  write(root + "/c.sgeo", "of another command");
+  const tool::InputList models = tool::list_inputs({root}, false);
+  ASSERT_EQ(models.inputs.size(), 1u) << "other commands take models only";
+  const tool::InputList both = tool::list_inputs({root}, false, tool::FileKind::models_and_assets);
+  ASSERT_EQ(both.inputs.size(), 2u);
+  EXPECT_EQ(both.inputs[0].below, "a.gltf");
+  EXPECT_EQ(both.inputs[1].below, "b.SINEW");
+  const CommandOutcome checked = run_tool({"check", root});
+  EXPECT_EQ(checked.status, 1) << "the asset file is broken";
+  EXPECT_THAT(checked.out, HasSubstr(root + "/b.SINEW: "));
+}
+
 TEST(many_files, a_folder_stands_for_the_models_in_it_by_name) {
   const ToolModelFile place;
   const std::string root = place.beside("assets");

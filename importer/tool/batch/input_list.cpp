@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* file_of(FileKind kind) {
-  return kind == FileKind::models ? ".glb, .gltf or .vrm file" : "geometry cache (.sgeo)";
+  if (kind == FileKind::geometry_caches) return "geometry cache (.sgeo)";
+  return kind == FileKind::models ? ".glb, .gltf or .vrm file" : ".glb, .gltf, .vrm or .sinew file";
 }
 
 /// Walks one folder that was given.
@@ -75,6 +76,7 @@ bool is_named_as(FileKind kind, const std::string& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (kind == FileKind::geometry_caches) return extension == ".sgeo";
+  if (kind == FileKind::models_and_assets && extension == ".sinew") return true;
   return extension == ".glb" || extension == ".gltf" || extension == ".vrm";
 }
 

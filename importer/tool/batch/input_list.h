@@ -24,8 +24,8 @@ struct InputList {
   std::size_t file_count() const;
 };
 
-/// What a folder stands for: the .glb, .gltf and .vrm files in it, or the .sgeo files.
-enum class FileKind { models, geometry_caches };
+/// What a folder stands for: the .glb, .gltf and .vrm files in it, those and the .sinew files, or the .sgeo files.
+enum class FileKind { models, models_and_assets, geometry_caches };
 
 /// Whether the name of a file ends as those of a kind do, in letters of either case.
 bool is_named_as(FileKind kind, const std::string& file);

@@ -80,7 +80,9 @@ ExitCode check_files(const CheckOptions& options) {
   if (!severities) return fail_with(ExitCode::wrong_usage, severities.error());
   Check check(options, *std::move(severities));
   return run_batch(options.files, {[&](const Input& file, bool many) { return check.run(file.path, many); },
-                                   [&] { return check.totals(); }});
+                                   [&] { return check.totals(); },
+                                   {},
+                                   FileKind::models_and_assets});
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ void add_check(CLI::App& program, ExitCode& outcome) {
       "Exit status 1 when a file has an error; a file with only warnings can be loaded. Infos name what is odd or "
       "unused.");
   add_batch_options(*command, options->files,
-                    ".gltf, .glb or .sinew files, and folders of models; - is the standard input");
+                    ".gltf, .glb or .sinew files, and folders of them; - is the standard input");
   command->add_flag(
       "--json", options->files.json,
       "Print JSON: {file, errors, warnings, infos, issues: [{severity, rule, pointer, message, cases}]};\n"
