@@ -38,8 +38,10 @@ HWY_INLINE Triples triples_of(const Lanes3& v) { return {{v.x, v.y, v.z}}; }
 
 #else
 
-// Lane i of the vector number i % 3. A blend by a constant is one step, by a mask up to three (Intel).
-#if defined(__has_builtin)
+// Lane i of the vector number i % 3. A blend by a constant is one step, by a mask up to three (Intel). Highway's own
+// vectors of loops (EMU128) are no vectors for compilers.
+#undef SINEW_BLENDS_BY_CONSTANTS
+#if defined(__has_builtin) && HWY_TARGET != HWY_EMU128
 #if __has_builtin(__builtin_shufflevector)
 #define SINEW_BLENDS_BY_CONSTANTS
 #endif
