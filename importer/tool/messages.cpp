@@ -56,6 +56,12 @@ std::string counted(std::size_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : plural);
 }
 
+std::string size_text(double bytes) {
+  if (bytes < 10'000) return fmt::format("{:.0f} B", bytes);
+  if (bytes < 10'000'000) return fmt::format("{:.1f} kB", bytes / 1e3);
+  return fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
 void say_issue(std::string_view file, const ImportIssue& issue) { say_rule(file, issue, issue.rule); }
 
 void say_issues(std::string_view file, std::span<const ImportIssue> issues) {

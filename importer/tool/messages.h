@@ -31,6 +31,9 @@ void print_result(fmt::format_string<Args...> format, Args&&... args) {
 /// "1 clip", "2 clips", "2 meshes".
 std::string counted(std::size_t count, std::string_view thing);
 
+/// "120 B", "1.5 kB", "20.1 MB".
+std::string size_text(double bytes);
+
 /// Prints "sinew: FILE: POINTER: RULE: sentence"; warnings have "warning: " before the sentence. The pointer is left
 /// out when the whole file is meant.
 void say_issue(std::string_view file, const ImportIssue& issue);

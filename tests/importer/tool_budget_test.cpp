@@ -111,8 +111,8 @@ TEST(compile_command, writes_an_asset_file_that_info_tells_about_and_whose_clips
     EXPECT_THAT(compiled.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   ASSERT_EQ(info.status, 0) << info.err;
-  for (const char* text :
-       {"asset file, version 1: 3 blocks, 2 clips", "skeleton", "joints 4, meshes 2", "0.2 mm", "bend"})
+  for (const char* text : {"asset file, version 1: 3 blocks, 2 clips", "skeleton", "joints 4, meshes 2",
+                           "memory: ", "(skeletons ", "0.2 mm", "bend"})
     EXPECT_THAT(info.out, HasSubstr(text));
   const auto json = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
   ASSERT_EQ(json.at("compiled_clips").size(), 2u);

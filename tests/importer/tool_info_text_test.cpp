@@ -5,7 +5,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "importer/import_gltf.h"
 #include "importer/tool/info/info_text.h"
+#include "runtime/memory/memory_of.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
@@ -14,7 +16,7 @@ namespace {
 constexpr const char* kInfo = R"({
 "file": "robot.glb", "version": "2.0", "bytes": 9999, "generator": "a program", "copyright": "nobody",
 "nodes": {"count": 7, "roots": 2, "depth": 3}, "scenes": 1, "bounds": {"lower": [-1, 0, -2.5], "upper": [1, 1.75, 2]},
-"hidden_nodes": [4, 5],
+"hidden_nodes": [4, 5], "memory": {"total": 12600000, "clip_keys": 20000, "vertices": 12580000},
 "extensions": [{"name": "KHR_one", "required": true, "handling": "read"}, {"name": "KHR_two", "required": false, "handling": "ignored"}],
 "mesh_instances": [{"copies": 1}, {"copies": 12}],
 "meshes": [{"name": "plain", "vertices": 8, "triangles": 12, "primitives": [{}, {}]},
@@ -45,6 +47,7 @@ copyright: nobody
 nodes: 7, 2 roots, 3 levels deep; scenes: 1
 bounds at rest: (-1, 0, -2.5) to (1, 1.75, 2), 2 x 1.75 x 4.5 m
 hidden nodes: 2
+memory: 12.6 MB (clip keys 20.0 kB, vertices 12.6 MB)
 extensions: 2
   #  name       required  handling
   0  "KHR_one"  required  read
@@ -97,14 +100,15 @@ TEST(tool_info_text, names_everything_that_the_document_holds) {
 nlohmann::ordered_json empty_info() {
   return nlohmann::ordered_json::parse(
       R"({"file": "a.gltf", "version": "2.0", "bytes": 10, "generator": "", "copyright": "",
-    "nodes": {"count": 0, "roots": 0, "depth": 0}, "scenes": 0, "bounds": null, "hidden_nodes": [], "extensions": [], "mesh_instances": [], "meshes": [],
+    "nodes": {"count": 0, "roots": 0, "depth": 0}, "scenes": 0, "bounds": null, "hidden_nodes": [], "memory": {"total": 0}, "extensions": [], "mesh_instances": [], "meshes": [],
     "skins": [], "clips": [], "variants": [], "materials": [], "images": [], "cameras": [], "lights": [], "warnings": [], "lost_by_convert": []})");
 }
 
 TEST(tool_info_text, leaves_out_what_is_not_there) {
   EXPECT_EQ(
       tool::info_text(empty_info(), false),
-      "a.gltf\nglTF 2.0, 10 B with all that it refers to\nnodes: 0, 0 roots, 0 levels deep; scenes: 0\nextensions: 0\n"
+      "a.gltf\nglTF 2.0, 10 B with all that it refers to\nnodes: 0, 0 roots, 0 levels deep; scenes: 0\nmemory: 0 "
+      "B\nextensions: 0\n"
       "mesh instances: 0, shown 0 times\nmeshes: 0\nskins: 0\nclips: 0\nmaterials: 0\nimages: 0\ncameras: 0\nlights: "
       "0\n"
       "warnings: 0\nlost by convert: 0\n");
@@ -160,6 +164,32 @@ TEST(tool_info_text, a_chain_of_nodes_takes_no_more_text_than_nodes) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_LT(outcome.out.size(), kNodes * 100);
   EXPECT_NE(outcome.out.find("(depth 19999) 19999\n"), std::string::npos);
+}
+
+TEST(tool_info_text, the_document_counts_memory_by_kind_with_decoded_images) {
+  const ToolModelFile model;
+  const auto scene = import_gltf(model.path(), {.decode_images = false})->scene;
+  const MemoryBytes bytes = memory_of(scene);
+  const auto memory = nlohmann::json::parse(run_tool({"info", model.path(), "--json"}).out)["memory"];
+  EXPECT_EQ(memory["vertices"], bytes.vertices);
+  EXPECT_EQ(memory["clip_keys"], bytes.clip_keys);
+  EXPECT_EQ(memory["skeletons"], bytes.skeletons);
+  EXPECT_FALSE(memory.contains("frames"));
+  std::size_t sum = 0;
+  for (const auto& [kind, size] : memory.items()) sum += kind == "total" ? 0 : size.get<std::size_t>();
+  EXPECT_EQ(memory["total"], sum);
+}
+
+TEST(tool_info_text, images_count_with_the_pixels_that_they_decode_to) {
+  const ToolModelFile model;
+  std::ofstream(model.beside("dot.gltf"))
+      << R"({"asset": {"version": "2.0"}, "images": [{"uri": "data:image/png;base64,)"
+         "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQA"
+         R"(AAABJRU5ErkJggg=="}]})";
+  const auto info = nlohmann::json::parse(run_tool({"info", model.beside("dot.gltf"), "--json"}).out);
+  EXPECT_EQ(info["images"][0]["bytes_decoded"], 4);
+  const auto scene = import_gltf(model.beside("dot.gltf"), {.decode_images = false})->scene;
+  EXPECT_EQ(info["memory"]["images"], 4 + memory_of(scene).images);
 }
 
 TEST(tool_info_text, the_document_tells_bounds_joints_images_and_what_is_lost) {

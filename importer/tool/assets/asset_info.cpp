@@ -8,6 +8,7 @@
 #include "importer/tool/assets/asset_bytes.h"
 #include "importer/tool/assets/asset_parts.h"
 #include "importer/tool/certificate_table.h"
+#include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 #include "runtime/clip/clip_file.h"
@@ -123,6 +124,11 @@ Info info_of_assets(const std::string& name, const std::vector<std::byte>& bytes
     out.json["model"] = json_of_model(*parts->scene);
     out.tables += line_of(out.json["model"]);
   }
+  MemoryCount memory;
+  if (parts->scene) memory.add(*parts->scene);
+  for (const Clip& clip : parts->clips) memory.add(clip);
+  out.json["memory"] = memory_json(memory.bytes());
+  out.tables += "  " + memory_text(out.json["memory"]);
   out.json["compiled_clips"] = json_of(parts->clips);
   out.tables +=
       certificate_table(parts->clips, parts->scene ? parts->scene->skeleton.names : std::vector<std::string>());

@@ -32,7 +32,7 @@ double bytes_a_second(const GeometryCache& cache) {
   return frames / (cache.frame_s() * cache.frame_count());
 }
 
-std::string size_text(double bytes) {
+std::string rate_text(double bytes) {
   return bytes < 1e6 ? fmt::format("{:.1f} kB", 1e-3 * bytes) : fmt::format("{:.2f} MB", 1e-6 * bytes);
 }
 
@@ -75,7 +75,7 @@ std::string geometry_table(const GeometryCache& cache) {
                             "{} of up to {}; a seek decodes no more\n",
                             counted(cache.frame_count(), "frame"), 1.0 / cache.frame_s(),
                             counted(cache.file_bytes(), "byte"), raw > 0.0 ? 100.0 * bytes / raw : 0.0,
-                            size_text(bytes_a_second(cache)), counted(segments(cache), "segment"),
+                            rate_text(bytes_a_second(cache)), counted(segments(cache), "segment"),
                             counted(segment, "frame"));
 }
 

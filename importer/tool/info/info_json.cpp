@@ -2,6 +2,7 @@
 #include "importer/tool/info/info_json.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "importer/read/property_pointer.h"
 #include "importer/rewrite_gltf.h"
+#include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/info/skin_statistics.h"
 #include "importer/tool/model_size.h"
@@ -208,13 +210,15 @@ Json skin_json(const Scene& scene, std::uint32_t index) {
           {"vertices_by_influences", histogram}};
 }
 
+std::uint64_t decoded_bytes(const Image& image) { return std::uint64_t{4} * image.width * image.height; }
+
 Json image_json(const Image& image) {
   return {{"name", image.name},
           {"format", image.mime_type.empty() ? Json(nullptr) : Json(image.mime_type)},
           {"width", image.width},
           {"height", image.height},
           {"bytes", image.encoded_size},
-          {"bytes_decoded", std::uint64_t{4} * image.width * image.height},
+          {"bytes_decoded", decoded_bytes(image)},
           {"missing", image.missing_reason.empty() ? Json(nullptr) : Json(image.missing_reason)}};
 }
 
@@ -276,6 +280,13 @@ Json array_of(const std::vector<T>& list, const Entry& entry) {
   return out;
 }
 
+/// What the scene takes in memory with its images decoded, which `sinew info` only looks at.
+Json memory_with_images(const Scene& scene) {
+  MemoryBytes bytes = memory_of(scene);
+  for (const Image& image : scene.images) bytes.images += decoded_bytes(image);
+  return memory_json(bytes);
+}
+
 }  // namespace
 
 nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& file) {
@@ -289,7 +300,8 @@ nlohmann::ordered_json info_json(const std::string& name, const ImportedFile& fi
               {"nodes", nodes_json(scene.skeleton)},
               {"scenes", scene.scenes.size()},
               {"default_scene", index_or_null(scene.default_scene)},
-              {"bounds", box_json(rest_box(scene))}};
+              {"bounds", box_json(rest_box(scene))},
+              {"memory", memory_with_images(scene)}};
   out["meshes"] = array_of(scene.meshes, mesh_json);
   out["mesh_instances"] = array_of(scene.instances, [&](const MeshInstance& i) { return instance_json(scene, i); });
   out["skins"] = Json::array();

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "importer/tool/help/wrapped_text.h"
+#include "importer/tool/info/memory_kinds.h"
 #include "importer/tool/info/node_tree.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
@@ -43,13 +44,7 @@ std::string names(const Json& list) {
   return out;
 }
 
-/// "1.5 MB".
-std::string size_text(const Json& bytes) {
-  const double size = bytes.get<double>();
-  if (size < 10'000) return fmt::format("{:.0f} B", size);
-  if (size < 10'000'000) return fmt::format("{:.1f} kB", size / 1e3);
-  return fmt::format("{:.1f} MB", size / 1e6);
-}
+std::string size_of(const Json& bytes) { return size_text(bytes.get<double>()); }
 
 std::string number(const Json& value) { return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : ""; }
 
@@ -108,7 +103,7 @@ class InfoText {
 
   void head() {
     line("{}", shown(info_["file"]));
-    line("glTF {}, {} with all that it refers to", shown(info_["version"]), size_text(info_["bytes"]));
+    line("glTF {}, {} with all that it refers to", shown(info_["version"]), size_of(info_["bytes"]));
     if (!text_of(info_["generator"]).empty()) line("made with: {}", shown(info_["generator"]));
     if (!text_of(info_["copyright"]).empty()) line("copyright: {}", shown(info_["copyright"]));
     const Json& nodes = info_["nodes"];
@@ -116,6 +111,7 @@ class InfoText {
          nodes["depth"].dump(), info_["scenes"].dump());
     bounds();
     if (!info_["hidden_nodes"].empty()) line("hidden nodes: {}", info_["hidden_nodes"].size());
+    text_ += memory_text(info_["memory"]);
   }
 
   void bounds() {
@@ -198,8 +194,8 @@ class InfoText {
                                c["keys"].dump(),
                                c["most_keys_of_a_channel"].dump(),
                                c["constant_tracks"].dump(),
-                               size_text(c["bytes_of_keys"]),
-                               size_text(c["bytes_compiled"]),
+                               size_of(c["bytes_of_keys"]),
+                               size_of(c["bytes_compiled"]),
                                pairs(c["modes"], ": "),
                                pairs(c["channels_by_property"], ": ")};
           });
@@ -222,8 +218,8 @@ class InfoText {
             return std::vector<std::string>{i["format"].is_null() ? "" : text_of(i["format"]),
                                             i["width"].dump(),
                                             i["height"].dump(),
-                                            size_text(i["bytes"]),
-                                            size_text(i["bytes_decoded"]),
+                                            size_of(i["bytes"]),
+                                            size_of(i["bytes_decoded"]),
                                             ""};
           });
   }
@@ -280,7 +276,7 @@ std::string info_line(const nlohmann::ordered_json& info) {
   }
   const auto size = [&](const char* list, const char* word) { return counted(info[list].size(), word); };
   std::string line =
-      fmt::format("{}: {}, {}, {}, {} vertices, {}, {}, {}", shown(info["file"]), size_text(info["bytes"]),
+      fmt::format("{}: {}, {}, {}, {} vertices, {}, {}, {}", shown(info["file"]), size_of(info["bytes"]),
                   counted(info["nodes"]["count"].get<std::size_t>(), "node"), size("meshes", "mesh"), vertices,
                   counted(triangles, "triangle"), size("skins", "skin"), size("clips", "clip"));
   if (const std::size_t warnings = case_count(info["warnings"])) line += ", " + counted(warnings, "warning");
