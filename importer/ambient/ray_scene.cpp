@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -17,6 +18,10 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t kPacket = 8;
+
+/// A handle of Embree that is released when it goes, also when what follows throws.
+template <class Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, void (*)(Handle)>;
 
 /// Filter callback of Embree: rejects hits on the backs of triangles that have one side only.
 void leave_out_backs(const RTCFilterFunctionNArguments* asked) {
@@ -69,22 +74,19 @@ RTCRay8 packet_of(const glm::vec3& from, std::span<const glm::dvec3> directions,
 
 struct RayScene::State {
   explicit State(std::vector<RayTriangle> all)
-      : triangles(std::move(all)), device(rtcNewDevice(nullptr)), scene(device ? rtcNewScene(device) : nullptr) {
+      : triangles(std::move(all)),
+        device(rtcNewDevice(nullptr), rtcReleaseDevice),
+        scene(device ? rtcNewScene(device.get()) : nullptr, rtcReleaseScene) {
     if (!scene) throw std::runtime_error("ray casting cannot be set up");
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     if (!triangles.empty()) add_geometry();
-    rtcCommitScene(scene);
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("ray casting has no memory");
+    rtcCommitScene(scene.get());
+    if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw std::runtime_error("ray casting has no memory");
   }
-  ~State() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
 
   void add_geometry() {
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const Owned<RTCGeometry> owned(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE), rtcReleaseGeometry);
+    const RTCGeometry geometry = owned.get();
     auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
@@ -100,13 +102,12 @@ struct RayScene::State {
     rtcSetGeometryIntersectFilterFunction(geometry, leave_out_backs);
     rtcSetGeometryOccludedFilterFunction(geometry, leave_out_backs);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+    rtcAttachGeometry(scene.get(), geometry);
   }
 
   std::vector<RayTriangle> triangles;
-  RTCDevice device;
-  RTCScene scene;
+  Owned<RTCDevice> device;
+  Owned<RTCScene> scene;
 };
 
 RayScene::RayScene(std::vector<RayTriangle> triangles) : state_(std::make_unique<State>(std::move(triangles))) {}
@@ -123,7 +124,7 @@ std::optional<RayScene::Hit> RayScene::nearest(const glm::dvec3& from, const glm
   ray.ray.tfar = 1e30f;
   ray.ray.mask = ~0u;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  cast_ray(state_->scene, ray);
+  cast_ray(state_->scene.get(), ray);
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return Hit{ray.hit.primID, static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v)};
 }
@@ -136,7 +137,7 @@ std::size_t RayScene::open_count(const glm::dvec3& from, std::span<const glm::dv
     const auto some = directions.subspan(first, std::min(kPacket, directions.size() - first));
     alignas(32) int valid[kPacket];
     RTCRay8 rays = packet_of(glm::vec3(from), some, limit, valid);
-    cast_rays(state_->scene, valid, rays);
+    cast_rays(state_->scene.get(), valid, rays);
     for (std::size_t i = 0; i < some.size(); ++i) open += rays.tfar[i] >= 0.0f;  // Embree marks a hit by -infinity
   }
   return open;

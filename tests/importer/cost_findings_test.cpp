@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the studies of `sinew cost` say: which ways they compare, which is sinew's own, and the sentences that they make
 // of errors and times. Errors, times and sizes are made up here; cost_report_test.cpp holds the errors to the truth.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,19 +8,12 @@
 
 #include "importer/tool/cost/limb.h"
 #include "importer/tool/cost/occlusion_group.h"
-#include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/true_pose.h"
+#include "tests/importer/cost_study.h"
 #include "tests/scenes/hand_scenes.h"
 
 namespace sinew::test {
 namespace {
-using cost::Effort;
-using cost::Group;
-using cost::Point;
-using cost::Study;
-using cost::Subject;
-using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::StartsWith;
 
 /// What a point costs, in the units of its group.

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What `sinew cost` measures of retargeting, on a body whose numbers are known by hand.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <iterator>
 #include <map>
 
 #include "importer/tool/cost/other_body.h"
-#include "importer/tool/cost/studies.h"
+#include "tests/importer/cost_study.h"
 #include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
-
-using cost::Effort;
-using cost::Group;
-using cost::Point;
-using cost::Study;
-using cost::Subject;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// A body that glides half a metre forward in one second, with straight arms and legs.
 Scene glider() {

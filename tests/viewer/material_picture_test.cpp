@@ -26,25 +26,19 @@ TEST_F(material_picture, G60_each_texture_has_its_own_coordinates_and_transform)
   for (TextureUse Material::*const slot :
        {&Material::base_color_texture, &Material::metallic_roughness_texture, &Material::normal_texture,
         &Material::occlusion_texture, &Material::emissive_texture})
-    for (const std::uint32_t set : {0u, 1u})
-      for (const bool moved : {false, true}) {
-        BuiltScene built;
-        Material material = plain();
-        material.metallic = material.roughness = 0.9f;
-        material.emissive = glm::vec3(0.5f);
-        TextureUse& use = material.*slot;
-        use.texture = add_noise_texture(built);
-        use.texcoord = set;
-        if (moved) {
-          use.offset = {0.13f, -0.21f};
-          use.rotation_rad = 0.6f;
-          use.scale = {1.4f, 0.5f};
-        }
-        const bool srgb = slot == &Material::base_color_texture || slot == &Material::emissive_texture;
-        expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
-                                 {.bound = srgb ? kDecodedBound : 0.002, .sharp = 0.5});
-        if (HasFailure()) FAIL() << "set " << set << " moved " << moved;
-      }
+    for (const TextureUse& placed : placed_textures()) {
+      BuiltScene built;
+      Material material = plain();
+      material.metallic = material.roughness = 0.9f;
+      material.emissive = glm::vec3(0.5f);
+      TextureUse& use = material.*slot;
+      use = placed;
+      use.texture = add_noise_texture(built);
+      const bool srgb = slot == &Material::base_color_texture || slot == &Material::emissive_texture;
+      expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
+                               {.bound = srgb ? kDecodedBound : 0.002, .sharp = 0.5});
+      if (HasFailure()) FAIL() << "set " << use.texcoord << ", turned by " << use.rotation_rad;
+    }
 }
 
 TEST_F(material_picture, textures_repeat_clamp_or_mirror_on_each_axis) {

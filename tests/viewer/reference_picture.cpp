@@ -116,6 +116,18 @@ std::uint32_t add_noise_texture(BuiltScene& built, const Sampler& sampler) {
   return static_cast<std::uint32_t>(built.scene.textures.size() - 1);
 }
 
+std::array<TextureUse, 4> placed_textures() {
+  std::array<TextureUse, 4> uses;
+  for (std::uint32_t i = 0; i < uses.size(); ++i) {
+    uses[i].texcoord = i % 2;
+    if (i < 2) continue;
+    uses[i].offset = {0.13f, -0.21f};
+    uses[i].rotation_rad = 0.6f;
+    uses[i].scale = {1.4f, 0.5f};
+  }
+  return uses;
+}
+
 std::uint32_t add_plain_texture(BuiltScene& built, const std::array<std::uint8_t, 4>& rgba) {
   Image image;
   image.width = image.height = 1;

@@ -54,6 +54,9 @@ std::uint32_t add_noise_texture(BuiltScene& built,
                                 const Sampler& sampler = {
                                     .magnify = Filter::nearest, .minify = Filter::nearest, .use_mipmaps = false});
 
+/// Both sets of texture coordinates, as they are, and moved, turned and scaled. They name no texture.
+std::array<TextureUse, 4> placed_textures();
+
 /// A texture of one colour.
 std::uint32_t add_plain_texture(BuiltScene& built, const std::array<std::uint8_t, 4>& rgba);
 
