@@ -27,8 +27,8 @@ struct RewriteOptions {
   /// [joints of the scene] the joint that the channels of each joint move in the new file, for animations that were
   /// mirrored; empty = the same one. `animations` has the keys of the joints that are moved then.
   std::span<const std::uint32_t> channels_to = {};
-  /// Animations to write behind the file's: of joints, and of all morph weights of mesh instances. Tracks of some
-  /// weights, and properties, are not written.
+  /// Animations to write behind the file's: of joints, of all morph weights of mesh instances, and of properties that
+  /// the file defines (property_is_defined()), by KHR_animation_pointer. Tracks of some weights are not written.
   std::span<const Animation> added_animations = {};
   /// Vertex attributes to write beside those of the file; one of the same name is replaced.
   std::span<const AddedAttribute> added_attributes = {};

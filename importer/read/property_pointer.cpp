@@ -222,4 +222,9 @@ std::optional<PointedProperty> read_property_pointer(const gltf::Document& docum
   return out;
 }
 
+bool property_is_defined(const gltf::Document& document, const Scene& scene, const PropertyTarget& target) {
+  PointerFault unheard;
+  return read_property_pointer(document, property_pointer(target, scene), unheard).has_value();
+}
+
 }  // namespace sinew

@@ -32,6 +32,10 @@ struct PointerFault {
 std::optional<PointedProperty> read_property_pointer(const gltf::Document& document, std::string_view text,
                                                      PointerFault& fault);
 
+/// Whether a file defines a property, or glTF gives it a default, so that a channel may point to it.
+/// in    target   of the scene that was read from the document
+bool property_is_defined(const gltf::Document& document, const Scene& scene, const PropertyTarget& target);
+
 /// The pointer that names a property in a file written from `scene`: lists are in the scene's order, nodes are numbered
 /// by Skeleton::node_of_joint.
 std::string property_pointer(const PropertyTarget& target, const Scene& scene);

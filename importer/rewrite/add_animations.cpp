@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "importer/read/property_pointer.h"
 #include "importer/rewrite/key_writer.h"
 
 namespace sinew::rewrite {
@@ -64,6 +65,12 @@ Json animation_of(const Scene& scene, const Animation& animation, Draft& draft) 
     const MeshInstance& instance = scene.instances[animated.instance];
     if (animated.weights.target_count == instance.rest_weights.size())
       add(keys_of(animated.weights), {{"node", scene.skeleton.node_of_joint[instance.joint]}, {"path", "weights"}});
+  }
+  for (const PropertyTrack& track : animation.properties) {
+    add(keys_of(track),
+        {{"path", "pointer"},
+         {"extensions", {{"KHR_animation_pointer", {{"pointer", property_pointer(track.target, scene)}}}}}});
+    declare(draft, "KHR_animation_pointer", false);
   }
   if (out["channels"].empty()) add(Keys{Interpolation::step, {0.0f}, {0, 0, 0}, 3}, Json{{"path", "translation"}});
   writer.finish();

@@ -41,6 +41,14 @@ std::optional<Keys> keys_of(const WeightTrack& track) {
   return keys;
 }
 
+std::optional<Keys> keys_of(const PropertyTrack& track) {
+  auto keys = keys_of(track.values);
+  if (!keys) return keys;
+  keys->components = track.values.target_count;
+  keys->flags = is_flag(track.target.kind);
+  return keys;
+}
+
 void KeyWriter::write(const Keys& keys, Json& sampler) {
   static const char* const kNames[] = {"STEP", "LINEAR", "CUBICSPLINE"};
   auto [times, is_new] = times_.try_emplace(keys.times_s, 0);
@@ -50,7 +58,7 @@ void KeyWriter::write(const Keys& keys, Json& sampler) {
     set_bounds(accessor, std::vector<double>(keys.times_s.begin(), keys.times_s.end()), 1);
   }
   sampler["input"] = times->second;
-  sampler["output"] = add(keys.values, keys.components);
+  sampler["output"] = keys.flags ? add_flags(keys.values) : add(keys.values, keys.components);
   sampler.erase("interpolation");  // LINEAR is what glTF takes without it
   if (keys.interpolation != Interpolation::linear)
     sampler["interpolation"] = kNames[static_cast<std::size_t>(keys.interpolation)];
@@ -69,9 +77,23 @@ std::uint32_t KeyWriter::add(const std::vector<float>& values, std::size_t compo
   Json accessor{{"componentType", 5126}, {"count", values.size() / components}, {"type", kTypes[components]}};
   if (!floats_.empty()) accessor["byteOffset"] = floats_.size() * sizeof(float);
   floats_.insert(floats_.end(), values.begin(), values.end());
-  draft_.json["accessors"].push_back(std::move(accessor));
-  accessors_.push_back(static_cast<std::uint32_t>(draft_.json["accessors"].size() - 1));
+  accessors_.push_back(add_accessor(std::move(accessor)));
   return accessors_.back();
+}
+
+/// Bytes, in a view of their own.
+std::uint32_t KeyWriter::add_flags(const std::vector<float>& values) {
+  std::vector<std::byte> flags;
+  for (const float value : values) flags.push_back(static_cast<std::byte>(value >= 0.5f));
+  Json accessor{{"componentType", 5121}, {"count", flags.size()}, {"type", "SCALAR"}};
+  accessor["bufferView"] = draft_.add_view(std::move(flags));
+  return add_accessor(std::move(accessor));
+}
+
+std::uint32_t KeyWriter::add_accessor(Json accessor) {
+  Json& accessors = draft_.json["accessors"];
+  accessors.push_back(std::move(accessor));
+  return static_cast<std::uint32_t>(accessors.size() - 1);
 }
 
 }  // namespace sinew::rewrite

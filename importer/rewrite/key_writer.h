@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "importer/rewrite/draft.h"
+#include "runtime/animation/property_track.h"
 #include "runtime/animation/track.h"
 
 namespace sinew::rewrite {
@@ -16,6 +17,7 @@ struct Keys {
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s, values;
   std::size_t components = 1;  ///< of an accessor's element
+  bool flags = false;          ///< values are 0 or 1, and stored as bytes
 
   friend bool operator==(const Keys&, const Keys&) = default;
 };
@@ -24,6 +26,7 @@ struct Keys {
 std::optional<Keys> keys_of(const Vec3Track& track);
 std::optional<Keys> keys_of(const QuatTrack& track);
 std::optional<Keys> keys_of(const WeightTrack& track);
+std::optional<Keys> keys_of(const PropertyTrack& track);
 
 /// Writes keys of one animation. Key times that several channels share are written once.
 class KeyWriter {
@@ -37,6 +40,8 @@ class KeyWriter {
 
  private:
   std::uint32_t add(const std::vector<float>& values, std::size_t components);
+  std::uint32_t add_flags(const std::vector<float>& values);
+  std::uint32_t add_accessor(Json accessor);
 
   Draft& draft_;
   std::vector<float> floats_;

@@ -281,6 +281,43 @@ TEST(retarget, carries_morph_weights_by_name_and_lists_what_it_cannot) {
   EXPECT_EQ(found.values, (std::vector<float>{0.25f, 0.0f, 0.25f, 2.0f})) << "the rest weight, and the spread";
 }
 
+TEST(retarget, carries_properties_by_name_and_lists_those_that_the_character_lacks) {
+  const ToolModelFile model;
+  Scene clips = face_scene(), character = face_scene();
+  for (Scene* scene : {&clips, &character}) scene->skeleton.names[0] = "head";
+  clips.materials = {{.name = "hat"}, {.name = "skin"}};
+  character.materials = {{.name = "skin"}};
+  character.animations.clear();
+  character.hidden_joints = {0};
+  const WeightTrack rest{Interpolation::step, {0.0f, 0.5f}, {0.0f, 1.0f}, 1},
+      colors{Interpolation::cubic_spline, {0.0f, 1.0f}, std::vector<float>(24, 0.125f), 4};
+  const auto hat = PropertyTrack{{PropertyKind::base_color, 0}, colors},
+             strength = PropertyTrack{{PropertyKind::emissive_strength, 1}, rest};
+  clips.materials[1].emissive_strength = 2.0f;
+  clips.animations[0].properties = {
+      {{PropertyKind::node_visible, 0}, rest}, hat, {{PropertyKind::base_color, 1}, colors}, strength};
+  for (Scene* scene : {&clips, &character}) finish_scene(*scene);
+  ASSERT_TRUE(export_glb(clips, model.beside("clips.glb")) && export_glb(character, model.beside("character.glb")));
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.glb"), "--onto", model.beside("character.glb"), "-o", model.beside("out.glb")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("  the character has no \"material hat/base_color\"\n"
+                                     "  the character has no \"material skin/emissive_strength\"\n"));
+  EXPECT_EQ(run_tool({"check", model.beside("out.glb"), "--strict"}).status, 0);
+  const auto out = import_gltf(model.beside("out.glb"));
+  ASSERT_TRUE(out);
+  const auto& found = out->scene.animations.at(0).properties;
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_TRUE((found[0].target == PropertyTarget{PropertyKind::node_visible, 0}));
+  EXPECT_TRUE((found[1].target == PropertyTarget{PropertyKind::base_color, 0}));
+  for (const std::size_t i : {0u, 1u}) {
+    const WeightTrack& from = clips.animations[0].properties[2 * i].values;
+    EXPECT_EQ(found[i].values.interpolation, from.interpolation);
+    EXPECT_EQ(found[i].values.times_s, from.times_s);
+    EXPECT_EQ(found[i].values.values, from.values);
+  }
+}
+
 TEST(retarget, translations_follow_the_rule_that_is_asked_for) {
   const ToolModelFile model;
   write_body(model.beside(""), "clips", "mixamorig:Hips", "mixamorig:LeftArm", 1.0, true);

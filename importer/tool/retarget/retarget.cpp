@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "importer/read/property_pointer.h"
+#include "importer/rewrite/carried_document.h"
 #include "importer/tool/commands.h"
 #include "importer/tool/files/output_check.h"
 #include "importer/tool/files/output_files.h"
@@ -21,6 +23,7 @@
 #include "runtime/library/clip_channels.h"
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
+#include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/retarget_weights.h"
 
 namespace sinew::tool {
@@ -74,17 +77,22 @@ std::string held_feet(const FeetMap& feet, const Animation& animation, const Sce
                      length_text(after.largest), counted(after.contacts, "contact"));
 }
 
-/// Morph weights of a clip on the character; says what is not carried: properties cannot be written (rewrite_gltf.h).
-void carry_weights(const WeightMap& weights, const Animation& animation, const Scene& clips, const Scene& character,
-                   Animation& retargeted) {
-  retarget_weights(weights, animation, clips, character, retargeted);
-  for (const PropertyTrack& track : animation.properties)
-    print_result("  not carried: {}\n", in_quotes(property_name(clips, track.target)));
+/// Properties of a clip on the character; says which ones it does not have.
+void carry_properties(const SkeletonMap& map, const Animation& animation, const Scene& clips,
+                      const ImportedFile& character, Animation& retargeted) {
+  std::vector<std::string> left_out = retarget_properties(animation, map, clips, character.scene, retargeted);
+  std::erase_if(retargeted.properties, [&](const PropertyTrack& track) {
+    const bool is_lost = !property_is_defined(character.carried->document, character.scene, track.target);
+    if (is_lost) left_out.push_back(property_name(character.scene, track.target));
+    return is_lost;
+  });
+  for (const std::string& name : left_out) print_result("  the character has no {}\n", in_quotes(name));
 }
 
 /// The clips on the character; says how far each is from the poses that it was made of.
 std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet,
-                                      const Scene& character) {
+                                      const ImportedFile& file) {
+  const Scene& character = file.scene;
   constexpr double kDegrees = 57.29577951308232;
   std::vector<Animation> all;
   const WeightMap weights = make_weight_map(clips, character);
@@ -95,7 +103,8 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
     const std::string slide = feet.legs.empty() ? "" : held_feet(feet, animation, clips, character, retargeted);
     print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
                  counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
-    carry_weights(weights, animation, clips, character, retargeted);
+    retarget_weights(weights, animation, clips, character, retargeted);
+    carry_properties(map, animation, clips, file, retargeted);
     all.push_back(std::move(retargeted));
   }
   return all;
@@ -159,7 +168,7 @@ ExitCode retarget(const RetargetOptions& options) {
     return fail_with(ExitCode::input_at_fault,
                      options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
   print_map(*map, source, target);
-  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, feet, character->scene));
+  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, feet, *character));
 }
 
 }  // namespace
@@ -173,8 +182,8 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
       "Mixamo, Unreal, Rigify and motion capture. Each takes over how far the other is turned from the rest pose; axes "
       "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
       "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
-      "their "
-      "height. Morph targets follow those of equal names.\n"
+      "their height. Morph targets, and animated properties of materials, lights and cameras, follow those of equal "
+      "names.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "
       "made of. OUT is CHARACTER with the clips behind its own, and everything else that its file says; "
