@@ -161,6 +161,23 @@ TEST_F(material_picture, normal_map_without_tangents_on_one_texel_changes_nothin
   EXPECT_EQ(pixels(1.0f, p), plain);
 }
 
+TEST_F(material_picture, tangents_nearly_parallel_to_the_normal_change_nothing) {
+  const auto pixels = [](float scale, const Primitive& p) {
+    return render_float(relief_wall(scale, p), 24, 20, view_of_wall(), every_light()).pixels;
+  };
+  const auto unmapped = pixels(0.0f, wall());
+  for (const float length : {1.0f, 1e-6f, 1e6f})
+    for (const float sine : {0.0f, 1e-8f, 3e-7f, 5e-4f}) {
+      Primitive p = wall();
+      for (glm::vec4& t : p.tangents) t = {sine * length, 0.0f, length, 1.0f};
+      const auto mapped = pixels(1.0f, p);
+      for (std::size_t i = 0; i < mapped.size(); ++i)
+        ASSERT_LT(glm::length(mapped[i] - unmapped[i]), 1e-3f) << "sine " << sine << ", length " << length;
+      for (glm::vec4& t : p.tangents) t = {0.01f * length, 0.0f, length, 1.0f};  // this one has a direction
+      expect_reference_picture(relief_wall(1.0f, p), view_of_wall(), every_light());
+    }
+}
+
 TEST_F(material_picture, back_sides_have_the_whole_normal_reversed) {
   Affine turned;  // about y by 180 degrees
   turned.row[0].x = turned.row[2].z = -1.0f;

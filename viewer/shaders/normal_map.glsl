@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Normals of normal maps. The shader that includes this has the inputs view_position, view_tangent and texcoords.
 
+const float kLeastSine = 1e-3;   // between normal and tangent: below it, rounding and quantisation decide the direction
+
+// The direction of `along` in the plane perpendicular to n; false if `along` is zero or nearly parallel to n.
+bool perpendicular(vec3 n, vec3 along, out vec3 t) {
+  t = along - n * dot(n, along);
+  float square = dot(t, t);
+  if (!(square > kLeastSine * kLeastSine * dot(along, along))) return false;
+  t *= inversesqrt(square);
+  return true;
+}
+
 // Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
 bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
-  t = view_tangent.xyz - n * dot(n, view_tangent.xyz);
-  if (dot(t, t) == 0.0) return false;
-  t = normalize(t);
+  if (!perpendicular(n, view_tangent.xyz, t)) return false;
   // On back faces n is reversed; the bitangent must not change then.
   float side = gl_FrontFacing ? draw.handedness : -draw.handedness;
   b = cross(n, t) * view_tangent.w * side;
@@ -20,9 +29,7 @@ bool derived_frame(vec3 n, int set, out vec3 t, out vec3 b) {
   vec2 uv = uv_of_set(set, texcoords), uv_x = dFdx(uv), uv_y = dFdy(uv);
   float side = sign(uv_x.x * uv_y.y - uv_y.x * uv_x.y);
   vec3 along_u = side * (dx * uv_y.y - dy * uv_x.y), along_v = side * (dy * uv_x.x - dx * uv_y.x);
-  t = along_u - n * dot(n, along_u);
-  if (dot(t, t) == 0.0) return false;
-  t = normalize(t);
+  if (!perpendicular(n, along_u, t)) return false;
   b = cross(n, t);
   if (dot(b, along_v) > 0.0) b = -b;
   return true;
