@@ -17,13 +17,13 @@ using namespace sinew;
 namespace {
 
 static_assert(static_cast<int>(LimbDirections::of_source) == SINEW_LIMBS_OF_SOURCE &&
-              static_cast<int>(LimbDirections::of_rest) == SINEW_LIMBS_OF_REST);
+              static_cast<int>(LimbDirections::of_rest) == SINEW_LIMBS_OF_REST &&
+              static_cast<int>(TranslationRule::hips_by_height) == SINEW_HIPS_BY_HEIGHT &&
+              static_cast<int>(TranslationRule::by_length) == SINEW_BY_LENGTH &&
+              static_cast<int>(TranslationRule::keep) == SINEW_KEEP);
 
-sinew_error read_options(const sinew_skeleton_map_options* caller, const Skeleton& source, const Skeleton& target,
-                         SkeletonMapOptions& options) {
-  sinew_skeleton_map_options given{};
-  if (const sinew_error error = c::read_struct(caller, given); error != SINEW_OK) return error;
-  if (given.limbs > SINEW_LIMBS_OF_REST) return SINEW_UNSUPPORTED;
+sinew_error read_pairs(const sinew_skeleton_map_options& given, const Skeleton& source, const Skeleton& target,
+                       SkeletonMapOptions& options) {
   if (given.pairs == nullptr && given.pair_count > 0) return SINEW_NULL_ARGUMENT;
   std::vector<bool> is_mapped(target.joint_count());
   for (std::size_t i = 0; i < given.pair_count; ++i) {
@@ -33,8 +33,31 @@ sinew_error read_options(const sinew_skeleton_map_options* caller, const Skeleto
     is_mapped[to] = true;
     options.pairs.push_back({from, to});
   }
-  options.limbs = static_cast<LimbDirections>(given.limbs);
   return SINEW_OK;
+}
+
+sinew_error read_chains(const sinew_skeleton_map_options& given, const Skeleton& target, SkeletonMapOptions& options) {
+  if (given.chains == nullptr && given.chain_count > 0) return SINEW_NULL_ARGUMENT;
+  std::vector<bool> has_rule(target.joint_count());
+  for (std::size_t i = 0; i < given.chain_count; ++i) {
+    const auto [joint, rule] = given.chains[i];
+    if (joint >= target.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
+    if (has_rule[joint] || rule > SINEW_KEEP) return SINEW_UNSUPPORTED;
+    has_rule[joint] = true;
+    options.chains.push_back({joint, static_cast<TranslationRule>(rule)});
+  }
+  return SINEW_OK;
+}
+
+sinew_error read_options(const sinew_skeleton_map_options* caller, const Skeleton& source, const Skeleton& target,
+                         SkeletonMapOptions& options) {
+  sinew_skeleton_map_options given{};
+  if (const sinew_error error = c::read_struct(caller, given); error != SINEW_OK) return error;
+  if (given.limbs > SINEW_LIMBS_OF_REST || given.translations > SINEW_KEEP) return SINEW_UNSUPPORTED;
+  options.limbs = static_cast<LimbDirections>(given.limbs);
+  options.translations = static_cast<TranslationRule>(given.translations);
+  if (const sinew_error error = read_pairs(given, source, target, options); error != SINEW_OK) return error;
+  return read_chains(given, target, options);
 }
 
 /// A clip of the source on the target.

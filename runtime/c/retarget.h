@@ -22,16 +22,34 @@ typedef enum sinew_limb_directions {
   SINEW_LIMBS_OF_REST = 1     ///< the rest pose becomes the rest pose
 } sinew_limb_directions;
 
+/// What becomes of the translations of mapped joints.
+typedef enum sinew_translation_rule {
+  SINEW_HIPS_BY_HEIGHT = 0,  ///< the path of top joints and hips is scaled by the ratio of heights; other bones keep
+                             ///< their lengths
+  SINEW_BY_LENGTH = 1,       ///< each is scaled by the ratio of the lengths of its bone: bones may stretch
+  SINEW_KEEP = 2             ///< all keep their place against the parent
+} sinew_translation_rule;
+
+/// A rule for a joint of the target and all below it, as far as no other one is given there. This struct never grows.
+typedef struct sinew_chain_rule {
+  uint32_t joint;
+  uint32_t rule;  ///< sinew_translation_rule
+} sinew_chain_rule;
+
 typedef struct sinew_skeleton_map_options {
   size_t struct_size;
   const sinew_joint_pair* pairs;  ///< where given, nothing else is mapped; copied
   size_t pair_count;
-  uint32_t limbs;  ///< sinew_limb_directions
+  uint32_t limbs;                  ///< sinew_limb_directions
+  uint32_t translations;           ///< sinew_translation_rule
+  const sinew_chain_rule* chains;  ///< other rules than `translations`; copied
+  size_t chain_count;
 } sinew_skeleton_map_options;
 
-/// in   source, target  must outlive the map;   options  null = no pairs, SINEW_LIMBS_OF_SOURCE
-/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_UNSUPPORTED (limbs, a joint of the target in two pairs),
-///      SINEW_INDEX_OUT_OF_RANGE (pairs), SINEW_OUT_OF_MEMORY
+/// in   source, target  must outlive the map;   options  null = no pairs or chains, SINEW_LIMBS_OF_SOURCE,
+///                      SINEW_HIPS_BY_HEIGHT
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (pairs, chains), SINEW_OUT_OF_MEMORY,
+///      SINEW_UNSUPPORTED (limbs, a rule, a joint of the target in two pairs or two chains)
 /// cost O(joints log joints), allocates
 sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_scene* target,
                                       const sinew_skeleton_map_options* options, sinew_skeleton_map** out);

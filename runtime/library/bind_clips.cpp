@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "runtime/clip/rebind_clip.h"
 
@@ -52,27 +54,36 @@ Match match_lists(const SharedArray<std::string>& from, const SharedArray<std::s
   return from.shares_with(to) || (all_named && from == to) ? each_to_itself(from.size()) : match_names(from, to);
 }
 
-void list(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+/// Appends names that are not yet there, each once.
+void append_new(std::vector<std::string>& names, const std::vector<std::string>& more) {
+  std::unordered_set<std::string> there(names.begin(), names.end());
+  for (const std::string& name : more)
+    if (there.insert(name).second) names.push_back(name);
 }
 
-/// Lists what is moved and goes nowhere.
+/// Adds what one clip moves to what others move.
+void unite(std::vector<bool>& all, const std::vector<bool>& moved) {
+  all.resize(moved.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) all[i] = all[i] || moved[i];
+}
+
+/// Lists what is moved and goes nowhere; names that stand twice in `names` are listed twice.
 void list_unbound(const std::vector<bool>& moved, const SharedArray<std::string>& names, const Match& match,
                   const char* kind, Unbound& unbound) {
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (!moved[i] || match.target[i] != kNone) continue;
     if (match.is_ambiguous[i])
-      list(unbound.ambiguous, names[i]);
+      unbound.ambiguous.push_back(names[i]);
     else
-      list(unbound.missing, names[i].empty() ? kind + std::to_string(i) + " without a name" : names[i]);
+      unbound.missing.push_back(names[i].empty() ? kind + std::to_string(i) + " without a name" : names[i]);
   }
 }
 
 }  // namespace
 
 void Unbound::add(const Unbound& more) {
-  for (const std::string& name : more.missing) list(missing, name);
-  for (const std::string& name : more.ambiguous) list(ambiguous, name);
+  append_new(missing, more.missing);
+  append_new(ambiguous, more.ambiguous);
 }
 
 BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, const ClipChannels& to) {
@@ -81,13 +92,19 @@ BoundClips bind_clips(std::span<const Clip> clips, const ClipChannels& from, con
   const Match weights = match_lists(from.weights, to.weights), numbers = match_lists(from.numbers, to.numbers);
   const ClipTargets targets{joints.target, weights.target, numbers.target};
   BoundClips bound;
+  ClipMotion all;
   for (const Clip& clip : clips) {
     const ClipMotion motion = motion_of(clip, from.rest);
-    list_unbound(motion.joints, from.joints, joints, "joint ", bound.unbound);
-    list_unbound(motion.weights, from.weights, weights, "morph weight ", bound.unbound);
-    list_unbound(motion.numbers, from.numbers, numbers, "property ", bound.unbound);
+    unite(all.joints, motion.joints);
+    unite(all.weights, motion.weights);
+    unite(all.numbers, motion.numbers);
     bound.clips.push_back(rebind_clip(clip, from.rest, targets, to.rest));
   }
+  Unbound found;
+  list_unbound(all.joints, from.joints, joints, "joint ", found);
+  list_unbound(all.weights, from.weights, weights, "morph weight ", found);
+  list_unbound(all.numbers, from.numbers, numbers, "property ", found);
+  bound.unbound.add(found);
   return bound;
 }
 

@@ -15,6 +15,7 @@ struct Unbound {
   std::vector<std::string> ambiguous;  ///< several have the name, here or there: none of them was taken
 
   bool empty() const noexcept { return missing.empty() && ambiguous.empty(); }
+  /// Adds the names that are not yet listed.     cost O(names of both), expected
   void add(const Unbound& more);
 };
 

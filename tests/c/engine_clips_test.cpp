@@ -244,7 +244,7 @@ TEST(c_clips, morph_weights_and_properties_of_equal_names_come_along) {
 TEST(c_clips, the_pairs_that_an_engine_names_are_all_that_is_mapped) {
   const sinew_scene source{walker(1.0f)}, target{walker(0.7f)};
   const sinew_joint_pair pairs[] = {{0, 0}, {1, 2}};
-  sinew_skeleton_map_options options{sizeof(options), pairs, 2, SINEW_LIMBS_OF_REST};
+  sinew_skeleton_map_options options{sizeof(options), pairs, 2, SINEW_LIMBS_OF_REST, 0, nullptr, 0};
   sinew_skeleton_map* map = nullptr;
   ASSERT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_OK);
   sinew_skeleton_map_info info{};
@@ -258,14 +258,63 @@ TEST(c_clips, the_pairs_that_an_engine_names_are_all_that_is_mapped) {
   const sinew_joint_pair twice[] = {{0, 0}, {1, 0}}, beyond[] = {{0, 7}};
   options.pairs = twice;
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_UNSUPPORTED);
-  options = {sizeof(options), beyond, 1, SINEW_LIMBS_OF_REST};
+  options = {sizeof(options), beyond, 1, SINEW_LIMBS_OF_REST, 0, nullptr, 0};
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_INDEX_OUT_OF_RANGE);
-  options = {sizeof(options), nullptr, 1, SINEW_LIMBS_OF_REST};
+  options = {sizeof(options), nullptr, 1, SINEW_LIMBS_OF_REST, 0, nullptr, 0};
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_NULL_ARGUMENT);
-  options = {sizeof(options), nullptr, 0, 2};
+  options = {sizeof(options), nullptr, 0, 2, 0, nullptr, 0};
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_UNSUPPORTED);
-  options = {4, nullptr, 0, 0};
+  options = {4, nullptr, 0, 0, 0, nullptr, 0};
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_WRONG_STRUCT_SIZE);
+}
+
+TEST(c_clips, translations_follow_the_rules_that_an_engine_gives) {
+  const sinew_scene source{walker(1.0f)}, target{walker(0.7f)};
+  const Skeleton &from = source.scene.skeleton, &to = target.scene.skeleton;
+  const auto made = [&](const sinew_skeleton_map_options& options) {
+    sinew_skeleton_map* map = nullptr;
+    EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_OK);
+    std::vector<bool> moves;
+    for (const MappedJoint& joint : map->map.joints) moves.push_back(joint.moves);
+    sinew_skeleton_map_destroy(map);
+    return moves;
+  };
+  const auto expected = [&](const SkeletonMapOptions& options) {
+    std::vector<bool> moves;
+    for (const MappedJoint& joint : make_skeleton_map(from, to, options).joints) moves.push_back(joint.moves);
+    return moves;
+  };
+  sinew_skeleton_map_options options{};
+  options.struct_size = sizeof(options);
+  EXPECT_EQ(made(options), expected({}));
+  options.translations = SINEW_KEEP;
+  EXPECT_EQ(made(options), std::vector<bool>(7)) << "no joint moves";
+  const sinew_chain_rule chains[] = {{2, SINEW_BY_LENGTH}, {3, SINEW_KEEP}};
+  options.chains = chains;
+  options.chain_count = 2;
+  const std::vector<bool> by_chains = made(options);
+  EXPECT_EQ(by_chains, expected({.pairs = {},
+                                 .limbs = LimbDirections::of_source,
+                                 .translations = TranslationRule::keep,
+                                 .chains = {{2, TranslationRule::by_length}, {3, TranslationRule::keep}}}));
+  EXPECT_TRUE(by_chains[2]);
+  EXPECT_FALSE(by_chains[3]);
+}
+
+TEST(c_clips, rules_for_translations_that_cannot_be_are_refused) {
+  const sinew_scene source{walker(1.0f)}, target{walker(0.7f)};
+  sinew_skeleton_map* map = nullptr;
+  const auto answer = [&](std::uint32_t translations, const sinew_chain_rule* chains, std::size_t count) {
+    const sinew_skeleton_map_options options{sizeof(options), nullptr, 0, 0, translations, chains, count};
+    return sinew_skeleton_map_create(&source, &target, &options, &map);
+  };
+  const sinew_chain_rule unknown[] = {{0, 3}}, beyond[] = {{7, SINEW_KEEP}},
+                         twice[] = {{1, SINEW_KEEP}, {1, SINEW_BY_LENGTH}};
+  EXPECT_EQ(answer(3, nullptr, 0), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer(0, unknown, 1), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer(0, beyond, 1), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(answer(0, twice, 2), SINEW_UNSUPPORTED);
+  EXPECT_EQ(answer(0, nullptr, 1), SINEW_NULL_ARGUMENT);
 }
 
 TEST(c_clips, joints_of_poses_are_read_and_written) {

@@ -71,6 +71,29 @@ TEST(bind_clips, what_is_moved_and_not_found_is_listed_once) {
   EXPECT_THAT(unbound.ambiguous, IsEmpty());
 }
 
+TEST(bind_clips, names_of_several_joints_and_clips_are_listed_once) {
+  const Scene arm = arm_scene();
+  Scene other = arm;
+  other.skeleton.names = {"tail", "hook", "tail"};
+  const auto turning = [](const char* name, std::vector<std::uint32_t> joints) {
+    Animation animation{name, 1.0, {}, {}};
+    for (const std::uint32_t joint : joints) {
+      BoneAnimation bone;
+      bone.joint = joint;
+      bone.rotation = {Interpolation::linear, {0, 1}, {{1, 0, 0, 0}, {0, 1, 0, 0}}};
+      animation.bones.push_back(bone);
+    }
+    return animation;
+  };
+  other.animations = {turning("both", {0, 2}), turning("one", {1})};
+  finish_scene(other);
+  Unbound unbound = bind(other, arm).unbound;
+  EXPECT_THAT(unbound.missing, ElementsAre("tail", "hook"));
+  unbound.add({{"hook", "fin"}, {"fin"}});
+  EXPECT_THAT(unbound.missing, ElementsAre("tail", "hook", "fin"));
+  EXPECT_THAT(unbound.ambiguous, ElementsAre("fin"));
+}
+
 TEST(bind_clips, names_that_are_double_here_or_there_are_not_guessed) {
   const Scene arm = arm_scene();  // its clip moves "lower"
   Scene there = arm, here = arm;
