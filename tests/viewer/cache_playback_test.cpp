@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <thread>
 
+#include "runtime/plan/plan_stages.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/viewer/cache_files.h"
 
@@ -93,6 +95,8 @@ TEST(cache_playback, tells_what_it_takes) {
   EXPECT_FALSE(played.playback.facts().ns_per_vertex);
   for (int f = 0; f < 6; ++f) played.at(f / 30.0);
   const CacheFacts facts = played.playback.facts();
+  EXPECT_EQ(facts.name, "flag");
+  EXPECT_NEAR(facts.frame_s, 1.0 / 30.0, 1e-9);
   EXPECT_EQ(facts.frame_count, 20u);
   EXPECT_EQ(facts.vertex_count, 33u * 25u);
   EXPECT_EQ(facts.window_frames, 16u) << "a segment and what is read ahead";
@@ -102,9 +106,86 @@ TEST(cache_playback, tells_what_it_takes) {
   ASSERT_TRUE(facts.ns_per_vertex);
   EXPECT_GT(*facts.ns_per_vertex, 0.0);
   EXPECT_EQ(facts.late, 0u);
+  const Bytes few = flag_bytes(10);
+  const CacheAlone brief = flag_alone(few);
+  EXPECT_EQ(CachePlayback(*brief.cache, brief.scene, Reads::at_once).facts().window_frames, 10u) << "all of it";
   EXPECT_EQ(describe_cost({.ns_per_vertex = 3.14, .late = 2}), "3.1 ns a decoded vertex, pictures late: 2");
   EXPECT_EQ(describe_window({.bytes_per_s = 18400.0, .frames_there = 3, .window_frames = 40, .window_bytes = 1234567}),
             "18 kB a second read, window 3 of 40 frames in 1.2 MB");
+}
+
+/// A frame that decoded vertices, as a plan with stage times tells it.
+struct Decoded {
+  std::array<std::uint64_t, kStageCount> stage_ns{};
+  FrameResult frame;
+
+  Decoded(std::uint64_t number, std::uint64_t frames, std::uint64_t vertices, std::uint64_t ns) {
+    stage_ns[static_cast<std::size_t>(Stage::geometry_cache)] = ns;
+    frame.frame = number;
+    frame.stage_ns = stage_ns;
+    frame.work.cache_frames_decoded = frames;
+    frame.work.vertices_from_cache = vertices;
+  }
+};
+
+TEST(cache_playback, time_of_a_vertex_follows_the_frames_that_decode_and_each_frame_counts_once) {
+  const Bytes bytes = flag_bytes();
+  const CacheAlone alone = flag_alone(bytes);
+  CachePlayback playback(*alone.cache, alone.scene, Reads::at_once);
+  const auto watched = [&](const FrameResult& frame) {
+    playback.watch(frame);
+    return playback.facts().ns_per_vertex.value_or(-1.0);
+  };
+  Decoded untimed(1, 2, 100, 4000);
+  untimed.frame.stage_ns = {};
+  EXPECT_EQ(watched(untimed.frame), -1.0);
+  EXPECT_EQ(watched(Decoded(2, 2, 100, 4000).frame), 20.0);
+  EXPECT_EQ(watched(Decoded(3, 1, 100, 4000).frame), 20.0 + 0.1 * 20.0);
+  EXPECT_EQ(watched(Decoded(3, 1, 100, 9000).frame), 22.0) << "the frame was there already";
+  EXPECT_EQ(watched(Decoded(4, 0, 100, 70).frame), 22.0) << "what is held was not decoded";
+  const InstanceResult instances[] = {{.late = true}, {}};
+  for (const std::uint64_t number : {5u, 5u, 6u}) {
+    Decoded late(number, 0, 0, 0);
+    late.frame.instances = instances;
+    playback.watch(late.frame);
+  }
+  EXPECT_EQ(playback.facts().late, 2u) << "one instance is late in two frames";
+  EXPECT_FALSE(is_late(FrameResult{}));
+}
+
+TEST(cache_playback, bytes_a_second_are_those_of_the_last_half_second_or_longer) {
+  const Bytes bytes = flag_bytes(40);
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::at_once);
+  std::uint64_t number = 1000;
+  const auto start = CachePlayback::Clock::now() + std::chrono::hours(1);
+  const auto rate_after = [&](std::chrono::milliseconds time) {
+    FrameResult frame;
+    frame.frame = ++number;
+    played.playback.watch(frame, start + time);
+    return played.playback.facts().bytes_per_s;
+  };
+  using std::chrono::milliseconds;
+  EXPECT_EQ(rate_after(milliseconds(0)), 0.0);
+  played.at(0.0);
+  const auto first = static_cast<double>(played.playback.bytes_read());
+  ASSERT_GT(first, 0.0);
+  EXPECT_EQ(rate_after(milliseconds(499)), 0.0) << "too soon to tell";
+  EXPECT_EQ(rate_after(milliseconds(500)), first / 0.5);
+  played.at(1.0);
+  const double second = static_cast<double>(played.playback.bytes_read()) - first;
+  ASSERT_GT(second, 0.0);
+  EXPECT_EQ(rate_after(milliseconds(900)), first / 0.5);
+  EXPECT_EQ(rate_after(milliseconds(2500)), second / 2.0) << "only what was read since";
+  EXPECT_EQ(rate_after(milliseconds(3500)), 0.0);
+}
+
+TEST(cache_playback, first_picture_of_a_window_is_not_late) {
+  const Bytes bytes = flag_bytes();
+  const CacheAlone alone = flag_alone(bytes);
+  Played played(alone, Reads::beside);
+  EXPECT_FALSE(is_late(played.at(0.0)));
+  EXPECT_EQ(played.playback.facts().late, 0u);
 }
 
 TEST(cache_playback, says_which_rule_a_damaged_frame_breaks_and_shows_the_pose) {

@@ -74,6 +74,24 @@ TEST_F(exhibit, of_a_file_that_cannot_be_read_says_why) {
   EXPECT_THAT(none.error().message, HasSubstr("thing.gltf"));
 }
 
+TEST_F(exhibit, without_a_file_is_one_of_the_built_in_scenes) {
+  Options options;
+  options.environment = "none";
+  const auto say = [this](const std::string& line) { said_.push_back(line); };
+  const auto all = load_exhibits(options, say, {});
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_THAT(said_, IsEmpty());
+  EXPECT_FALSE(all->front().name.empty() || all->front().note.empty());
+  options.scene = static_cast<std::uint32_t>(all->size()) - 1;
+  EXPECT_TRUE(load_exhibits(options, say, {})) << "the last one";
+  options.scene = static_cast<std::uint32_t>(all->size());
+  const auto none = load_exhibits(options, say, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().exit_code, 2);
+  EXPECT_THAT(none.error().message, HasSubstr("--scene " + std::to_string(all->size()) +
+                                              ": the built-in scenes are 0 to " + std::to_string(all->size() - 1)));
+}
+
 TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
   Exhibit shown;
   shown.instance_skinning = {Skinning::linear};

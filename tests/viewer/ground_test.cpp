@@ -251,15 +251,5 @@ TEST_F(ground, nothing_opaque_is_needed_to_see_its_grid) {
   EXPECT_TRUE(std::any_of(drawn.pixels.begin(), drawn.pixels.end(), [](const glm::vec4& p) { return p.a > 0.1f; }));
 }
 
-TEST(ground_for, lies_just_below_the_bounds_in_their_middle) {
-  const Ground found = ground_for({{-1.0f, 2.0f, -3.0f}, {3.0f, 4.0f, 1.0f}});  // half the diagonal is 3
-  EXPECT_NEAR(glm::length(found.middle - glm::dvec3(1.0, 2.0 - 0.006, -1.0)), 0.0, 1e-6);
-  EXPECT_FLOAT_EQ(found.radius_m, 9.0f);
-  EXPECT_FLOAT_EQ(found.grid_step_m, 1.0f);
-  EXPECT_EQ(found.look, GroundLook::none);
-  EXPECT_EQ(ground_for({}).middle, glm::dvec3(0.0));
-  EXPECT_FLOAT_EQ(ground_for({{0, 0, 0}, {0.02f, 0.0f, 0.0f}}).grid_step_m, 0.01f);
-}
-
 }  // namespace
 }  // namespace sinew::viewer

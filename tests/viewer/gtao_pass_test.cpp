@@ -65,6 +65,34 @@ TEST_F(gtao_pass, agrees_with_the_reference_whatever_the_slices_the_size_and_the
       }
 }
 
+TEST_F(gtao_pass, agrees_with_the_reference_where_normals_point_away_from_the_picture) {
+  // At the edges of a wide view one sees spheres beyond their equators, down to the wall in which they stick.
+  BuiltScene built;
+  const std::uint32_t white = built.add_material(matte({1, 1, 1}));
+  for (const glm::vec3& side : {glm::vec3(2.6f, 0, -1.2f), {-2.6f, 0, -1.2f}, {0, 2.6f, -1.2f}, {0, -2.6f, -1.2f}})
+    built.add(showcase::sphere(side, 1.0f), white);
+  built.add(showcase::box({0.0f, 0.0f, -1.7f}, {6.0f, 5.0f, 0.1f}), white);
+  const View view = look_at({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 2.2, 0.05);
+  const RenderOptions options = options_with(0.6f);
+  const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, options);
+  const std::vector<double> expected = reference_access(image, options);
+  const FloatPicture picture = render_float(built, kWidth, kHeight, view, options);
+  double mean = 0.0, occluded = 0.0;
+  int quadrants[2][2] = {};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const glm::dvec3& n = image.normals[i];
+    if (n.z > -0.05) continue;
+    ++quadrants[n.x > 0.0][n.y > 0.0];
+    mean += std::abs(static_cast<double>(picture.pixels[i].r) - expected[i]);
+    occluded += 1.0 - expected[i];
+  }
+  const int count = quadrants[0][0] + quadrants[0][1] + quadrants[1][0] + quadrants[1][1];
+  for (const auto& side : quadrants)
+    for (const int pixels : side) EXPECT_GT(pixels, 10);
+  EXPECT_GT(occluded / count, 0.1);
+  EXPECT_LT(mean / count, 1e-3) << count << " " << occluded / count;
+}
+
 TEST_F(gtao_pass, N31_a_plane_does_not_darken_itself_at_any_slope) {
   for (const double height : {8.0, 2.0, 0.3}) {
     BuiltScene built;

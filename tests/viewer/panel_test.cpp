@@ -228,6 +228,24 @@ TEST_F(PanelTest, the_live_plan_opens_beside_the_panel_and_grows_with_its_rows) 
   EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 0) << "h hides both";
 }
 
+TEST_F(PanelTest, the_live_plan_is_as_high_as_its_rows_and_no_higher_than_the_window) {
+  Playback playback(scene_);
+  settings_.plan = true;
+  const std::vector<PlanRow> rows(100, {.part = PlanPart::passes, .stage = "ssao", .reason = "nothing is in view"});
+  const float unit = 13.0f;  // height of the font
+  const auto height = [&](float room, std::span<const PlanRow> shown) {
+    ImGui::GetIO().DisplaySize = {1280, room};
+    facts_.rows = shown;
+    frame(playback);
+    frame(playback);
+    return ImGui::FindWindowByName("live plan (e hides this)")->Size.y;
+  };
+  EXPECT_LT(height(720, {}), 10 * unit);
+  EXPECT_EQ(height(720, rows), 720 - 2 * unit);
+  EXPECT_EQ(height(500, rows), 500 - 2 * unit);
+  EXPECT_EQ(height(70, rows), 4 * unit) << "two rows are seen in any window";
+}
+
 TEST_F(PanelTest, an_empty_scene_has_a_panel_as_well) {
   scene_ = Scene{};
   names_ = {"only"};

@@ -102,6 +102,8 @@ TEST(panorama, what_cannot_be_read_is_one_sentence) {
   EXPECT_THAT(why(radiance(3, 1, std::string(12, 'x'))), HasSubstr("3 x 1: a panorama is twice as wide as high"));
   EXPECT_THAT(why(radiance(8000, 4000, "short")), HasSubstr("ends too early"));
   EXPECT_THAT(why(radiance(9000, 4500, "short")), HasSubstr("wider than 8192"));
+  EXPECT_THAT(why(radiance(8194, 4097, "short")), HasSubstr("wider than 8192"));
+  EXPECT_THAT(why(radiance(8192, 4096, "short")), HasSubstr("ends too early")) << "the widest that is read";
   EXPECT_THAT(why("#?RADIANCE\nno format\n"), HasSubstr("Radiance"));
   const std::string whole = exr(8, 4, std::vector<Imf::Rgba>(32, Imf::Rgba(1.0f, 1.0f, 1.0f)));
   for (const std::size_t length : {5ul, 40ul, whole.size() / 2, whole.size() - 3})

@@ -41,22 +41,22 @@ std::string CachePlayback::fault() const {
   return status == GeometryStatus::damaged || unread ? describe_fault(cache_.file, status) : std::string();
 }
 
-void CachePlayback::watch(const FrameResult& frame) {
+void CachePlayback::watch(const FrameResult& frame, Clock::time_point now) {
   if (frame.frame == watched_frame_) return;
   watched_frame_ = frame.frame;
   late_ += is_late(frame);
   const auto stage = static_cast<std::size_t>(Stage::geometry_cache);
   if (frame.work.cache_frames_decoded * frame.work.vertices_from_cache > 0 && stage < frame.stage_ns.size()) {
     const double decoded = static_cast<double>(frame.work.vertices_from_cache * frame.work.cache_frames_decoded);
-    const double now = static_cast<double>(frame.stage_ns[stage]) / decoded;
-    ns_per_vertex_ = ns_per_vertex_ ? *ns_per_vertex_ + kSmoothing * (now - *ns_per_vertex_) : now;
+    const double newest = static_cast<double>(frame.stage_ns[stage]) / decoded;
+    ns_per_vertex_ = ns_per_vertex_ ? *ns_per_vertex_ + kSmoothing * (newest - *ns_per_vertex_) : newest;
   }
-  const double passed_s = std::chrono::duration<double>(Clock::now() - counted_at_).count();
+  const double passed_s = std::chrono::duration<double>(now - counted_at_).count();
   if (passed_s < kCount_s) return;
   const std::uint64_t bytes = reader_.bytes_read();
   bytes_per_s_ = static_cast<double>(bytes - counted_bytes_) / passed_s;
   counted_bytes_ = bytes;
-  counted_at_ = Clock::now();
+  counted_at_ = now;
 }
 
 CacheFacts CachePlayback::facts() const {

@@ -19,6 +19,8 @@ namespace sinew::viewer {
 /// be called while a frame runs.
 class CachePlayback {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// in   cache, scene  must outlive this
   CachePlayback(const CacheOnScene& cache, const Scene& scene, CacheReader::Reads reads);
   ~CachePlayback() { reader_.stop(); }
@@ -31,8 +33,8 @@ class CachePlayback {
   /// Why the last frame could not be shown, in one sentence; empty when it could, or when it only is late.
   std::string fault() const;
 
-  /// Records a frame, for facts().
-  void watch(const FrameResult& frame);
+  /// Records a frame, for facts(). A frame that was recorded last is left out.
+  void watch(const FrameResult& frame, Clock::time_point now = Clock::now());
 
   std::uint64_t bytes_read() const noexcept { return reader_.bytes_read(); }
 
@@ -40,8 +42,6 @@ class CachePlayback {
   CacheFacts facts() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   const CacheOnScene& cache_;
   CacheReader::Reads reads_;
   CacheReader reader_;
