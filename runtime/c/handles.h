@@ -19,6 +19,7 @@
 #include "runtime/retarget/feet_map.h"
 #include "runtime/retarget/retarget_pose.h"
 #include "runtime/retarget/retarget_weights.h"
+#include "runtime/retarget/twist_map.h"
 
 // What is behind the handles of the C interface, for C++ code that hands its own scene to C:
 //     return new sinew_scene{std::move(scene)};      // the scene has passed check(Scene)
@@ -67,6 +68,7 @@ struct sinew_skeleton_map {
   const sinew_scene *source, *target;
   sinew::SkeletonMap map;
   sinew::RetargetTables tables;
+  sinew::TwistMap twists;
   sinew::FeetMap feet;
   std::vector<sinew_joint_pair> pairs;  // of `map`, as C reads them
   sinew::WeightMap weights;

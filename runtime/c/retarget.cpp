@@ -11,6 +11,7 @@
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
+#include "runtime/retarget/share_twist.h"
 
 using namespace sinew;
 
@@ -65,6 +66,7 @@ Clip retargeted(const sinew_skeleton_map& own, std::uint32_t clip, bool hold) {
   const Scene &source = own.source->scene, &target = own.target->scene;
   const Animation& animation = source.animations[clip];
   Animation made = retarget_animation(animation, own.map, source.skeleton, target.skeleton);
+  share_twist(own.twists, made);
   if (hold) hold_feet(own.feet, animation, source.skeleton, target.skeleton, made);
   retarget_weights(own.weights, animation, source, target, made);
   retarget_properties(animation, own.map, source, target, made);
@@ -83,12 +85,14 @@ sinew_error sinew_skeleton_map_create(const sinew_scene* source, const sinew_sce
     if (const sinew_error error = read_options(options, from, to, own); error != SINEW_OK) return error;
     SkeletonMap map = make_skeleton_map(from, to, own);
     RetargetTables tables = make_retarget_tables(map, from, to);
+    TwistMap twists = make_twist_map(map, to);
     FeetMap feet = make_feet_map(map, from, to);
     std::vector<sinew_joint_pair> pairs;
     for (const MappedJoint& joint : map.joints) pairs.push_back({joint.source, joint.target});
     WeightMap weights = make_weight_map(source->scene, target->scene);
-    *out = new sinew_skeleton_map{source,          target,           std::move(map),    std::move(tables),
-                                  std::move(feet), std::move(pairs), std::move(weights)};
+    *out = new sinew_skeleton_map{
+        source,          target,           std::move(map),    std::move(tables), std::move(twists),
+        std::move(feet), std::move(pairs), std::move(weights)};
     return SINEW_OK;
   });
 }
@@ -104,7 +108,8 @@ sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton
                           .unmapped_source = {own.unmapped_source.data(), own.unmapped_source.size()},
                           .unmapped_target = {own.unmapped_target.data(), own.unmapped_target.size()},
                           .height_ratio = own.height_ratio,
-                          .leg_count = static_cast<std::uint32_t>(map->feet.legs.size())},
+                          .leg_count = static_cast<std::uint32_t>(map->feet.legs.size()),
+                          .twist_count = static_cast<std::uint32_t>(map->twists.joints.size())},
                          out);
 }
 
@@ -115,7 +120,8 @@ sinew_error sinew_retarget_pose(const sinew_skeleton_map* map, const sinew_pose*
   sinew_error error = c::read_pose(pose, job.pose);
   if (error == SINEW_OK) error = c::read_pose(scratch, job.scratch);
   if (error == SINEW_OK) error = c::read_pose(retargeted, job.retargeted);
-  return error == SINEW_OK ? c::run_job(job) : error;
+  if (error == SINEW_OK) error = c::run_job(job);
+  return error == SINEW_OK ? c::run_job(ShareTwistJob{&map->twists, job.retargeted}) : error;
 }
 
 sinew_error sinew_hold_feet(const sinew_skeleton_map* map, float ground, const sinew_pose* pose,

@@ -62,11 +62,12 @@ typedef struct sinew_skeleton_map_info {
   sinew_indices unmapped_source, unmapped_target;  ///< rising
   double height_ratio;                             ///< target to source
   uint32_t leg_count;                              ///< legs whose feet sinew_hold_feet holds
+  uint32_t twist_count;  ///< joints of the target that no joint moves, and that share the twist of arms and legs
 } sinew_skeleton_map_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 sinew_error sinew_get_skeleton_map(const sinew_skeleton_map* map, sinew_skeleton_map_info* out);
 
-/// A pose of the source on the target.
+/// A pose of the source on the target. Its twist joints share what hands, feet, upper arms and thighs are twisted.
 /// in   pose  of the source
 /// out  scratch     of the source; what it holds afterwards is of no use. Must not overlap `pose`
 ///      retargeted  of the target; must not overlap the others

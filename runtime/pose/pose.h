@@ -33,13 +33,16 @@ struct PoseSpan {
     plane(tx)[j] = t.translation.x;
     plane(ty)[j] = t.translation.y;
     plane(tz)[j] = t.translation.z;
-    plane(rx)[j] = t.rotation.x;
-    plane(ry)[j] = t.rotation.y;
-    plane(rz)[j] = t.rotation.z;
-    plane(rw)[j] = t.rotation.w;
+    set_rotation(j, t.rotation);
     plane(sx)[j] = t.scale.x;
     plane(sy)[j] = t.scale.y;
     plane(sz)[j] = t.scale.z;
+  }
+  void set_rotation(std::size_t j, const glm::quat& rotation) const noexcept {
+    plane(rx)[j] = rotation.x;
+    plane(ry)[j] = rotation.y;
+    plane(rz)[j] = rotation.z;
+    plane(rw)[j] = rotation.w;
   }
 };
 

@@ -7,9 +7,9 @@
 
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/two_bones.h"
+#include "runtime/retarget/dense_times.h"
 #include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/leg_pose.h"
-#include "runtime/retarget/leg_times.h"
 
 namespace sinew {
 namespace {
@@ -108,14 +108,8 @@ ErrorCode check(const HoldFeetJob& job) noexcept {
 
 void run(const HoldFeetJob& job) noexcept {
   const PoseSpan held = job.held;
-  const auto set_rotation = [&](std::uint32_t j, const glm::quat& rotation) {
-    held.plane(PoseSpan::rx)[j] = rotation.x;
-    held.plane(PoseSpan::ry)[j] = rotation.y;
-    held.plane(PoseSpan::rz)[j] = rotation.z;
-    held.plane(PoseSpan::rw)[j] = rotation.w;
-  };
   const FootPoses poses{[&](std::uint32_t j) { return job.pose.get(j); }, [&](std::uint32_t j) { return held.get(j); },
-                        set_rotation};
+                        [&](std::uint32_t j, const glm::quat& rotation) { held.set_rotation(j, rotation); }};
   const glm::vec3 hips_offset = hold_all<float>(*job.feet, job.ground, poses);
   if (job.feet->hips == kNone) return;
   held.plane(PoseSpan::tx)[job.feet->hips] += hips_offset.x;
@@ -126,7 +120,7 @@ void run(const HoldFeetJob& job) noexcept {
 double find_ground(const FeetMap& feet, const Animation& animation, const Skeleton& source) {
   std::vector<double> heights;
   TruthPose pose;
-  for (const double time_s : leg_times(animation)) {
+  for (const double time_s : dense_times(animation)) {
     evaluate_truth(animation, source, time_s, pose);
     double lowest = std::numeric_limits<double>::infinity();
     for (const LegPair& leg : feet.legs) {

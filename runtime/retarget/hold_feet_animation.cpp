@@ -5,9 +5,9 @@
 #include <array>
 
 #include "runtime/animation/truth_pose.h"
+#include "runtime/retarget/dense_times.h"
 #include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/hold_feet.h"
-#include "runtime/retarget/leg_times.h"
 
 namespace sinew {
 namespace {
@@ -98,7 +98,7 @@ void hold_feet(const FeetMap& feet, const Animation& animation, const Skeleton& 
   const double ground = find_ground(feet, animation, source);
   HeldKeys keys(feet);
   TruthPose from, to;
-  for (const double time_s : leg_times(animation)) {
+  for (const double time_s : dense_times(animation)) {
     evaluate_truth(animation, source, time_s, from);
     evaluate_truth(retargeted, target, time_s, to);
     std::vector<Transformd> held = to.local;
@@ -114,7 +114,7 @@ FootSlide measure_foot_slide(const FeetMap& feet, const Animation& animation, co
   FootSlide slide;
   std::vector<Contact> ankles(feet.legs.size()), toes(feet.legs.size());
   TruthPose from, to;
-  for (const double time_s : leg_times(animation)) {
+  for (const double time_s : dense_times(animation)) {
     evaluate_truth(animation, source, time_s, from);
     evaluate_truth(retargeted, target, time_s, to);
     for (std::size_t l = 0; l < feet.legs.size(); ++l) {

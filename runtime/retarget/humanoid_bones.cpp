@@ -5,32 +5,17 @@
 #include <string>
 
 #include "runtime/animation/side_names.h"
+#include "runtime/retarget/name_words.h"
 
 namespace sinew {
 namespace {
 
-bool is_small(char c) noexcept { return c >= 'a' && c <= 'z'; }
-bool is_capital(char c) noexcept { return c >= 'A' && c <= 'Z'; }
-
-/// Words of a name in small letters, parted by all that is no letter and before capitals.
-std::vector<std::string> words_of(std::string_view name) {
-  std::vector<std::string> words(1);
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const char c = name[i];
-    const bool parts = is_capital(c) && i > 0 && is_small(name[i - 1]);
-    if ((parts || (!is_small(c) && !is_capital(c))) && !words.back().empty()) words.emplace_back();
-    if (is_small(c)) words.back() += c;
-    if (is_capital(c)) words.back() += static_cast<char>(c - 'A' + 'a');
-  }
-  return words;
-}
-
 /// The words that say which part of a body it is, joined: without sides, prefixes of tools and numbers.
 std::string part_of(std::string_view name) {
-  static constexpr std::string_view kNoParts[] = {"left", "right", "l",  "r",    "c", "j",         "b", "bip",
-                                                  "def",  "org",   "cc", "base", "f", "mixamorig", "",  "bone"};
+  static constexpr std::string_view kNoParts[] = {"left", "right", "l",    "r", "c",         "j", "b",    "bip", "def",
+                                                  "org",  "cc",    "base", "f", "mixamorig", "",  "bone", "bend"};
   std::string part;
-  for (std::string word : words_of(name)) {
+  for (std::string word : name_words(name)) {
     for (const std::string_view side : {"left", "right"})
       if (word.size() > side.size() && word.starts_with(side)) word.erase(0, side.size());
     if (std::find(std::begin(kNoParts), std::end(kNoParts), word) == std::end(kNoParts)) part += word;
@@ -41,8 +26,8 @@ std::string part_of(std::string_view name) {
 struct PartName {
   std::string_view part, bone;
 };
-constexpr PartName kCenter[] = {
-    {"hips", "hips"}, {"pelvis", "hips"}, {"hip", "hips"}, {"neck", "neck"}, {"head", "head"}};
+constexpr PartName kCenter[] = {{"hips", "hips"}, {"pelvis", "hips"},    {"hip", "hips"},
+                                {"neck", "neck"}, {"necklower", "neck"}, {"head", "head"}};
 constexpr PartName kSides[] = {
     {"shoulder", "Shoulder"}, {"clavicle", "Shoulder"}, {"collar", "Shoulder"},   {"upperarm", "UpperArm"},
     {"arm", "UpperArm"},      {"shldr", "UpperArm"},    {"lowerarm", "LowerArm"}, {"forearm", "LowerArm"},

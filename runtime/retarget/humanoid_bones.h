@@ -68,8 +68,9 @@ std::uint32_t humanoid_bone(std::string_view name) noexcept;
 
 /// The joints that play the humanoid bones, by their names: those of VRM 1.0 and 0.x (leftUpperArm, J_Bip_L_UpperArm),
 /// Mixamo and CMU motion capture (mixamorig:LeftForeArm, LeftUpLeg), Unreal (lowerarm_l, calf_l, ball_l), Rigify
-/// (DEF-upper_arm.L, DEF-f_index.01.L) and what is spelt like them. Joints between hips and neck are spine, chest and
-/// upper chest in their order, whatever they are called; fingers are counted from the hand on.
+/// (DEF-upper_arm.L, DEF-f_index.01.L), Daz (lShldrBend, lThighBend) and what is spelt like them. Joints between hips
+/// and neck are spine, chest and upper chest in their order, whatever they are called; fingers are counted from the
+/// hand on.
 /// out  [kHumanoidBones] a joint, or kNone     cost O(J log J), allocates
 std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
 

@@ -268,6 +268,42 @@ TEST(c_clips, the_pairs_that_an_engine_names_are_all_that_is_mapped) {
   EXPECT_EQ(sinew_skeleton_map_create(&source, &target, &options, &map), SINEW_WRONG_STRUCT_SIZE);
 }
 
+TEST(c_clips, twist_joints_share_what_a_foot_is_twisted_in_poses_and_clips) {
+  Scene turning = walker(1.0f), rolling = walker(0.7f);
+  BoneAnimation foot;
+  foot.joint = 5;
+  foot.rotation = {Interpolation::linear, {0, 1}, {{1, 0, 0, 0}, glm::angleAxis(0.8f, glm::vec3(0, 1, 0))}};
+  turning.animations[0].bones.push_back(foot);
+  Skeleton& skeleton = rolling.skeleton;
+  const Skeleton before = skeleton;
+  skeleton = skeleton_of({kNone, 0, 0, 1, 2, 3, 4, 3});
+  for (std::size_t j = 0; j < 7; ++j) {
+    skeleton.names[j] = before.names[j];
+    skeleton.rest[j] = before.rest[j];
+  }
+  skeleton.names[7] = "LeftLegRoll";
+  skeleton.rest[7].translation = 0.5f * skeleton.rest[5].translation;
+  for (Scene* scene : {&turning, &rolling}) finish_scene(*scene);
+  const sinew_scene source{turning}, target{rolling};
+  sinew_skeleton_map* map = nullptr;
+  ASSERT_EQ(sinew_skeleton_map_create(&source, &target, nullptr, &map), SINEW_OK);
+  sinew_skeleton_map_info info{};
+  info.struct_size = sizeof(info);
+  ASSERT_EQ(sinew_get_skeleton_map(map, &info), SINEW_OK);
+  EXPECT_EQ(info.twist_count, 1u);
+  PoseBuffer from(7), scratch(7), to(8);
+  const sinew_pose pose{from.span().planes, 7}, room{scratch.span().planes, 7}, out{to.span().planes, 8};
+  ASSERT_EQ(sinew_pose_sample(&source, 0, 1.0, &pose), SINEW_OK);
+  ASSERT_EQ(sinew_retarget_pose(map, &pose, &room, &out), SINEW_OK);
+  const glm::quat half = glm::angleAxis(0.4f, glm::vec3(0, 1, 0));
+  EXPECT_LE(rotation_angle_between(to.span().get(7).rotation, half), 1e-5f);
+  sinew_library* library = library_of(target, {});
+  ASSERT_EQ(sinew_library_add_retargeted(library, map, 0, 0, SINEW_REFUSE, nullptr), SINEW_OK);
+  EXPECT_LE(rotation_angle_between(sample(library->clips[0], 1.0).pose[7].rotation, half), 1e-5f);
+  sinew_library_destroy(library);
+  sinew_skeleton_map_destroy(map);
+}
+
 TEST(c_clips, translations_follow_the_rules_that_an_engine_gives) {
   const sinew_scene source{walker(1.0f)}, target{walker(0.7f)};
   const Skeleton &from = source.scene.skeleton, &to = target.scene.skeleton;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -14,10 +15,12 @@
 #include "tests/importer/tool_model.h"
 #include "tests/scenes/hand_scenes.h"
 #include "tests/support/corpus.h"
+#include "tests/support/tiny_assets.h"
 
 namespace sinew::test {
 namespace {
 using testing::HasSubstr;
+using testing::Not;
 
 /// Hips that go up by 0.5 m and turn an arm half round; names are those that `hips` and `arm` say.
 void write_body(const std::string& folder, const std::string& file, const std::string& hips, const std::string& arm,
@@ -316,6 +319,37 @@ TEST(retarget, carries_properties_by_name_and_lists_those_that_the_character_lac
     EXPECT_EQ(found[i].values.times_s, from.times_s);
     EXPECT_EQ(found[i].values.values, from.values);
   }
+}
+
+TEST(retarget, twist_joints_of_the_character_share_what_a_foot_is_twisted) {
+  const ToolModelFile model;
+  const auto leg = [&](const char* file, bool has_twist) {
+    Scene scene;
+    scene.skeleton = skeleton_of(has_twist ? std::vector<std::uint32_t>{kNone, 0, 1, 2, 2}
+                                           : std::vector<std::uint32_t>{kNone, 0, 1, 2});
+    scene.skeleton.names = {"pelvis", "thigh_l", "calf_l", "foot_l"};
+    if (has_twist) scene.skeleton.names.emplace_back("calf_twist_01_l");
+    const float heights[] = {1.0f, -0.1f, -0.4f, -0.4f, -0.1f};
+    for (std::size_t j = 0; j < scene.skeleton.joint_count(); ++j) scene.skeleton.rest[j].translation.y = heights[j];
+    BoneAnimation foot;
+    foot.joint = 3;
+    foot.rotation = {Interpolation::linear, {0, 1}, {{1, 0, 0, 0}, {std::cos(0.4f), 0, std::sin(0.4f), 0}}};
+    if (!has_twist) scene.animations = {{"turn", 1.0, {foot}, {}}};
+    finish_scene(scene);
+    ASSERT_TRUE(export_glb(scene, model.beside(file)));
+  };
+  leg("clips.glb", false);
+  leg("character.glb", true);
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.glb"), "--onto", model.beside("character.glb"), "-o", model.beside("out.glb")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("  \"calf_twist_01_l\" shares the twist of \"foot_l\"\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("that rest")));
+  const auto out = import_gltf(model.beside("out.glb"));
+  ASSERT_TRUE(out);
+  const BoneAnimation& twist = out->scene.animations.at(0).bones.at(1);
+  EXPECT_EQ(out->scene.skeleton.names[twist.joint], "calf_twist_01_l");
+  EXPECT_NEAR(twist.rotation.values.back().y, std::sin(0.1), 1e-6) << "a quarter of the foot's";
 }
 
 TEST(retarget, translations_follow_the_rule_that_is_asked_for) {

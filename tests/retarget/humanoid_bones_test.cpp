@@ -56,7 +56,9 @@ TEST(humanoid_bones, are_found_by_the_names_of_known_rigs) {
        "DEF-neck", "DEF-shoulder.L", "DEF-toe.L", "DEF-head", "DEF-upper_arm.L", "DEF-forearm.L", "DEF-hand.L",
        "DEF-thumb.01.L", "DEF-thumb.02.L"},
       {"Hips", "LowerBack", "LeftUpLeg", "Spine", "LeftLeg", "Spine1", "LeftFoot", "Neck", "LeftShoulder",
-       "LeftToeBase", "Head", "LeftArm", "LeftForeArm", "LeftHand", "LThumb", "LThumb_end"}};
+       "LeftToeBase", "Head", "LeftArm", "LeftForeArm", "LeftHand", "LThumb", "LThumb_end"},
+      {"hip", "abdomenLower", "lThighBend", "abdomenUpper", "lShin", "chestLower", "lFoot", "neckLower", "lCollar",
+       "lToe", "head", "lShldrBend", "lForearmBend", "lHand", "lThumb1", "lThumb2"}};
   for (const Names& names : rigs) {
     const std::vector<std::uint32_t> joints = find_humanoid_bones(body(names));
     for (std::uint32_t j = 0; j < std::size(kBones); ++j)

@@ -25,6 +25,7 @@
 #include "runtime/retarget/retarget_animation.h"
 #include "runtime/retarget/retarget_properties.h"
 #include "runtime/retarget/retarget_weights.h"
+#include "runtime/retarget/share_twist.h"
 
 namespace sinew::tool {
 namespace {
@@ -55,12 +56,17 @@ void print_names(const char* title, const std::vector<std::string>& names) {
   if (!names.empty()) print_result("{}: {}\n", title, all);
 }
 
-void print_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target) {
+void print_map(const SkeletonMap& map, const TwistMap& twists, const Skeleton& source, const Skeleton& target) {
   print_result("{} by {}, heights {:.4g}\n", counted(map.joints.size(), "joint"),
                map.by_names ? "their names" : "the bones of a human body or the map", map.height_ratio);
   for (const MappedJoint& joint : map.joints)
     print_result("  {} follows {}\n", name_of(target, joint.target), name_of(source, joint.source));
-  print_joints("joints of the character that rest", target, map.unmapped_target);
+  std::vector<std::uint32_t> resting = map.unmapped_target;
+  for (const TwistJoint& twist : twists.joints) {
+    print_result("  {} shares the twist of {}\n", name_of(target, twist.joint), name_of(target, twist.driver));
+    std::erase(resting, twist.joint);
+  }
+  print_joints("joints of the character that rest", target, resting);
   print_joints("joints of the clips that nothing follows", source, map.unmapped_source);
 }
 
@@ -90,8 +96,8 @@ void carry_properties(const SkeletonMap& map, const Animation& animation, const 
 }
 
 /// The clips on the character; says how far each is from the poses that it was made of.
-std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const FeetMap& feet,
-                                      const ImportedFile& file) {
+std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map, const TwistMap& twists,
+                                      const FeetMap& feet, const ImportedFile& file) {
   const Scene& character = file.scene;
   constexpr double kDegrees = 57.29577951308232;
   std::vector<Animation> all;
@@ -100,6 +106,7 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
   for (const Animation& animation : clips.animations) {
     Animation retargeted = retarget_animation(animation, map, clips.skeleton, character.skeleton);
     const RetargetError error = measure_retarget(retargeted, animation, map, clips.skeleton, character.skeleton);
+    share_twist(twists, retargeted);
     const std::string slide = feet.legs.empty() ? "" : held_feet(feet, animation, clips, character, retargeted);
     print_result("{}: {}, largest error {:.2g} degrees, {:.2g} units{}\n", in_quotes(animation.name),
                  counted(retargeted.bones.size(), "moved joint"), error.angle_rad * kDegrees, error.distance, slide);
@@ -167,8 +174,9 @@ ExitCode retarget(const RetargetOptions& options) {
   if (options.hold_feet && feet.legs.empty())
     return fail_with(ExitCode::input_at_fault,
                      options.character + ": no leg with thigh, shank and foot follows one of " + options.clips);
-  print_map(*map, source, target);
-  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, feet, *character));
+  const TwistMap twists = make_twist_map(*map, target);
+  print_map(*map, twists, source, target);
+  return write_character(options, *outputs, *character, retarget_clips(clips->scene, *map, twists, feet, *character));
 }
 
 }  // namespace
@@ -182,7 +190,8 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
       "Mixamo, Unreal, Rigify and motion capture. Each takes over how far the other is turned from the rest pose; axes "
       "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
       "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
-      "their height. Morph targets, and animated properties of materials, lights and cameras, follow those of equal "
+      "their height. Twist joints of arms and legs share what hands, feet, arms and thighs are twisted. Morph targets, "
+      "and animated properties of materials, lights and cameras, follow those of equal "
       "names.\n"
       "\n"
       "Prints which joint follows which, those that none follows, and how far each clip is from the poses that it was "

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "runtime/retarget/leg_times.h"
+#include "runtime/retarget/dense_times.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sinew {
 
-std::vector<double> leg_times(const Animation& animation) {
+std::vector<double> dense_times(std::vector<double> keys) {
   constexpr double kStep = 1.0 / 60.0;
-  std::vector<double> keys = {0.0, animation.duration_s};
-  for (const BoneAnimation& bone : animation.bones)
-    for (const std::vector<float>* times : {&bone.translation.times_s, &bone.rotation.times_s, &bone.scale.times_s})
-      keys.insert(keys.end(), times->begin(), times->end());
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   std::vector<double> times;
@@ -23,6 +19,14 @@ std::vector<double> leg_times(const Animation& animation) {
   }
   times.push_back(keys.back());
   return times;
+}
+
+std::vector<double> dense_times(const Animation& animation) {
+  std::vector<double> keys = {0.0, animation.duration_s};
+  for (const BoneAnimation& bone : animation.bones)
+    for (const std::vector<float>* times : {&bone.translation.times_s, &bone.rotation.times_s, &bone.scale.times_s})
+      keys.insert(keys.end(), times->begin(), times->end());
+  return dense_times(std::move(keys));
 }
 
 }  // namespace sinew

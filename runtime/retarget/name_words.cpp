@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/name_words.h"
+
+namespace sinew {
+namespace {
+
+bool is_small(char c) noexcept { return c >= 'a' && c <= 'z'; }
+bool is_capital(char c) noexcept { return c >= 'A' && c <= 'Z'; }
+
+}  // namespace
+
+std::vector<std::string> name_words(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    const bool parts = is_capital(c) && i > 0 && is_small(name[i - 1]);
+    if ((parts || (!is_small(c) && !is_capital(c))) && !words.back().empty()) words.emplace_back();
+    if (is_small(c)) words.back() += c;
+    if (is_capital(c)) words.back() += static_cast<char>(c - 'A' + 'a');
+  }
+  return words;
+}
+
+}  // namespace sinew

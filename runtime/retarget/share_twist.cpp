@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/retarget/share_twist.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/animation/track_sample.h"
+#include "runtime/math/swing_twist.h"
+#include "runtime/retarget/dense_times.h"
+
+namespace sinew {
+namespace {
+
+/// The rotation of a twist joint for that of its driver.
+Quat<double> shared(const TwistJoint& twist, const Quat<double>& driver) noexcept {
+  const Quat<double> unrest = quat_conjugate(twist.driver_rest);
+  const HalfTwistT<double> half = half_twist(twist.is_below_driver ? unrest * driver : driver * unrest, twist.axis);
+  const double sign = half.cosine < 0.0 ? -1.0 : 1.0;
+  const double half_angle = twist.share * std::atan2(sign * half.sine, sign * half.cosine);
+  const Vec3<double> v = twist.axis * std::sin(half_angle);
+  return normalised(quat_xyzw(v.x, v.y, v.z, std::cos(half_angle)) * twist.rest);
+}
+
+BoneAnimation* find_bone(Animation& animation, std::uint32_t joint) {
+  BoneAnimation* last = nullptr;  // of two with a rotation the last one counts
+  for (BoneAnimation& bone : animation.bones)
+    if (bone.joint == joint && !bone.rotation.empty()) last = &bone;
+  return last;
+}
+
+QuatTrack shared_track(const TwistJoint& twist, const QuatTrack& driver) {
+  const bool steps = driver.interpolation == Interpolation::step;
+  const std::vector<double> keys(driver.times_s.begin(), driver.times_s.end());
+  QuatTrack track{steps ? Interpolation::step : Interpolation::linear, {}, {}};
+  for (const double time_s : steps ? keys : dense_times(keys)) {
+    track.times_s.push_back(static_cast<float>(time_s));
+    const Quat<double> turned = normalised(sample_track<double>(driver, time_s));
+    track.values.push_back(quat_cast<float>(shared(twist, turned)));
+  }
+  return track;
+}
+
+}  // namespace
+
+void share_twist(const TwistMap& twists, std::span<Transformd> pose) noexcept {
+  for (const TwistJoint& twist : twists.joints) pose[twist.joint].rotation = shared(twist, pose[twist.driver].rotation);
+}
+
+ErrorCode check(const ShareTwistJob& job) noexcept {
+  if (job.twists == nullptr) return ErrorCode::size_mismatch;
+  const bool all_fit = std::all_of(job.twists->joints.begin(), job.twists->joints.end(), [&](const TwistJoint& twist) {
+    return twist.joint < job.pose.joint_count && twist.driver < job.pose.joint_count;
+  });
+  return all_fit ? ErrorCode::ok : ErrorCode::size_mismatch;
+}
+
+void run(const ShareTwistJob& job) noexcept {
+  for (const TwistJoint& twist : job.twists->joints)
+    job.pose.set_rotation(twist.joint,
+                          quat_cast<float>(shared(twist, quat_cast<double>(job.pose.get(twist.driver).rotation))));
+}
+
+void share_twist(const TwistMap& twists, Animation& animation) {
+  for (const TwistJoint& twist : twists.joints) {
+    const BoneAnimation* driver = find_bone(animation, twist.driver);
+    if (driver == nullptr) continue;
+    QuatTrack track = shared_track(twist, driver->rotation);
+    std::erase_if(animation.bones, [&](const BoneAnimation& bone) { return bone.joint == twist.joint; });
+    BoneAnimation& bone = animation.bones.emplace_back();
+    bone.joint = twist.joint;
+    bone.rotation = std::move(track);
+  }
+}
+
+}  // namespace sinew
