@@ -184,7 +184,9 @@ class Session:
             folder = compile_shaders(self.tree.root, f'{programs.build.folder}/shaders{number}', m)
             if folder is None:
                 verdict = 'stillborn', ''
-            environment, reaches = {'SINEW_MUTANT_SHADERS': folder}, lambda test, n: True
+            else:
+                changed = {os.path.splitext(name)[0] for name in os.listdir(folder)}
+                environment, reaches = {'SINEW_MUTANT_SHADERS': folder}, lambda test, n: not changed.isdisjoint(test[2])
         if verdict is None:
             verdict = programs.verdict(number, m, environment, reaches)
         if number in programs.build.stillborn:

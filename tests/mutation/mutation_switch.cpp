@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,7 +27,11 @@ int sinew_mutant = 0;
 namespace {
 
 constexpr int kMutantLimit = 1 << 16;
-std::bitset<kMutantLimit> reached;
+struct Reached {
+  std::bitset<kMutantLimit> mutants;
+  std::set<std::string> shaders;  // the stages that were loaded
+};
+Reached reached;
 
 // Before other static objects are made, which may already run mutated code.
 [[gnu::constructor(101)]] void read_environment() {
@@ -35,13 +40,14 @@ std::bitset<kMutantLimit> reached;
   if (hwy::DisableTargets != nullptr) hwy::DisableTargets(HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL);
 }
 
-/// Writes one line a test: its name, its milliseconds, and the numbers of the mutants that it reached.
+/// Writes one line a test: its name, its milliseconds, the numbers of the mutants that it reached and the shaders that
+/// it loaded.
 class Recorder : public testing::EmptyTestEventListener {
  public:
   explicit Recorder(const char* path) : out_(path) {}
 
   void OnTestSuiteStart(const testing::TestSuite&) override {
-    reached.reset();
+    reached = {};
     in_suite_ = false;
   }
 
@@ -57,19 +63,32 @@ class Recorder : public testing::EmptyTestEventListener {
     const char* state = result.Skipped() ? "skipped" : result.Passed() ? "passed" : "failed";
     out_ << test.test_suite_name() << '.' << test.name() << ' ' << state << ' ' << result.elapsed_time();
     for (int number = 0; number < kMutantLimit; ++number)
-      if (reached[number]) out_ << ' ' << number;
+      if (reached.mutants[number]) out_ << ' ' << number;
+    for (const std::string& shader : reached.shaders) out_ << ' ' << shader;
     out_ << std::endl;
   }
 
  private:
   std::ofstream out_;
-  std::bitset<kMutantLimit> of_suite_;
+  Reached of_suite_;
   bool in_suite_ = false;
+};
+
+/// Tests that run under a mutant passed without it: one that is skipped, for example without a device, has noticed it.
+class SkipFails : public testing::EmptyTestEventListener {
+ public:
+  void OnTestEnd(const testing::TestInfo& test) override {
+    if (test.result()->Skipped()) std::_Exit(1);
+  }
 };
 
 const bool recording = [] {
   const char* path = std::getenv("SINEW_MUTATION_RECORD");
-  if (path == nullptr) return false;
+  if (path == nullptr) {
+    const bool mutated = sinew_mutant > 0 || std::getenv("SINEW_MUTANT_SHADERS") != nullptr;
+    if (mutated) testing::UnitTest::GetInstance()->listeners().Append(new SkipFails);
+    return false;
+  }
   testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
   ::unsetenv("SINEW_MUTATION_RECORD");  // programs that tests start would begin the file again
   return true;
@@ -77,12 +96,15 @@ const bool recording = [] {
 
 }  // namespace
 
-extern "C" void sinew_mutant_is_reached(int number) noexcept { reached.set(static_cast<std::size_t>(number)); }
+extern "C" void sinew_mutant_is_reached(int number) noexcept { reached.mutants.set(static_cast<std::size_t>(number)); }
 
 /// The SPIR-V of a mutated shader from the folder SINEW_MUTANT_SHADERS; empty when the shader is as it was written.
 std::span<const std::uint32_t> mutated_shader(const char* name) {
   const char* folder = std::getenv("SINEW_MUTANT_SHADERS");
-  if (folder == nullptr) return {};
+  if (folder == nullptr) {
+    reached.shaders.insert(name);
+    return {};
+  }
   static std::map<std::string, std::unique_ptr<std::vector<std::uint32_t>>> files;
   auto& words = files[name];
   if (!words) {

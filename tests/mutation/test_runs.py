@@ -45,7 +45,7 @@ class Programs:
             process.wait()
 
     def record(self, name):
-        """Runs all tests of a program once as they are: [(test, milliseconds, numbers that it reaches)]."""
+        """Runs all tests of a program once as they are: [(test, milliseconds, numbers and shaders that it reaches)]."""
         with self.lock:  # the first worker that needs a program builds it, the others wait
             if name not in self.records:
                 self.records[name] = self.record_now(name)
@@ -58,9 +58,9 @@ class Programs:
             self.run(program, 1800, [], {'SINEW_MUTANT': '-1', 'SINEW_MUTATION_RECORD': out})
             with open(out, encoding='utf-8') as file:
                 for line in file:
-                    test, state, milliseconds, *numbers = line.split()
+                    test, state, milliseconds, *reached = line.split()
                     if state == 'passed' and int(milliseconds) < SLOW_LIMIT_MS:
-                        found.append((test, int(milliseconds), frozenset(map(int, numbers))))
+                        found.append((test, int(milliseconds), frozenset(int(r) if r.isdigit() else r for r in reached)))
                     elif state == 'failed':
                         self.broken.append(f'{name}: {test}')
         return found

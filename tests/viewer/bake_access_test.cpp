@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "importer/ambient/ambient_attribute.h"
+#include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
 #include "viewer/app/clip_poses.h"
 
@@ -77,6 +78,39 @@ TEST(bake_access, one_pose_is_the_rest_pose_and_what_is_there_stays) {
   ASSERT_TRUE(add_missing_access(exhibit, {4, 0}, say));
   EXPECT_EQ(exhibit.access, before);
   EXPECT_EQ(said, 1);
+}
+
+/// A triangle; `attribute` are members of its attributes besides the positions, which all accessors read.
+ImportResult<ImportedFile> triangle_with(const std::string& attribute) {
+  const std::string json =
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0)" +
+      attribute + R"(}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+      {"bufferView":0,"componentType":5126,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":36}],
+      "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  ImportOptions options;
+  options.carry_document = true;
+  return import_gltf(std::as_bytes(std::span(json)), "triangle.gltf", options);
+}
+
+TEST(bake_access, without_a_clip_there_is_one_pose_however_many_are_asked_for) {
+  Exhibit exhibit;
+  exhibit.scene = triangle_with("").value().scene;
+  ASSERT_TRUE(add_missing_access(exhibit, {4, kNone}, [](const std::string&) {}));
+  EXPECT_THAT(exhibit.access->times_s, testing::ElementsAre(0.0));
+  EXPECT_EQ(exhibit.access->clip, kNone);
+}
+
+TEST(bake_access, of_a_file_is_what_its_vertices_have) {
+  std::vector<std::string> said;
+  const auto say = [&](const std::string& line) { said.push_back(line); };
+  const auto without = triangle_with(""), with = triangle_with(R"(,"_AMBIENT_ACCESS":1)");
+  ASSERT_TRUE(without && with);
+  EXPECT_EQ(access_of_file(*without, say), nullptr);
+  const auto access = access_of_file(*with, say);
+  ASSERT_TRUE(access);
+  EXPECT_THAT(access->values[0][0], testing::ElementsAre(0.0f, 0.0f, 0.0f)) << "the numbers of its first vertex";
+  EXPECT_THAT(said, testing::IsEmpty());
 }
 
 }  // namespace

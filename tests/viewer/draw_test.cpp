@@ -200,6 +200,19 @@ TEST_F(drawing, blended_surfaces_mix_from_far_to_near_whatever_their_order) {
   EXPECT_NEAR(std::pow((a.r + 0.055f) / 1.055f, 2.4f), 0.4f, 3e-3f);
 }
 
+TEST_F(drawing, blended_surfaces_at_one_distance_lie_over_each_other_in_the_order_of_the_scene) {
+  for (const bool red_first : {true, false}) {
+    BuiltScene built;
+    const std::uint32_t red = built.add_material(unlit({0.6f, 0, 0, 0.5f}, AlphaMode::blend));
+    const std::uint32_t green = built.add_material(unlit({0, 0.6f, 0, 0.5f}, AlphaMode::blend));
+    built.add(facing_square(), red_first ? red : green);
+    built.add(facing_square(), red_first ? green : red);
+    const glm::vec4 seen = middle(draw(built));
+    EXPECT_EQ(seen.r < seen.g, red_first) << "the second lies over the first";
+    EXPECT_NE(seen.r, seen.g);
+  }
+}
+
 TEST_F(drawing, blended_surfaces_hide_behind_opaque_ones_and_do_not_hide_others) {
   BuiltScene built;
   const std::uint32_t glass = built.add_material(unlit({0, 0, 1, 0.5f}, AlphaMode::blend));

@@ -72,6 +72,12 @@ TEST_F(exhibit, of_a_file_that_cannot_be_read_says_why) {
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().exit_code, 1);
   EXPECT_THAT(none.error().message, HasSubstr("thing.gltf"));
+  Options options;
+  options.environment = "no/sky.hdr";
+  const auto dark = load(kTwoScenes, options);
+  ASSERT_FALSE(dark);
+  EXPECT_EQ(dark.error().exit_code, 1);
+  EXPECT_THAT(dark.error().message, HasSubstr("no/sky.hdr: there is no such file"));
 }
 
 TEST_F(exhibit, without_a_file_is_one_of_the_built_in_scenes) {

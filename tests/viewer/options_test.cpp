@@ -135,6 +135,14 @@ TEST(options, read_a_camera_and_a_variant_of_the_file) {
   EXPECT_TRUE(std::holds_alternative<Leave>(parse({"a.glb", "--camera", "0", "--eye", "0,0,1", "--target", "0,0,0"})));
 }
 
+TEST(options, read_points_with_or_without_a_digit_before_their_point) {
+  const Options options = accepted({"--eye", "-.5,1,-2.5", "--target", "-0.25,.5,3"});
+  ASSERT_TRUE(options.camera);
+  EXPECT_EQ(options.camera->eye, glm::vec3(-0.5f, 1.0f, -2.5f));
+  EXPECT_EQ(options.camera->target, glm::vec3(-0.25f, 0.5f, 3.0f));
+  EXPECT_EQ(accepted({"--exposure", "-.5"}).exposure_ev, -0.5f);
+}
+
 TEST(options, read_a_geometry_cache_and_its_weight) {
   const Options options = accepted({"a.glb", "--cache", "b.sgeo", "--cache-weight", "0.25"});
   EXPECT_EQ(options.file, "a.glb");
@@ -249,7 +257,7 @@ TEST(options, help_and_version_leave_with_code_0) {
                            "--show",
                            "--eye",
                            "--target",
-                           "--fov",
+                           "--fov DEGREES",
                            "--transparent",
                            "--frames",
                            "--fps",

@@ -130,6 +130,14 @@ TEST_F(PanelText, skinning_is_offered_where_there_are_skins_and_the_scene_does_n
   EXPECT_THAT(written(), HasSubstr("linear blend"));
   EXPECT_THAT(written(), HasSubstr("dual quaternion"));
   EXPECT_THAT(written(), HasSubstr("center of rotation"));
+  for (const auto& [skinning, name] : {std::pair{Skinning::linear, "(x) linear blend"},
+                                       {Skinning::dual_quaternion, "(x) dual quaternion"},
+                                       {Skinning::center_of_rotation, "(x) center of rotation"}}) {
+    settings_.skinning = skinning;
+    const std::string text = written(), choices = text.substr(0, text.find("occlusion"));
+    EXPECT_THAT(choices, HasSubstr(name));
+    EXPECT_EQ(choices.find("(x)"), choices.rfind("(x)")) << "one is chosen";
+  }
   needs_.instance_skinning = {Skinning::linear};
   EXPECT_THAT(written(), HasSubstr("skinning: the scene chooses for each mesh"));
   EXPECT_THAT(written(), Not(HasSubstr("dual quaternion")));

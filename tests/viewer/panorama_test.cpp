@@ -186,6 +186,7 @@ TEST(load_environment, knows_its_names_and_reads_files) {
   EXPECT_LT(glm::length((*sky)->diffuse[0] - glm::vec3(0.5f, 1.0f, 2.0f)), 1e-3f);
   std::ofstream(path, std::ios::binary) << "text";
   EXPECT_THAT(load_environment(path).error(), HasSubstr("sky.exr: neither"));
+  EXPECT_THAT(load_environment("/proc/self/mem").error(), HasSubstr("/proc/self/mem: cannot be read"));
   std::filesystem::remove(path);
 }
 

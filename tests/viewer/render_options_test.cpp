@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "viewer/passes/frame_uniforms.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -29,6 +31,24 @@ TEST(ground_for, lies_just_below_the_bounds_in_their_middle) {
   EXPECT_EQ(found.look, GroundLook::none);
   EXPECT_EQ(ground_for({}).middle, glm::dvec3(0.0));
   EXPECT_FLOAT_EQ(ground_for({{0, 0, 0}, {0.02f, 0.0f, 0.0f}}).grid_step_m, 0.01f);
+}
+
+TEST(ground_is_seen, from_above_alone) {
+  Ground ground;
+  ground.middle = {-5.0, 1.0, 3.0};
+  const auto seen_from = [&](const glm::dvec3& eye, bool parallel = false) {
+    View view = look_at(eye, {0.0, 1.0, 0.0}, 0.8, 0.05);
+    if (parallel) view.half_height_m = 1.0;
+    return ground_is_seen(view, ground);
+  };
+  EXPECT_FALSE(seen_from({0, 9, 4})) << "it has no look";
+  ground.look = GroundLook::grid;
+  for (const bool parallel : {false, true}) {
+    EXPECT_TRUE(seen_from({0, 1.1, 4}, parallel));
+    EXPECT_FALSE(seen_from({0, 0.9, 4}, parallel));
+    EXPECT_TRUE(seen_from({0, 2, -9}, parallel));
+    EXPECT_FALSE(seen_from({9, -2, 9}, parallel));
+  }
 }
 
 TEST(render_options_for, have_lengths_of_the_bounds_and_depths_of_the_ball_around_them) {

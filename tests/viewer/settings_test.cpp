@@ -29,7 +29,7 @@ TEST(settings, begin_as_the_command_line_says) {
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
   EXPECT_EQ(settings.cache_weight, 0.25f);
-  const auto environment = plain_environment();
+  const auto environment = gradient_environment({});
   const Lighting light = render_options(settings, environment, {}, {0, 0, 5}).lighting;
   EXPECT_EQ(light.environment, environment);
   EXPECT_EQ(light.environment_intensity, 0.5f);

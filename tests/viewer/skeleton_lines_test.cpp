@@ -111,6 +111,16 @@ TEST(skeleton_lines, axes_have_the_asked_length_whatever_the_scale_and_vanish_wh
   EXPECT_NE(made[1].rgba, made[3].rgba);
 }
 
+TEST(skeleton_lines, axes_are_in_proportion_to_what_is_shown_and_longer_where_joints_are_alone) {
+  Scene scene = chain();
+  const Aabb box{{-1, 0, 0}, {1, 2, 1}};  // the diagonal is 3
+  const float alone = SkeletonLines(scene).axis_length_m(box);
+  EXPECT_FLOAT_EQ(alone, 0.15f);
+  EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m({}), 0.05f) << "as of a diagonal of 1";
+  scene.instances.emplace_back();
+  EXPECT_FLOAT_EQ(SkeletonLines(scene).axis_length_m(box), 0.036f) << "bones are seen through the mesh";
+}
+
 TEST(skeleton_lines, bounds_of_joints_hold_every_joint) {
   const Affine model[] = {at(1, 2, 3), at(-1, 5, 0)};
   const Aabb box = bounds_of_joints(model);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/load_environment.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "viewer/light/panorama.h"
 #include "viewer/light/stored_environment.h"
@@ -25,6 +26,19 @@ std::shared_ptr<const Environment> kept_environment(const std::string& name, Cub
   return made;
 }
 
+/// All bytes of a file; none when it cannot be read to its end.
+std::optional<std::string> read_all(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes;
+  std::array<char, 1 << 16> part;
+  while (in) {
+    in.read(part.data(), part.size());
+    bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (!in.eof()) return std::nullopt;
+  return bytes;
+}
+
 }  // namespace
 
 tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(const std::string& name,
@@ -35,10 +49,9 @@ tl::expected<std::shared_ptr<const Environment>, std::string> load_environment(c
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error))
     return tl::unexpected(name + ": there is no such file, and the built-in environments are studio, plain and none");
-  std::ifstream in(name, std::ios::binary);
-  const std::vector<char> bytes(std::istreambuf_iterator<char>(in), {});
-  if (!in) return tl::unexpected(name + ": cannot be read");
-  const auto panorama = decode_panorama(std::as_bytes(std::span(bytes)));
+  const auto bytes = read_all(name);
+  if (!bytes) return tl::unexpected(name + ": cannot be read");
+  const auto panorama = decode_panorama(std::as_bytes(std::span(*bytes)));
   if (!panorama) return tl::unexpected(name + ": " + panorama.error());
   return kept_environment("panorama.light", cube_from(*panorama, kFaceSize), disk);
 }

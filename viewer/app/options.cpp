@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
@@ -48,7 +49,7 @@ glm::vec3 point(const std::string& text, const char* option) {
     const auto value = comma == std::string_view::npos ? std::nullopt : number<float>(rest.substr(0, comma));
     if (!value) throw CLI::ValidationError(option, "'" + text + "' is not three numbers X,Y,Z");
     p[i] = *value;
-    rest.remove_prefix(i < 2 ? comma + 1 : comma);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
   return p;
 }
@@ -292,14 +293,6 @@ class ShortFormatter : public CLI::Formatter {
   }
 };
 
-// "-.5,1,2" looks like a short option to CLI11; "-0.5,1,2" is accepted as a value.
-std::vector<std::string> arguments(int argc, const char* const* argv) {
-  std::vector<std::string> list(argv + (argc > 0 ? 1 : 0), argv + argc);
-  for (auto& text : list)
-    if (text.size() > 2 && text[0] == '-' && text[1] == '.') text.insert(1, "0");
-  return {list.rbegin(), list.rend()};  // CLI11 expects the last argument first
-}
-
 }  // namespace
 
 std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
@@ -323,7 +316,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "Compiled pipelines and prepared light are kept for the next run in the folder that the environment variable\n"
       "SINEW_CACHE names (none = nowhere), else in sinew in the user's cache folder.\n");
   try {
-    app.parse(arguments(argc, argv));
+    app.parse(argc, argv);
     check_together(options);
   } catch (const CLI::CallForHelp&) {
     return Leave{0, app.help()};

@@ -54,7 +54,6 @@ Memory::~Memory() {
 }
 
 VkResult Memory::make_block(VkDeviceSize size, std::uint32_t type, MemoryUse use, bool image, Block& block) const {
-  block = {};
   block.size = size;
   block.type = type;
   block.image = image;

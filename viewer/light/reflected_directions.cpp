@@ -15,12 +15,12 @@ constexpr float kOverlap = 0.5f;
 
 /// The base-2 digits of i behind the point, reversed: in [0, 1).
 float reversed_bits(std::uint32_t i) noexcept {
-  i = (i << 16) | (i >> 16);
-  i = ((i & 0x55555555u) << 1) | ((i & 0xaaaaaaaau) >> 1);
-  i = ((i & 0x33333333u) << 2) | ((i & 0xccccccccu) >> 2);
-  i = ((i & 0x0f0f0f0fu) << 4) | ((i & 0xf0f0f0f0u) >> 4);
-  i = ((i & 0x00ff00ffu) << 8) | ((i & 0xff00ff00u) >> 8);
-  return static_cast<float>(i >> 8) * 0x1p-24f;
+  float sum = 0.0f;
+  for (float digit = 0.5f; i > 0; i /= 2) {
+    if (i % 2 == 1) sum += digit;
+    digit *= 0.5f;
+  }
+  return sum;
 }
 
 }  // namespace
