@@ -118,6 +118,7 @@ set(sinew_public_headers
   runtime/threads/job_thread.h
   runtime/compress/clip_error.h
   runtime/compress/compile_clip_within.h
+  runtime/compress/truth_samples.h
   runtime/compress/virtual_vertices.h
   runtime/lod/clip_bounds.h
   runtime/lod/compile_skeleton_lod.h

@@ -13,14 +13,13 @@
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/output_check.h"
+#include "importer/tool/fit_clips.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
-#include "importer/tool/progress_line.h"
 #include "importer/write/replace_file.h"
 #include "runtime/asset_file/write_asset_file.h"
-#include "runtime/compress/compile_clip_within.h"
 
 namespace sinew::tool {
 namespace {
@@ -48,22 +47,12 @@ tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::ve
   return clips;
 }
 
-std::vector<Clip> compile_clips(const Scene& scene, const ClipChoice& chosen, double budget_m) {
-  const VirtualVertices vertices = virtual_vertices(scene);
-  ProgressLine progress;
-  std::vector<Clip> clips;
-  for (const std::uint32_t clip : chosen) {
-    progress.show("fitting clips", static_cast<double>(clips.size()) / static_cast<double>(chosen.size()));
-    clips.push_back(compile_clip_within(scene, scene.animations[clip], vertices, budget_m).clip);
-  }
-  return clips;
-}
-
 /// Leaves the chosen clips in the scene, compiled.
 void compile_clips_of(Scene& scene, const ClipChoice& chosen, double budget_m) {
-  std::vector<Clip> clips = compile_clips(scene, chosen, budget_m);
   std::vector<Animation> animations;
   for (const std::uint32_t clip : chosen) animations.push_back(scene.animations[clip]);
+  std::vector<Clip> clips;
+  for (ClipWithin& fitted : fit_clips(scene, animations, budget_m)) clips.push_back(std::move(fitted.clip));
   scene.clips = std::move(clips);
   scene.animations = std::move(animations);
 }

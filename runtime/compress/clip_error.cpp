@@ -2,14 +2,12 @@
 #include "runtime/compress/clip_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
 
-#include "runtime/animation/track_sample.h"
-#include "runtime/animation/truth_pose.h"
-#include "runtime/math/stretch.h"
 #include "runtime/pose/pose_memory.h"
 #include "runtime/pose/sample_clip.h"
 
@@ -48,25 +46,42 @@ std::vector<float> jump_times(const Animation& truth) {
   return times;
 }
 
+/// The largest squared distance between corresponding corners.
+double farthest_apart_squared(const BoxCorners& a, const BoxCorners& b) noexcept {
+  std::array<double, 8> squares;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const double x = a[0][i] - b[0][i], y = a[1][i] - b[1][i], z = a[2][i] - b[2][i];
+    squares[i] = x * x + y * y + z * z;
+  }
+  double largest = 0.0;
+  for (const double square : squares) largest = std::max(largest, square);
+  return largest;
+}
+
 class Meter {
  public:
-  Meter(const Scene& scene, const Animation& truth, const VirtualVertices& vertices)
-      : scene_(scene),
-        truth_(truth),
-        vertices_(vertices),
-        memory_(scene.skeleton.joint_count()),
-        local_(scene.skeleton.joint_count()),
+  explicit Meter(const TruthSamples& truth)
+      : truth_(truth),
+        skeleton_(truth.scene().skeleton),
+        memory_(skeleton_.joint_count()),
+        local_(skeleton_.joint_count()),
         model_(local_.size()),
-        weights_(truth.weights.empty() ? 0 : scene.weight_count()) {
-    error_.of_joint_m.assign(local_.size(), 0.0);
+        largest_squared_(local_.size(), 0.0),
+        weights_(truth.truth().weights.empty() ? 0 : truth.scene().weight_count()),
+        displaced_m_(weights_.empty() ? 0 : truth.scene().instances.size()) {
+    error_.of_joint_m.resize(local_.size());
   }
 
-  void look_at(double time_s, std::span<const Clip* const> forms) {
-    evaluate_truth(truth_, scene_.skeleton, time_s, pose_);
-    for (const Clip* clip : forms) compare(*clip, time_s);
+  void look_at(std::size_t time, std::span<const Clip* const> forms) {
+    const TruthSample& truth = truth_.at(time, scratch_);
+    for (const Clip* clip : forms) compare(*clip, truth_.times_s()[time], truth);
   }
 
-  ClipError take() noexcept { return std::move(error_); }
+  ClipError take() noexcept {
+    for (std::size_t j = 0; j < local_.size(); ++j) error_.of_joint_m[j] = std::sqrt(largest_squared_[j]);
+    error_.truth_poses = scratch_.evaluated;
+    return std::move(error_);
+  }
 
  private:
   struct Worst {
@@ -74,12 +89,12 @@ class Meter {
     double error_m = 0.0;
   };
 
-  void compare(const Clip& clip, double time_s) {
+  void compare(const Clip& clip, double time_s, const TruthSample& truth) {
     run(SampleClipJob{.clip = &clip, .time_s = time_s, .pose = memory_.span(), .weights = weights_});
     for (std::size_t j = 0; j < local_.size(); ++j) local_[j] = in_double(memory_.span().get(j));
-    model_from_local(scene_.skeleton, local_, model_);
-    const auto [joint, joints_m] = compare_joints();
-    const double weights_m = weights_.empty() ? 0.0 : compare_weights(time_s);
+    model_from_local(skeleton_, local_, model_);
+    const auto [joint, joints_m] = compare_joints(truth);
+    const double weights_m = weights_.empty() ? 0.0 : compare_weights(truth);
     error_.weights_m = std::max(error_.weights_m, weights_m);
     if (!(joints_m + weights_m <= error_.worst_m)) {
       error_.worst_m = joints_m + weights_m;
@@ -88,63 +103,46 @@ class Meter {
     }
   }
 
-  Worst compare_joints() {
+  Worst compare_joints(const TruthSample& truth) {
     Worst worst;
+    double worst_squared = 0.0;
     for (std::uint32_t j = 0; j < local_.size(); ++j) {
-      double largest = 0.0;  // squared
-      for (const Vec3<double>& corner : corners_of(vertices_.boxes[j])) {
-        const Vec3<double> d = transform_point(model_[j], corner) - transform_point(pose_.model[j], corner);
-        largest = std::max(largest, square_of(d));
-      }
-      const double error_m = std::sqrt(largest);
-      error_.of_joint_m[j] = std::max(error_.of_joint_m[j], error_m);
-      if (error_m > worst.error_m) worst = {j, error_m};
+      const double squared =
+          farthest_apart_squared(corners_in_model(model_[j], truth_.vertices().boxes[j]), truth.corners[j]);
+      largest_squared_[j] = std::max(largest_squared_[j], squared);
+      if (!(squared > worst_squared)) continue;
+      worst_squared = squared;
+      if (const double error_m = std::sqrt(squared); error_m > worst.error_m) worst = {j, error_m};
     }
     return worst;
   }
 
-  double compare_weights(double time_s) {
-    std::vector<double> displaced_m(scene_.instances.size(), 0.0), value;
-    for (const WeightAnimation& animated : truth_.weights) {
+  double compare_weights(const TruthSample& truth) {
+    std::fill(displaced_m_.begin(), displaced_m_.end(), 0.0);
+    auto value = truth.weights.begin();
+    for (const WeightAnimation& animated : truth_.truth().weights) {
       if (animated.weights.empty()) continue;
-      value.resize(animated.weights.target_count);
-      sample_track<double>(animated.weights, time_s, value);
-      const std::size_t first = scene_.first_weight[animated.instance] + animated.first_target;
-      double& sum = displaced_m[animated.instance];
-      for (std::size_t i = 0; i < value.size(); ++i)
-        sum += std::abs(static_cast<double>(weights_[first + i]) - value[i]) *
-               static_cast<double>(vertices_.metres_per_weight[first + i]);
+      const std::size_t first = truth_.scene().first_weight[animated.instance] + animated.first_target;
+      double& sum = displaced_m_[animated.instance];
+      for (std::size_t i = first; i < first + animated.weights.target_count; ++i, ++value)
+        sum += std::abs(static_cast<double>(weights_[i]) - *value) *
+               static_cast<double>(truth_.vertices().metres_per_weight[i]);
     }
     double worst = 0.0;
-    for (std::size_t i = 0; i < displaced_m.size(); ++i)
-      if (displaced_m[i] > 0.0) worst = std::max(worst, displaced_m[i] * stretch_of(scene_.instances[i]));
+    for (std::size_t i = 0; i < displaced_m_.size(); ++i)
+      if (displaced_m_[i] > 0.0) worst = std::max(worst, displaced_m_[i] * truth.stretch[i]);
     return worst;
   }
 
-  /// From mesh space to model space, whichever joint moves a vertex.
-  double stretch_of(const MeshInstance& instance) const {
-    double stretch = 0.0;
-    if (instance.skin == kNone) {
-      stretch = instance.copies.empty() ? 1.0 : 0.0;
-      for (const Transform& copy : instance.copies)
-        stretch = std::max(stretch, largest_stretch(affine_cast<double>(affine_from_transform(copy))));
-      return stretch * largest_stretch(pose_.model[instance.joint]);
-    }
-    const Skin& skin = scene_.skins[instance.skin];
-    for (std::size_t i = 0; i < skin.joints.size(); ++i)
-      stretch =
-          std::max(stretch, largest_stretch(pose_.model[skin.joints[i]] * affine_cast<double>(skin.inverse_bind[i])));
-    return stretch;
-  }
-
-  const Scene& scene_;
-  const Animation& truth_;
-  const VirtualVertices& vertices_;
+  const TruthSamples& truth_;
+  const Skeleton& skeleton_;
+  TruthSamples::Scratch scratch_;
   PoseMemory memory_;
   std::vector<Transformd> local_;
   std::vector<Affined> model_;
+  std::vector<double> largest_squared_;  // [J]
   std::vector<float> weights_;
-  TruthPose pose_;
+  std::vector<double> displaced_m_;  // [instances] mesh space
   ClipError error_;
 };
 
@@ -177,10 +175,9 @@ std::vector<double> times_to_check(const Animation& truth, std::size_t joint_cou
   return some;
 }
 
-ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
-                       std::span<const Clip* const> forms, std::span<const double> times_s) {
-  Meter meter(scene, truth, vertices);
-  for (const double time_s : times_s) meter.look_at(time_s, forms);
+ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms) {
+  Meter meter(truth);
+  for (std::size_t i = 0; i < truth.times_s().size(); ++i) meter.look_at(i, forms);
   return meter.take();
 }
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/compress/virtual_vertices.h"
+#include "runtime/compress/truth_samples.h"
 
 namespace sinew {
 
@@ -14,6 +14,7 @@ struct ClipError {
   double worst_m = 0.0;            ///< largest sum of both at one time
   double worst_time_s = 0.0;
   std::uint32_t worst_joint = kNone;
+  std::uint64_t truth_poses = 0;  ///< of the truth that were evaluated for this, where no sample was kept
 };
 
 /// Every key time of every track of joints and weights, and both ends of the clip; rising, each once.
@@ -28,11 +29,10 @@ inline constexpr std::size_t kMostJointTimes = 10'000'000;
 /// Samples a clip as a frame does, in float, and compares it in double with BoneAnimation::interpolate. The hierarchy
 /// is evaluated in double on both sides, so that only the clip's own error counts. Of several forms of a clip each
 /// error is the largest.
-/// eq   of_joint[j] = max |M'[j] c - M[j] c| over times and corners c
+/// eq   of_joint[j] = max |M'[j] c - M[j] c| over the times of `truth` and corners c
 ///      weights = max sum |w' - w| metres_per_weight stretch
 /// in   forms  of the clip, compiled for this scene
 /// cost O(times x J x forms), allocates
-ClipError measure_clip(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
-                       std::span<const Clip* const> forms, std::span<const double> times_s);
+ClipError measure_clip(const TruthSamples& truth, std::span<const Clip* const> forms);
 
 }  // namespace sinew

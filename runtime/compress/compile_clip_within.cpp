@@ -2,7 +2,9 @@
 #include "runtime/compress/compile_clip_within.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "runtime/base/contract.h"
@@ -24,7 +26,7 @@ constexpr double kMostLoosened = 2.0;
 /// First guess of what morph weights take of it.
 constexpr double kOfWeights = 0.25;
 /// What rounding of keys takes of a track's part, the rest being for keys that are left out: either may be worth more.
-constexpr double kOfRounding[] = {0.25, 0.97};
+constexpr std::array<double, ClipSearch::kParts> kOfRounding = {0.25, 0.97};
 
 Clip compile(const Scene& scene, const Animation& animation, const KeyTolerances& rounding = {}) {
   ClipRest rest = clip_rest(scene.skeleton, rest_weights_of(scene), scene.properties);
@@ -153,16 +155,16 @@ void reduce(std::vector<LooseTrack> tracks) {
     }
 }
 
-ClipCertificate certificate_of(const Animation& truth, const Animation& keys, const Clip& clip,
-                               std::uint64_t source_bytes, const ClipError& error, std::size_t times, double asked_m) {
+ClipCertificate certificate_of(const TruthSamples& truth, const Animation& keys, const Clip& clip,
+                               std::uint64_t source_bytes, const ClipError& error, double asked_m) {
   return {.asked_m = asked_m,
           .measured_m = error.worst_m,
           .weights_m = error.weights_m,
           .worst_time_s = error.worst_time_s,
           .worst_joint = error.worst_joint,
-          .times_checked = static_cast<std::uint32_t>(times),
-          .animated_joints = animated_joints(truth),
-          .source_keys = key_count(truth),
+          .times_checked = static_cast<std::uint32_t>(truth.times_s().size()),
+          .animated_joints = animated_joints(truth.truth()),
+          .source_keys = key_count(truth.truth()),
           .kept_keys = key_count(keys),
           .source_bytes = source_bytes,
           .bytes = saved_bytes(clip)};
@@ -174,9 +176,10 @@ struct Task {
   const Animation& truth;
   const VirtualVertices& vertices;
   double budget_m;
-  std::vector<double> times;
-  std::vector<JointReach> reach;
-  std::uint64_t source_bytes;  // with every key
+  std::vector<double> times_s = times_to_check(truth, scene.skeleton.joint_count());
+  TruthSamples samples{scene, truth, vertices, times_s};
+  std::vector<JointReach> reach = joint_reach(truth, scene.skeleton, vertices);
+  std::uint64_t source_bytes = saved_bytes(compile(scene, truth));  // with every key
 };
 
 struct Attempt {
@@ -194,10 +197,9 @@ Attempt try_shares(const Task& task, const Shares& shares, double of_rounding) {
   Clip clip = compile(task.scene, keys, rounding);
   const Clip full = unpacked(clip);
   const Clip* const forms[] = {&clip, &full};
-  out.error = measure_clip(task.scene, task.truth, task.vertices, forms, task.times);
-  const ClipCertificate certificate =
-      certificate_of(task.truth, keys, clip, task.source_bytes, out.error, task.times.size(), task.budget_m);
-  out.within.clip = with_certificate(clip, certificate);
+  out.error = measure_clip(task.samples, forms);
+  out.within.clip =
+      with_certificate(clip, certificate_of(task.samples, keys, clip, task.source_bytes, out.error, task.budget_m));
   return out;
 }
 
@@ -205,52 +207,78 @@ bool is_smaller(const ClipWithin& a, const std::optional<ClipWithin>& b) {
   return !b || a.clip.certificate()->bytes < b->clip.certificate()->bytes;
 }
 
+/// What one search found, if anything, and what it took.
+struct Found {
+  std::optional<ClipWithin> smallest;
+  std::uint64_t truth_poses = 0;
+};
+
 /// Takes from the shares until the clip holds, then a few times adds where there is room and takes where it was too
 /// much; nothing if it never holds in kMostRounds.
-std::optional<ClipWithin> fit(const Task& task, double of_rounding) {
+Found fit(const Task& task, double of_rounding) {
   Shares shares(task.scene, task.budget_m);
-  std::optional<ClipWithin> smallest;
-  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += smallest.has_value()) {
+  Found found;
+  for (int round = 0, more = 0; round < kMostRounds && more <= kLoosened; ++round, more += found.smallest.has_value()) {
     Attempt attempt = try_shares(task, shares, of_rounding);
+    found.truth_poses += attempt.error.truth_poses;
     if (shares.tighten(attempt.error)) continue;
-    if (is_smaller(attempt.within, smallest)) smallest = std::move(attempt.within);
+    if (is_smaller(attempt.within, found.smallest)) found.smallest = std::move(attempt.within);
     shares.loosen(attempt.error);
   }
-  return smallest;
+  return found;
+}
+
+/// The keys as they are, with a certificate.
+Clip measured(const TruthSamples& truth, const Animation& keys, double asked_m) {
+  const Clip clip = compile(truth.scene(), keys);
+  const Clip* const forms[] = {&clip};
+  const ClipError error = measure_clip(truth, forms);
+  const std::uint64_t source_bytes = saved_bytes(compile(truth.scene(), truth.truth()));
+  return with_certificate(clip, certificate_of(truth, keys, clip, source_bytes, error, asked_m));
 }
 
 }  // namespace
 
 Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,
                          const VirtualVertices& vertices, double asked_m) {
-  Clip clip = compile(scene, keys);
-  const std::vector<double> times = times_to_check(truth, scene.skeleton.joint_count());
-  const Clip* const forms[] = {&clip};
-  const ClipError error = measure_clip(scene, truth, vertices, forms, times);
-  const ClipCertificate certificate =
-      certificate_of(truth, keys, clip, saved_bytes(compile(scene, truth)), error, times.size(), asked_m);
-  return with_certificate(clip, certificate);
+  const std::vector<double> times_s = times_to_check(truth, scene.skeleton.joint_count());
+  return measured(TruthSamples(scene, truth, vertices, times_s, 0), keys, asked_m);
+}
+
+struct ClipSearch::State {
+  Task task;
+  std::array<Found, kParts> found;
+};
+
+ClipSearch::ClipSearch(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m) {
+  CONTRACT(budget_m > 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
+  state_.reset(new State{{scene, truth, vertices, budget_m}, {}});
+}
+
+ClipSearch::~ClipSearch() = default;
+
+void ClipSearch::run(std::size_t part) { state_->found[part] = fit(state_->task, kOfRounding[part]); }
+
+ClipWithin ClipSearch::take() {
+  const Task& task = state_->task;
+  std::optional<ClipWithin> smallest;
+  std::uint64_t truth_poses = task.samples.kept_count();
+  for (Found& found : state_->found) {
+    truth_poses += found.truth_poses;
+    if (found.smallest && is_smaller(*found.smallest, smallest)) smallest = std::move(found.smallest);
+  }
+  if (!smallest) smallest = {task.truth, measured(task.samples, task.truth, task.budget_m)};
+  smallest->truth_poses = truth_poses;
+  return *std::move(smallest);
 }
 
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                double budget_m) {
   CONTRACT(budget_m >= 0.0 && vertices.boxes.size() == scene.skeleton.joint_count());
-  std::optional<ClipWithin> smallest;
-  if (budget_m > 0.0) {
-    const Task task{scene,
-                    truth,
-                    vertices,
-                    budget_m,
-                    times_to_check(truth, scene.skeleton.joint_count()),
-                    joint_reach(truth, scene.skeleton, vertices),
-                    saved_bytes(compile(scene, truth))};
-    for (const double of_rounding : kOfRounding) {
-      std::optional<ClipWithin> found = fit(task, of_rounding);
-      if (found && is_smaller(*found, smallest)) smallest = std::move(found);
-    }
-  }
-  if (smallest) return *std::move(smallest);
-  return {truth, compile_and_measure(scene, truth, truth, vertices, budget_m)};
+  if (budget_m == 0.0) return {truth, compile_and_measure(scene, truth, truth, vertices, budget_m)};
+  ClipSearch search(scene, truth, vertices, budget_m);
+  for (std::size_t part = 0; part < ClipSearch::kParts; ++part) search.run(part);
+  return search.take();
 }
 
 }  // namespace sinew

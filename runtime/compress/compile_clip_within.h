@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+#include <memory>
+
 #include "runtime/compress/virtual_vertices.h"
 
 namespace sinew {
@@ -7,7 +10,8 @@ namespace sinew {
 /// A clip within a budget, and the keys that it kept: in authoring form and not rounded, for writing to a file.
 struct ClipWithin {
   Animation keys;
-  Clip clip;  ///< with its certificate
+  Clip clip;                      ///< with its certificate
+  std::uint64_t truth_poses = 0;  ///< how many poses of the truth the search evaluated to measure clips
 };
 
 /// Compiles the smallest clip in which no virtual vertex, in model space, is farther than `budget_m` from where the
@@ -26,6 +30,26 @@ struct ClipWithin {
 ClipWithin compile_clip_within(const Scene& scene, const Animation& truth, const VirtualVertices& vertices,
                                double budget_m);
 inline constexpr int kMostRounds = 32;
+
+/// The search of compile_clip_within in parts, which the caller may run at the same time on several threads. The clip
+/// does not depend on how they run. The arguments must outlive it.
+/// in   budget_m  > 0
+class ClipSearch {
+ public:
+  static constexpr std::size_t kParts = 2;
+
+  ClipSearch(const Scene& scene, const Animation& truth, const VirtualVertices& vertices, double budget_m);
+  ~ClipSearch();
+  ClipSearch(const ClipSearch&) = delete;
+  ClipSearch& operator=(const ClipSearch&) = delete;
+
+  void run(std::size_t part);  ///< each part once
+  ClipWithin take();           ///< the smallest clip that any part found; after all of them
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// Compiles the animation as it is and measures it: what compile_clip_within answers for a budget of 0.
 Clip compile_and_measure(const Scene& scene, const Animation& keys, const Animation& truth,

@@ -37,7 +37,8 @@ ClipError measure(const Scene& scene, const std::vector<Animation>& forms, const
     clips.push_back(clip_of(scene, form));
     pointers.push_back(&clips.back());
   }
-  return measure_clip(scene, scene.animations[0], virtual_vertices(scene), pointers, times_s);
+  const VirtualVertices vertices = virtual_vertices(scene);
+  return measure_clip(TruthSamples(scene, scene.animations[0], vertices, times_s), pointers);
 }
 
 TEST(measure_clip, a_shift_counts_from_its_joint_on_and_the_time_where_it_is_largest_is_named) {
