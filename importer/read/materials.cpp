@@ -2,9 +2,11 @@
 #include "importer/read/materials.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "importer/file/json_pointer.h"
+#include "importer/import_gltf.h"
 #include "importer/read/extension_fields.h"
 #include "importer/read/material_layers.h"
 #include "importer/read/specular_glossiness.h"
@@ -122,6 +124,29 @@ class MaterialReader {
   Material out_;
 };
 
+/// An extension of materials that is not read: where it is first, and how many materials have it.
+struct Unread {
+  std::string place;
+  std::size_t materials = 0;
+};
+
+/// Surfaces are drawn without what such an extension refines, so each is named once.
+void report_unread_extensions(const gltf::Document& document, IssueLog& log) {
+  std::map<std::string, Unread> found;
+  for (std::size_t m = 0; m < document.materials.size(); ++m) {
+    const gltf::Json& extensions = document.materials[m].extensions;
+    if (!extensions.is_object()) continue;
+    for (const auto& [name, value] : extensions.items()) {
+      if (extension_support(name) == ExtensionSupport::read) continue;
+      Unread& unread = found[name];
+      if (unread.materials++ == 0) unread.place = pointer("materials", m, "extensions", pointer_token(name));
+    }
+  }
+  for (const auto& [name, unread] : found)
+    log.report(Rule::material_extension, unread.place,
+               in_quotes(name) + " is not read; materials that have it: " + std::to_string(unread.materials));
+}
+
 }  // namespace
 
 std::vector<Material> read_materials(const gltf::Document& document, IssueLog& log) {
@@ -129,6 +154,7 @@ std::vector<Material> read_materials(const gltf::Document& document, IssueLog& l
   materials.reserve(document.materials.size());
   for (std::size_t m = 0; m < document.materials.size(); ++m)
     materials.push_back(MaterialReader(document, m, log).read());
+  report_unread_extensions(document, log);
   return materials;
 }
 

@@ -14,7 +14,8 @@ namespace sinew {
 /// its author wrote those for readers like this one.
 /// in       references in range
 /// out      one entry for each of document.materials, in their order
-/// warning  material-values, material-approximated, extension-value
+/// warning  material-values, material-approximated, extension-value; material-extension, once for each extension that is
+///          not read
 std::vector<Material> read_materials(const gltf::Document& document, IssueLog& log);
 
 }  // namespace sinew

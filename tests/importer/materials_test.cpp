@@ -241,6 +241,27 @@ gltf::Texture texture(int source, int sampler) {
   return out;
 }
 
+TEST(read_materials, name_each_extension_that_is_not_read_once_at_its_first_place) {
+  const char* extensions[] = {R"({"KHR_materials_clearcoat": {}, "KHR_materials_sheen": {}, "KHR_materials_ior": {}})",
+                              R"({"KHR_materials_volume": {}, "KHR_materials_transmission": {}})",
+                              R"({"KHR_materials_volume": {}, "A/B_wet": {}, "KHR_materials_iridescence": {}})",
+                              R"({"KHR_materials_volume": {}})"};
+  gltf::Document document;
+  for (const char* text : extensions) document.materials.emplace_back().extensions = Json::parse(text);
+  IssueLog log;
+  EXPECT_THAT(read_materials(document, log), SizeIs(4));
+  std::vector<std::string> said;
+  for (const auto& warning : log.take_warnings()) {
+    EXPECT_EQ(warning.rule, "material-extension");
+    said.push_back(warning.json_pointer + ": " + warning.detail);
+  }
+  const std::string is = " is not read; materials that have it: ", at = "/extensions/KHR_materials_";
+  EXPECT_THAT(
+      said, testing::UnorderedElementsAre("/materials/1" + at + "volume: \"KHR_materials_volume\"" + is + "3",
+                                          "/materials/2" + at + "iridescence: \"KHR_materials_iridescence\"" + is + "1",
+                                          "/materials/2/extensions/A~1B_wet: \"A/B_wet\"" + is + "1"));
+}
+
 TEST(read_textures, have_the_samplers_of_the_file_and_defaults_elsewhere) {
   gltf::Document document;
   document.images.resize(2);

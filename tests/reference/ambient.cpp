@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/reference/occluded_light.h"
+
 namespace sinew::reference {
 namespace {
 
@@ -88,7 +90,7 @@ glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm
 
 }  // namespace
 
-glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
+glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, double access) {
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
   const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
@@ -96,7 +98,8 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light) {
   const glm::dvec3 ground = s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b}));
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
-  return from(light, s.normal, 2.0 / 3.0) * scattered + mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected;
+  return from(light, s.normal, 2.0 / 3.0) * scattered * scattered_access(access, s.base_color * (1.0 - s.metallic)) +
+         mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected * access;
 }
 
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light) {

@@ -24,8 +24,10 @@ struct AmbientGradient {
 /// eq   a layer of reflectance f0 returns once = f0 x + f90 y, and of the rest 1 - x - y, with the mean reflectance
 ///      m = f0 + (f90 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour and
 ///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again).
-///      The light of `once` is that around the mirror direction, of the others that of the half sphere
-glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light);
+///      The light of `once` is that around the mirror direction, times `access`; of the others that of the half sphere,
+///      times scattered_access() of the base colour, which is black for metals
+/// in   access  share of the ambient light that other surfaces let through
+glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, double access = 1.0);
 
 /// The same from a clear layer, before its share: such a layer of f0 = f90 = 1.
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light);

@@ -68,7 +68,7 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.to_viewer = point.to_viewer;
   const Coat coat = coat_at(scene, point);
   const double share = coat_share(coat, point.to_viewer), access = around.access * baked_access(scene, point);
-  glm::dvec3 below = ambient(shaded, around.ambient) * access;
+  glm::dvec3 below = ambient(shaded, around.ambient, access);
   glm::dvec3 above = ambient(coat, point.to_viewer, around.ambient) * access;
   for (const ArrivingLight& light : around.lights) {
     below += direct(shaded, light.to_light, light.irradiance);

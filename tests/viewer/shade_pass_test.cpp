@@ -103,7 +103,7 @@ glm::dvec3 expected_color(const Material& material, const glm::dvec3& p, const g
   const glm::dvec3 up = transform_vector(view.view_from_world, glm::dvec3(0.0, 1.0, 0.0));
   const glm::dvec3 light =
       reference::direct(point, sun.to_light, sun.irradiance) + glm::dvec3(material.emissive) +
-      access * reference::ambient(point, {up, glm::dvec3(Gradient{}.sky), glm::dvec3(Gradient{}.ground)});
+      reference::ambient(point, {up, glm::dvec3(Gradient{}.sky), glm::dvec3(Gradient{}.ground)}, access);
   const glm::dvec3 mapped = reference::tone_mapped(light * static_cast<double>(lighting.exposure));
   return {reference::srgb_encoded(mapped.r), reference::srgb_encoded(mapped.g), reference::srgb_encoded(mapped.b)};
 }

@@ -98,6 +98,7 @@ TEST_F(vertex_access, scales_ambient_light_and_no_other) {
   for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::blend}) {
     Material material = matte({0.5f, 0.5f, 0.5f});
     material.alpha_mode = mode;
+    material.metallic = 1.0f;  // nothing is scattered between metals, so that light is proportional to access
     const BuiltScene built = facing_square(material);
     const VertexAccess none = access_of(built, {[](const glm::vec3&) { return 0.0f; }}),
                        half = access_of(built, {[](const glm::vec3&) { return 0.5f; }});

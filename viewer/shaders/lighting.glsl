@@ -90,15 +90,24 @@ vec2 split_sums(float n_v, float roughness) {
   return textureLod(split_sum_image, (vec2(sqrt(n_v), roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
 }
 
+// Share of the ambient light that a matte surface gets, with the light that its surroundings scatter, if they have its
+// colour. At access 1 it is exactly 1.
+// eq   Jimenez, Wu, Pesce and Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), section 5
+vec3 scattered_access(float access, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
+  return clamp(((a * access + b) * access + c) * access, vec3(access), vec3(1.0));
+}
+
 // Ambient light. What the layer of a dielectric does not reflect is scattered below it, so a white surface in white
 // light returns all of it.
-vec3 ambient(Surface s) {
+// in   scattered, mirrored  shares of the light of the half sphere, and of that around the mirror direction, that arrive
+vec3 ambient(Surface s, vec3 scattered, float mirrored) {
   vec2 sums = split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness);
   vec3 metal_once, metal_again, once, again;
   layer(s.base_color, 1.0, sums, metal_once, metal_again);
   layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);
   vec3 below = s.base_color * (1.0 - greatest(once + again));
   vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
-  return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) +
-         mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic);
+  return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) * scattered +
+         mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic) * mirrored;
 }

@@ -31,6 +31,8 @@ layout(constant_id = 17) const int kShadowLight = -1;    // index of the light t
 layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
 
+const bool kHidden = kOccluded || kVertexAccess || kOcclusionSet != 0;   // not all ambient light arrives
+
 const float kMostLight = 65504.0;   // largest half float: beyond it drivers store infinity, which later gives NaN
 
 layout(location = 0) out vec4 color;   // premultiplied light, and coverage of all surfaces
@@ -60,7 +62,10 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
   vec3 sum = vec3(0.0);
-  if (kAmbient) sum += coated(coat, ambient(s), s.to_viewer) * access;
+  if (kAmbient) {
+    vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
+    sum += coated(coat, ambient(s, scattered, access), s.to_viewer, access);
+  }
   for (int i = 0; i < kLightCount; ++i) {
     vec3 to_light, irradiance = arriving(frame.lights[i], view_position, to_light);
     vec3 light = coated(coat, reflected(s, to_light, irradiance), s.to_viewer, to_light, irradiance);
