@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "tests/reference/shade.h"
@@ -54,6 +55,56 @@ glm::dvec4 texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv
   const double left = x - 0.5, top = y - 0.5, fx = left - std::floor(left), fy = top - std::floor(top);
   return (at(left, top) * (1.0 - fx) + at(left + 1.0, top) * fx) * (1.0 - fy) +
          (at(left, top + 1.0) * (1.0 - fx) + at(left + 1.0, top + 1.0) * fx) * fy;
+}
+
+namespace {
+
+/// Mean of the texels of the image that one texel of a level stands for.
+glm::dvec4 level_texel(const Image& image, const glm::ivec2& level, long x, long y, bool srgb) {
+  const long columns = 1L << level.x, rows = 1L << level.y;
+  glm::dvec4 sum(0.0);
+  for (long row = y * rows; row < (y + 1) * rows; ++row)
+    for (long column = x * columns; column < (x + 1) * columns; ++column)
+      sum += stored(image, {.wrap_u = Wrap::clamp_to_edge, .wrap_v = Wrap::clamp_to_edge}, column, row, srgb);
+  return sum / static_cast<double>(columns * rows);
+}
+
+glm::dvec4 level_at(const Scene& scene, const TextureUse& use, const glm::ivec2& level, const glm::dvec2& uv,
+                    bool srgb) {
+  const Texture& texture = scene.textures[use.texture];
+  const Image& image = scene.images[texture.image];
+  const long width = static_cast<long>(image.width) >> level.x, height = static_cast<long>(image.height) >> level.y;
+  const double left = uv.x * static_cast<double>(width) - 0.5, top = uv.y * static_cast<double>(height) - 0.5;
+  glm::dvec4 sum(0.0);
+  for (int i = 0; i < 4; ++i) {
+    const double column = std::floor(left) + i % 2, row = std::floor(top) + i / 2;
+    const double share = (1.0 - std::abs(left - column)) * (1.0 - std::abs(top - row));
+    sum += share * level_texel(image, level, wrapped(texture.sampler.wrap_u, static_cast<long>(column), width),
+                               wrapped(texture.sampler.wrap_v, static_cast<long>(row), height), srgb);
+  }
+  return sum;
+}
+
+}  // namespace
+
+glm::dvec2 rip_levels(const Scene& scene, const TextureUse& use, const glm::dvec2& texels) {
+  const Image& image = scene.images[scene.textures[use.texture].image];
+  const auto level = [](double side, std::uint32_t size) {
+    return std::clamp(std::log2(std::max(side, 1.0)), 0.0, std::floor(std::log2(static_cast<double>(size))));
+  };
+  return {level(texels.x, image.width), level(texels.y, image.height)};
+}
+
+glm::dvec4 rip_texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, const glm::dvec2& texels,
+                     bool srgb) {
+  const glm::dvec2 level = rip_levels(scene, use, texels), part = level - glm::floor(level);
+  glm::dvec4 sum(0.0);
+  for (int i = 0; i < 4; ++i) {
+    const glm::ivec2 step(i % 2, i / 2);
+    const double share = (step.x == 1 ? part.x : 1.0 - part.x) * (step.y == 1 ? part.y : 1.0 - part.y);
+    if (share > 0.0) sum += share * level_at(scene, use, glm::ivec2(level) + step, uv, srgb);
+  }
+  return sum;
 }
 
 }  // namespace sinew::reference

@@ -366,7 +366,7 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
   glass.alpha_mode = AlphaMode::blend;
   glass.double_sided = true;
   built.add(showcase::sphere({0, 1.5f, 0}, 0.5f), built.add_material(glass));
-  for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth})
+  for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth, Show::level})
     for (const bool occlusion : {true, false})
       for (const bool blur : {true, false}) {
         RenderOptions options;

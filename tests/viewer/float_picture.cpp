@@ -38,11 +38,11 @@ const std::string& no_device_reason() { return only().reason; }
 
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras, const OcclusionShape& occlusion,
-                          const VertexAccess* access, const AccessBlend& blend) {
+                          const VertexAccess* access, const AccessBlend& blend, const TextureFilter& filter) {
   constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
   Device& device = *test_device();
   const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-  const SceneUpload scene(device, built.scene, 1, access);
+  const SceneUpload scene(device, built.scene, 1, access, filter);
   FrameUpload frame(device, built.scene, 1);
   frame.update(0, built.frame());
   FrameRenderer renderer(device, format, 1, occlusion);

@@ -25,7 +25,7 @@ struct FloatPicture {
 FloatPicture render_float(const BuiltScene& built, int width, int height, const View& view,
                           const RenderOptions& options, const FrameInputs& extras = {},
                           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
-                          const AccessBlend& blend = {});
+                          const AccessBlend& blend = {}, const TextureFilter& filter = {});
 
 /// Distances and normals as the GPU drew them, read from the pictures of Show::depth and Show::normals.
 reference::DepthAndNormals gpu_depth_and_normals(const BuiltScene& built, int width, int height, const View& view,

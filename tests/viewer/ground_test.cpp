@@ -235,7 +235,7 @@ TEST_F(ground, cannot_be_seen_from_below_and_is_in_no_buffer) {
   EXPECT_FALSE(runs(parallel_below, options));
   options.ground.look = GroundLook::none;
   EXPECT_FALSE(runs(from_above(), options));
-  for (const Show show : {Show::normals, Show::depth}) {
+  for (const Show show : {Show::normals, Show::depth, Show::level}) {
     RenderOptions with = options_for(GroundLook::grid), without = with;
     without.ground.look = GroundLook::none;
     with.show = without.show = show;

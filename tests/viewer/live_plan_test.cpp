@@ -126,7 +126,7 @@ TEST(live_plan, becomes_a_table_of_text) {
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
   for (std::uint32_t bits = 0; bits < 2048; ++bits)
-    for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth}) {
+    for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth, Show::level}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
                              .overlay = (bits & 4) != 0,

@@ -164,10 +164,20 @@ TEST(options, read_a_range_of_pictures) {
   EXPECT_EQ(options.fps, 2.5);
 }
 
+TEST(options, accept_each_filter_of_textures) {
+  EXPECT_EQ(accepted({}).filter, TextureFilter{});
+  EXPECT_EQ(accepted({"--filter", "nearest"}).filter.kind, FilterKind::nearest);
+  EXPECT_EQ(accepted({"--filter", "bilinear"}).filter.kind, FilterKind::bilinear);
+  EXPECT_EQ(accepted({"--filter", "trilinear"}).filter.kind, FilterKind::trilinear);
+  EXPECT_EQ(accepted({"--filter", "ripmap"}).filter.kind, FilterKind::rip_map);
+  EXPECT_EQ(accepted({"--filter", "anisotropic=16"}).filter, (TextureFilter{FilterKind::anisotropic, 16}));
+}
+
 TEST(options, accept_each_word_of_show_and_skinning) {
   EXPECT_EQ(accepted({"--show", "color"}).show, Show::color);
   EXPECT_EQ(accepted({"--show", "ao"}).show, Show::ao);
   EXPECT_EQ(accepted({"--show", "depth"}).show, Show::depth);
+  EXPECT_EQ(accepted({"--show", "level"}).show, Show::level);
   EXPECT_EQ(accepted({"--skinning", "linear"}).skinning, Skinning::linear);
   EXPECT_EQ(accepted({"--skinning", "center-of-rotation"}).skinning, Skinning::center_of_rotation);
 }
@@ -209,7 +219,12 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--size", "2x16385"}, "2x16385"},
       {{"--size", "640x360x"}, "640x360x"},
       {{"--skinning", "cubic"}, "linear, dual-quaternion, center-of-rotation"},
-      {{"--show", "colour"}, "color, ao, normals, depth"},
+      {{"--filter", "linear"}, "nearest, bilinear, trilinear, ripmap"},
+      {{"--filter", "anisotropic"}, "anisotropic=8"},
+      {{"--filter", "anisotropic=1"}, "2 to 16"},
+      {{"--filter", "anisotropic=17"}, "2 to 16"},
+      {{"--filter", "anisotropic=4x"}, "2 to 16"},
+      {{"--show", "colour"}, "color, ao, normals, depth, level"},
       {{"--eye", "1,2,3"}, "--target"},
       {{"--target", "1,2,3"}, "--eye"},
       {{"--eye", "1,2", "--target", "0,0,0"}, "X,Y,Z"},
@@ -249,32 +264,12 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 TEST(options, help_and_version_leave_with_code_0) {
   const auto help = std::get<Leave>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);
-  for (const char* word : {"--headless",
-                           "--time",
-                           "--clip",
-                           "--size",
-                           "--skinning",
-                           "--show",
-                           "--eye",
-                           "--target",
-                           "--fov DEGREES",
-                           "--transparent",
-                           "--frames",
-                           "--fps",
-                           "--scene",
-                           "--no-ao",
-                           "--environment",
-                           "--environment-turn",
-                           "--environment-intensity",
-                           "--exposure",
-                           "--backdrop",
-                           "--tone",
-                           "--exit-after",
-                           "--validate",
-                           "space",
-                           "play / pause",
-                           "skeleton",
-                           "Exit code"})
+  for (const char* word :
+       {"--headless",   "--time",     "--clip",   "--size",        "--skinning",         "--filter",
+        "--show",       "--eye",      "--target", "--fov DEGREES", "--transparent",      "--frames",
+        "--fps",        "--scene",    "--no-ao",  "--environment", "--environment-turn", "--environment-intensity",
+        "--exposure",   "--backdrop", "--tone",   "--exit-after",  "--validate",         "space",
+        "play / pause", "skeleton",   "Exit code"})
     EXPECT_THAT(help.text, HasSubstr(word));
   const auto version = std::get<Leave>(parse({"--version"}));
   EXPECT_EQ(version.code, 0);

@@ -203,9 +203,9 @@ TEST_F(pass_pipelines, each_screen_has_its_own_and_is_made_once) {
   std::set<VkPipeline> made;
   const Pass passes[] = {Pass::ssao, Pass::blur_horizontal, Pass::blur_vertical, Pass::tonemap, Pass::overlay};
   for (const Pass pass : passes) made.insert(pipelines_->screen({.pass = pass}));
-  for (const Show show : {Show::ao, Show::normals, Show::depth})
+  for (const Show show : {Show::ao, Show::normals, Show::depth, Show::level})
     made.insert(pipelines_->screen({.pass = Pass::show, .show = show}));
-  EXPECT_EQ(made.size(), 8u);
+  EXPECT_EQ(made.size(), 9u);
   for (const Pass pass : passes) EXPECT_EQ(made.count(pipelines_->screen({.pass = pass})), 1u);
 }
 

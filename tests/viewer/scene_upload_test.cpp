@@ -166,8 +166,8 @@ TEST(sampler_info, filters_and_wrapping_are_those_of_the_file) {
   EXPECT_FALSE(flat.anisotropyEnable);
 }
 
-TEST(sampler_info, anisotropy_is_for_smooth_mipmaps_and_at_most_8) {
-  EXPECT_EQ(sampler_info({}, 16.0f).maxAnisotropy, 8.0f);
+TEST(sampler_info, anisotropy_is_for_smooth_mipmaps) {
+  EXPECT_EQ(sampler_info({}, 16.0f).maxAnisotropy, 16.0f);
   EXPECT_EQ(sampler_info({}, 4.0f).maxAnisotropy, 4.0f);
   EXPECT_TRUE(sampler_info({}, 4.0f).anisotropyEnable);
   for (const Sampler& rough : {Sampler{.magnify = Filter::nearest}, Sampler{.minify = Filter::nearest},

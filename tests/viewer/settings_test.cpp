@@ -117,7 +117,7 @@ TEST(settings, ao_only_turns_ao_on_and_goes_back_to_the_lit_picture) {
 
 TEST(settings, show_and_skinning_go_around) {
   Settings settings;
-  for (const Show expected : {Show::ao, Show::normals, Show::depth, Show::color}) {
+  for (const Show expected : {Show::ao, Show::normals, Show::depth, Show::level, Show::color}) {
     next_show(settings);
     EXPECT_EQ(settings.show, expected);
   }

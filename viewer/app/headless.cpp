@@ -15,10 +15,11 @@ constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
 }  // namespace
 
 struct Headless::State {
-  State(Device& used, const Scene& scene, VkExtent2D size, const OcclusionShape& occlusion, const VertexAccess* access)
+  State(Device& used, const Scene& scene, VkExtent2D size, const OcclusionShape& occlusion, const VertexAccess* access,
+        const TextureFilter& filter)
       : device(used),
         extent(size),
-        scene_upload(used, scene, 1, access),
+        scene_upload(used, scene, 1, access, filter),
         frame_upload(used, scene, 1),
         renderer(used, kFormat, 1, occlusion),
         image(used, {kFormat, size, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
@@ -36,8 +37,8 @@ struct Headless::State {
 };
 
 Headless::Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
-                   const OcclusionShape& occlusion, const VertexAccess* access)
-    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion, access)) {}
+                   const OcclusionShape& occlusion, const VertexAccess* access, const TextureFilter& filter)
+    : state_(std::make_unique<State>(device, scene, VkExtent2D{width, height}, occlusion, access, filter)) {}
 
 Headless::~Headless() = default;
 
@@ -67,5 +68,6 @@ Picture Headless::render(const FrameResult& frame, const View& view, const Rende
 std::span<const PassTime> Headless::pass_times() const { return state_->renderer.pass_times(0); }
 const FrameReport& Headless::report() const { return state_->renderer.report(0); }
 const UploadCounts& Headless::upload_counts() const { return state_->frame_upload.last_update(); }
+std::uint64_t Headless::texel_bytes() const { return state_->scene_upload.materials().texel_bytes(); }
 
 }  // namespace sinew::viewer

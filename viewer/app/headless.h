@@ -20,7 +20,8 @@ class Headless {
  public:
   /// in   access  ambient access of the vertices for OcclusionMethod::rays, null = none; not read after the call
   Headless(Device& device, const Scene& scene, std::uint32_t width, std::uint32_t height,
-           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr);
+           const OcclusionShape& occlusion = {}, const VertexAccess* access = nullptr,
+           const TextureFilter& filter = {});
   ~Headless();
 
   /// Draws one frame. The same input gives the same bytes on the same driver.
@@ -32,6 +33,9 @@ class Headless {
   std::span<const PassTime> pass_times() const;
   const FrameReport& report() const;
   const UploadCounts& upload_counts() const;
+
+  /// Bytes of the texels of all textures, with their levels.
+  std::uint64_t texel_bytes() const;
 
  private:
   struct State;

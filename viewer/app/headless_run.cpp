@@ -122,7 +122,7 @@ class PictureMaker {
         shadow_(shadow_way(exhibit.scene, settings_.shadows, bounds_.reached)),
         skeleton_(exhibit.scene),
         access_(exhibit.access),
-        headless_(device, exhibit.scene, options.width, options.height, {}, access_.get()) {
+        headless_(device, exhibit.scene, options.width, options.height, {}, access_.get(), options.filter) {
     if (settings_.camera != kNone) camera_.emplace(exhibit.scene, settings_.camera);
   }
 
@@ -254,6 +254,8 @@ int write_pictures(Device& device, const Options& options, const Exhibit& exhibi
       return 3;
     }
   }
+  if (const std::string missing = describe_missing_filter(options.filter, device.max_anisotropy()); !missing.empty())
+    std::fprintf(stderr, "sinew-viewer: %s\n", missing.c_str());
   PictureMaker maker(device, options, exhibit, clip);
   PngWriter writer;
   const double duration =

@@ -22,7 +22,7 @@ constexpr std::array kBindings{
     KeyBinding{'U', Action::next_updates, "u", "what is small: every frame / interpolated / held between updates"},
     KeyBinding{'A', Action::toggle_ao, "a", "ambient occlusion on / off"},
     KeyBinding{'O', Action::toggle_ao_only, "o", "show ambient occlusion only"},
-    KeyBinding{'V', Action::next_show, "v", "show color, ao, normals, depth in turn"},
+    KeyBinding{'V', Action::next_show, "v", "show color, ao, normals, depth, level in turn"},
     KeyBinding{'G', Action::next_ground, "g", "ground: none / shadows / grid"},
     KeyBinding{'S', Action::toggle_skeleton, "s", "skeleton on / off"},
     KeyBinding{'F', Action::frame_all, "f", "frame everything"},

@@ -103,6 +103,22 @@ T named(const char* option, const std::string& text, std::initializer_list<std::
   throw CLI::ValidationError(option, "'" + text + "' is not one of: " + all);
 }
 
+TextureFilter filter_named(const std::string& text) {
+  constexpr std::string_view kAnisotropic = "anisotropic=";
+  if (text.starts_with(kAnisotropic)) {
+    const auto places = number<std::uint32_t>(std::string_view(text).substr(kAnisotropic.size()));
+    if (!places || *places < 2 || *places > 16)
+      throw CLI::ValidationError("--filter", "'" + text + "' is not anisotropic=N with N from 2 to 16");
+    return {FilterKind::anisotropic, *places};
+  }
+  if (text == "anisotropic") throw CLI::ValidationError("--filter", "'" + text + "' lacks its places: anisotropic=8");
+  return {named<FilterKind>("--filter", text,
+                            {{"nearest", FilterKind::nearest},
+                             {"bilinear", FilterKind::bilinear},
+                             {"trilinear", FilterKind::trilinear},
+                             {"ripmap", FilterKind::rip_map}})};
+}
+
 // Adds an option whose text is parsed by `read`.
 template <class Read>
 CLI::Option* text_option(CLI::App& app, const char* name, const char* type, const char* what, Read read) {
@@ -119,10 +135,21 @@ void add_picture_options(CLI::App& app, Options& options) {
                                                     {"dual-quaternion", Skinning::dual_quaternion},
                                                     {"center-of-rotation", Skinning::center_of_rotation}});
               });
-  text_option(app, "--show", "WHAT", "color, ao, normals or depth (color)", [&](const std::string& text) {
-    options.show = named<Show>(
-        "--show", text, {{"color", Show::color}, {"ao", Show::ao}, {"normals", Show::normals}, {"depth", Show::depth}});
-  });
+  text_option(app, "--show", "WHAT",
+              "color, ao, normals, depth, or level: mip or rip levels of the base colour that are read (color)",
+              [&](const std::string& text) {
+                options.show = named<Show>("--show", text,
+                                           {{"color", Show::color},
+                                            {"ao", Show::ao},
+                                            {"normals", Show::normals},
+                                            {"depth", Show::depth},
+                                            {"level", Show::level}});
+              });
+  text_option(
+      app, "--filter", "HOW",
+      "read all textures: nearest, bilinear (both without mip levels), trilinear, anisotropic=N (at N places, 2 to "
+      "16) or ripmap (as the file says)",
+      [&](const std::string& text) { options.filter = filter_named(text); });
   text_option(app, "--shading", "HOW",
               "physical, or gooch: cool to warm tones with outlines, without shadows and ambient light (physical)",
               [&](const std::string& text) {

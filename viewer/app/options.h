@@ -12,6 +12,7 @@
 #include "viewer/app/update_levels.h"
 #include "viewer/device/disk_cache.h"
 #include "viewer/passes/render_options.h"
+#include "viewer/upload/texture_filter.h"
 
 namespace sinew::viewer {
 
@@ -42,6 +43,7 @@ struct Options {
   std::uint32_t width = 1280, height = 720;
   Skinning skinning = Skinning::linear;
   Show show = Show::color;
+  TextureFilter filter;
   Shading shading = Shading::physical;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;

@@ -202,6 +202,8 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   ImGui::RadioButton("normals", &show, static_cast<int>(Show::normals));
   ImGui::SameLine();
   ImGui::RadioButton("depth", &show, static_cast<int>(Show::depth));
+  ImGui::SameLine();
+  ImGui::RadioButton("level", &show, static_cast<int>(Show::level));
   settings.show = static_cast<Show>(show);
   light_controls(settings);
   const Framing before = settings.framing;

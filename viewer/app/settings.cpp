@@ -75,7 +75,8 @@ void next_show(Settings& settings) noexcept {
     case Show::color: settings.show = Show::ao; break;
     case Show::ao: settings.show = Show::normals; break;
     case Show::normals: settings.show = Show::depth; break;
-    case Show::depth: settings.show = Show::color; break;
+    case Show::depth: settings.show = Show::level; break;
+    case Show::level: settings.show = Show::color; break;
   }
 }
 

@@ -62,7 +62,7 @@ void next_skinning(Settings& settings) noexcept;
 /// Cycles through none, shadows, grid.
 void next_ground(Settings& settings) noexcept;
 
-/// Cycles through color, ao, normals, depth.
+/// Cycles through color, ao, normals, depth, level.
 void next_show(Settings& settings) noexcept;
 
 /// The options of the renderer for these settings, with lengths that follow the size of the clip.

@@ -13,12 +13,13 @@ FrustumCulling culling_for(const Exhibit& exhibit, const Needs& needs) {
 
 }  // namespace
 
-ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count)
+ShownScene::ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count,
+                       const TextureFilter& filter)
     : exhibit_(exhibit),
       playback_(exhibit.scene, cache_duration_s(exhibit)),
       culling_(culling_for(exhibit, needs_of(exhibit, evaluation))),
       culled_(culling_.all_in_view()),
-      scene_upload_(device, exhibit.scene, slot_count, exhibit.access.get()),
+      scene_upload_(device, exhibit.scene, slot_count, exhibit.access.get(), filter),
       frame_upload_(device, exhibit.scene, slot_count),
       look_(exhibit.scene),
       skeleton_(exhibit.scene),

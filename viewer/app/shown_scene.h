@@ -22,7 +22,8 @@ namespace sinew::viewer {
 /// One exhibit that plays in the window: its poses come from the job thread, its vertices and materials are on the GPU.
 class ShownScene {
  public:
-  ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count);
+  ShownScene(Device& device, const Exhibit& exhibit, const Evaluation& evaluation, std::uint32_t slot_count,
+             const TextureFilter& filter);
 
   const Exhibit& exhibit() const noexcept { return exhibit_; }
   const Needs& needs() const noexcept { return plan_.needs(); }

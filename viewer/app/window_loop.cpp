@@ -110,7 +110,8 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   shown_.reset();  // frees its memory before the next scene is uploaded
   add_missing_centers(exhibits_[index], settings_.skinning);
   add_access(clip.value_or(exhibits_[index].scene.animations.empty() ? kNone : 0));
-  shown_ = std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots);
+  shown_ =
+      std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots, options_.filter);
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
@@ -307,6 +308,8 @@ void WindowLoop::keep_pace() {
 }
 
 int WindowLoop::run() {
+  if (const std::string missing = describe_missing_filter(options_.filter, device_.max_anisotropy()); !missing.empty())
+    std::fprintf(stderr, "sinew-viewer: %s\n", missing.c_str());
   const auto start = Clock::now();
   while (!window_.should_close()) {
     react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleWait_s));

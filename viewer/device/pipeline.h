@@ -8,7 +8,7 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kShaderConstants = 36;
+inline constexpr std::size_t kShaderConstants = 40;
 
 /// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, one
 /// colour attachment or two of one format, reversed depth.

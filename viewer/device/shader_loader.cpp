@@ -11,14 +11,26 @@ constexpr std::uint32_t kGeometryVert[] =
 constexpr std::uint32_t kNormalDepthFrag[] =
 #include "normal_depth.frag.inc"
     ;
+constexpr std::uint32_t kNormalDepthRipFrag[] =
+#include "normal_depth_rip.frag.inc"
+    ;
 constexpr std::uint32_t kCutSamplesFrag[] =
 #include "cut_samples.frag.inc"
+    ;
+constexpr std::uint32_t kCutSamplesRipFrag[] =
+#include "cut_samples_rip.frag.inc"
     ;
 constexpr std::uint32_t kShadeFrag[] =
 #include "shade.frag.inc"
     ;
+constexpr std::uint32_t kShadeRipFrag[] =
+#include "shade_rip.frag.inc"
+    ;
 constexpr std::uint32_t kGoochFrag[] =
 #include "gooch.frag.inc"
+    ;
+constexpr std::uint32_t kGoochRipFrag[] =
+#include "gooch_rip.frag.inc"
     ;
 constexpr std::uint32_t kOutlineFrag[] =
 #include "outline.frag.inc"
@@ -69,9 +81,13 @@ std::span<const std::uint32_t> code_of(Shader shader) noexcept {
   switch (shader) {
     case Shader::geometry_vert: return kGeometryVert;
     case Shader::normal_depth_frag: return kNormalDepthFrag;
+    case Shader::normal_depth_rip_frag: return kNormalDepthRipFrag;
     case Shader::cut_samples_frag: return kCutSamplesFrag;
+    case Shader::cut_samples_rip_frag: return kCutSamplesRipFrag;
     case Shader::shade_frag: return kShadeFrag;
+    case Shader::shade_rip_frag: return kShadeRipFrag;
     case Shader::gooch_frag: return kGoochFrag;
+    case Shader::gooch_rip_frag: return kGoochRipFrag;
     case Shader::outline_frag: return kOutlineFrag;
     case Shader::full_screen_vert: return kFullScreenVert;
     case Shader::ssao_frag: return kSsaoFrag;

@@ -8,12 +8,17 @@
 namespace sinew::viewer {
 
 /// The shaders of viewer/shaders. They are compiled to SPIR-V when the viewer is built and are part of the program.
+/// Those named rip are variants that read rip maps (viewer/shaders/texture_filter.glsl).
 enum class Shader : std::uint8_t {
   geometry_vert,
   normal_depth_frag,
+  normal_depth_rip_frag,
   cut_samples_frag,
+  cut_samples_rip_frag,
   shade_frag,
+  shade_rip_frag,
   gooch_frag,
+  gooch_rip_frag,
   outline_frag,
   full_screen_vert,
   ssao_frag,

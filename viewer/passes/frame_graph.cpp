@@ -41,7 +41,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   sampled = picture && needs.smooth_edges;
   depth_image = prepass || !sampled;
   vertex_access = needs.reads_baked();
-  normal_image = occlusion || outlined || needs.show == Show::normals || (vertex_access && needs.show == Show::ao);
+  normal_image = occlusion || outlined || needs.show == Show::normals || needs.show == Show::level ||
+                 (vertex_access && needs.show == Show::ao);
   color_image = picture;
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;

@@ -122,6 +122,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .auto_exposure = graph.exposure_image,
           .unlit_image = graph.unlit_image,
           .gooch = is_gooch(inputs),
+          .shows_level = inputs.options.show == Show::level,
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/pass_resources.h"
 
+#include <algorithm>
+
 namespace sinew::viewer {
 
 namespace {
@@ -45,8 +47,16 @@ enum ConstantId : std::size_t {
   id_vertex_access = 20,
   id_specular = 24,
   id_clearcoat = 25,
-  id_layer_textures = 28
+  id_layer_textures = 28,
+  id_wraps = 36,
+  id_show_level = 37
 };
+
+bool reads_textures(const MaterialFeatures& material) noexcept {
+  constexpr auto is_read = [](std::uint8_t use) { return use != 0; };
+  return std::any_of(material.texcoord_sets.begin(), material.texcoord_sets.end(), is_read) ||
+         std::any_of(material.layers.textures.begin(), material.layers.textures.end(), is_read);
+}
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
 MeshPipelineKey without_unused_features(MeshPipelineKey key) {
@@ -59,7 +69,9 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   key.frame.backdrop = {};
   const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
   if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
-  if (key.depth_only) surface.normals = NormalSource::none;
+  const bool shows_level = key.pass == Pass::normal_depth && !key.depth_only && key.frame.shows_level;
+  key.frame.shows_level = shows_level;
+  if (key.depth_only || shows_level) surface.normals = NormalSource::none;
   if (surface.material.unlit && shades) surface.normals = NormalSource::none;
   const bool shows_access = key.pass == Pass::normal_depth && !key.depth_only;
   if ((!shades && !shows_access) || surface.normals == NormalSource::none) key.frame.vertex_access = false;
@@ -74,7 +86,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (!shades || surface.material.unlit) sets[4] = 0;
   if (!shades) key.frame.unlit_image = false;
   if (!shades) surface.material.unlit = false;
-  if (!shades && !key.masked) sets[0] = 0;
+  if (!shades && !key.masked && !shows_level) sets[0] = 0;
   key.frame.gooch = key.frame.gooch && shades && !surface.material.unlit;
   if (key.frame.gooch) {
     key.frame.light_count = 0;
@@ -82,6 +94,10 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     surface.material.layers = {};
   }
   if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
+  if (!reads_textures(surface.material)) {
+    surface.material.rip_maps = false;
+    surface.material.wraps = 0;
+  }
   return key;
 }
 
@@ -116,9 +132,11 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.attributes = attributes;
   const bool prepass = key.pass == Pass::normal_depth || key.depth_only, blended = key.pass == Pass::transparent;
   const bool cut_samples = key.depth_only && key.masked && shape.samples > 1;
-  shape.fragment = cut_samples       ? Shader::cut_samples_frag
-                   : prepass         ? Shader::normal_depth_frag
-                   : key.frame.gooch ? Shader::gooch_frag
+  const bool rip = key.surface.material.rip_maps;
+  shape.fragment = cut_samples       ? rip ? Shader::cut_samples_rip_frag : Shader::cut_samples_frag
+                   : prepass         ? rip ? Shader::normal_depth_rip_frag : Shader::normal_depth_frag
+                   : key.frame.gooch ? rip ? Shader::gooch_rip_frag : Shader::gooch_frag
+                   : rip             ? Shader::shade_rip_frag
                                      : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
@@ -135,6 +153,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_specular] = layers.specular;
   shape.constants[id_clearcoat] = layers.clearcoat;
   for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
+  shape.constants[id_wraps] = key.surface.material.wraps;
+  shape.constants[id_show_level] = key.frame.shows_level;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
   shape.constants[id_shadow_map] = key.pass == Pass::shadow;

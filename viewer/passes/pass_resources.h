@@ -78,6 +78,7 @@ struct FrameFeatures {
   bool auto_exposure = false;  ///< there is an image with the exposure
   bool unlit_image = false;    ///< there is an image for colours that no tone curve changes
   bool gooch = false;          ///< Gooch shading
+  bool shows_level = false;    ///< the prepass writes levels of textures instead of normals
   bool smooth_edges = false;   ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 

@@ -8,7 +8,7 @@ std::string_view why_not_occluded(const FrameNeeds& needs) {
   if (!needs.opaque) return "nothing opaque is in view";
   if (needs.reads_baked()) return "ambient access comes with the vertices, baked by rays";
   if (!needs.occlusion) return "ambient occlusion is switched off or of strength 0";
-  if (needs.show == Show::normals || needs.show == Show::depth)
+  if (needs.show != Show::color && needs.show != Show::ao)
     return "the picture shows a buffer that needs no ambient occlusion";
   if (needs.gooch) return "Gooch shading counts no light";
   return "there is no ambient light for occlusion to scale";
@@ -19,6 +19,7 @@ std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
   if (needs.occluded()) return "ambient occlusion reads normals and depth";
   if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
   if (needs.outlined()) return "outlines read normals and depth";
+  if (needs.show == Show::level) return "the picture shows the levels of textures";
   return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
 }
 

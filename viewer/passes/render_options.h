@@ -13,7 +13,8 @@ enum class Show : std::uint8_t {
   color,
   ao,       ///< ambient access in grey, white = nothing is occluded
   normals,  ///< view space, n * 0.5 + 0.5
-  depth     ///< distance in grey within depth_range, near = bright
+  depth,    ///< distance in grey within depth_range, near = bright
+  level     ///< mip or rip levels of the base colour: red 0.1 a level along u, green along v; blue = no texture
 };
 
 /// What the colours of surfaces say.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A glTF 2.0 metallic-roughness material; mirrors MaterialUniforms in viewer/upload/upload_materials.h.
 #include "surface_features.glsl"
+#include "texture_filter.glsl"
 
 struct TextureTransform {
   vec4 row_u;   // u' = row_u.xy . uv + row_u.z
@@ -52,18 +53,19 @@ vec2 transformed_uv(int index, int set, vec4 texcoords) {
 vec4 layer_texel(int use, int index, vec4 texcoords) {
   vec2 uv = transformed_uv(index, 1 + (use - 1) % 2, texcoords);
   int place = (use - 1) / 2;
-  if (place == 0) return texture(base_color_texture, uv);
-  if (place == 1) return texture(metallic_roughness_texture, uv);
-  if (place == 2) return texture(normal_texture, uv);
-  if (place == 3) return texture(occlusion_texture, uv);
-  if (place == 4) return texture(emissive_texture, uv);
-  if (place == 5) return texture(other_texture, uv);
-  return texture(last_texture, uv);
+  if (place == 0) return filtered_texel(base_color_texture, 0, uv);
+  if (place == 1) return filtered_texel(metallic_roughness_texture, 1, uv);
+  if (place == 2) return filtered_texel(normal_texture, 2, uv);
+  if (place == 3) return filtered_texel(occlusion_texture, 3, uv);
+  if (place == 4) return filtered_texel(emissive_texture, 4, uv);
+  if (place == 5) return filtered_texel(other_texture, 5, uv);
+  return filtered_texel(last_texture, 6, uv);
 }
 
 vec4 base_color_at(vec4 texcoords, vec4 vertex_color) {
   vec4 color = material.base_color * vertex_color;
-  if (kBaseColorSet != 0) color *= texture(base_color_texture, transformed_uv(0, kBaseColorSet, texcoords));
+  if (kBaseColorSet != 0)
+    color *= filtered_texel(base_color_texture, 0, transformed_uv(0, kBaseColorSet, texcoords));
   return color;
 }
 

@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Writes view-space normals, those of normal maps where there are some, and the ambient access of the vertices beside the
-// depth, and does the alpha test of masked materials.
+// depth, and does the alpha test of masked materials. Or the levels of textures that are read, to show them.
 layout(location = 0) in vec3 view_position;
 layout(location = 1) in vec3 view_normal;
 layout(location = 2) in vec4 view_tangent;
@@ -17,11 +17,23 @@ layout(location = 5) in float vertex_access;
 #include "normal_map.glsl"
 
 layout(constant_id = 0) const bool kMasked = false;
+layout(constant_id = 37) const bool kShowLevel = false;
+
+const float kColorOfLevel = 0.1;   // a step of red along u, of green along v; blue = there is no texture
 
 layout(location = 0) out vec4 normal;
 
+vec3 color_of_level() {
+  if (kBaseColorSet == 0) return vec3(0.0, 0.0, 0.5);
+  return vec3(kColorOfLevel * read_level(base_color_texture, transformed_uv(0, kBaseColorSet, texcoords)), 0.0);
+}
+
 void main() {
-  vec3 n = surface_normal(view_normal, view_position), mapped = with_normal_map(n);
-  normal = vec4(n == vec3(0.0) ? n : mapped, vertex_access);
+  if (kShowLevel) {
+    normal = vec4(color_of_level(), 1.0);
+  } else {
+    vec3 n = surface_normal(view_normal, view_position), mapped = with_normal_map(n);
+    normal = vec4(n == vec3(0.0) ? n : mapped, vertex_access);
+  }
   if (kMasked && is_cut(base_color_at(texcoords, vertex_color).a)) discard;
 }

@@ -49,6 +49,6 @@ vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
 
 vec3 with_normal_map(vec3 n) {
   if (kNormalSet == 0) return n;
-  vec3 texel = texture(normal_texture, transformed_uv(2, kNormalSet, texcoords)).xyz;
+  vec3 texel = filtered_texel(normal_texture, 2, transformed_uv(2, kNormalSet, texcoords)).xyz;
   return mapped_normal(n, texel, material.normal_scale, kNormalSet);
 }

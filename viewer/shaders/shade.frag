@@ -45,7 +45,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   s.metallic = material.metallic;
   s.roughness = material.roughness;
   if (kMetallicRoughnessSet != 0) {
-    vec4 texel = texture(metallic_roughness_texture, transformed_uv(1, kMetallicRoughnessSet, texcoords));
+    vec4 texel = filtered_texel(metallic_roughness_texture, 1, transformed_uv(1, kMetallicRoughnessSet, texcoords));
     s.metallic *= texel.b;
     s.roughness *= texel.g;
   }
@@ -56,7 +56,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n);
   if (kVertexAccess) access = clamp(vertex_access, 0.0, 1.0);   // at edges it is interpolated beyond the triangle
   if (kOcclusionSet != 0) {
-    float baked = texture(occlusion_texture, transformed_uv(3, kOcclusionSet, texcoords)).r;
+    float baked = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
     access *= 1.0 + material.occlusion_strength * (baked - 1.0);
   }
   Coat coat = coat_at(geometry_normal, s.to_viewer);
@@ -90,7 +90,8 @@ void main() {
       }
     }
     vec3 emitted = material.emissive;
-    if (kEmissiveSet != 0) emitted *= texture(emissive_texture, transformed_uv(4, kEmissiveSet, texcoords)).rgb;
+    if (kEmissiveSet != 0)
+      emitted *= filtered_texel(emissive_texture, 4, transformed_uv(4, kEmissiveSet, texcoords)).rgb;
     light += emitted * through;
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;

@@ -9,7 +9,7 @@
 #include "same_surface.glsl"
 #include "ambient_access.glsl"
 
-layout(constant_id = 1) const int kShow = 1;   // enum Show: 1 ambient occlusion, 2 normals, 3 depth
+layout(constant_id = 1) const int kShow = 1;   // enum Show: 1 ambient occlusion, 2 normals, 3 depth, 4 level
 layout(constant_id = 20) const bool kVertexAccess = false;   // it is beside the normals
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
@@ -32,6 +32,8 @@ void main() {
     value = vec3(covered == 0.0 ? 1.0 : access);
   } else if (kShow == 2) {
     value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz * 0.5 + 0.5;
+  } else if (kShow == 4) {
+    value = covered == 0.0 ? vec3(0.5) : texelFetch(normal_image, pixel, 0).xyz;   // normal_depth.frag wrote a colour
   } else {
     float part = (far_p - frame.nearest_shown_m) / (frame.farthest_shown_m - frame.nearest_shown_m);
     value = vec3(covered == 0.0 ? 0.0 : 1.0 - clamp(part, 0.0, 1.0));

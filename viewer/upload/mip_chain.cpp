@@ -4,46 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
+
+#include "viewer/upload/srgb_codes.h"
 
 namespace sinew::viewer {
 
 namespace {
 
-/// Tables between sRGB and linear. A pow per channel would cost a second for a large texture.
-struct SrgbTables {
-  std::array<float, 256> linear{};  // of each code
-  std::array<float, 256> above{};   // the smallest value that encodes to the next code; the last is never reached
-  std::array<std::uint8_t, 1025> guess{};  // a code not above that of i / 1024
-
-  SrgbTables() {
-    const auto decode = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    for (std::size_t i = 0; i < 256; ++i) {
-      linear[i] = static_cast<float>(decode(static_cast<double>(i) / 255.0));
-      above[i] = static_cast<float>(decode((static_cast<double>(i) + 0.5) / 255.0));
-    }
-    above[255] = 2.0f;
-    std::uint8_t code = 0;
-    for (std::size_t i = 0; i < guess.size(); ++i) {
-      while (static_cast<float>(i) / 1024.0f >= above[code]) ++code;
-      guess[i] = code;
-    }
-  }
-
-  std::uint8_t encode(float value) const noexcept {
-    std::uint8_t code = guess[static_cast<std::size_t>(value * 1024.0f)];
-    while (value >= above[code]) ++code;
-    return code;
-  }
-};
-
-const SrgbTables& srgb_tables() {
-  static const SrgbTables tables;
-  return tables;
-}
-
 MipLevel halved(const MipLevel& from, bool srgb) {
-  const SrgbTables& tables = srgb_tables();
+  const SrgbCodes& codes = srgb_codes();
   MipLevel to;
   to.width = std::max(from.width / 2, 1u);
   to.height = std::max(from.height / 2, 1u);
@@ -58,8 +27,8 @@ MipLevel halved(const MipLevel& from, bool srgb) {
         std::uint8_t& out = to.rgba[4 * (std::size_t{y} * to.width + x) + channel];
         if (srgb && channel < 3) {
           float sum = 0.0f;
-          for (const std::size_t texel : texels) sum += tables.linear[from.rgba[4 * texel + channel]];
-          out = tables.encode(0.25f * sum);
+          for (const std::size_t texel : texels) sum += codes.decode(from.rgba[4 * texel + channel]);
+          out = codes.encode(0.25f * sum);
         } else {
           unsigned sum = 2;  // rounds to nearest
           for (const std::size_t texel : texels) sum += from.rgba[4 * texel + channel];

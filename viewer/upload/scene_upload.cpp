@@ -3,12 +3,13 @@
 
 namespace sinew::viewer {
 
-SceneUpload::SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count, const VertexAccess* access)
-    : SceneUpload(device, scene, Staging(device), slot_count, access) {}
+SceneUpload::SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count, const VertexAccess* access,
+                         const TextureFilter& filter)
+    : SceneUpload(device, scene, Staging(device), slot_count, access, filter) {}
 
 SceneUpload::SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count,
-                         const VertexAccess* access)
-    : scene_(scene), meshes_(device, scene, access, staging), materials_(device, scene, staging, slot_count) {
+                         const VertexAccess* access, const TextureFilter& filter)
+    : scene_(scene), meshes_(device, scene, access, staging), materials_(device, scene, staging, slot_count, filter) {
   staging.send();
 }
 

@@ -16,7 +16,8 @@ class SceneUpload {
  public:
   /// in   slot_count  frames in flight: each has its own copy of the materials that clips animate
   ///      access      ambient access of the vertices, null = none; not read after the call
-  SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count = 1, const VertexAccess* access = nullptr);
+  SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_count = 1, const VertexAccess* access = nullptr,
+              const TextureFilter& filter = {});
 
   /// Writes the materials of a frame into the slot.
   /// in   slot  the GPU must be done with its last use
@@ -27,8 +28,8 @@ class SceneUpload {
   const MaterialSet& materials() const noexcept { return materials_; }
 
  private:
-  SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count,
-              const VertexAccess* access);
+  SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count, const VertexAccess* access,
+              const TextureFilter& filter);
 
   const Scene& scene_;
   MeshSet meshes_;

@@ -120,10 +120,27 @@ VkDescriptorSetLayout make_material_layout(const Device& device) {
   return layout;
 }
 
-MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count)
+namespace {
+
+/// MaterialFeatures::wraps
+std::uint32_t wraps_of(const Scene& scene, const Material& material) noexcept {
+  std::uint32_t wraps = 0;
+  const auto places = texture_places(material);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].texture == kNone) continue;
+    const Sampler& sampler = scene.textures[places[i].texture].sampler;
+    wraps |= (static_cast<std::uint32_t>(sampler.wrap_u) | static_cast<std::uint32_t>(sampler.wrap_v) << 2) << (4 * i);
+  }
+  return wraps;
+}
+
+}  // namespace
+
+MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count,
+                         const TextureFilter& filter)
     : device_(device),
       scene_(scene),
-      textures_(device),
+      textures_(device, filter),
       count_(static_cast<std::uint32_t>(scene.materials.size() + 1)) {
   for (const PropertyTable::Entry& entry : scene.properties.entries)
     if (entry.target.kind >= PropertyKind::base_color) animated_.push_back(entry.target.index);
@@ -139,9 +156,13 @@ MaterialSet::MaterialSet(Device& device, const Scene& scene, Staging& staging, s
     const std::size_t material = set % count_;
     write_set(set, material < scene.materials.size() ? scene.materials[material] : Material{}, staging);
   }
-  for (std::size_t material = 0; material < count_; ++material)
-    features_.push_back(
-        material_features(material < scene.materials.size() ? usable(scene.materials[material]) : Material{}));
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Material material = i < scene.materials.size() ? usable(scene.materials[i]) : Material{};
+    MaterialFeatures features = material_features(material);
+    features.rip_maps = filter.kind == FilterKind::rip_map;
+    if (features.rip_maps) features.wraps = wraps_of(scene, material);
+    features_.push_back(features);
+  }
 }
 
 void MaterialSet::allocate_sets() {

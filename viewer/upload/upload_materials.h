@@ -55,6 +55,9 @@ struct MaterialFeatures {
 
   LayerFeatures layers;
 
+  bool rip_maps = false;    ///< shaders read rip maps instead of mip levels
+  std::uint32_t wraps = 0;  ///< of rip maps: Wrap of each place along u and v, 4 bits a place, u in the lower two
+
   auto operator<=>(const MaterialFeatures&) const = default;
 };
 
@@ -77,7 +80,8 @@ VkDescriptorSetLayout make_material_layout(const Device& device);
 /// clips animate a material, each frame in flight has its own sets.
 class MaterialSet {
  public:
-  MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count);
+  MaterialSet(Device& device, const Scene& scene, Staging& staging, std::uint32_t slot_count,
+              const TextureFilter& filter = {});
   ~MaterialSet();
   MaterialSet(const MaterialSet&) = delete;
   MaterialSet& operator=(const MaterialSet&) = delete;
@@ -89,6 +93,8 @@ class MaterialSet {
   const MaterialFeatures& features_of(std::uint32_t material) const noexcept {
     return features_[std::min(material, count_ - 1)];
   }
+
+  std::uint64_t texel_bytes() const noexcept { return textures_.texel_bytes(); }
 
   /// Writes the materials that clips animate.
   /// in   slot  the GPU must be done with its last use;   materials[materials of the scene]

@@ -2,6 +2,9 @@
 #include "viewer/upload/upload_textures.h"
 
 #include <algorithm>
+#include <array>
+
+#include "viewer/upload/rip_map.h"
 
 namespace sinew::viewer {
 
@@ -63,11 +66,11 @@ VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) n
   const bool smooth =
       sampler.magnify == Filter::linear && sampler.minify == Filter::linear && sampler.mipmap == Filter::linear;
   info.anisotropyEnable = smooth && sampler.use_mipmaps && max_anisotropy > 1.0f;
-  info.maxAnisotropy = info.anisotropyEnable ? std::min(max_anisotropy, 8.0f) : 1.0f;
+  info.maxAnisotropy = info.anisotropyEnable ? max_anisotropy : 1.0f;
   return info;
 }
 
-TextureSet::TextureSet(Device& device) : device_(device) {}
+TextureSet::TextureSet(Device& device, const TextureFilter& filter) : device_(device), filter_(filter) {}
 
 TextureSet::~TextureSet() {
   for (const auto& [key, sampler] : samplers_) vkDestroySampler(device_.handle(), sampler, nullptr);
@@ -76,10 +79,23 @@ TextureSet::~TextureSet() {
 VkSampler TextureSet::sampler(const Sampler& wanted) {
   VkSampler& sampler = samplers_[key_of(wanted)];
   if (!sampler) {
-    const VkSamplerCreateInfo info = sampler_info(wanted, device_.max_anisotropy());
+    const VkSamplerCreateInfo info =
+        sampler_info(filtered(wanted, filter_), anisotropy_of(filter_, device_.max_anisotropy()));
     must(vkCreateSampler(device_.handle(), &info, nullptr, &sampler), "vkCreateSampler");
   }
   return sampler;
+}
+
+std::vector<MipLevel> TextureSet::levels_of(std::span<const std::uint8_t> rgba, std::uint32_t width,
+                                            std::uint32_t height, bool srgb) const {
+  std::vector<MipLevel> levels = mip_chain(rgba, width, height, srgb);
+  if (filter_.kind != FilterKind::rip_map) return levels;
+  const std::uint32_t limit = device_.limits().maxImageDimension2D;
+  // An image that is too large for twice its size on the device loses its finest levels.
+  const auto fits = std::find_if(levels.begin(), levels.end(), [limit](const MipLevel& level) {
+    return std::max(level.width, level.height) <= limit / 2;
+  });
+  return {rip_map(fits->rgba, fits->width, fits->height, srgb)};
 }
 
 const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, bool srgb, Staging& staging) {
@@ -94,18 +110,20 @@ const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, bool 
   if (gpu) return gpu;
   std::vector<MipLevel> levels;
   if (index == kWhite) {
-    levels.push_back({1, 1, {255, 255, 255, 255}});
+    constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
+    levels = levels_of(white, 1, 1, srgb);
   } else if (index == kPlaceholder) {
     const MipLevel board = placeholder_image();
-    levels = mip_chain(board.rgba, board.width, board.height, srgb);
+    levels = levels_of(board.rgba, board.width, board.height, srgb);
   } else {
     const Image& source = scene.images[index];
-    levels = mip_chain(source.rgba, source.width, source.height, srgb);
+    levels = levels_of(source.rgba, source.width, source.height, srgb);
   }
   gpu = GpuImage(device_, {srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
                            {levels[0].width, levels[0].height},
                            static_cast<std::uint32_t>(levels.size()),
                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  for (const MipLevel& level : levels) texel_bytes_ += level.rgba.size();
   staging.copy(gpu, levels);
   return gpu;
 }

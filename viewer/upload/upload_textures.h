@@ -2,18 +2,21 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "runtime/model/scene.h"
 #include "viewer/upload/staging.h"
+#include "viewer/upload/texture_filter.h"
 
 namespace sinew::viewer {
 
-/// The images and samplers of a scene. An image that is used both as colour (sRGB) and as data is uploaded twice.
+/// The images and samplers of a scene. An image that is used both as colour (sRGB) and as data is uploaded twice. Rip
+/// maps take the place of images with mip levels when the filter asks for them.
 class TextureSet {
  public:
-  explicit TextureSet(Device& device);
+  explicit TextureSet(Device& device, const TextureFilter& filter = {});
   ~TextureSet();
   TextureSet(const TextureSet&) = delete;
   TextureSet& operator=(const TextureSet&) = delete;
@@ -22,11 +25,18 @@ class TextureSet {
   /// is uploaded at its first use.
   VkDescriptorImageInfo use(const Scene& scene, std::uint32_t texture, bool srgb, Staging& staging);
 
+  /// Bytes of all texels of all levels.
+  std::uint64_t texel_bytes() const noexcept { return texel_bytes_; }
+
  private:
+  std::vector<MipLevel> levels_of(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,
+                                  bool srgb) const;
   const GpuImage& image(const Scene& scene, std::uint32_t image, bool srgb, Staging& staging);
   VkSampler sampler(const Sampler& wanted);
 
   Device& device_;
+  TextureFilter filter_;
+  std::uint64_t texel_bytes_ = 0;
   std::map<std::pair<std::uint32_t, bool>, GpuImage> images_;  // by image index and sRGB
   std::map<std::uint32_t, VkSampler> samplers_;
 };
@@ -35,7 +45,7 @@ class TextureSet {
 /// roughness, occlusion) is left out, because a placeholder would look like a broken surface.
 bool readable(const Scene& scene, const TextureUse& use) noexcept;
 
-/// Vulkan sampler of a glTF sampler. It is anisotropic, at most 8, if all filters are linear.
+/// Vulkan sampler of a glTF sampler. It is anisotropic if all filters are linear.
 VkSamplerCreateInfo sampler_info(const Sampler& sampler, float max_anisotropy) noexcept;
 
 /// Stands in for an image that could not be read: a checkerboard of magenta and black, 8 x 8 fields.
