@@ -78,6 +78,13 @@ class MutationTest(unittest.TestCase):
             alone[m.key] = Programs(build, corpus=True).verdict_alone(m)[0]
         self.assertEqual(alone, {key: 'survived' if together[key] == 'unreached' else together[key] for key in alone})
 
+    def test_what_does_not_end_is_late_and_what_waits_for_others_is_not(self):
+        programs = Programs(MutatedBuild(self.tree, f'{self.folder.name}/late', {}, 1), corpus=True)
+        self.assertEqual(programs.run('/bin/sh', 0.3, ['-c', 'while :; do :; done'], {}), 'time')
+        self.assertEqual(programs.run('/bin/sh', 0.3, ['-c', 'sleep 9'], {}), 'time')
+        self.assertIs(programs.run('/bin/sh', 0.3, ['-c', 'sleep 1'], {}), True)
+        self.assertIs(programs.run('/bin/sh', 0.3, ['-c', 'exit 1'], {}), False)
+
     def test_keys_stay_when_other_functions_change(self):
         with open(f'{EXAMPLE}/{SOURCE}', encoding='utf-8') as file:
             text = file.read().replace('int clamped(', 'int other(int x) { return x < 3 ? x + 1 : 0; }\n\nint clamped(')

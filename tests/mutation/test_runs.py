@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs the tests that reach a mutant, the quick ones of its own folder first, until one falls."""
+import math
 import os
 import resource
 import signal
@@ -9,10 +10,13 @@ import threading
 QUICK_MS = 150
 SLOW_LIMIT_MS = 60_000  # one test that takes longer is for other days
 MEMORY = 12 << 30
+BUSY = 6  # on a busy machine this many times the usual time passes by the clock
 
 
-def limits():
+def limits(seconds):
     os.setsid()
+    processor = math.ceil(seconds * os.cpu_count())
+    resource.setrlimit(resource.RLIMIT_CPU, (processor, processor + 5))
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 30, 1 << 30))
@@ -28,13 +32,14 @@ class Programs:
         self.records, self.broken, self.lock = {}, [], threading.Lock()
 
     def run(self, program, seconds, arguments, environment):
-        """True, False or 'time': whether it passed."""
+        """True, False or 'time': whether it passed. `seconds` are of each processor, so that no other program makes a test late."""
         folder = f'{self.build.folder}/run'
         os.makedirs(folder, exist_ok=True)
-        process = subprocess.Popen([program, *arguments], cwd=folder, env={**os.environ, 'TMPDIR': folder, **self.environment, **environment}, preexec_fn=limits,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen([program, *arguments], cwd=folder, env={**os.environ, 'TMPDIR': folder, **self.environment, **environment},
+                                   preexec_fn=lambda: limits(seconds), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
-            return process.wait(seconds) == 0
+            status = process.wait(BUSY * seconds)
+            return 'time' if status == -signal.SIGXCPU else status == 0
         except subprocess.TimeoutExpired:
             return 'time'
         finally:
