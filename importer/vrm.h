@@ -85,4 +85,8 @@ struct VrmCharacter {
   std::vector<VrmConstraint> constraints;
 };
 
+/// The joints that play the bones of kHumanoidBones (runtime/retarget/humanoid_bones.h) by what the file says, for
+/// SkeletonMapOptions; empty where it names no bone.
+std::vector<std::uint32_t> humanoid_bones_of(const VrmCharacter& vrm);
+
 }  // namespace sinew

@@ -15,8 +15,7 @@ namespace {
 
 using Vec3d = Vec3<double>;
 
-std::vector<LegJoints> humanoid_legs(const Skeleton& skeleton) {
-  const std::vector<std::uint32_t> bones = find_humanoid_bones(skeleton);
+std::vector<LegJoints> humanoid_legs(const std::vector<std::uint32_t>& bones) {
   std::vector<LegJoints> legs;
   for (const std::string side : {"left", "right"}) {
     const auto joint = [&](const char* bone) { return bones[humanoid_bone(side + bone)]; };
@@ -93,7 +92,7 @@ FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skel
   for (const MappedJoint& joint : map.joints) source_of[joint.target] = joint.source;
 
   FeetMap feet{{}, map.height_ratio};
-  for (const LegJoints& leg : legs.empty() ? humanoid_legs(target) : legs) {
+  for (const LegJoints& leg : legs.empty() ? humanoid_legs(map.target_bones) : legs) {
     const auto from = [&](std::uint32_t joint) { return joint == kNone ? kNone : source_of[joint]; };
     auto on_target = chain_of(target, leg);
     auto on_source = chain_of(source, {from(leg.upper), from(leg.lower), from(leg.foot), from(leg.toes)});

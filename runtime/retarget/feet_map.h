@@ -48,7 +48,7 @@ struct LegJoints {
 /// The legs of both skeletons: those of humanoids, or the given ones. A leg that is not mapped whole (hip, knee, ankle)
 /// in both is left out; toes are optional.
 /// in   map   of the same skeletons
-///      legs  joints of the target, where find_humanoid_bones does not know them
+///      legs  joints of the target, where the map does not know them
 /// cost O(J log J), allocates
 FeetMap make_feet_map(const SkeletonMap& map, const Skeleton& source, const Skeleton& target,
                       const std::vector<LegJoints>& legs = {});

@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
+#include "runtime/base/contract.h"
 #include "runtime/math/matrix_rotation.h"
 #include "runtime/math/rotation_between.h"
-#include "runtime/retarget/humanoid_bones.h"
 #include "runtime/retarget/rest_transform.h"
 
 namespace sinew {
@@ -232,20 +232,30 @@ class Mapping {
 
 SkeletonMap make_skeleton_map(const Skeleton& source, const Skeleton& target, const SkeletonMapOptions& options) {
   const RestPose from(source), to(target);
-  const std::vector<std::uint32_t> source_bones = find_humanoid_bones(source),
-                                   target_bones = find_humanoid_bones(target);
+  for (const auto* given : {&options.source_bones, &options.target_bones})
+    CONTRACT(given->empty() || given->size() == kHumanoidBones.size());
+  const auto bones_of = [](const Skeleton& skeleton, const std::vector<std::uint32_t>& given) {
+    return given.empty() ? find_humanoid_bones(skeleton) : given;
+  };
+  const std::vector<std::uint32_t> source_bones = bones_of(source, options.source_bones),
+                                   target_bones = bones_of(target, options.target_bones);
   Pairs by_names = pairs_of_one(source, target);
-  if (by_names.empty()) by_names = pairs_by_names(source, target);
+  const bool is_one = !by_names.empty();
+  if (!is_one) by_names = pairs_by_names(source, target);
   Pairs by_bones = pairs_by_bones(source_bones, target_bones);
   if (!by_bones.empty()) add_roots(source, source_bones, target, target_bones, by_bones);
-  const bool names = options.pairs.empty() && by_names.size() >= by_bones.size();
+  const bool said = !options.source_bones.empty() || !options.target_bones.empty();
+  const bool more_names = said ? by_names.size() > by_bones.size() : by_names.size() >= by_bones.size();
+  const bool names = options.pairs.empty() && (is_one || more_names);
   const bool turns = !names && options.limbs == LimbDirections::of_source;
   Mapping mapping(source, target, from, to,
                   limb_turns(turns ? by_bones : Pairs{}, from, to, source_bones, target_bones), options);
-  return mapping.map(!options.pairs.empty() ? options.pairs
-                     : names                ? by_names
-                                            : by_bones,
-                     names, target_bones[humanoid_bone("hips")]);
+  SkeletonMap map = mapping.map(!options.pairs.empty() ? options.pairs
+                                : names                ? by_names
+                                                       : by_bones,
+                                names, target_bones[humanoid_bone("hips")]);
+  map.target_bones = target_bones;
+  return map;
 }
 
 }  // namespace sinew

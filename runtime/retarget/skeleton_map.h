@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/animation/skeleton.h"
+#include "runtime/retarget/humanoid_bones.h"
 
 namespace sinew {
 
@@ -26,6 +27,8 @@ struct SkeletonMap {
   bool by_names = false;            ///< the skeletons share names, and scale tracks are carried
   double height_ratio = 1.0;  ///< of the hips, or of the top joints, above the lowest mapped joint; target to source
   std::vector<std::uint32_t> unmapped_source, unmapped_target;  ///< rising
+  /// [kHumanoidBones] joints of the target that play them, or kNone
+  std::vector<std::uint32_t> target_bones = std::vector<std::uint32_t>(kHumanoidBones.size(), kNone);
 };
 
 /// How far the reference poses of humanoids are made to agree.
@@ -53,11 +56,15 @@ struct SkeletonMapOptions {
   LimbDirections limbs = LimbDirections::of_source;
   TranslationRule translations = TranslationRule::hips_by_height;
   std::vector<ChainRule> chains;  ///< other rules than `translations`
+  /// [kHumanoidBones] joints that play the bones, or kNone, where files say so (VRM: importer/vrm.h); empty = they are
+  /// found by names
+  std::vector<std::uint32_t> source_bones, target_bones;
 };
 
-/// Maps joints of equal names, or joints that play the same humanoid bone (humanoid_bones.h): what finds more. A joint
-/// whose mapped joint above is not above it in both skeletons is left out. A root joint above the hips follows the
-/// other root joint; where one alone has it, the hips carry the whole path.
+/// Maps joints of equal names, or joints that play the same humanoid bone (humanoid_bones.h): what finds more. Where
+/// both find as many, names count, unless a file says which joints the bones are. A joint whose mapped joint above is
+/// not above it in both skeletons is left out. A root joint above the hips follows the other root joint; where one
+/// alone has it, the hips carry the whole path.
 ///
 /// What is carried is how far each joint is turned from the rest pose, in model space. With W the rotations at rest and
 /// G those of the pose in model space, m the mapped joint above j, Q = G_m^-1 G_j the rotation of j seen from m (over

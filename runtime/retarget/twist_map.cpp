@@ -18,8 +18,7 @@ struct Limb {
   bool is_upper = false;
 };
 
-std::vector<Limb> limbs_of(const Skeleton& skeleton) {
-  const std::vector<std::uint32_t> bones = find_humanoid_bones(skeleton);
+std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<std::uint32_t>& bones) {
   std::vector<Limb> limbs;
   for (const std::string side : {"left", "right"}) {
     const auto add = [&](const char* joint, const char* tip, bool is_upper) {
@@ -65,7 +64,7 @@ std::optional<TwistJoint> twist_joint(const Skeleton& skeleton, const Limb& limb
 
 TwistMap make_twist_map(const SkeletonMap& map, const Skeleton& target) {
   TwistMap twists;
-  const std::vector<Limb> limbs = limbs_of(target);
+  const std::vector<Limb> limbs = limbs_of(target, map.target_bones);
   const auto is_fixed = [&](std::uint32_t j) { return target.fixed_matrix_of[j] != kNone; };
   for (const std::uint32_t joint : map.unmapped_target) {
     const auto limb =

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <nlohmann/json.hpp>
+
 #include "importer/export_glb.h"
 #include "importer/import_gltf.h"
 #include "runtime/math/quaternion.h"
@@ -350,6 +352,32 @@ TEST(retarget, twist_joints_of_the_character_share_what_a_foot_is_twisted) {
   const BoneAnimation& twist = out->scene.animations.at(0).bones.at(1);
   EXPECT_EQ(out->scene.skeleton.names[twist.joint], "calf_twist_01_l");
   EXPECT_NEAR(twist.rotation.values.back().y, std::sin(0.1), 1e-6) << "a quarter of the foot's";
+}
+
+/// Adds what VRM says about the bones of nodes 0 and 1, and names them otherwise.
+void say_bones(const std::string& file, const char* extension, const char* first_name, const char* second_name) {
+  nlohmann::json root = nlohmann::json::parse(std::ifstream(file));
+  root["nodes"][0]["name"] = first_name;
+  root["nodes"][1]["name"] = second_name;
+  root["extensionsUsed"] = {extension};
+  root["extensions"][extension] = {
+      {"specVersion", "1.0"},
+      {"humanoid", {{"humanBones", {{"hips", {{"node", 0}}}, {"leftUpperArm", {{"node", 1}}}}}}}};
+  std::ofstream(file) << root;
+}
+
+TEST(retarget, bones_are_those_that_vrm_says_whatever_their_names) {
+  const ToolModelFile model;
+  write_body(model.beside(""), "clips", "", "", 1.0, true);
+  write_body(model.beside(""), "tall", "", "", 3.0, false);
+  say_bones(model.beside("clips.gltf"), "VRMC_vrm_animation", "head", "RightFoot");
+  say_bones(model.beside("tall.gltf"), "VRMC_vrm", "\u8170", "\u5de6\u8155");
+  const CommandOutcome outcome = run_tool(
+      {"retarget", model.beside("clips.gltf"), "--onto", model.beside("tall.gltf"), "-o", model.beside("out.glb")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("  \"\u8170\" follows \"head\"\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  \"\u5de6\u8155\" follows \"RightFoot\"\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("2 joints by the bones of a human body or the map"));
 }
 
 TEST(retarget, translations_follow_the_rule_that_is_asked_for) {

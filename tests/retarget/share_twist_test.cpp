@@ -6,6 +6,7 @@
 
 #include "runtime/animation/truth_pose.h"
 #include "runtime/math/axis_angle.h"
+#include "runtime/retarget/humanoid_bones.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/fixed_random.h"
@@ -41,6 +42,7 @@ Skeleton arm(std::uint64_t seed) {
 
 TwistMap twists_of(const Skeleton& skeleton, std::vector<std::uint32_t> moved = {upper, lower, hand}) {
   SkeletonMap map;
+  map.target_bones = find_humanoid_bones(skeleton);
   for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j)
     if (std::find(moved.begin(), moved.end(), j) == moved.end()) map.unmapped_target.push_back(j);
   return make_twist_map(map, skeleton);

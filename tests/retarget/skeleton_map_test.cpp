@@ -244,5 +244,30 @@ TEST(skeleton_map, translations_follow_the_rule_of_their_chain) {
   EXPECT_NEAR(stretch(one_arm, kHand), 1.0, 1e-6);
 }
 
+/// What a file says about bones comes before names, and what it does not say is not looked for.
+TEST(skeleton_map, bones_that_are_given_are_those_that_are_mapped) {
+  const Skeleton source = named(scenes::two_sided(RightSide::mirrored_axes, 3).skeleton),
+                 target = renamed(scenes::two_sided(RightSide::mirrored_axes, 4).skeleton);
+  SkeletonMapOptions options;
+  options.source_bones.assign(kHumanoidBones.size(), kNone);
+  options.target_bones = options.source_bones;
+  const auto say = [&](const char* bone, std::uint32_t from, std::uint32_t to) {
+    options.source_bones[humanoid_bone(bone)] = from;
+    options.target_bones[humanoid_bone(bone)] = to;
+  };
+  say("hips", 0, 0);
+  say("leftHand", kForearm, kHand);
+  const SkeletonMap map = make_skeleton_map(source, target, options);
+  ASSERT_EQ(map.joints.size(), 2u);
+  EXPECT_EQ(map.joints[1].source, kForearm);
+  EXPECT_EQ(map.joints[1].target, kHand);
+  EXPECT_EQ(map.target_bones, options.target_bones);
+  EXPECT_GT(make_skeleton_map(source, target).joints.size(), 2u) << "by names";
+  Skeleton leg = scenes::breadth_first({kNone, 0}, {{0, 1, 0}, {0.1f, 0, 0}});
+  leg.names = {"hips", "leftUpperLeg"};
+  options.source_bones = options.target_bones = find_humanoid_bones(leg);
+  EXPECT_TRUE(make_skeleton_map(leg, leg, options).by_names) << "a skeleton onto itself";
+}
+
 }  // namespace
 }  // namespace sinew

@@ -20,6 +20,7 @@
 #include "importer/tool/messages.h"
 #include "importer/tool/retarget/joint_pairs.h"
 #include "importer/tool/text_table.h"
+#include "importer/vrm.h"
 #include "runtime/library/clip_channels.h"
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
@@ -119,9 +120,12 @@ std::vector<Animation> retarget_clips(const Scene& clips, const SkeletonMap& map
 
 /// The map by names, bones, or the person's own.
 /// err   a sentence
-tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const Skeleton& source,
-                                              const Skeleton& target) {
+tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, const ImportedFile& clips,
+                                              const ImportedFile& character) {
+  const Skeleton &source = clips.scene.skeleton, &target = character.scene.skeleton;
   SkeletonMapOptions choice;
+  if (clips.vrm) choice.source_bones = humanoid_bones_of(*clips.vrm);
+  if (character.vrm) choice.target_bones = humanoid_bones_of(*character.vrm);
   if (options.translations == "by-length") choice.translations = TranslationRule::by_length;
   if (options.translations == "keep") choice.translations = TranslationRule::keep;
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
@@ -165,7 +169,7 @@ ExitCode retarget(const RetargetOptions& options) {
     if (const auto why = objection_to_output(output, inputs)) return fail_with(ExitCode::wrong_usage, *why);
 
   const Skeleton &source = clips->scene.skeleton, &target = character->scene.skeleton;
-  const auto map = map_of(options, source, target);
+  const auto map = map_of(options, *clips, *character);
   if (!map) return fail_with(ExitCode::wrong_usage, map.error());
   if (map->joints.empty())
     return fail_with(ExitCode::input_at_fault, options.character + ": no joint is like one of " + options.clips +
@@ -186,8 +190,9 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
   CLI::App* command = program.add_subcommand(
       "retarget",
       "Play the clips of one character on another\n"
-      "Joints follow those of the same names, or those that are the same bone of a human body by the names of VRM, "
-      "Mixamo, Unreal, Rigify and motion capture. Each takes over how far the other is turned from the rest pose; axes "
+      "Joints follow those of the same names, or those that are the same bone of a human body: by what a VRM file "
+      "says, or by the names of VRM, Mixamo, Unreal, Rigify, Daz and motion capture. Each takes over how far the other "
+      "is turned from the rest pose; axes "
       "and roll of bones do not matter. Arms and legs point where those of the clips point, also where one rests with "
       "its arms out and the other with its arms down. Bones keep their lengths; the path of the hips is scaled by "
       "their height. Twist joints of arms and legs share what hands, feet, arms and thighs are twisted. Morph targets, "
