@@ -2,6 +2,8 @@
 #include "viewer/app/keys.h"
 
 #include <set>
+#include <sstream>
+#include <string>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -36,6 +38,19 @@ TEST(keys, no_key_does_two_things_and_every_key_is_described) {
     EXPECT_NE(text.find(binding.meaning), std::string::npos);
     EXPECT_LT(binding.name.size(), 10u);  // fits its column
   }
+}
+
+TEST(keys, are_described_in_two_columns) {
+  std::istringstream lines(describe_keys());
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    ASSERT_GT(line.size(), 12u);
+    EXPECT_EQ(line.substr(0, 2), "  ");
+    EXPECT_NE(line[2], ' ') << line;
+    EXPECT_EQ(line[11], ' ') << line;
+    EXPECT_NE(line[12], ' ') << line;
+  }
+  EXPECT_EQ(count, key_bindings().size() + 2) << "and the mouse";
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/viewer/imgui_fixture.h"
+#include "viewer/app/scene_choice.h"
 
 namespace sinew::viewer {
 namespace {
@@ -42,22 +45,43 @@ class PanelTest : public ImguiTest {
     click(item, "##Combo_00", playback);
   }
 
-  PanelWishes click(const char* label, const char* window_name, Playback& playback) {
-    PanelWishes wishes;
-    ImGuiWindow* window = ImGui::FindWindowByName(window_name);
-    if (window == nullptr) {
-      ADD_FAILURE() << "no window " << window_name;
-      return wishes;
-    }
-    const ImGuiID id = window->GetID(label);
+  // Holds a slider and goes to that end of the screen.
+  void slide(const char* label, float x, Playback& playback) {
+    frame(playback);
+    if (!hover(id_of(label, "sinew (h hides this)"), label, playback)) return;
+    ImGui::GetIO().MouseDown[0] = true;
+    frame(playback);
+    ImGui::GetIO().MousePos.x = x;
+    frame(playback);
+    ImGui::GetIO().MouseDown[0] = false;
+    frame(playback);
+  }
+
+  // This version of ImGui has no test hooks: moves the mouse over the panel until the item is hovered.
+  bool hover(ImGuiID id, const char* label, Playback& playback) {
     ImGuiContext& g = *context_;
-    // This version of ImGui has no test hooks: moves the mouse over the panel until the item is hovered.
     for (float y = 10; y < 700 && g.HoveredId != id; y += 4)
       for (float x = 20; x < 360 && g.HoveredId != id; x += 6) {
         ImGui::GetIO().MousePos = {x, y};
         frame(playback);
       }
-    EXPECT_EQ(g.HoveredId, id) << label << " is nowhere in " << window_name;
+    EXPECT_EQ(g.HoveredId, id) << label << " is nowhere";
+    return g.HoveredId == id;
+  }
+
+  // in   number  of the item, where names may repeat
+  static ImGuiID id_of(const char* label, const char* window_name, const int* number = nullptr) {
+    ImGuiWindow* window = ImGui::FindWindowByName(window_name);
+    if (window == nullptr) {
+      ADD_FAILURE() << "no window " << window_name;
+      return 0;
+    }
+    return number ? ImHashStr(label, 0, ImHashData(number, sizeof *number, window->ID)) : window->GetID(label);
+  }
+
+  PanelWishes click(const char* label, const char* window_name, Playback& playback) {
+    PanelWishes wishes;
+    if (!hover(id_of(label, window_name), label, playback)) return wishes;
     for (const bool down : {true, false}) {
       ImGui::GetIO().MouseDown[0] = down;
       const PanelWishes now = frame(playback);
@@ -182,6 +206,77 @@ TEST_F(PanelTest, switches_change_the_settings) {
   EXPECT_TRUE(click("frame all", playback).frame_all);
   choose("frame", "follow", playback);
   EXPECT_EQ(settings_.framing, Framing::follow);
+}
+
+TEST_F(PanelTest, sliders_go_from_end_to_end) {
+  Playback playback(scene_);
+  facts_.cache.emplace();
+  const float left = 0.0f, right = 1279.0f;
+  slide("time", right, playback);
+  EXPECT_EQ(playback.time_s(), 2.0);
+  slide("time", left, playback);
+  EXPECT_EQ(playback.time_s(), 0.0);
+  slide("speed", right, playback);
+  EXPECT_EQ(playback.speed(), 4.0);
+  slide("speed", left, playback);
+  EXPECT_EQ(playback.speed(), -2.0);
+  const std::tuple<const char*, float*, float, float> sliders[] = {
+      {"exposure", &settings_.exposure_ev, -6.0f, 6.0f},
+      {"turn", &settings_.environment_turn_deg, -180.0f, 180.0f},
+      {"cache", &settings_.cache_weight, 0.0f, 1.0f}};
+  for (const auto& [name, value, lowest, highest] : sliders) {
+    slide(name, right, playback);
+    EXPECT_EQ(*value, highest) << name;
+    slide(name, left, playback);
+    EXPECT_EQ(*value, lowest) << name;
+  }
+}
+
+TEST_F(PanelTest, looks_are_chosen_from_lists) {
+  Playback playback(scene_);
+  for (const auto& [name, backdrop] : {std::pair{"sharp", Backdrop::sharp}, {"plain", Backdrop::plain}}) {
+    choose("backdrop", name, playback);
+    EXPECT_EQ(settings_.backdrop, backdrop);
+  }
+  choose("shading", "gooch", playback);
+  EXPECT_EQ(settings_.shading, Shading::gooch);
+  for (const auto& [name, curve] : {std::pair{"aces", ToneCurve::aces}, {"none", ToneCurve::none}}) {
+    choose("tone", name, playback);
+    EXPECT_EQ(settings_.tone_curve, curve);
+  }
+  for (const auto& [name, show] :
+       {std::pair{"normals", Show::normals}, {"depth", Show::depth}, {"color", Show::color}}) {
+    click(name, playback);
+    EXPECT_EQ(settings_.show, show);
+  }
+  settings_.shadows = settings_.smooth_edges = settings_.auto_exposure = false;
+  for (const auto& [name, value] : {std::pair{"shadows", &settings_.shadows},
+                                    {"smooth edges", &settings_.smooth_edges},
+                                    {"exposure follows the picture", &settings_.auto_exposure}}) {
+    click(name, playback);
+    EXPECT_TRUE(*value) << name;
+  }
+}
+
+TEST_F(PanelTest, cameras_variants_and_clips_are_those_of_the_file) {
+  scene_.cameras = {{.name = "front", .joint = 0}, {.name = "unused", .joint = kNone}, {.name = "side", .joint = 0}};
+  scene_.variants = {"day", "night"};
+  Playback playback(scene_);
+  const auto choose_number = [&](const char* list, int number, const std::string& item) {
+    click(list, playback);
+    frame(playback);
+    ASSERT_TRUE(hover(id_of(item.c_str(), "##Combo_00", &number), item.c_str(), playback));
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().MouseDown[0] = down;
+      frame(playback);
+    }
+  };
+  choose_number("camera", 2, camera_label(scene_, 2));
+  EXPECT_EQ(settings_.camera, 2u);
+  choose_number("variant", 1, variant_label(scene_, 1));
+  choose_number("clip", 1, clip_label(scene_, 1));
+  EXPECT_EQ(settings_.variant, 1u);
+  EXPECT_EQ(playback.clip(), 1u);
 }
 
 TEST_F(PanelTest, every_section_opens_without_a_device) {

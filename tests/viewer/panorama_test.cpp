@@ -96,6 +96,24 @@ TEST(panorama, open_exr_keeps_half_floats_and_what_is_no_light_is_black) {
   EXPECT_EQ(panorama->texels[7], glm::vec3(0.5f));
 }
 
+TEST(panorama, open_exr_has_its_texels_wherever_its_data_window_lies) {
+  const std::filesystem::path path = own_path("window.exr");
+  const Imath::Box2i window({7, -3}, {10, -2});
+  std::vector<Imf::Rgba> texels(8);
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = Imf::Rgba(static_cast<float>(i), 1.0f, 2.0f);
+  {
+    Imf::RgbaOutputFile file(path.c_str(), window, window, Imf::WRITE_RGB);
+    file.setFrameBuffer(texels.data() - window.min.x - window.min.y * 4, 1, 4);
+    file.writePixels(2);
+  }
+  const auto panorama = decoded(bytes_of(path));
+  std::filesystem::remove(path);
+  ASSERT_TRUE(panorama) << panorama.error();
+  ASSERT_EQ(panorama->width, 4u);
+  ASSERT_EQ(panorama->height, 2u);
+  for (std::size_t i = 0; i < texels.size(); ++i) EXPECT_EQ(panorama->texels[i].x, static_cast<float>(i)) << i;
+}
+
 TEST(panorama, what_cannot_be_read_is_one_sentence) {
   EXPECT_THAT(why("PNG or so"), HasSubstr("neither Radiance"));
   EXPECT_THAT(why(""), HasSubstr("neither Radiance"));
