@@ -82,7 +82,11 @@ TEST(retarget, a_map_of_ones_own_comes_before_names_and_says_what_is_wrong_with_
   EXPECT_THAT(good.out, testing::Not(HasSubstr("\"lamp\" follows")));
   EXPECT_THAT(run(R"({"joints": {"x": "a"}})").err, HasSubstr("the character has no joint \"x\""));
   EXPECT_THAT(run(R"({"joints": {"c": "x"}})").err, HasSubstr("the clips have no joint \"x\""));
-  EXPECT_THAT(run(R"({"joints": {"c": 1}})").err, HasSubstr("\"c\" names no joint"));
+  EXPECT_THAT(run(R"({"joints": {"c": 1}})").err, HasSubstr("\"c\" in \"joints\" is no text"));
+  EXPECT_THAT(run(R"({"joints": ["c"]})").err, HasSubstr("\"joints\" is no list of names"));
+  EXPECT_THAT(run(R"({"bones": {"c": "a"}})").err, HasSubstr("\"bones\" is not \"joints\" or \"translations\""));
+  EXPECT_THAT(run(R"({"translations": {"c": "half"}})").err, HasSubstr("\"half\" is no rule"));
+  EXPECT_THAT(run(R"({"translations": {"x": "keep"}})").err, HasSubstr("the character has no joint \"x\""));
   EXPECT_THAT(run(R"({"joints": {}})").err, HasSubstr("pairs no joints"));
   EXPECT_EQ(run("[").status, 2);
   EXPECT_EQ(
@@ -394,6 +398,12 @@ TEST(retarget, translations_follow_the_rule_that_is_asked_for) {
   EXPECT_EQ(hips("hips-by-height").translation.values.size(), 2u);
   EXPECT_TRUE(hips("keep").translation.empty());
   EXPECT_EQ(hips("by-length").translation.values.size(), 2u);
+  std::ofstream(model.beside("map.json")) << R"({"translations": {"pelvis": "keep"}})";
+  const CommandOutcome outcome = run_tool({"retarget", model.beside("clips.gltf"), "--onto", model.beside("tall.gltf"),
+                                           "-o", model.beside("kept.glb"), "--map", model.beside("map.json")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"upperarm_l\" follows")) << "joints are still mapped by their bones";
+  EXPECT_TRUE(import_gltf(model.beside("kept.glb"))->scene.animations[0].bones[0].translation.empty());
   EXPECT_EQ(run_tool({"retarget", "a.glb", "--onto", "b.glb", "-o", "c.glb", "--translations", "half"}).status, 2);
 }
 

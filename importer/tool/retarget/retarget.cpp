@@ -18,7 +18,7 @@
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
-#include "importer/tool/retarget/joint_pairs.h"
+#include "importer/tool/retarget/map_file.h"
 #include "importer/tool/text_table.h"
 #include "importer/vrm.h"
 #include "runtime/library/clip_channels.h"
@@ -35,7 +35,7 @@ struct RetargetOptions {
   std::string clips, character, out;
   std::optional<std::string> map;
   std::vector<std::string> drop;
-  std::string translations = "hips-by-height";
+  std::string translations = kTranslationRules[0];
   bool keep_rest = false, hold_feet = false;
 };
 
@@ -126,14 +126,10 @@ tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, co
   SkeletonMapOptions choice;
   if (clips.vrm) choice.source_bones = humanoid_bones_of(*clips.vrm);
   if (character.vrm) choice.target_bones = humanoid_bones_of(*character.vrm);
-  if (options.translations == "by-length") choice.translations = TranslationRule::by_length;
-  if (options.translations == "keep") choice.translations = TranslationRule::keep;
+  choice.translations = *translation_rule(options.translations);
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
-  if (options.map) {
-    auto pairs = read_joint_pairs(*options.map, source, target);
-    if (!pairs) return tl::unexpected(pairs.error());
-    choice.pairs = *std::move(pairs);
-  }
+  if (options.map)
+    if (auto done = read_map_file(*options.map, source, target, choice); !done) return tl::unexpected(done.error());
   return make_skeleton_map(source, target, choice);
 }
 
@@ -209,8 +205,10 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
   command->add_option("-o,--output", options->out, "The .glb or .gltf file to write")->required()->type_name("OUT");
   command
       ->add_option("--map", options->map,
-                   "JSON that says which joint follows which, and is then all that is mapped:\n"
-                   "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...}}")
+                   "JSON with one or both of \"joints\", which joint follows which, and is then all that is mapped,\n"
+                   "and \"translations\", RULE of a joint and all below it:\n"
+                   "{\"joints\": {\"joint of CHARACTER\": \"joint of CLIPS\", ...},\n"
+                   " \"translations\": {\"joint of CHARACTER\": \"by-length\", ...}}")
       ->type_name("FILE");
   command->add_option("--drop", options->drop, "What of CHARACTER may be lost: names as they are listed, or all")
       ->delimiter(',')
@@ -224,7 +222,7 @@ void add_retarget(CLI::App& program, ExitCode& outcome) {
           "hips-by-height: the path of the hips is scaled by their height, bones keep their length (default);\n"
           "by-length: each joint is scaled by the length of its bone; keep: all stay where they rest")
       ->type_name("RULE")
-      ->check(CLI::IsMember({"hips-by-height", "by-length", "keep"}));
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kTranslationRules), std::end(kTranslationRules))));
   command->add_flag("--keep-rest", options->keep_rest,
                     "The rest pose of CLIPS becomes the rest pose of CHARACTER, arms and legs too");
   command->callback([options, &outcome] { outcome = retarget(*options); });

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "runtime/retarget/skeleton_map.h"
+
+namespace sinew::tool {
+
+inline constexpr const char* kTranslationRules[] = {"hips-by-height", "by-length", "keep"};  ///< as TranslationRule
+
+/// Reads what a person says about a map:
+///     {"joints": {"JOINT OF TARGET": "JOINT OF SOURCE", ...}, "translations": {"JOINT OF TARGET": "keep", ...}}
+/// Either member may be absent. `translations` are rules for a joint and all below it.
+/// out   options  pairs, chains
+/// err   a sentence: the file cannot be read, names a joint that is not there, or says something else
+tl::expected<void, std::string> read_map_file(const std::string& file, const Skeleton& source, const Skeleton& target,
+                                              SkeletonMapOptions& options);
+
+/// The rule of a name of kTranslationRules.
+std::optional<TranslationRule> translation_rule(const std::string& name);
+
+}  // namespace sinew::tool
