@@ -98,6 +98,34 @@ TEST_F(exhibit, without_a_file_is_one_of_the_built_in_scenes) {
                                               ": the built-in scenes are 0 to " + std::to_string(all->size() - 1)));
 }
 
+constexpr const char* kWithBuffer =
+    R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "part.bin", "byteLength": 4}], "nodes": [{"name": "first"}]})";
+
+TEST_F(exhibit, knows_the_files_that_it_was_read_from) {
+  std::ofstream(folder_ / "part.bin") << "four";
+  const auto shown = load(kWithBuffer);
+  ASSERT_TRUE(shown) << shown.error().message;
+  EXPECT_THAT(shown->front().files,
+              testing::UnorderedElementsAre(folder_ / "thing.gltf", fs::canonical(folder_) / "part.bin"));
+}
+
+TEST_F(exhibit, is_read_again_in_the_same_light) {
+  const auto first = load(kTwoScenes);
+  ASSERT_TRUE(first);
+  Options options;
+  options.file = (folder_ / "thing.gltf").string();
+  const auto say = [this](const std::string& line) { said_.push_back(line); };
+  const auto again = reload_exhibit(options, first->front().environment, say);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->environment, first->front().environment);
+  EXPECT_EQ(again->scene.skeleton.parents.size(), first->front().scene.skeleton.parents.size());
+  EXPECT_THAT(said_.back(), HasSubstr("2 scenes; scene 1 is shown"));
+  std::ofstream(options.file) << "{";
+  const auto broken = reload_exhibit(options, nullptr, say);
+  ASSERT_FALSE(broken);
+  EXPECT_THAT(broken.error().message, HasSubstr("thing.gltf"));
+}
+
 TEST(needs_of, ask_for_bounds_of_one_layer_and_what_the_evaluation_says) {
   Exhibit shown;
   shown.instance_skinning = {Skinning::linear};

@@ -50,6 +50,9 @@ TEST(options, without_arguments_open_a_window_on_the_showcase) {
   EXPECT_EQ(options.shading, Shading::physical);
   EXPECT_EQ(accepted({"--shading", "gooch"}).shading, Shading::gooch);
   EXPECT_EQ(accepted({"--shading", "physical"}).shading, Shading::physical);
+  EXPECT_FALSE(options.watch);
+  EXPECT_TRUE(accepted({"a.glb", "--watch"}).watch);
+  EXPECT_TRUE(accepted({"--watch", "a.glb"}).watch);
   EXPECT_FALSE(options.smooth_edges.has_value());
   EXPECT_EQ(accepted({"--smoothing", "on"}).smooth_edges, true);
   EXPECT_EQ(accepted({"--smoothing", "off"}).smooth_edges, false);
@@ -246,6 +249,8 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"a", "--transparent"}, "--headless"},
       {{"a", "--headless", "d.png", "--exit-after", "3"}, "--exit-after"},
       {{"--exit-after", "-1"}, "--exit-after"},
+      {{"--watch"}, "FILE"},
+      {{"a", "--watch", "--headless", "d.png"}, "--watch"},
       {{"--headless"}, "--headless"},
   };
   for (const auto& wrong : cases) {
@@ -264,12 +269,34 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
 TEST(options, help_and_version_leave_with_code_0) {
   const auto help = std::get<Leave>(parse({"--help"}));
   EXPECT_EQ(help.code, 0);
-  for (const char* word :
-       {"--headless",   "--time",     "--clip",   "--size",        "--skinning",         "--filter",
-        "--show",       "--eye",      "--target", "--fov DEGREES", "--transparent",      "--frames",
-        "--fps",        "--scene",    "--no-ao",  "--environment", "--environment-turn", "--environment-intensity",
-        "--exposure",   "--backdrop", "--tone",   "--exit-after",  "--validate",         "space",
-        "play / pause", "skeleton",   "Exit code"})
+  for (const char* word : {"--headless",
+                           "--time",
+                           "--clip",
+                           "--size",
+                           "--skinning",
+                           "--filter",
+                           "--show",
+                           "--eye",
+                           "--target",
+                           "--fov DEGREES",
+                           "--transparent",
+                           "--frames",
+                           "--fps",
+                           "--scene",
+                           "--no-ao",
+                           "--environment",
+                           "--environment-turn",
+                           "--environment-intensity",
+                           "--exposure",
+                           "--backdrop",
+                           "--tone",
+                           "--exit-after",
+                           "--watch",
+                           "--validate",
+                           "space",
+                           "play / pause",
+                           "skeleton",
+                           "Exit code"})
     EXPECT_THAT(help.text, HasSubstr(word));
   const auto version = std::get<Leave>(parse({"--version"}));
   EXPECT_EQ(version.code, 0);

@@ -124,6 +124,13 @@ TEST_F(PanelText, the_file_is_named_or_the_scenes_are_offered) {
   EXPECT_THAT(written(), HasSubstr("knight.glb")) << "one is no choice";
 }
 
+TEST_F(PanelText, why_a_changed_file_is_not_shown_stands_below_its_name) {
+  EXPECT_THAT(written(), Not(HasSubstr("changed")));
+  facts_.reload_fault = "knight.glb: error: glb-length";
+  EXPECT_THAT(written(), HasSubstr("changed, and shown as before:"));
+  EXPECT_THAT(written(), HasSubstr("knight.glb: error: glb-length"));
+}
+
 TEST_F(PanelText, skinning_is_offered_where_there_are_skins_and_the_scene_does_not_choose) {
   EXPECT_THAT(written(), Not(HasSubstr("dual quaternion")));
   scene_.skins.emplace_back();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sinew::viewer {
 namespace {
 
@@ -185,6 +187,61 @@ TEST(playback, speeds_have_ends_and_meet_one_again) {
   playback.set_speed(1.2);
   playback.faster();
   EXPECT_EQ(playback.speed(), 1.5);
+}
+
+TEST(playback, goes_on_from_another_one_in_a_clip_of_another_scene) {
+  const Scene before = scene_with_clips({2.0, 3.0}), now = scene_with_clips({1.0, 5.0, 3.5});
+  Playback old(before);
+  old.choose(1);
+  old.set_mode(PlayMode::once);
+  old.set_speed(-0.5);
+  old.seek(2.25);
+  old.pause();
+  Playback playback(now);
+  playback.continue_from(old, 2);
+  EXPECT_EQ(playback.clip(), 2u);
+  EXPECT_EQ(playback.time_s(), 2.25);
+  EXPECT_EQ(playback.duration_s(), 3.5);
+  EXPECT_EQ(playback.speed(), -0.5);
+  EXPECT_EQ(playback.mode(), PlayMode::once);
+  EXPECT_FALSE(playback.playing());
+  playback.continue_from(old, 0);
+  EXPECT_EQ(playback.time_s(), 1.0) << "the clip is shorter";
+  playback.continue_from(old, kNone);
+  EXPECT_EQ(playback.clip(), kNone);
+}
+
+TEST(playback, begins_the_first_clip_where_the_one_before_is_gone) {
+  const Scene before = scene_with_clips({2.0, 3.0}), now = scene_with_clips({1.0});
+  Playback old(before), playback(now);
+  old.set_speed(2.0);
+  old.seek(0.5);
+  playback.continue_from(old, std::nullopt);
+  EXPECT_EQ(playback.clip(), 0u);
+  EXPECT_EQ(playback.time_s(), 0.0);
+  EXPECT_EQ(playback.duration_s(), 1.0);
+  EXPECT_EQ(playback.speed(), 2.0);
+  EXPECT_TRUE(playback.playing());
+}
+
+TEST(playback, there_and_back_goes_on_in_its_direction) {
+  const Scene before = scene_with_clips({2.0}), now = scene_with_clips({3.0}), shorter_scene = scene_with_clips({1.0});
+  for (const double speed : {1.0, -0.5, 0.0}) {
+    Playback old(before), playback(now);
+    old.set_mode(PlayMode::ping_pong);
+    old.advance(2.5);  // 1.5 on the way back
+    old.set_speed(speed);
+    playback.continue_from(old, 0);
+    EXPECT_EQ(playback.time_s(), 1.5) << speed;
+    EXPECT_EQ(playback.speed(), speed);
+    playback.advance(0.5);
+    EXPECT_EQ(playback.time_s(), 1.5 - 0.5 * speed) << "on the way back, the time goes down";
+    Playback shorter(shorter_scene);
+    shorter.continue_from(old, 0);
+    EXPECT_EQ(shorter.time_s(), 1.0) << "at its end";
+    shorter.advance(0.25);
+    EXPECT_EQ(shorter.time_s(), 1.0 - 0.25 * std::abs(speed)) << "and it turns there";
+  }
 }
 
 }  // namespace

@@ -57,6 +57,9 @@ ends 3 a.png --headless no/such/folder/a.png --size 32x32
 touch file
 ends 3 file --headless file/ --frames 0:1 --size 32x32
 ends 3 --headless
+ends 2 'excludes --watch' --watch bones.gltf --headless a.png
+ends 2 'FILE' --watch
+ends 3 'display' --watch bones.gltf
 
 ends 2 'no such camera' bones.gltf --camera 0 --headless a.png
 ends 2 'no such variant' bones.gltf --variant red --headless a.png

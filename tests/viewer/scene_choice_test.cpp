@@ -82,5 +82,38 @@ TEST(scene_choice, of_a_variant_takes_an_index_or_a_name) {
   EXPECT_EQ(variant_label(scene, kNone), "as in the file");
 }
 
+TEST(scene_choice, finds_a_clip_again_by_its_name) {
+  const auto before = clip_names(scene_with({"Walk", "Run", "", "Run", "Run", ""}));
+  const Scene now = scene_with({"Run", "", "Walk", "Run"});
+  EXPECT_EQ(same_clip(before, 0, now), 2u);
+  EXPECT_EQ(same_clip(before, 1, now), 0u) << "the first of that name";
+  EXPECT_EQ(same_clip(before, 3, now), 3u) << "the second of that name";
+  EXPECT_EQ(same_clip(before, 4, now), std::nullopt) << "there is no third one";
+  EXPECT_EQ(same_clip(before, 2, now), 1u) << "the first without a name";
+  EXPECT_EQ(same_clip(before, 5, now), std::nullopt);
+  EXPECT_EQ(same_clip(before, kNone, now), kNone) << "the rest pose stays";
+  EXPECT_EQ(same_clip({}, kNone, Scene{}), kNone);
+  EXPECT_EQ(same_clip({}, 0, now), std::nullopt);
+}
+
+TEST(scene_choice, finds_cameras_and_variants_again_by_their_names) {
+  Scene before, now;
+  before.cameras.resize(3);
+  for (Camera& camera : before.cameras) camera.joint = 0;
+  before.cameras[0].name = before.cameras[2].name = "wide";
+  now.cameras.resize(2);
+  now.cameras[0].name = now.cameras[1].name = "wide";
+  now.cameras[1].joint = 0;
+  EXPECT_EQ(same_camera(before, 0, now), 1u) << "a camera on no node does not count";
+  EXPECT_EQ(same_camera(before, 1, now), std::nullopt);
+  EXPECT_EQ(same_camera(before, 2, now), std::nullopt);
+  EXPECT_EQ(same_camera(before, kNone, now), kNone);
+  before.variants = {"red", "blue"};
+  now.variants = {"blue"};
+  EXPECT_EQ(same_variant(before, 1, now), 0u);
+  EXPECT_EQ(same_variant(before, 0, now), std::nullopt);
+  EXPECT_EQ(same_variant(before, kNone, now), kNone);
+}
+
 }  // namespace
 }  // namespace sinew::viewer

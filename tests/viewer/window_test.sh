@@ -200,6 +200,43 @@ press Left Left
 eventually "and back over the seam, where frames are read again, is the very same picture" equals_now end
 quit
 
+# A file that changes while it is shown. Each state is written beside and moved over the file at once, as programs save.
+triangle='"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]'
+save() {
+  printf '%s' "$1" > "$pictures/new"
+  mv "$pictures/new" "$pictures/face.gltf"
+}
+save_color() {
+  save '{"asset":{"version":"2.0"},'"$triangle"',"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":['"$1"',1]}}]}'
+}
+says() { [ "$(grep -c "$1" "$pictures/messages")" = "$2" ]; }
+save_color 0.8,0.1,0.1
+: > "$pictures/messages"
+"$viewer" --validate --watch --size 640x400 "$pictures/face.gltf" 2> "$pictures/messages" &
+pid=$!
+eventually "a window that watches its file opens" find_window
+xdotool windowfocus "$window"
+eventually "it shows a picture" has_picture
+press h
+eventually "which stands still" still red
+save_color 0.1,0.1,0.8
+eventually "a changed file is shown" differs_now red
+eventually "and stands still" still blue
+save '{"asset":{"version"'
+eventually "a broken file is named" says 'face.gltf.*error.*shown as before' 1
+sleep 1
+says 'shown as before' 1 || fail "a broken file is named once"
+passed "once"
+eventually "the picture stays" equals_now blue
+save_color 0.8,0.1,0.1
+eventually "a file that is whole again is shown as before" equals_now red
+eventually "and that is said" says 'face.gltf: read again' 2
+grep -v 'shown as before$\|: read again$' "$pictures/messages" && fail "the validation layer has nothing to say"
+: > "$pictures/messages"
+quit
+
 timeout 120 "$viewer" --exit-after 0.5 --size 320x240 2> "$pictures/messages"
 code=$?
 [ "$code" = 0 ] || fail "--exit-after closes with exit code 0, was $code"

@@ -92,6 +92,7 @@ tl::expected<Exhibit, LoadError> from_cache(const std::string& path) {
   exhibit.name = alone->cache->file.name;
   exhibit.scene = std::move(alone->scene);
   exhibit.cache = std::move(alone->cache);
+  exhibit.files = {path};
   return exhibit;
 }
 
@@ -114,13 +115,25 @@ tl::expected<Exhibit, LoadError> from_file(const Options& options, const Say& sa
   if (reads_access) exhibit.access = access_of_file(*imported, say);
   exhibit.name = std::filesystem::path(file).filename().string();
   exhibit.scene = std::move(imported->scene);
+  exhibit.files = std::move(imported->facts.files);
   if (cache.empty()) return exhibit;
   auto opened = open_cache_file(cache);
   if (!opened) return fails(std::move(opened.error()));
   auto bound = bind_cache(std::move(*opened), exhibit.scene, say);
   if (!bound) return fails(std::move(bound.error()));
   exhibit.cache = std::move(*bound);
+  exhibit.files.emplace_back(cache);
   return exhibit;
+}
+
+tl::expected<Exhibit, LoadError> named_file(const Options& options, const Say& say,
+                                            const std::function<void(double)>& progress) {
+  const bool alone = is_cache_file(options.file);
+  if (alone && !options.cache.empty())
+    return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
+  if (alone && options.scene)
+    return tl::unexpected(LoadError{2, "--scene: " + options.file + " is a geometry cache, which has no scenes"});
+  return alone ? from_cache(options.file) : from_file(options, say, progress);
 }
 
 }  // namespace
@@ -148,12 +161,7 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
       return tl::unexpected(LoadError{2, "--scene " + std::to_string(options.first_exhibit()) +
                                              ": the built-in scenes are 0 to " + std::to_string(exhibits.size() - 1)});
   } else {
-    const bool alone = is_cache_file(options.file);
-    if (alone && !options.cache.empty())
-      return tl::unexpected(LoadError{2, "--cache: " + options.file + " is a geometry cache itself"});
-    if (alone && options.scene)
-      return tl::unexpected(LoadError{2, "--scene: " + options.file + " is a geometry cache, which has no scenes"});
-    auto exhibit = alone ? from_cache(options.file) : from_file(options, say, progress);
+    auto exhibit = named_file(options, say, progress);
     if (!exhibit) return tl::unexpected(std::move(exhibit.error()));
     exhibits.push_back(std::move(*exhibit));
   }
@@ -161,6 +169,13 @@ tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& optio
   if (!environment) return fails(environment.error());
   for (Exhibit& exhibit : exhibits) exhibit.environment = *environment;
   return exhibits;
+}
+
+tl::expected<Exhibit, LoadError> reload_exhibit(const Options& options, std::shared_ptr<const Environment> environment,
+                                                const Say& say) {
+  auto exhibit = named_file(options, say, nullptr);
+  if (exhibit) exhibit->environment = std::move(environment);
+  return exhibit;
 }
 
 void add_missing_centers(Exhibit& exhibit, Skinning skinning, const std::function<void(double)>& progress) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ struct Exhibit {
   std::string name;  ///< for the title and the menu
   std::string note;  ///< one sentence: what to look at; may be empty
   Scene scene;
+  std::vector<std::filesystem::path> files;        ///< that it was read from; empty for a built-in scene
   std::shared_ptr<const CacheOnScene> cache;       ///< none = no geometry cache plays
   std::vector<Skinning> instance_skinning;         ///< as in Needs: the kind of skinning that the scene itself asks for
   std::shared_ptr<const Environment> environment;  ///< light from all around; null = none
@@ -59,6 +61,11 @@ struct LoadError {
 tl::expected<std::vector<Exhibit>, LoadError> load_exhibits(const Options& options,
                                                             const std::function<void(const std::string&)>& say,
                                                             const std::function<void(double)>& progress);
+
+/// Reads the file of the options again, as load_exhibits does. It shows in the light from all around that is there.
+/// err  what is wrong with the file, and where
+tl::expected<Exhibit, LoadError> reload_exhibit(const Options& options, std::shared_ptr<const Environment> environment,
+                                                const std::function<void(const std::string&)>& say);
 
 /// Computes the centers of rotation of the scene's skinned meshes if `skinning` or the scene's own choice needs them
 /// and they are not there yet. cost seconds for large meshes

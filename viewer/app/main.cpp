@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include <unistd.h>
 
@@ -44,6 +45,8 @@ std::future<std::unique_ptr<Device>> device_beside(const Options& options) {
 int show(const Options& options) {
   std::future<std::unique_ptr<Device>> device;
   if (!options.headless.empty()) device = device_beside(options);
+  std::optional<ExhibitWatch> watch;
+  if (options.watch) watch.emplace(options.file);
   const auto progress = progress_of("reading");
   auto exhibits = load_exhibits(options, say, progress);
   if (progress) progress(1.0);
@@ -69,7 +72,8 @@ int show(const Options& options) {
     say(describe_missing_variant(scene, *options.variant));
     return 2;
   }
-  if (options.headless.empty()) return run_window(options, *exhibits, clip);
+  if (watch) watch->was_read(exhibits->front().files);
+  if (options.headless.empty()) return run_window(options, *exhibits, clip, watch ? &*watch : nullptr);
   Exhibit& exhibit = (*exhibits)[options.first_exhibit()];
   add_missing_centers(exhibit, options.skinning, progress_of("centers of rotation"));
   if (options.occlusion_method == OcclusionMethod::rays) {

@@ -269,7 +269,7 @@ void add_cache_options(CLI::App& app, Options& options, CLI::Option* file) {
   });
 }
 
-void add_time_options(CLI::App& app, Options& options) {
+void add_time_options(CLI::App& app, Options& options, CLI::Option* file) {
   const auto seconds = [](const char* option, const std::string& text, double least) {
     const auto value = number<double>(text);
     if (!value || *value < least) throw CLI::ValidationError(option, "'" + text + "' is not a time in seconds");
@@ -305,6 +305,9 @@ void add_time_options(CLI::App& app, Options& options) {
       text_option(app, "--exit-after", "SECONDS", "close the window by itself, for tests",
                   [&, seconds](const std::string& text) { options.exit_after_s = seconds("--exit-after", text, 0.0); });
   app.add_flag("--validate", options.validate, "use Vulkan's validation layer; exit code 3 when it complains");
+  auto* watch = app.add_flag("--watch", options.watch,
+                             "read FILE again when it or a file that it names changes; clip, time and camera stay");
+  watch->needs(file)->excludes(headless);
   frames->needs(headless)->excludes(time);
   fps->needs(frames);
   transparent->needs(headless);
@@ -336,7 +339,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   add_cache_options(app, options, file);
   add_picture_options(app, options);
   add_light_options(app, options);
-  add_time_options(app, options);
+  add_time_options(app, options, file);
   app.footer(
       "Keys in the window:\n" + describe_keys() +
       "\nExit code: 0 done, 1 the file is at fault, 2 wrong usage, 3 no Vulkan device, or no display for the window\n"

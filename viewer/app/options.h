@@ -33,6 +33,7 @@ struct Options {
 
   /// The exhibit to begin with: a file is the only one.
   std::uint32_t first_exhibit() const noexcept { return file.empty() ? scene.value_or(0) : 0; }
+  bool watch = false;            ///< read the file again when it changes
   std::string cache;             ///< a geometry cache that plays over the meshes of the file; empty = none
   float cache_weight = 1.0f;     ///< [0, 1] 0 = the pose, 1 = the cache
   std::string headless;          ///< OUT.png, or a folder together with `frames`; empty = window

@@ -15,6 +15,8 @@
 namespace sinew::viewer {
 namespace {
 
+const ImVec4 kFaultColor(1.0f, 0.5f, 0.4f, 1.0f);
+
 void text(std::string_view line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
 
 void exhibit_choice(const PanelFacts& facts, PanelWishes& wishes) {
@@ -26,6 +28,14 @@ void exhibit_choice(const PanelFacts& facts, PanelWishes& wishes) {
     }
   } else {
     text(facts.name);
+  }
+  if (!facts.reload_fault.empty()) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::PushStyleColor(ImGuiCol_Text, kFaultColor);
+    text("changed, and shown as before:");
+    text(facts.reload_fault);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
   }
   if (facts.note.empty()) return;
   ImGui::PushTextWrapPos(0.0f);
@@ -148,7 +158,7 @@ void cache_controls(const CacheFacts& cache, Settings& settings) {
   ImGui::PushTextWrapPos(0.0f);
   text(describe_window(cache));
   text(describe_cost(cache));
-  if (!cache.fault.empty()) ImGui::TextColored({1.0f, 0.5f, 0.4f, 1.0f}, "%s", std::string(cache.fault).c_str());
+  if (!cache.fault.empty()) ImGui::TextColored(kFaultColor, "%s", std::string(cache.fault).c_str());
   ImGui::PopTextWrapPos();
 }
 

@@ -18,6 +18,7 @@ namespace sinew::viewer {
 /// What the panel shows.
 struct PanelFacts {
   std::string_view name, note, device;
+  std::string_view reload_fault;  ///< why the file as it is now is not shown; empty = it is
   const Scene* scene = nullptr;
   const Needs* needs = nullptr;
   std::string updates;                    ///< how often poses are evaluated, and why

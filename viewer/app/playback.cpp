@@ -35,6 +35,20 @@ void Playback::next(int direction) {
   choose(static_cast<std::uint32_t>((from + direction + count) % count));
 }
 
+void Playback::continue_from(const Playback& before, std::optional<std::uint32_t> clip) {
+  playing_ = before.playing_;
+  clock_ = PlaybackClock(clock_.duration_s(), before.mode(), before.speed());
+  if (!clip) return;
+  choose(*clip);
+  PlaybackClock there = before.clock_;
+  const bool on_way_back = there.advance(0.0).to_s > there.duration_s();  // of ping-pong
+  clock_.seek(before.time_s());
+  if (!on_way_back) return;
+  clock_ = PlaybackClock(clock_.duration_s(), before.mode(), 1.0);
+  clock_.advance(2.0 * clock_.duration_s() - std::min(before.time_s(), clock_.duration_s()));
+  clock_.set_speed(before.speed());
+}
+
 void Playback::toggle() noexcept {
   if (clock_.finished()) {
     clock_.seek(clock_.speed() < 0.0 ? clock_.duration_s() : 0.0);

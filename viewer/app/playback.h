@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "runtime/model/scene.h"
@@ -25,6 +26,11 @@ class Playback {
   /// Goes to the next (+1) or previous (-1) clip, around the ends.
   void next(int direction);
   std::uint32_t clip() const noexcept { return clip_; }
+
+  /// Goes on as `before` plays: speed, looping, pause, and the place in the clip.
+  /// in   clip  of this scene: the same clip, or kNone for the rest pose; nothing = it is gone, so the first clip plays
+  ///            from its start
+  void continue_from(const Playback& before, std::optional<std::uint32_t> clip);
 
   /// Plays or pauses. At the end of a clip that plays once, it plays again from the start.
   void toggle() noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/app/scene_choice.h"
 
+#include <algorithm>
 #include <charconv>
 #include <vector>
 
@@ -42,6 +43,18 @@ std::optional<std::uint32_t> choose(const std::vector<Choice>& choices, std::str
   return std::nullopt;
 }
 
+std::optional<std::uint32_t> same(const std::vector<Choice>& before, std::uint32_t index,
+                                  const std::vector<Choice>& now) {
+  if (index == kNone) return kNone;
+  const auto chosen = std::find_if(before.begin(), before.end(), [&](const Choice& c) { return c.index == index; });
+  if (chosen == before.end()) return std::nullopt;
+  const auto named_alike = [&](const Choice& c) { return c.name == chosen->name; };
+  auto earlier = std::count_if(before.begin(), chosen, named_alike);
+  for (const Choice& choice : now)
+    if (named_alike(choice) && earlier-- == 0) return choice.index;
+  return std::nullopt;
+}
+
 std::string describe_missing(const char* what, const std::vector<Choice>& choices, std::string_view text) {
   const std::string message =
       std::string("--") + what + " " + std::string(text) + ": no such " + what + "; the scene has ";
@@ -67,6 +80,25 @@ std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view 
 }
 std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text) {
   return choose(variants(scene), text);
+}
+
+std::vector<std::string> clip_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& clip : scene.animations) names.push_back(clip.name);
+  return names;
+}
+
+std::optional<std::uint32_t> same_clip(const std::vector<std::string>& clips_before, std::uint32_t index,
+                                       const Scene& now) {
+  std::vector<Choice> before;
+  for (const std::string& name : clips_before) before.push_back({static_cast<std::uint32_t>(before.size()), name});
+  return same(before, index, clips(now));
+}
+std::optional<std::uint32_t> same_camera(const Scene& before, std::uint32_t index, const Scene& now) {
+  return same(cameras_on_nodes(before), index, cameras_on_nodes(now));
+}
+std::optional<std::uint32_t> same_variant(const Scene& before, std::uint32_t index, const Scene& now) {
+  return same(variants(before), index, variants(now));
 }
 
 std::string describe_missing_clip(const Scene& scene, std::string_view text) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/model/scene.h"
 
@@ -20,6 +21,18 @@ std::optional<std::uint32_t> choose_camera(const Scene& scene, std::string_view 
 
 /// The material variant that `text` names, by index or name.
 std::optional<std::uint32_t> choose_variant(const Scene& scene, std::string_view text);
+
+/// The names of the clips as the file has them, some may be empty.
+std::vector<std::string> clip_names(const Scene& scene);
+
+/// The clip, camera or variant of `now` that has the name of one of `before`: of several with that name, the one in the
+/// same place among them. For cameras, only those on nodes count.
+/// in   index  kNone = none chosen: kNone again;   clips_before  clip_names() of the scene before
+/// err  nothing when it is gone
+std::optional<std::uint32_t> same_clip(const std::vector<std::string>& clips_before, std::uint32_t index,
+                                       const Scene& now);
+std::optional<std::uint32_t> same_camera(const Scene& before, std::uint32_t index, const Scene& now);
+std::optional<std::uint32_t> same_variant(const Scene& before, std::uint32_t index, const Scene& now);
 
 /// "--clip Fly: no such clip; the scene has 0 \"Survey\", 1 \"Walk\""; only cameras on nodes are listed.
 std::string describe_missing_clip(const Scene& scene, std::string_view text);

@@ -46,6 +46,14 @@ void ShownScene::plan_for(const Evaluation& evaluation) {
   ready_seen_ = false;
   culling_ = culling_for(exhibit_, plan_.needs());
   culled_ = culling_.all_in_view();
+  catch_up();
+}
+
+void ShownScene::catch_up() {
+  if (newest_ != nullptr) {
+    jobs_->wait(ticket_);
+    levels_->begin_exact_frame("the time was set");
+  }
   const auto ticket = request();
   CONTRACT(ticket.has_value());  // the job thread is idle
   jobs_->wait(ticket_);

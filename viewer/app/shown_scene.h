@@ -38,6 +38,9 @@ class ShownScene {
   /// Compiles a new plan and waits for its first pose, so that there is always one to draw.
   void plan_for(const Evaluation& evaluation);
 
+  /// Waits for the pose of the current time, so that the next picture shows it.
+  void catch_up();
+
   /// How much of the geometry cache is in the next pose: FrameInput::geometry. Without one nothing changes.
   void set_cache_weight(float weight) noexcept { cache_weight_ = weight; }
 

@@ -16,6 +16,8 @@
 #include "viewer/app/live_plan.h"
 #include "viewer/app/orbit_camera.h"
 #include "viewer/app/panel.h"
+#include "viewer/app/reload/go_over.h"
+#include "viewer/app/scene_choice.h"
 #include "viewer/app/validation_outcome.h"
 #include "viewer/app/window.h"
 
@@ -28,6 +30,8 @@ constexpr double kFramePeriod_s = 1.0 / 60.0;  // a cap, because some drivers do
 constexpr double kIdleWait_s = 0.1;            // longest wait for an event while nothing moves
 constexpr double kLongestStep_s = 0.25;  // after the machine was suspended, the animation continues instead of jumping
 constexpr int kFramesAfterChange = 4;    // ImGui reacts to input over a few frames
+
+void say(const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); }
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -42,9 +46,11 @@ DeviceOptions device_options(const Options& options, const Window& window) {
 
 class WindowLoop {
  public:
-  WindowLoop(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip)
+  WindowLoop(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip,
+             ExhibitWatch* watch)
       : options_(options),
         exhibits_(exhibits),
+        watch_(watch),
         window_(options.width, options.height, "sinew"),
         device_(device_options(options, window_)),
         swapchain_(device_, window_.framebuffer_size()),
@@ -62,10 +68,14 @@ class WindowLoop {
   int run();
 
  private:
+  std::unique_ptr<ShownScene> make_shown(const Exhibit& exhibit, const Evaluation& evaluation) {
+    return std::make_unique<ShownScene>(device_, exhibit, evaluation, Frame::kSlots, options_.filter);
+  }
   void show_exhibit(std::uint32_t index, std::optional<std::uint32_t> clip);
   void add_access(std::uint32_t clip);
   void place_camera();
   void frame_all();
+  void go_along(Framed what);
   void follow();
   void leave_file_camera();
   double aspect() const;
@@ -79,9 +89,12 @@ class WindowLoop {
   void draw();
   void keep_pace();
   void say_fault();
+  void follow_file(double now_s);
+  std::string show_changed(Exhibit changed);
 
   const Options& options_;
   std::vector<Exhibit>& exhibits_;
+  ExhibitWatch* watch_;  ///< null = files are read once
   std::vector<std::string> names_;
   Window window_;
   Device device_;
@@ -100,6 +113,7 @@ class WindowLoop {
   int frames_to_draw_ = kFramesAfterChange;  // before the loop stops drawing because nothing moves
   double frame_ms_ = 0.0;
   std::string said_fault_;
+  std::string reload_fault_;  ///< why the changed file is not shown
   Clock::time_point last_look_ = Clock::now(), last_picture_ = last_look_, next_frame_ = last_look_;
 };
 
@@ -110,8 +124,7 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
   shown_.reset();  // frees its memory before the next scene is uploaded
   add_missing_centers(exhibits_[index], settings_.skinning);
   add_access(clip.value_or(exhibits_[index].scene.animations.empty() ? kNone : 0));
-  shown_ =
-      std::make_unique<ShownScene>(device_, exhibits_[index], settings_.evaluation(), Frame::kSlots, options_.filter);
+  shown_ = make_shown(exhibits_[index], settings_.evaluation());
   live_plan_.forget();
   if (clip) shown_->playback().choose(*clip);
   window_.set_title(exhibits_[index].name + " - sinew");
@@ -121,7 +134,6 @@ void WindowLoop::show_exhibit(std::uint32_t index, std::optional<std::uint32_t> 
 /// Casts rays for an exhibit that is shown for the first time. The window goes on without where it cannot.
 void WindowLoop::add_access(std::uint32_t clip) {
   if (options_.occlusion_method != OcclusionMethod::rays) return;
-  const auto say = [](const std::string& line) { std::fprintf(stderr, "sinew-viewer: %s\n", line.c_str()); };
   if (auto done = add_missing_access(exhibits_[exhibit_], {options_.key_poses, clip}, say); !done) say(done.error());
 }
 
@@ -144,10 +156,15 @@ void WindowLoop::frame_all() {
   Framed what = framed(settings_.framing, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get());
   camera_.frame(what.outline.points(), aspect());
   if (settings_.framing != Framing::follow) return;
-  place_ = what.place_at(playback.time_s());
-  camera_.target += place_;
+  place_ = glm::dvec3(0.0);
+  go_along(std::move(what));
+}
+
+// Goes along with `what` from where the camera is.
+void WindowLoop::go_along(Framed what) {
   followed_ = std::move(what);
-  followed_clip_ = playback.clip();
+  followed_clip_ = shown_->playback().clip();
+  follow();
 }
 
 // Goes along with the pose. Another clip is framed anew.
@@ -249,6 +266,7 @@ PanelFacts WindowLoop::facts() {
   PanelFacts facts;
   facts.name = exhibit.name;
   facts.note = exhibit.note;
+  facts.reload_fault = reload_fault_;
   facts.device = device_.name();
   facts.scene = &exhibit.scene;
   facts.needs = &shown_->needs();
@@ -309,7 +327,7 @@ void WindowLoop::keep_pace() {
 
 int WindowLoop::run() {
   if (const std::string missing = describe_missing_filter(options_.filter, device_.max_anisotropy()); !missing.empty())
-    std::fprintf(stderr, "sinew-viewer: %s\n", missing.c_str());
+    say(missing);
   const auto start = Clock::now();
   while (!window_.should_close()) {
     react(window_.poll(frames_to_draw_ > 0 ? 0.0 : kIdleWait_s));
@@ -317,6 +335,7 @@ int WindowLoop::run() {
     shown_->playback().advance(std::min(seconds_since(last_look_), kLongestStep_s));
     last_look_ = Clock::now();
     grant_wishes();
+    if (watch_ != nullptr) follow_file(seconds_since(start));
     if (!fit_swapchain()) {
       frames_to_draw_ = 0;  // minimised: wait for an event
       continue;
@@ -337,13 +356,43 @@ int WindowLoop::run() {
 void WindowLoop::say_fault() {
   if (shown_->cache_fault().empty() || shown_->cache_fault() == said_fault_) return;
   said_fault_ = shown_->cache_fault();
-  std::fprintf(stderr, "sinew-viewer: %s\n", said_fault_.c_str());
+  say(said_fault_);
+}
+
+// Goes over to the file as it is now, once it is read. What cannot be shown leaves everything as it is.
+void WindowLoop::follow_file(double now_s) {
+  watch_->look(now_s, [this] { return reading(options_, exhibits_[exhibit_], *shown_); });
+  auto read = watch_->take();
+  if (!read) return;
+  for (const std::string& line : read->said) say(line);
+  reload_fault_ = read->exhibit ? show_changed(*std::move(read->exhibit)) : read->exhibit.error().message;
+  say(reload_fault_.empty() ? exhibits_[exhibit_].name + ": read again" : reload_fault_ + "; shown as before");
+  frames_to_draw_ = kFramesAfterChange;
+}
+
+// Answers why it cannot be shown; nothing when it is.
+std::string WindowLoop::show_changed(Exhibit changed) {
+  Exhibit& exhibit = exhibits_[exhibit_];
+  const auto camera = same_camera(exhibit.scene, settings_.camera, changed.scene),
+             variant = same_variant(exhibit.scene, settings_.variant, changed.scene);
+  if (!camera) leave_file_camera();
+  const auto make = [this](const Exhibit& made, const Evaluation& evaluation) { return make_shown(made, evaluation); };
+  if (auto done = go_over(device_, std::move(changed), exhibit, shown_, make); !done) return done.error();
+  settings_.camera = camera.value_or(kNone);
+  settings_.variant = variant.value_or(kNone);
+  live_plan_.forget();
+  said_fault_.clear();
+  const Playback& playback = shown_->playback();
+  if (followed_)
+    go_along(framed(Framing::follow, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get()));
+  return {};
 }
 
 }  // namespace
 
-int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip) {
-  WindowLoop loop(options, exhibits, clip);
+int run_window(const Options& options, std::vector<Exhibit>& exhibits, std::optional<std::uint32_t> clip,
+               ExhibitWatch* watch) {
+  WindowLoop loop(options, exhibits, clip, watch);
   return loop.run();
 }
 

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// From a scene that is shown to the same file as it is now: state, pictures, and what the device holds.
+#include "viewer/app/reload/go_over.h"
+
+#include <cstring>
+
+#include "samples/showcase/showcase.h"
+#include "tests/viewer/device_fixture.h"
+#include "viewer/app/headless.h"
+#include "viewer/app/settings.h"
+#include "viewer/device/buffer.h"
+#include "viewer/device/image.h"
+
+namespace sinew::viewer {
+namespace {
+
+constexpr VkExtent2D kExtent{160, 100};
+constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
+constexpr std::uint32_t kSlots = 2;
+
+/// Draws as the window does: frames are submitted and not waited for, until a slot is used again.
+class Frames {
+ public:
+  explicit Frames(Device& device) : device_(device), renderer_(device, kFormat, kSlots) {
+    for (std::uint32_t i = 0; i < kSlots; ++i) slots_.push_back(std::make_unique<Slot>(device));
+  }
+  ~Frames() { vkDeviceWaitIdle(device_.handle()); }
+
+  void draw(ShownScene& shown) {
+    Slot& slot = *slots_[next_];
+    must(vkWaitForFences(device_.handle(), 1, &slot.done, VK_TRUE, ~std::uint64_t{0}), "waiting");
+    must(vkResetFences(device_.handle(), 1, &slot.done), "resetting");
+    must(vkResetCommandPool(device_.handle(), slot.pool, 0), "resetting");
+    const DrawnScene drawn = shown.upload(next_, kNone);
+    FrameInputs inputs;
+    inputs.slot = next_;
+    inputs.scenes = {&drawn, 1};
+    inputs.view = look_at({0.0, 2.0, 9.0}, {0.0, 1.0, 0.0}, 0.8, 0.05);
+    inputs.options = render_options(Settings(), nullptr, shown.bounds(), {0.0, 2.0, 9.0});
+    const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    must(vkBeginCommandBuffer(slot.commands, &begin), "beginning");
+    renderer_.record(slot.commands,
+                     {slot.image.handle(), slot.image.view(), kExtent, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}, inputs);
+    read_back(slot.commands, slot.image.handle(), kExtent, slot.pixels.handle());
+    must(vkEndCommandBuffer(slot.commands), "ending");
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &slot.commands;
+    must(vkQueueSubmit(device_.queue(), 1, &submit, slot.done), "submitting");
+    last_ = next_;
+    next_ = (next_ + 1) % kSlots;
+  }
+
+  std::vector<std::uint8_t> last_picture() {
+    const Slot& slot = *slots_[last_];
+    must(vkWaitForFences(device_.handle(), 1, &slot.done, VK_TRUE, ~std::uint64_t{0}), "waiting");
+    std::vector<std::uint8_t> rgba(slot.pixels.size());
+    std::memcpy(rgba.data(), slot.pixels.mapped(), rgba.size());
+    return rgba;
+  }
+
+ private:
+  struct Slot {
+    explicit Slot(Device& device)
+        : device_(device.handle()),
+          image(device, {kFormat, kExtent, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}),
+          pixels(device, VkDeviceSize{4} * kExtent.width * kExtent.height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                 MemoryUse::read_back) {
+      VkCommandPoolCreateInfo made{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+      made.queueFamilyIndex = device.queue_family();
+      must(vkCreateCommandPool(device_, &made, nullptr, &pool), "making a pool");
+      VkCommandBufferAllocateInfo one{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+      one.commandPool = pool;
+      one.commandBufferCount = 1;
+      must(vkAllocateCommandBuffers(device_, &one, &commands), "making a command buffer");
+      VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+      fence.flags = VK_FENCE_CREATE_SIGNALED_BIT;
+      must(vkCreateFence(device_, &fence, nullptr, &done), "making a fence");
+    }
+    ~Slot() {
+      vkDestroyFence(device_, done, nullptr);
+      vkDestroyCommandPool(device_, pool, nullptr);
+    }
+
+    VkDevice device_;
+    GpuImage image;
+    Buffer pixels;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence done = VK_NULL_HANDLE;
+  };
+
+  Device& device_;
+  FrameRenderer renderer_;
+  std::vector<std::unique_ptr<Slot>> slots_;
+  std::uint32_t next_ = 0, last_ = 0;
+};
+
+/// Twisted arms with the clips "twist" and "slow".
+Exhibit first_state() {
+  Exhibit exhibit;
+  exhibit.name = "arms";
+  exhibit.scene = showcase::twisted_arms().scene;
+  exhibit.scene.animations.push_back(exhibit.scene.animations[0]);
+  exhibit.scene.animations[1].name = "slow";
+  return exhibit;
+}
+
+/// The arms are green, a clip was put before the others, and "slow" turns other joints.
+Exhibit changed_state() {
+  Exhibit exhibit = first_state();
+  exhibit.note = "changed";
+  exhibit.scene.materials[0].base_color = {0.1f, 0.8f, 0.1f, 1.0f};
+  auto& clips = exhibit.scene.animations;
+  clips.insert(clips.begin(), clips[0]);
+  clips[0].name = "new";
+  clips[2].bones.pop_back();
+  return exhibit;
+}
+
+class go_over_to : public DeviceTest {
+ protected:
+  void SetUp() override {
+    DeviceTest::SetUp();
+    if (IsSkipped()) return;
+    shown_ = make_(exhibit_, {});
+    shown_->playback().choose(1);
+    shown_->playback().set_speed(0.5);
+    shown_->playback().seek(2.5);
+    shown_->catch_up();
+    frames_ = std::make_unique<Frames>(*test_device());
+  }
+  void TearDown() override {
+    frames_.reset();
+    shown_.reset();
+    DeviceTest::TearDown();
+  }
+
+  // The picture of a viewer that starts with the changed file.
+  std::vector<std::uint8_t> fresh_picture(const Exhibit& exhibit, std::uint32_t clip, double time_s) {
+    Frames frames(*test_device());
+    const auto fresh = make_(exhibit, {});
+    fresh->playback().choose(clip);
+    fresh->playback().seek(time_s);
+    fresh->catch_up();
+    frames.draw(*fresh);
+    return frames.last_picture();
+  }
+
+  tl::expected<void, std::string> change_to(Exhibit changed) {
+    return go_over(*test_device(), std::move(changed), exhibit_, shown_, make_);
+  }
+
+  Exhibit exhibit_ = first_state();
+  MakeShown make_ = [](const Exhibit& exhibit, const Evaluation& evaluation) {
+    return std::make_unique<ShownScene>(*test_device(), exhibit, evaluation, kSlots, TextureFilter{});
+  };
+  std::unique_ptr<ShownScene> shown_;
+  std::unique_ptr<Frames> frames_;
+};
+
+TEST_F(go_over_to, a_changed_file_shows_the_picture_of_a_fresh_start) {
+  frames_->draw(*shown_);
+  frames_->draw(*shown_);
+  const auto old_picture = frames_->last_picture();
+  frames_->draw(*shown_);  // two frames are with the device while the scene changes
+  frames_->draw(*shown_);
+  ASSERT_TRUE(change_to(changed_state()));
+  EXPECT_EQ(exhibit_.note, "changed");
+  for (int i = 0; i < 3; ++i) {
+    frames_->draw(*shown_);
+    EXPECT_EQ(frames_->last_picture(), fresh_picture(changed_state(), 2, 2.5)) << i;
+  }
+  EXPECT_NE(frames_->last_picture(), old_picture);
+  ASSERT_TRUE(change_to(first_state()));
+  frames_->draw(*shown_);
+  EXPECT_EQ(frames_->last_picture(), old_picture) << "and back";
+}
+
+TEST_F(go_over_to, a_changed_file_keeps_clip_time_speed_looping_and_pause) {
+  shown_->playback().set_mode(PlayMode::ping_pong);
+  shown_->playback().pause();
+  ASSERT_TRUE(change_to(changed_state()));
+  const Playback& playback = shown_->playback();
+  EXPECT_EQ(playback.clip(), 2u);
+  EXPECT_EQ(playback.time_s(), 2.5);
+  EXPECT_EQ(playback.speed(), 0.5);
+  EXPECT_EQ(playback.mode(), PlayMode::ping_pong);
+  EXPECT_FALSE(playback.playing());
+  EXPECT_TRUE(shown_->newest().frame > 0 && shown_->settled());
+}
+
+TEST_F(go_over_to, a_file_without_the_clip_plays_its_first_one) {
+  Exhibit changed = first_state();
+  changed.scene.animations.pop_back();
+  ASSERT_TRUE(change_to(std::move(changed)));
+  EXPECT_EQ(shown_->playback().clip(), 0u);
+  EXPECT_EQ(shown_->playback().time_s(), 0.0);
+  EXPECT_EQ(shown_->playback().speed(), 0.5);
+}
+
+TEST_F(go_over_to, a_file_without_clips_and_back_shows_its_rest_pose_and_then_plays) {
+  Exhibit changed = first_state();
+  changed.scene.animations.clear();
+  ASSERT_TRUE(change_to(std::move(changed)));
+  EXPECT_EQ(shown_->playback().clip(), kNone);
+  ASSERT_TRUE(change_to(first_state()));
+  EXPECT_EQ(shown_->playback().clip(), 0u);
+}
+
+TEST_F(go_over_to, a_file_that_shows_its_rest_pose_goes_on_with_it) {
+  shown_->playback().choose(kNone);
+  ASSERT_TRUE(change_to(changed_state()));
+  EXPECT_EQ(shown_->playback().clip(), kNone);
+}
+
+TEST_F(go_over_to, a_file_that_the_device_cannot_hold_shows_the_old_one_again) {
+  frames_->draw(*shown_);
+  const auto old_picture = frames_->last_picture();
+  bool full = true;
+  const auto make = [&](const Exhibit& exhibit, const Evaluation& evaluation) {
+    if (std::exchange(full, false)) throw DeviceError("the device is full");
+    return make_(exhibit, evaluation);
+  };
+  const auto done = go_over(*test_device(), changed_state(), exhibit_, shown_, make);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error(), "the device is full");
+  EXPECT_EQ(exhibit_.note, "");
+  frames_->draw(*shown_);
+  EXPECT_EQ(frames_->last_picture(), old_picture);
+}
+
+TEST_F(go_over_to, a_changed_file_has_the_centers_that_its_skinning_needs) {
+  shown_.reset();
+  const auto with = [](std::size_t count) {
+    Exhibit exhibit = first_state();
+    exhibit.scene.animations.resize(count);
+    return exhibit;
+  };
+  exhibit_ = with(1);
+  add_missing_centers(exhibit_, Skinning::center_of_rotation);
+  shown_ = make_(exhibit_, {.skinning = Skinning::center_of_rotation});
+  ASSERT_TRUE(change_to(with(2)));
+  EXPECT_EQ(shown_->evaluation().skinning, Skinning::center_of_rotation);
+  Exhibit expected = with(2);
+  add_missing_centers(expected, Skinning::center_of_rotation);
+  EXPECT_EQ(exhibit_.scene.meshes.back().primitives[0].centers_of_rotation,
+            expected.scene.meshes.back().primitives[0].centers_of_rotation);
+  EXPECT_FALSE(exhibit_.scene.meshes.back().primitives[0].centers_of_rotation.empty());
+}
+
+}  // namespace
+}  // namespace sinew::viewer
