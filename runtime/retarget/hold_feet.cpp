@@ -2,6 +2,7 @@
 #include "runtime/retarget/hold_feet.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -67,16 +68,39 @@ void hold_leg(const LegPair& leg, const LegGoal<T>& goal, const Vec3<T>& hips_of
   set(leg.target.foot, turns.lower * pose.foot.above, pose.foot.rotation);
 }
 
+/// The goals of all legs. Those of the first legs are kept, so that each is placed once; a leg is no part of another.
+template <class T, class Poses>
+class LegGoals {
+ public:
+  LegGoals(const FeetMap& feet, T ground, const Poses& poses) : feet_(feet), ground_(ground), poses_(poses) {
+    for (std::size_t i = 0; i < std::min(kKept, feet.legs.size()); ++i) kept_[i] = made(i);
+  }
+  LegGoal<T> operator[](std::size_t leg) const { return leg < kKept ? kept_[leg] : made(leg); }
+
+ private:
+  static constexpr std::size_t kKept = 4;
+
+  LegGoal<T> made(std::size_t leg) const {
+    return leg_goal<T>(feet_.legs[leg], static_cast<T>(feet_.ratio), ground_, poses_);
+  }
+
+  const FeetMap& feet_;
+  T ground_;
+  const Poses& poses_;
+  std::array<LegGoal<T>, kKept> kept_;
+};
+
 /// out  how far the hips go, in the space of their parent
 template <class T, class Poses>
 Vec3<T> hold_all(const FeetMap& feet, T ground, const Poses& poses) {
-  const T ratio = static_cast<T>(feet.ratio);
+  const LegGoals<T, Poses> goals(feet, ground, poses);
   T drop = T(0);
-  if (feet.hips != kNone)
-    for (const LegPair& leg : feet.legs) drop = std::max(drop, drop_of(leg, leg_goal<T>(leg, ratio, ground, poses)));
+  for (std::size_t i = 0; feet.hips != kNone && i < feet.legs.size(); ++i)
+    drop = std::max(drop, drop_of(feet.legs[i], goals[i]));
   Vec3<T> hips_offset(T(0));
-  for (const LegPair& leg : feet.legs) {
-    const LegGoal<T> goal = leg_goal<T>(leg, ratio, ground, poses);
+  for (std::size_t i = 0; i < feet.legs.size(); ++i) {
+    const LegPair& leg = feet.legs[i];
+    const LegGoal<T> goal = goals[i];
     if (goal.held == T(0) && drop == T(0)) continue;
     hold_leg(leg, goal, Vec3<T>(T(0), -drop, T(0)), poses);
     if (drop > T(0)) hips_offset = glm::inverse(linear_part(goal.pose.above_hips)) * Vec3<T>(T(0), -drop, T(0));

@@ -412,6 +412,23 @@ TEST(hold_feet, the_job_is_the_truth_within_rounding_and_allocates_nothing) {
   }
 }
 
+TEST(hold_feet, more_legs_than_a_body_has_are_held_alike) {
+  const Bodies b;
+  FeetMap more = b.feet;
+  const LegPair left = b.feet.legs[0], right = b.feet.legs[1];
+  more.legs = {right, right, right, right, left};
+  for (int i = 0; i < 40; ++i) {
+    const LiftedFoot foot(b, 0.1 - 0.005 * i);
+    std::vector<Transformd> two = foot.held, five = foot.held;
+    hold_feet(b.feet, 0.01, foot.pose, two);
+    hold_feet(more, 0.01, foot.pose, five);
+    for (std::size_t j = 0; j < two.size(); ++j) {
+      EXPECT_EQ(two[j].rotation, five[j].rotation) << j;
+      EXPECT_EQ(two[j].translation, five[j].translation) << j;
+    }
+  }
+}
+
 TEST(hold_feet, the_job_moves_hips_along_any_axis_of_their_parent) {
   const Bodies b;
   Skeleton below = below_a_root(b.target);
