@@ -102,6 +102,10 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, double ac
          mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected * access;
 }
 
+glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal) {
+  return from(light, normal, 2.0 / 3.0);
+}
+
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light) {
   const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(coat.normal, to_viewer), 0.0, 1.0), coat.roughness);
   const double once = sums.x + sums.y;

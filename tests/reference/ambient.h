@@ -29,6 +29,9 @@ struct AmbientGradient {
 /// in   access  share of the ambient light that other surfaces let through
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, double access = 1.0);
 
+/// Mean light of the half sphere about a normal, weighted with the cosine.
+glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);
+
 /// The same from a clear layer, before its share: such a layer of f0 = f90 = 1.
 glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light);
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/reference/shade.h"
+#include "tests/reference/sheen.h"
 #include "tests/reference/texture.h"
 
 namespace sinew::reference {
@@ -45,6 +46,14 @@ glm::dvec3 dielectric_f0(const Scene& scene, const SurfacePoint& point) {
   return glm::min(root * root * color, glm::dvec3(1.0));
 }
 
+SheenLayer sheen_at(const Scene& scene, const SurfacePoint& point) {
+  constexpr double least = 5.0 / 63.0;  // as the viewer
+  const Sheen& sheen = point.material.sheen;
+  return {glm::dvec3(sheen.color) * glm::dvec3(looked_up(scene, point, sheen.color_texture, true)),
+          std::max(least,
+                   static_cast<double>(sheen.roughness) * looked_up(scene, point, sheen.roughness_texture, false).a)};
+}
+
 Coat coat_at(const Scene& scene, const SurfacePoint& point) {
   const Clearcoat& coat = point.material.clearcoat;
   const double roughness =
@@ -68,10 +77,14 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.to_viewer = point.to_viewer;
   const Coat coat = coat_at(scene, point);
   const double share = coat_share(coat, point.to_viewer), access = around.access * baked_access(scene, point);
-  glm::dvec3 below = ambient(shaded, around.ambient, access);
+  const SheenLayer sheen = sheen_at(scene, point);
+  const SheenShare fibres = sheen_of_ambient(sheen, shaded.normal, point.to_viewer);
+  glm::dvec3 below = ambient(shaded, around.ambient, access) * fibres.left +
+                     fibres.added * diffuse_light(around.ambient, shaded.normal) * access;
   glm::dvec3 above = ambient(coat, point.to_viewer, around.ambient) * access;
   for (const ArrivingLight& light : around.lights) {
-    below += direct(shaded, light.to_light, light.irradiance);
+    const SheenShare own = sheen_of_light(sheen, shaded.normal, point.to_viewer, light.to_light);
+    below += direct(shaded, light.to_light, light.irradiance) * own.left + own.added * light.irradiance;
     above += ggx(coat.normal, point.to_viewer, light.to_light, coat.roughness) * light.irradiance;
   }
   return below * (1.0 - share) + above * share;

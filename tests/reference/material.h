@@ -28,6 +28,7 @@ glm::dvec3 mapped_normal(const Scene& scene, const SurfacePoint& point);
 /// eq   glTF 2.0, 3.9 and appendix B: metallic = factor * blue, roughness = factor * green (at least 0.045);
 ///      normal map (2 texel - 1) * (scale, scale, 1), the whole normal reversed on back sides;
 ///      ambient light * (1 + strength * (red - 1)); emission = factor * KHR_materials_emissive_strength * texture.
+///      KHR_materials_sheen (sheen.h) between it and the coat.
 ///      KHR_materials_clearcoat: share * coat + (1 - share) * all of this.
 ///      KHR_materials_unlit: the base colour alone. Where there is no normal: base colour + emission.
 glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroundings& around);

@@ -12,7 +12,9 @@
 #include <glm/geometric.hpp>
 
 #include "tests/reference/ambient.h"
+#include "tests/reference/sheen.h"
 #include "tests/support/fixed_random.h"
+#include "viewer/light/sheen_albedo.h"
 #include "viewer/light/split_sum.h"
 
 namespace sinew::viewer {
@@ -171,6 +173,16 @@ TEST(split_sum, is_that_of_the_integral_over_all_half_vectors) {
     }
 }
 
+TEST(sheen_albedo, is_that_of_the_integral_over_the_half_sphere) {
+  for (const float roughness : {kLeastSheenRoughness, 0.2f, 0.5f, 0.8f, 1.0f})
+    for (const float n_v : {0.001f, 0.05f, 0.3f, 0.7f, 1.0f}) {
+      const double wanted = reference::sheen_albedo(static_cast<double>(n_v), static_cast<double>(roughness));
+      EXPECT_NEAR(static_cast<double>(sheen_albedo(n_v, roughness)), wanted, 0.005 * std::max(1.0, wanted))
+          << roughness << " " << n_v;
+    }
+  EXPECT_EQ(sheen_albedo(0.3f, 0.0f), sheen_albedo(0.3f, kLeastSheenRoughness));
+}
+
 TEST(split_sum, table_has_rows_of_roughness_and_columns_of_the_root_of_the_cosine_and_never_more_light_than_there_is) {
   const auto& table = split_sum_table();
   ASSERT_EQ(table.size(), std::size_t{kSplitSumSize} * kSplitSumSize);
@@ -178,9 +190,11 @@ TEST(split_sum, table_has_rows_of_roughness_and_columns_of_the_root_of_the_cosin
   for (const std::uint32_t row : {5u, 31u, 63u})
     for (const std::uint32_t column : {0u, 20u, 63u}) {
       const float root = static_cast<float>(column) / last;
-      EXPECT_EQ(table[row * kSplitSumSize + column], split_sum(root * root, static_cast<float>(row) / last));
+      const glm::vec3& at = table[row * kSplitSumSize + column];
+      EXPECT_EQ(glm::vec2(at), split_sum(root * root, static_cast<float>(row) / last));
+      EXPECT_EQ(at.z, sheen_albedo(root * root, static_cast<float>(row) / last));
     }
-  for (const glm::vec2& sums : table) {
+  for (const glm::vec3& sums : table) {
     EXPECT_GE(std::min(sums.x, sums.y), 0.0f);
     EXPECT_LE(sums.x + sums.y, 1.0f + 1e-4f);
   }

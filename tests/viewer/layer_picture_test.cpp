@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of one layer of a material each (ior, specular, clearcoat), compared with the reference renderer.
+// Pictures of one layer of a material each (ior, specular, clearcoat, sheen), compared with the reference renderer.
 #include "samples/showcase/shapes.h"
 #include "tests/reference/shade.h"
 #include "tests/viewer/reference_picture.h"
@@ -85,6 +85,38 @@ TEST_F(layer_picture, back_sides_are_coated_with_the_normal_reversed) {
   expect_reference_picture(lit_wall(built, material, wall(), turned), view_of_wall(), every_light(), {.bound = 0.002});
 }
 
+TEST_F(layer_picture, sheen_shines_at_grazing_angles_and_takes_as_much_from_what_is_below) {
+  for (const float roughness : {0.0f, 0.2f, 0.5f, 1.0f}) {
+    Material material = plain();
+    material.base_color = {0.3f, 0.1f, 0.1f, 1.0f};
+    material.sheen = {.color = {0.9f, 0.6f, 0.2f}, .roughness = roughness};
+    SCOPED_TRACE(roughness);
+    for (const RenderOptions& options : {only_scene_lights(), only_ambient_light(), every_light()})
+      expect_reference_picture(lit_ball(material), view_of_wall(), options, {.bound = 0.003, .sharp = 0.5});
+  }
+}
+
+TEST_F(layer_picture, sheen_returns_no_more_light_than_there_is_along_the_surface) {
+  for (const float roughness : {0.0f, 0.15f}) {
+    Material material = plain();
+    material.sheen = {.color = {0.9f, 0.6f, 0.2f}, .roughness = roughness};
+    BuiltScene built;
+    built.add(wall(), built.add_material(material));
+    add_light_at(built, {.intensity = 0.8f}, {0, 0, 0}, {-0.6f, 0.8f, -0.03f});
+    const View along = look_at({0.0, -1.1, 0.03}, {0.0, 0.2, 0.0}, 0.3, 0.05);
+    expect_reference_picture(built, along, only_scene_lights(), {.bound = 0.003, .sharp = 0.4});
+  }
+}
+
+TEST_F(layer_picture, sheen_lies_between_the_surface_and_its_coat) {
+  Material material = plain();
+  material.emissive = {0.1f, 0.0f, 0.2f};
+  material.sheen = {.color = {0.2f, 0.9f, 0.5f}, .roughness = 0.4f};
+  material.clearcoat = {.factor = 0.9f, .roughness = 0.3f};
+  for (const RenderOptions& options : {only_scene_lights(), only_ambient_light(), every_light()})
+    expect_reference_picture(lit_ball(material), view_of_wall(), options, {.bound = 0.003, .sharp = 0.5});
+}
+
 struct LayerTexture {
   const char* what;
   TextureUse& (*use)(Material&);
@@ -97,6 +129,8 @@ constexpr LayerTexture kTextures[] = {
     {"clearcoat", [](Material& m) -> TextureUse& { return m.clearcoat.texture; }, false},
     {"clearcoat roughness", [](Material& m) -> TextureUse& { return m.clearcoat.roughness_texture; }, false},
     {"clearcoat normal", [](Material& m) -> TextureUse& { return m.clearcoat.normal_texture; }, false},
+    {"sheen colour", [](Material& m) -> TextureUse& { return m.sheen.color_texture; }, true},
+    {"sheen roughness", [](Material& m) -> TextureUse& { return m.sheen.roughness_texture; }, false},
 };
 
 Material with_all_layers() {
@@ -104,6 +138,7 @@ Material with_all_layers() {
   material.roughness = 0.4f;
   material.specular = {.ior = 1.9f, .factor = 0.8f, .color = {0.9f, 0.5f, 0.7f}};
   material.clearcoat = {.factor = 0.9f, .roughness = 0.6f};
+  material.sheen = {.color = {0.4f, 0.7f, 0.9f}, .roughness = 0.8f};
   return material;
 }
 
@@ -139,10 +174,12 @@ TEST_F(layer_picture, white_surfaces_in_white_light_return_all_of_it_under_every
   options.transparent_background = true;
   options.lighting.environment = gradient_environment({.sky = glm::vec3(radiance), .ground = glm::vec3(radiance)});
   const double white = reference::srgb_encoded(reference::tone_mapped(glm::dvec3(radiance)).r);
-  Material layers[3];
+  Material layers[6];
   layers[0].specular = {.ior = 2.2f, .factor = 0.6f};
   layers[1].clearcoat = {.factor = 1.0f, .roughness = 0.0f};
   layers[2].clearcoat = {.factor = 0.7f, .roughness = 0.8f};
+  for (int i = 3; i < 6; ++i)
+    layers[i].sheen = {.color = glm::vec3(1.0f), .roughness = 0.1f + 0.4f * static_cast<float>(i - 3)};
   for (Material& material : layers)
     for (const float roughness : {0.1f, 0.5f, 1.0f}) {
       material.metallic = 0.0f;

@@ -177,6 +177,7 @@ TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
     EXPECT_FALSE(shared(key, [&](auto& k) { k.surface.material.texcoord_sets[slot] = 2; })) << slot;
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.specular = false; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.clearcoat = true; }));
+  EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.sheen = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.textures[1] = 0; }));
   EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))
       << "blended surfaces take no occlusion";

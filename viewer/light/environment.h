@@ -27,7 +27,7 @@ struct Environment {
   std::vector<CubeMap> reflected;
 
   /// The table of split_sum.h, where it was stored beside the environment; empty = split_sum_table() gives it.
-  std::vector<glm::vec2> split_sum;
+  std::vector<glm::vec3> split_sum;
 };
 
 /// Prepares an environment.

@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "viewer/light/sheen_albedo.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -61,13 +63,14 @@ glm::vec3 visible_half_vector(const GgxView& view, const glm::vec2& point) noexc
   return glm::normalize(glm::vec3(view.alpha * n.x, view.alpha * n.y, std::max(0.0f, n.z)));
 }
 
-std::vector<glm::vec2> make_table() {
+std::vector<glm::vec3> make_table() {
   constexpr float last = kSplitSumSize - 1;
-  std::vector<glm::vec2> table(std::size_t{kSplitSumSize} * kSplitSumSize);
+  std::vector<glm::vec3> table(std::size_t{kSplitSumSize} * kSplitSumSize);
   tbb::parallel_for(0u, kSplitSumSize, [&](std::uint32_t row) {
     for (std::uint32_t i = 0; i < kSplitSumSize; ++i) {
-      const float root = static_cast<float>(i) / last;
-      table[row * kSplitSumSize + i] = split_sum(root * root, static_cast<float>(row) / last);
+      const float root = static_cast<float>(i) / last, n_v = root * root;
+      const float roughness = static_cast<float>(row) / last;
+      table[row * kSplitSumSize + i] = glm::vec3(split_sum(n_v, roughness), sheen_albedo(n_v, roughness));
     }
   });
   return table;
@@ -92,8 +95,8 @@ glm::vec2 split_sum(float n_v, float roughness) noexcept {
   return sum;
 }
 
-const std::vector<glm::vec2>& split_sum_table() {
-  static const std::vector<glm::vec2> table = make_table();
+const std::vector<glm::vec3>& split_sum_table() {
+  static const std::vector<glm::vec3> table = make_table();
   return table;
 }
 

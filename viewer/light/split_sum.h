@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace sinew::viewer {
 
@@ -18,8 +19,9 @@ glm::vec2 split_sum(float n_v, float roughness) noexcept;
 
 inline constexpr std::uint32_t kSplitSumSize = 64;
 
-/// [kSplitSumSize^2] rows of equal roughness, from 0 to 1; along a row sqrt(n_v) from 0 to 1, because the sums change
-/// fastest at grazing angles. Both ends are on the middles of the outer texels. Computed once in a process.
-const std::vector<glm::vec2>& split_sum_table();
+/// [kSplitSumSize^2] split_sum in x and y, sheen_albedo in z. Rows of equal roughness, from 0 to 1; along a row
+/// sqrt(n_v) from 0 to 1, because the sums change fastest at grazing angles. Both ends are on the middles of the outer
+/// texels. Computed once in a process.
+const std::vector<glm::vec3>& split_sum_table();
 
 }  // namespace sinew::viewer

@@ -11,7 +11,7 @@ namespace sinew::viewer {
 namespace {
 
 /// Grows when make_environment or split_sum_table give other values for the same sky.
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kVersion = 2;
 
 /// Arrays of floats, one after another.
 template <class Visit>

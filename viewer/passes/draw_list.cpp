@@ -59,7 +59,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   casters_.clear();
-  unlit_ = false;
+  unlit_ = sheen_ = false;
   hidden_ = out_of_view_ = 0;
   const Frame frame{slot, view, aspect, point_size, casters};
   for (const DrawnScene& drawn : scenes) {
@@ -125,6 +125,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     const bool blended = alpha == AlphaMode::blend;
     if (frame.casters && !blended && primitive.topology == Topology::triangles) casters_.push_back(draw);
     unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);
+    sheen_ = sheen_ || (!out_of_view && draw.surface.material.layers.sheen);
     if (!out_of_view) (blended ? blended_ : opaque_).push_back(draw);
   }
 }

@@ -68,6 +68,7 @@ class DrawList {
   /// Opaque and masked triangles, also those that are out of view.
   std::span<const Draw> casters() const noexcept { return casters_; }
   bool unlit() const noexcept { return unlit_; }             ///< some draw that is in view is unlit
+  bool sheen() const noexcept { return sheen_; }             ///< some draw that is in view has sheen
   std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
   std::uint32_t out_of_view() const noexcept {
     return out_of_view_;
@@ -86,7 +87,7 @@ class DrawList {
            bool mirrored);
 
   std::vector<Draw> opaque_, blended_, casters_;
-  bool unlit_ = false;
+  bool unlit_ = false, sheen_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };
 

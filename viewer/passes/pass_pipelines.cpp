@@ -47,6 +47,7 @@ enum ConstantId : std::size_t {
   id_vertex_access = 20,
   id_specular = 24,
   id_clearcoat = 25,
+  id_sheen = 26,
   id_layer_textures = 28,
   id_wraps = 36,
   id_show_level = 37
@@ -152,6 +153,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   const LayerFeatures& layers = key.surface.material.layers;
   shape.constants[id_specular] = layers.specular;
   shape.constants[id_clearcoat] = layers.clearcoat;
+  shape.constants[id_sheen] = layers.sheen;
   for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
   shape.constants[id_wraps] = key.surface.material.wraps;
   shape.constants[id_show_level] = key.frame.shows_level;

@@ -13,6 +13,63 @@ void set_specular(inout Surface s) {
   s.dielectric_f0 = min(f0, vec3(1.0)) * s.dielectric_f90;
 }
 
+struct Sheen {
+  vec3 color;
+  float roughness;
+  float albedo;   // towards the viewer, of white sheen
+};
+
+const float kLeastSheenRoughness = 5.0 / 63.0;   // (viewer/light/sheen_albedo.h)
+
+Sheen sheen_at(Surface s) {
+  Sheen sheen = Sheen(vec3(0.0), 1.0, 0.0);
+  if (!kSheen) return sheen;
+  sheen.color = material.sheen_color;
+  sheen.roughness = material.sheen_roughness;
+  if (kSheenColorTexture != 0) sheen.color *= layer_texel(kSheenColorTexture, 10, texcoords).rgb;
+  if (kSheenRoughnessTexture != 0) sheen.roughness *= layer_texel(kSheenRoughnessTexture, 11, texcoords).a;
+  sheen.roughness = max(sheen.roughness, kLeastSheenRoughness);
+  sheen.albedo = tabled(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), sheen.roughness).z;
+  return sheen;
+}
+
+// eq   Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017): their fit of Lambda
+float sheen_lambda(float x, float alpha) {
+  float smooth_part = (1.0 - alpha) * (1.0 - alpha), at = x < 0.5 ? x : 1.0 - x;
+  float a = mix(21.5473, 25.3245, smooth_part), b = mix(3.82987, 3.32435, smooth_part);
+  float c = mix(0.19823, 0.16801, smooth_part), d = mix(-1.97760, -1.27393, smooth_part);
+  float e = mix(-4.32054, -4.85967, smooth_part);
+  float log_at = a / (1.0 + b * pow(at, c)) + d * at + e;
+  float log_middle = a / (1.0 + b * pow(0.5, c)) + d * 0.5 + e;
+  return exp(x < 0.5 ? log_at : 2.0 * log_middle - log_at);
+}
+
+// Light of one direction on sheen and on what is below, which gets what sheen leaves on the way in or out.
+// eq   KHR_materials_sheen: color D V + below * min(1 - max(color) E(n.v), 1 - max(color) E(n.l)); D V is divided by what
+//      E(n.v) is above 1, so that no energy is made
+vec3 under_sheen(Sheen sheen, Surface s, vec3 below, vec3 to_light, vec3 irradiance) {
+  if (!kSheen) return below;
+  float n_l = dot(s.n, to_light);
+  if (n_l <= 0.0) return below;
+  n_l = max(n_l, 1e-4);
+  float n_v = max(dot(s.n, s.to_viewer), 1e-4), n_h = clamp(dot(s.n, normalize(to_light + s.to_viewer)), 0.0, 1.0);
+  float alpha = sheen.roughness * sheen.roughness, inverse = 1.0 / alpha;
+  float distribution = (2.0 + inverse) * pow(max(1.0 - n_h * n_h, 0.0), 0.5 * inverse) / (2.0 * kPi);
+  float lambdas = sheen_lambda(min(n_v, 1.0), alpha) + sheen_lambda(min(n_l, 1.0), alpha);
+  float lobe = distribution / ((1.0 + lambdas) * 4.0 * n_v) / max(sheen.albedo, 1.0);
+  float most = max(sheen.albedo, tabled(min(n_l, 1.0), sheen.roughness).z);
+  return sheen.color * lobe * irradiance + below * (1.0 - greatest(sheen.color) * min(most, 1.0));
+}
+
+// The same for ambient light. Fibres gather it from the half sphere.
+// in   access  share of the light that arrives at the fibres; `below` has its own
+vec3 under_sheen(Sheen sheen, Surface s, vec3 below, float access) {
+  if (!kSheen) return below;
+  float albedo = min(sheen.albedo, 1.0);
+  vec3 arriving_light = diffuse_light(frame.environment_from_view * s.n);
+  return sheen.color * albedo * arriving_light * access + below * (1.0 - greatest(sheen.color) * albedo);
+}
+
 struct Coat {
   vec3 n;
   float roughness;

@@ -84,11 +84,13 @@ void layer(vec3 f0, float f90, vec2 sums, out vec3 once, out vec3 again) {
   again = once * mean * lost / (1.0 - mean * lost);
 }
 
-// The table of the split sum (viewer/light/split_sum.h).
-vec2 split_sums(float n_v, float roughness) {
+// The table of viewer/light/split_sum.h: the split sum, and the albedo of sheen.
+vec3 tabled(float n_v, float roughness) {
   vec2 size = vec2(textureSize(split_sum_image, 0));
-  return textureLod(split_sum_image, (vec2(sqrt(n_v), roughness) * (size - 1.0) + 0.5) / size, 0.0).rg;
+  return textureLod(split_sum_image, (vec2(sqrt(n_v), roughness) * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }
+
+vec2 split_sums(float n_v, float roughness) { return tabled(n_v, roughness).xy; }
 
 // Share of the ambient light that a matte surface gets, with the light that its surroundings scatter, if they have its
 // colour. At access 1 it is exactly 1.

@@ -59,16 +59,19 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
     float baked = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
     access *= 1.0 + material.occlusion_strength * (baked - 1.0);
   }
+  Sheen sheen = sheen_at(s);
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
   vec3 sum = vec3(0.0);
   if (kAmbient) {
     vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
-    sum += coated(coat, ambient(s, scattered, access), s.to_viewer, access);
+    vec3 below = under_sheen(sheen, s, ambient(s, scattered, access), access);
+    sum += coated(coat, below, s.to_viewer, access);
   }
   for (int i = 0; i < kLightCount; ++i) {
     vec3 to_light, irradiance = arriving(frame.lights[i], view_position, to_light);
-    vec3 light = coated(coat, reflected(s, to_light, irradiance), s.to_viewer, to_light, irradiance);
+    vec3 below = under_sheen(sheen, s, reflected(s, to_light, irradiance), to_light, irradiance);
+    vec3 light = coated(coat, below, s.to_viewer, to_light, irradiance);
     if (i == kShadowLight) light *= light_share(view_position, geometry_normal, frame.lights[i].to_light);
     sum += light;
   }

@@ -14,9 +14,12 @@ layout(constant_id = 12) const int kEmissiveSet = 0;
 
 layout(constant_id = 24) const bool kSpecular = false;   // index of refraction or specular differ from the defaults
 layout(constant_id = 25) const bool kClearcoat = false;
+layout(constant_id = 26) const bool kSheen = false;
 // Textures of the layers (upload_materials.h): 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
 layout(constant_id = 28) const int kSpecularTexture = 0;
 layout(constant_id = 29) const int kSpecularColorTexture = 0;
 layout(constant_id = 30) const int kClearcoatTexture = 0;
 layout(constant_id = 31) const int kClearcoatRoughnessTexture = 0;
 layout(constant_id = 32) const int kClearcoatNormalTexture = 0;
+layout(constant_id = 33) const int kSheenColorTexture = 0;
+layout(constant_id = 34) const int kSheenRoughnessTexture = 0;

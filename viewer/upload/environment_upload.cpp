@@ -52,10 +52,10 @@ GpuImage upload_cube(const Device& device, std::span<const MipLevel> levels) {
   return upload(device, VK_FORMAT_R16G16B16A16_SFLOAT, true, levels);
 }
 
-GpuImage upload_table(const Device& device, std::uint32_t size, std::span<const glm::vec2> values) {
+GpuImage upload_table(const Device& device, std::uint32_t size, std::span<const glm::vec3> values) {
   MipLevel level{size, size, {}};
-  for (const glm::vec2& value : values) append(level.rgba, glm::packHalf2x16(value));
-  return upload(device, VK_FORMAT_R16G16_SFLOAT, false, {&level, 1});
+  for (const glm::vec3& value : values) append(level.rgba, glm::packHalf4x16(glm::vec4(value, 0.0f)));
+  return upload(device, VK_FORMAT_R16G16B16A16_SFLOAT, false, {&level, 1});
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ EnvironmentUpload::EnvironmentUpload(Device& device) : device_(device) {
   must(vkCreateSampler(device.handle(), &linear, nullptr, &sampler_), "vkCreateSampler");
   const MipLevel black = as_half_floats({1, std::vector<glm::vec3>(kCubeFaces, glm::vec3(0.0f))});
   cube_ = upload_cube(device, {&black, 1});
-  const glm::vec2 nothing(0.0f);
+  const glm::vec3 nothing(0.0f);
   table_ = upload_table(device, 1, {&nothing, 1});
 }
 
@@ -78,11 +78,20 @@ EnvironmentUpload::~EnvironmentUpload() { vkDestroySampler(device_.handle(), sam
 void EnvironmentUpload::show(const std::shared_ptr<const Environment>& environment) {
   if (environment == shown_) return;
   vkDeviceWaitIdle(device_.handle());  // frames in flight may read the images
-  if (!shown_)
-    table_ = upload_table(device_, kSplitSumSize,
-                          environment->split_sum.empty() ? split_sum_table() : environment->split_sum);
+  if (!has_table_ && !environment->split_sum.empty()) {
+    table_ = upload_table(device_, kSplitSumSize, environment->split_sum);
+    has_table_ = true;
+  }
+  show_table();
   cube_ = upload_cube(device_, levels_of(*environment));
   shown_ = environment;
+}
+
+void EnvironmentUpload::show_table() {
+  if (has_table_) return;
+  vkDeviceWaitIdle(device_.handle());
+  table_ = upload_table(device_, kSplitSumSize, split_sum_table());
+  has_table_ = true;
 }
 
 VkDescriptorImageInfo EnvironmentUpload::environment() const noexcept {

@@ -34,7 +34,8 @@ constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Readi
 /// The layer of each texture is there.
 std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
   const bool specular = !m.unlit && m.specular.has_effect(), coat = !m.unlit && m.clearcoat.factor > 0.0f;
-  return {specular, specular, coat, coat, coat};
+  const bool sheen = !m.unlit && m.sheen.color != glm::vec3(0.0f);
+  return {specular, specular, coat, coat, coat, sheen, sheen};
 }
 
 /// Which place each texture of a layer has, and what the places hold.
@@ -96,6 +97,7 @@ MaterialFeatures material_features(const Material& m) noexcept {
   const auto shown = layers_shown(m);
   out.layers.specular = shown[0];
   out.layers.clearcoat = shown[2];
+  out.layers.sheen = shown[5];
   for (std::size_t i = 0; i < kLayerTextures; ++i)
     if (const std::size_t place = places.of_layer[i]; place < kTexturePlaces)
       out.layers.textures[i] =

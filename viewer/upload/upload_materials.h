@@ -41,7 +41,7 @@ static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLa
 
 /// The layers of a surface that shaders are compiled for.
 struct LayerFeatures {
-  bool specular = false, clearcoat = false;
+  bool specular = false, clearcoat = false, sheen = false;
   /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
   std::array<std::uint8_t, kLayerTextures> textures{};
 
