@@ -4,16 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"  // kNone
 #include "runtime/math/conventions.h"
 
 namespace sinew {
-
-/// A humanoid bone that a joint plays, by its name in VRM 1.0 ("hips", "leftThumbProximal").
-struct VrmBone {
-  std::string name;
-  std::uint32_t joint = kNone;
-};
 
 /// A morph weight that an expression sets. Weights of the expressions that are on add up.
 struct VrmMorphBind {
@@ -77,16 +72,12 @@ struct VrmCharacter {
   std::string version;  ///< of the specification: "0.0", "1.0"
   std::string name, authors;
   bool is_animation = false;  ///< VRMC_vrm_animation: bones name what the clips move
-  std::vector<VrmBone> bones;
+  std::vector<NamedBone> bones;
   std::vector<VrmExpression> expressions;
   VrmLookAt look_at;
   std::vector<VrmCollider> colliders;
   std::vector<VrmSpring> springs;
   std::vector<VrmConstraint> constraints;
 };
-
-/// The joints that play the bones of kHumanoidBones (runtime/retarget/humanoid_bones.h) by what the file says, for
-/// SkeletonMapOptions; empty where it names no bone.
-std::vector<std::uint32_t> humanoid_bones_of(const VrmCharacter& vrm);
 
 }  // namespace sinew

@@ -38,6 +38,7 @@ set(sinew_public_headers
   runtime/animation/keyframe.h
   runtime/animation/mirror_animation.h
   runtime/animation/mirror_map.h
+  runtime/animation/named_bone.h
   runtime/animation/property_track.h
   runtime/animation/side_names.h
   runtime/animation/skeleton.h

@@ -106,6 +106,18 @@ std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton) {
   return joints;
 }
 
+std::vector<std::uint32_t> humanoid_bones_of(std::span<const NamedBone> bones) {
+  std::vector<std::uint32_t> joints(kHumanoidBones.size(), kNone);
+  bool has_any = false;
+  for (const NamedBone& bone : bones)
+    if (const std::uint32_t index = humanoid_bone(bone.name); index != kNone) {
+      joints[index] = bone.joint;
+      has_any = true;
+    }
+  if (!has_any) joints.clear();
+  return joints;
+}
+
 std::uint32_t find_root_joint(const Skeleton& skeleton, std::uint32_t hips) {
   std::uint32_t root = kNone;
   for (std::uint32_t j = hips; j != kNone; j = skeleton.parents[j])

@@ -2,9 +2,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "runtime/animation/named_bone.h"
 #include "runtime/animation/skeleton.h"
 
 namespace sinew {
@@ -73,6 +75,9 @@ std::uint32_t humanoid_bone(std::string_view name) noexcept;
 /// hand on.
 /// out  [kHumanoidBones] a joint, or kNone     cost O(J log J), allocates
 std::vector<std::uint32_t> find_humanoid_bones(const Skeleton& skeleton);
+
+/// The same where a file names the joints of the bones, for SkeletonMapOptions; empty where it names none of these.
+std::vector<std::uint32_t> humanoid_bones_of(std::span<const NamedBone> bones);
 
 /// The joint above the hips that carries a character through the world, by its name ("root", "Root_Bone"); the topmost
 /// of several, kNone without one.     cost O(joints above the hips)

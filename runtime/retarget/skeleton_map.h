@@ -56,7 +56,7 @@ struct SkeletonMapOptions {
   LimbDirections limbs = LimbDirections::of_source;
   TranslationRule translations = TranslationRule::hips_by_height;
   std::vector<ChainRule> chains;  ///< other rules than `translations`
-  /// [kHumanoidBones] joints that play the bones, or kNone, where files say so (VRM: importer/vrm.h); empty = they are
+  /// [kHumanoidBones] joints that play the bones, or kNone, where files say so (humanoid_bones_of); empty = they are
   /// found by names
   std::vector<std::uint32_t> source_bones, target_bones;
 };

@@ -4,10 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
-#include "runtime/retarget/humanoid_bones.h"
 #include "tests/importer/tiny_gltf.h"
 #include "tests/support/corpus.h"
 
@@ -66,19 +64,6 @@ TEST(vrm, version_1_gives_bones_expressions_and_look_at) {
   EXPECT_EQ(vrm.expressions[0].morphs[0].weight, 0.5f);
   EXPECT_EQ(vrm.expressions[1].name, "wink");
   EXPECT_THAT(vrm.expressions[1].morphs, IsEmpty()) << "node 3 has no mesh";
-}
-
-TEST(vrm, bones_of_a_body_are_those_that_the_file_says) {
-  VrmCharacter vrm;
-  EXPECT_THAT(humanoid_bones_of(vrm), IsEmpty());
-  vrm.bones = {{"jaw", 7}};
-  EXPECT_THAT(humanoid_bones_of(vrm), IsEmpty()) << "no bone that is retargeted";
-  vrm.bones = {{"leftHand", 3}, {"jaw", 7}, {"hips", 0}};
-  const std::vector<std::uint32_t> bones = humanoid_bones_of(vrm);
-  ASSERT_THAT(bones, SizeIs(kHumanoidBones.size()));
-  EXPECT_EQ(bones[humanoid_bone("leftHand")], 3u);
-  EXPECT_EQ(bones[humanoid_bone("hips")], 0u);
-  EXPECT_EQ(std::count(bones.begin(), bones.end(), kNone), static_cast<std::ptrdiff_t>(bones.size()) - 2);
 }
 
 TEST(vrm, version_0_speaks_the_words_of_version_1) {

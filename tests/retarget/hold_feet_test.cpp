@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/animation/truth_pose.h"
 #include "runtime/retarget/foot_contact.h"
 #include "runtime/retarget/hold_feet_animation.h"
 #include "runtime/retarget/retarget_animation.h"
-#include "tests/scenes/skeletons.h"
-#include "tests/support/allocation_counter.h"
+#include "tests/scenes/two_legs.h"
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"
 #include "tests/support/tiny_assets.h"
@@ -16,84 +14,7 @@
 namespace sinew {
 namespace {
 
-using Vec3d = Vec3<double>;
-using Quatd = Quat<double>;
-
-/// Lengths of a body: of both bones of the legs, of the feet from ankle to toes, and how high ankles are.
-struct Build {
-  double thigh = 0.5, shank = 0.45, foot = 0.15, ankle = 0.1, width = 0.1, knee_back = 0.0;
-};
-constexpr Build kSmall{0.3, 0.4, 0.1, 0.08, 0.07};
-
-enum Joint : std::uint32_t { hips, left_thigh, right_thigh, left_shank, right_shank, left_foot, right_foot, left_toes };
-
-/// Hips and two legs that stand straight, with joints of any axes.
-Skeleton body(const Build& build, std::uint64_t seed) {
-  test::FixedRandom random(seed);
-  const double knee = build.ankle + build.shank, hip = knee + build.thigh;
-  const std::vector<std::uint32_t> parents = {kNone,      hips,        hips,      left_thigh, right_thigh,
-                                              left_shank, right_shank, left_foot, right_foot};
-  const Vec3d places[] = {{0, hip + 0.1, 0},
-                          {build.width, hip, 0},
-                          {-build.width, hip, 0},
-                          {build.width, knee, -build.knee_back},
-                          {-build.width, knee, -build.knee_back},
-                          {build.width, build.ankle, 0},
-                          {-build.width, build.ankle, 0},
-                          {build.width, 0.02, build.foot},
-                          {-build.width, 0.02, build.foot}};
-  const char* names[] = {"Hips",     "LeftUpLeg", "RightUpLeg",  "LeftLeg",     "RightLeg",
-                         "LeftFoot", "RightFoot", "LeftToeBase", "RightToeBase"};
-  Skeleton skeleton = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
-  std::vector<Quatd> axes;
-  for (std::uint32_t j = 0; j < parents.size(); ++j) {
-    axes.push_back(random.rotation<double>());
-    const bool is_root = parents[j] == kNone;
-    const Quatd above = is_root ? quat_identity<double>() : quat_conjugate(axes[parents[j]]);
-    skeleton.rest[j] = {glm::vec3(rotate_vector(above, is_root ? places[j] : places[j] - places[parents[j]])),
-                        quat_cast<float>(above * axes[j]), glm::vec3(1.0f)};
-    skeleton.names[j] = names[j];
-  }
-  return skeleton;
-}
-
-/// Rotation of a joint in model space that turns it by `turn` from its rest, as a local one below `above`, turned.
-Quatd local_of(const Skeleton& skeleton, std::uint32_t joint, const Quatd& above_turn, const Quatd& turn) {
-  Quatd rest = quat_identity<double>(), above = rest;
-  for (std::uint32_t j = joint; j != kNone; j = skeleton.parents[j]) {
-    rest = quat_cast<double>(skeleton.rest[j].rotation) * rest;
-    if (j != joint) above = quat_cast<double>(skeleton.rest[j].rotation) * above;
-  }
-  return normalised(quat_conjugate(above_turn * above) * turn * rest);
-}
-
-Quatd about_x(double angle_rad) { return quat_xyzw(std::sin(angle_rad / 2), 0.0, 0.0, std::cos(angle_rad / 2)); }
-
-/// Both legs by angles about x: how far the thigh goes forward, the knee bends, and the heel goes up.
-struct LegAngles {
-  double thigh = 0.0, knee = 0.0, heel = 0.0;
-};
-
-/// Adds one key to the hips, which go from their place at rest by `offset`, and to both legs.
-void add_key(const Skeleton& skeleton, double time_s, const Vec3d& offset, const LegAngles& angles,
-             Animation& animation) {
-  animation.bones.resize(7);
-  animation.duration_s = time_s;
-  const Quatd thigh = about_x(-angles.thigh), shank = about_x(angles.knee - angles.thigh), foot = about_x(angles.heel);
-  const Quatd above[] = {quat_identity<double>(), thigh, shank}, turns[] = {thigh, shank, foot};
-  for (std::uint32_t j = hips; j <= right_foot; ++j) {
-    BoneAnimation& bone = animation.bones[j];
-    bone.joint = j;
-    if (j == hips) {
-      bone.translation.times_s.push_back(static_cast<float>(time_s));
-      bone.translation.values.push_back(skeleton.rest[hips].translation + glm::vec3(offset));
-      continue;
-    }
-    const std::uint32_t part = (j - left_thigh) / 2;
-    bone.rotation.times_s.push_back(static_cast<float>(time_s));
-    bone.rotation.values.push_back(quat_cast<float>(local_of(skeleton, j, above[part], turns[part])));
-  }
-}
+using namespace scenes;
 
 /// Squats on a foot that stays where it is: by the cosine rule of the two bones, in the plane of the leg.
 Animation squat(const Skeleton& skeleton, const Build& build, double floor = 0.0) {
@@ -119,13 +40,6 @@ Animation tiptoe(const Skeleton& skeleton, const Build& build) {
   }
   return animation;
 }
-
-struct Bodies {
-  Skeleton source = body({}, 1), target = body(kSmall, 2);
-  SkeletonMap map = make_skeleton_map(
-      source, target, {.pairs = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}, {8, 8}}});
-  FeetMap feet = make_feet_map(map, source, target);
-};
 
 Vec3d place_of(const Skeleton& skeleton, const Animation& animation, std::uint32_t joint, double time_s) {
   TruthPose pose;
@@ -201,39 +115,6 @@ TEST(hold_feet, hips_come_down_where_a_leg_is_too_short_and_feet_in_the_air_stay
   EXPECT_TRUE(test::is_near(translation_of(after[left_foot]), goal, 1e-6));
   EXPECT_GT(glm::length(translation_of(before[left_foot]) - goal), 0.01);
   EXPECT_TRUE(test::is_near(translation_of(after[right_foot]), translation_of(before[right_foot]), 1e-9));
-}
-
-/// A pose of the source with its left foot `up` higher than at rest, and the target's.
-struct LiftedFoot {
-  std::vector<Transformd> pose, held;
-
-  LiftedFoot(const Bodies& b, double up) : held(b.target.joint_count()) {
-    Animation animation;
-    add_key(b.source, 0.0, Vec3d(0, up, 0), {0.3, 0.4, 0.1}, animation);
-    TruthPose truth;
-    evaluate_truth(animation, b.source, 0.0, truth);
-    pose = truth.local;
-    retarget_pose(b.map, b.source, b.target, pose, held);
-  }
-};
-
-/// The same body below a root that turns and scales by a hundredth, as exporters add one.
-Skeleton below_a_root(const Skeleton& skeleton) {
-  constexpr float kScale = 0.01f;
-  std::vector<std::uint32_t> parents = {kNone};
-  for (const std::uint32_t parent : skeleton.parents) parents.push_back(parent == kNone ? 0 : parent + 1);
-  Skeleton below = scenes::breadth_first(parents, std::vector<glm::vec3>(parents.size()));
-  const glm::quat turn = quat_cast<float>(about_x(-1.5707963267948966));
-  below.rest[0] = {glm::vec3(0.0f), turn, glm::vec3(kScale)};
-  for (std::uint32_t j = 0; j < skeleton.joint_count(); ++j) {
-    Transform rest = skeleton.rest[j];
-    if (j == hips) rest.translation = rotate_vector(quat_conjugate(turn), rest.translation);
-    if (j == hips) rest.rotation = quat_conjugate(turn) * rest.rotation;
-    rest.translation /= kScale;
-    below.rest[j + 1] = rest;
-    below.names[j + 1] = skeleton.names[j];
-  }
-  return below;
 }
 
 TEST(hold_feet, hips_below_a_root_that_turns_and_scales_come_down_as_far) {
@@ -378,88 +259,6 @@ TEST(hold_feet, legs_that_are_not_whole_are_left_out_and_others_may_be_named) {
   EXPECT_EQ(
       make_feet_map(map, b.source, b.target, {{left_thigh, left_shank, left_foot, right_foot}}).legs[0].source.toes, 0u)
       << "toes of another foot are none";
-}
-
-/// The job on a pose and its retargeted one gives what hold_feet does in double.
-void expect_job_is_the_truth(const FeetMap& feet, const Skeleton& target, float ground,
-                             const std::vector<Transformd>& pose, const std::vector<Transformd>& retargeted) {
-  test::PoseBuffer source(pose.size()), held(retargeted.size());
-  const auto in_float = [](const Transformd& t) {
-    return Transform{glm::vec3(t.translation), quat_cast<float>(t.rotation), glm::vec3(t.scale)};
-  };
-  for (std::size_t j = 0; j < pose.size(); ++j) source.span().set(j, in_float(pose[j]));
-  for (std::size_t j = 0; j < retargeted.size(); ++j) held.span().set(j, in_float(retargeted[j]));
-  std::vector<Transformd> truth = retargeted, found;
-  hold_feet(feet, ground, pose, truth);
-  const HoldFeetJob job{&feet, ground, source.span(), held.span()};
-  ASSERT_EQ(check(job), ErrorCode::ok);
-  const test::AllocationCounter counter;
-  run(job);
-  EXPECT_EQ(counter.count(), 0u);
-  for (std::size_t j = 0; j < truth.size(); ++j) found.push_back(in_double(held.span().get(j)));
-  std::vector<Affined> exact_model(truth.size()), model(truth.size());
-  model_from_local(target, truth, exact_model);
-  model_from_local(target, found, model);
-  for (std::size_t j = 0; j < truth.size(); ++j)
-    EXPECT_TRUE(test::is_near(translation_of(model[j]), translation_of(exact_model[j]), 2e-6)) << j;
-}
-
-TEST(hold_feet, the_job_is_the_truth_within_rounding_and_allocates_nothing) {
-  const Bodies b;
-  for (int i = 0; i < 40; ++i) {
-    const LiftedFoot foot(b, 0.1 - 0.005 * i);
-    expect_job_is_the_truth(b.feet, b.target, 0.01f, foot.pose, foot.held);
-  }
-}
-
-TEST(hold_feet, more_legs_than_a_body_has_are_held_alike) {
-  const Bodies b;
-  FeetMap more = b.feet;
-  const LegPair left = b.feet.legs[0], right = b.feet.legs[1];
-  more.legs = {right, right, right, right, left};
-  for (int i = 0; i < 40; ++i) {
-    const LiftedFoot foot(b, 0.1 - 0.005 * i);
-    std::vector<Transformd> two = foot.held, five = foot.held;
-    hold_feet(b.feet, 0.01, foot.pose, two);
-    hold_feet(more, 0.01, foot.pose, five);
-    for (std::size_t j = 0; j < two.size(); ++j) {
-      EXPECT_EQ(two[j].rotation, five[j].rotation) << j;
-      EXPECT_EQ(two[j].translation, five[j].translation) << j;
-    }
-  }
-}
-
-TEST(hold_feet, the_job_moves_hips_along_any_axis_of_their_parent) {
-  const Bodies b;
-  Skeleton below = below_a_root(b.target);
-  const glm::quat turn = quat_cast<float>(test::FixedRandom(5).rotation<double>());
-  below.rest[1].translation = rotate_vector(quat_conjugate(turn) * below.rest[0].rotation, below.rest[1].translation);
-  below.rest[1].rotation = quat_conjugate(turn) * below.rest[0].rotation * below.rest[1].rotation;
-  below.rest[0].rotation = turn;
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::uint32_t j = 0; j < 9; ++j) pairs.push_back({j, j + 1});
-  const SkeletonMap map = make_skeleton_map(b.source, below, {.pairs = pairs});
-  const FeetMap feet = make_feet_map(map, b.source, below);
-  Animation animation;
-  add_key(b.source, 0.0, Vec3d(0, -0.04, 0.05), {0.5, 0.1, 0.0}, animation);
-  TruthPose pose;
-  evaluate_truth(animation, b.source, 0.0, pose);
-  std::vector<Transformd> retargeted(below.joint_count());
-  retarget_pose(map, b.source, below, pose.local, retargeted);
-  const auto ground = static_cast<float>(translation_of(pose.model[left_foot]).y - 0.1);
-  expect_job_is_the_truth(feet, below, ground, pose.local, retargeted);
-  std::vector<Transformd> held = retargeted;
-  hold_feet(feet, ground, pose.local, held);
-  for (int c = 0; c < 3; ++c)
-    EXPECT_GT(std::abs(held[1].translation[c] - retargeted[1].translation[c]), 0.01) << "the case is one: axis " << c;
-}
-
-TEST(hold_feet, the_job_refuses_poses_without_the_joints) {
-  Bodies b;
-  test::PoseBuffer pose(b.source.joint_count()), few(3);
-  EXPECT_EQ(check(HoldFeetJob{nullptr, 0, pose.span(), pose.span()}), ErrorCode::size_mismatch);
-  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, few.span(), pose.span()}), ErrorCode::size_mismatch);
-  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, pose.span(), few.span()}), ErrorCode::size_mismatch);
 }
 
 }  // namespace

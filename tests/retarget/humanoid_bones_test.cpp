@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 
@@ -94,6 +95,17 @@ TEST(humanoid_bones, controls_and_twist_joints_are_none) {
   names[6] = "upperarm_twist_01_l";
   names[8] = "kneeIK.l";
   for (const std::uint32_t joint : find_humanoid_bones(body(names))) EXPECT_EQ(joint, kNone);
+}
+
+TEST(humanoid_bones, are_those_that_a_file_names) {
+  const auto bones_of = [](std::vector<NamedBone> bones) { return humanoid_bones_of(bones); };
+  EXPECT_TRUE(bones_of({}).empty());
+  EXPECT_TRUE(bones_of({{"jaw", 7}}).empty()) << "no bone that is retargeted";
+  const std::vector<std::uint32_t> bones = bones_of({{"leftHand", 3}, {"jaw", 7}, {"hips", 0}});
+  ASSERT_EQ(bones.size(), kHumanoidBones.size());
+  EXPECT_EQ(bones[humanoid_bone("leftHand")], 3u);
+  EXPECT_EQ(bones[humanoid_bone("hips")], 0u);
+  EXPECT_EQ(std::count(bones.begin(), bones.end(), kNone), static_cast<std::ptrdiff_t>(bones.size()) - 2);
 }
 
 }  // namespace

@@ -124,8 +124,8 @@ tl::expected<SkeletonMap, std::string> map_of(const RetargetOptions& options, co
                                               const ImportedFile& character) {
   const Skeleton &source = clips.scene.skeleton, &target = character.scene.skeleton;
   SkeletonMapOptions choice;
-  if (clips.vrm) choice.source_bones = humanoid_bones_of(*clips.vrm);
-  if (character.vrm) choice.target_bones = humanoid_bones_of(*character.vrm);
+  if (clips.vrm) choice.source_bones = humanoid_bones_of(clips.vrm->bones);
+  if (character.vrm) choice.target_bones = humanoid_bones_of(character.vrm->bones);
   choice.translations = *translation_rule(options.translations);
   if (options.keep_rest) choice.limbs = LimbDirections::of_rest;
   if (options.map)

@@ -58,7 +58,7 @@ nlohmann::ordered_json vrm_json(const VrmCharacter& vrm, const Scene& scene) {
            {"colliders", Json::array()},
            {"springs", Json::array()},
            {"constraints", Json::array()}};
-  for (const VrmBone& bone : vrm.bones) out["bones"][bone.name] = node_of(scene, bone.joint);
+  for (const NamedBone& bone : vrm.bones) out["bones"][bone.name] = node_of(scene, bone.joint);
   for (const auto& expression : vrm.expressions) out["expressions"].push_back(expression_json(expression, scene));
   for (const VrmCollider& collider : vrm.colliders)
     out["colliders"].push_back({{"node", node_of(scene, collider.joint)},
