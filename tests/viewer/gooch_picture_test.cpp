@@ -55,8 +55,12 @@ TEST_F(gooch_picture, outlines_are_at_silhouettes_and_creases_and_on_no_plane_ho
   BuiltScene plane;
   plane.add(square(40.0f), plane.add_material(matte({1, 1, 1})));
   const View steep = look_at({0.0, 0.3, 0.0}, {0.0, -0.2, -2.0}, 0.3, 0.05);
-  const FloatPicture drawn = render_float(plane, 64, 64, steep, gooch());
-  for (const glm::vec4& pixel : drawn.pixels) EXPECT_GT(pixel.r, 0.2f) << "a line on a plane";
+  View near_parallel = look_at({0.0, 0.3, 0.0}, {0.0, -0.2, -0.4}, 0.3, 0.05);
+  near_parallel.half_height_m = 0.1;
+  near_parallel.far_m = 9.0;
+  for (const View& view : {steep, near_parallel})
+    for (const glm::vec4& pixel : render_float(plane, 64, 64, view, gooch()).pixels)
+      EXPECT_GT(pixel.r, 0.2f) << "a line on a plane";
 }
 
 TEST_F(gooch_picture, normal_maps_make_creases_and_change_no_tone) {
@@ -112,6 +116,29 @@ TEST_F(gooch_picture, exposure_tone_curve_shadows_and_environment_change_no_byte
   options.ground = ground_for(options.shadows.bounds);
   options.ground.look = GroundLook::shadows;
   EXPECT_EQ(plain.pixels, render_float(built, 24, 20, the_view(), options).pixels);
+}
+
+TEST_F(gooch_picture, smooth_edges_are_black_where_a_surface_covers_less_than_the_middle_of_a_pixel) {
+  View view = look_at({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, 0.6, 0.05);
+  view.half_height_m = 2.0;
+  view.far_m = 9.0;
+  RenderOptions options = gooch();
+  options.smooth_edges = true;
+  options.transparent_background = true;
+  // A pixel is 0.1 m. One end covers 0.75 of its pixels and their middle, the other 0.3 of them.
+  for (const glm::vec2& half : {glm::vec2(1.075f, 1.03f), {1.03f, 1.075f}}) {
+    BuiltScene built;
+    Primitive p = wall();
+    for (glm::vec3& at : p.positions) at = {at.x > 0.0f ? half.x : -half.x, at.y > 0.0f ? half.y : -half.y, 0.0f};
+    built.add(p, built.add_material(matte({0.2f, 0.9f, 0.2f})));
+    int partly = 0;
+    for (const glm::vec4& pixel : render_float(built, 40, 40, view, options).pixels) {
+      if (pixel.a == 0.0f || pixel.a == 1.0f) continue;
+      ++partly;
+      EXPECT_LT(std::max({pixel.r, pixel.g, pixel.b}), 0.01f);
+    }
+    EXPECT_EQ(partly, 84);
+  }
 }
 
 TEST_F(gooch_picture, smooth_edges_have_lines_on_what_is_covered_alone) {

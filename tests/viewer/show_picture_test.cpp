@@ -74,6 +74,17 @@ TEST_F(show_picture, depth_is_bright_near_and_dark_far_within_its_range) {
     expect_reference_picture(shapes(), view, options, {.width = kWidth, .height = kHeight, .sharp = 0.5});
 }
 
+TEST_F(show_picture, ambient_access_is_white_where_nothing_asks_for_it) {
+  RenderOptions off, rays;
+  off.ao.on = false;
+  rays.ao.method = OcclusionMethod::rays;  // and no vertex has any
+  for (RenderOptions* options : {&off, &rays}) {
+    options->show = Show::ao;
+    for (const glm::vec4& pixel : render_float(shapes(), kWidth, kHeight, the_view(), *options).pixels)
+      ASSERT_NEAR(pixel.r, 1.0f, 1e-3f);  // of a half float
+  }
+}
+
 /// Compares ambient access with the reference's, from the depth and the normals that the reference sees.
 void expect_reference_access(const BuiltScene& built, double bound) {
   RenderOptions options;
