@@ -176,6 +176,12 @@ TEST(options, accept_each_filter_of_textures) {
   EXPECT_EQ(accepted({"--filter", "anisotropic=16"}).filter, (TextureFilter{FilterKind::anisotropic, 16}));
 }
 
+TEST(options, accept_each_interpolation_of_normals) {
+  EXPECT_EQ(accepted({}).normals, NormalInterpolation::interpolated);
+  EXPECT_EQ(accepted({"--normals", "interpolated"}).normals, NormalInterpolation::interpolated);
+  EXPECT_EQ(accepted({"--normals", "quaternion"}).normals, NormalInterpolation::quaternion);
+}
+
 TEST(options, accept_each_word_of_show_and_skinning) {
   EXPECT_EQ(accepted({"--show", "color"}).show, Show::color);
   EXPECT_EQ(accepted({"--show", "ao"}).show, Show::ao);
@@ -222,6 +228,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--size", "2x16385"}, "2x16385"},
       {{"--size", "640x360x"}, "640x360x"},
       {{"--skinning", "cubic"}, "linear, dual-quaternion, center-of-rotation"},
+      {{"--normals", "slerp"}, "interpolated, quaternion"},
       {{"--filter", "linear"}, "nearest, bilinear, trilinear, ripmap"},
       {{"--filter", "anisotropic"}, "anisotropic=8"},
       {{"--filter", "anisotropic=1"}, "2 to 16"},

@@ -13,6 +13,7 @@ TEST(settings, begin_as_the_command_line_says) {
   scene.instances.emplace_back();
   Options options;
   options.show = Show::depth;
+  options.normals = NormalInterpolation::quaternion;
   options.ambient_occlusion = false;
   options.skinning = Skinning::dual_quaternion;
   options.cache_weight = 0.25f;
@@ -26,6 +27,7 @@ TEST(settings, begin_as_the_command_line_says) {
   options.occlusion_method = OcclusionMethod::ssao;
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
+  EXPECT_EQ(settings.normals, NormalInterpolation::quaternion);
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
   EXPECT_EQ(settings.cache_weight, 0.25f);
@@ -137,6 +139,7 @@ TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
   Settings settings;
   settings.ambient_occlusion = false;
   settings.show = Show::normals;
+  settings.normals = NormalInterpolation::quaternion;
   const auto a = render_options(settings, nullptr, standing, {0, 1, 8}),
              b = render_options(settings, nullptr, walking, {0, 1, 8});
   EXPECT_EQ(a.ao.radius_m, b.ao.radius_m);
@@ -147,6 +150,7 @@ TEST(settings, shading_lengths_follow_the_largest_pose_not_the_way_it_walks) {
   EXPECT_FLOAT_EQ(inside.farthest_m, std::sqrt(3.0f));
   EXPECT_FALSE(a.ao.on);
   EXPECT_EQ(a.show, Show::normals);
+  EXPECT_EQ(a.normals, NormalInterpolation::quaternion);
 }
 
 }  // namespace

@@ -156,6 +156,12 @@ void add_picture_options(CLI::App& app, Options& options) {
                 options.shading =
                     named<Shading>("--shading", text, {{"physical", Shading::physical}, {"gooch", Shading::gooch}});
               });
+  text_option(app, "--normals", "HOW", "between vertices: interpolated, or quaternion (interpolated)",
+              [&](const std::string& text) {
+                options.normals = named<NormalInterpolation>("--normals", text,
+                                                             {{"interpolated", NormalInterpolation::interpolated},
+                                                              {"quaternion", NormalInterpolation::quaternion}});
+              });
   auto* method = text_option(
       app, "--ao", "METHOD", "ambient occlusion: gtao (horizons), ssao (points around), or rays at vertices (gtao)",
       [&](const std::string& text) {

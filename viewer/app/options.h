@@ -46,6 +46,7 @@ struct Options {
   Show show = Show::color;
   TextureFilter filter;
   Shading shading = Shading::physical;
+  NormalInterpolation normals = NormalInterpolation::interpolated;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   std::uint32_t key_poses = 1;  ///< of the clip, for which rays are cast; 1 = the rest pose

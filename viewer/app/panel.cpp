@@ -259,6 +259,10 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
     }
     look_controls(facts, settings, wishes);
     ImGui::Checkbox("live plan", &settings.plan);
+    ImGui::SameLine();
+    bool quaternions = settings.normals == NormalInterpolation::quaternion;
+    ImGui::Checkbox("normals as quaternions", &quaternions);
+    settings.normals = quaternions ? NormalInterpolation::quaternion : NormalInterpolation::interpolated;
     key_help();
     ImGui::PopItemWidth();
   }

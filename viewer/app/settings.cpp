@@ -14,6 +14,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   Settings settings;
   settings.show = options.show;
   settings.shading = options.shading;
+  settings.normals = options.normals;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.occlusion_method = options.occlusion_method;
   settings.environment_turn_deg = options.environment_turn_deg;
@@ -88,6 +89,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.ao.method = settings.occlusion_method;
   options.show = settings.show;
   options.shading = settings.shading;
+  options.normals = settings.normals;
   options.lighting.environment = std::move(environment);
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);

@@ -12,6 +12,7 @@ namespace sinew::viewer {
 struct Settings {
   Show show = Show::color;
   Shading shading = Shading::physical;
+  NormalInterpolation normals = NormalInterpolation::interpolated;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   bool shadows = true;

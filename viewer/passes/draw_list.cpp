@@ -117,9 +117,9 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
                       frame.point_size,
                       drawn.access.factor};
     draw.surface = surface_of(primitive, drawn.scene->materials().features_of(material_index));
+    draw.surface.double_sided = material && material->double_sided;
     draw.topology = primitive.topology;
     draw.masked = alpha == AlphaMode::mask;
-    draw.double_sided = material && material->double_sided;
     draw.mirrored = mirrored;
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
     const bool blended = alpha == AlphaMode::blend;

@@ -31,6 +31,7 @@ enum class NormalSource : std::uint8_t {
 struct SurfaceFeatures {
   NormalSource normals = NormalSource::none;
   bool tangents = false;
+  bool double_sided = false;
   MaterialFeatures material;
 
   auto operator<=>(const SurfaceFeatures&) const = default;
@@ -48,7 +49,7 @@ struct Draw {
   DrawConstants constants{};
   SurfaceFeatures surface;
   Topology topology = Topology::triangles;
-  bool masked = false, double_sided = false, mirrored = false;
+  bool masked = false, mirrored = false;
   float distance = 0.0f;  ///< from the eye plane to the centre of the primitive, metres
 };
 

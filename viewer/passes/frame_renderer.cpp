@@ -123,6 +123,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .unlit_image = graph.unlit_image,
           .gooch = is_gooch(inputs),
           .shows_level = inputs.options.show == Show::level,
+          .quaternion_normals = inputs.options.normals == NormalInterpolation::quaternion,
           .smooth_edges = graph.sampled,
           .light_count = light_count(inputs.options, lights)};
 }

@@ -50,7 +50,8 @@ enum ConstantId : std::size_t {
   id_sheen = 26,
   id_layer_textures = 28,
   id_wraps = 36,
-  id_show_level = 37
+  id_show_level = 37,
+  id_quaternions = 38
 };
 
 bool reads_textures(const MaterialFeatures& material) noexcept {
@@ -95,6 +96,8 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     surface.material.layers = {};
   }
   if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
+  key.frame.quaternion_normals = key.frame.quaternion_normals && surface.normals == NormalSource::vertices;
+  surface.double_sided = surface.double_sided && key.frame.quaternion_normals;
   if (!reads_textures(surface.material)) {
     surface.material.rip_maps = false;
     surface.material.wraps = 0;
@@ -156,6 +159,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_sheen] = layers.sheen;
   for (std::size_t i = 0; i < kLayerTextures; ++i) shape.constants[id_layer_textures + i] = layers.textures[i];
   shape.constants[id_wraps] = key.surface.material.wraps;
+  shape.constants[id_quaternions] = key.frame.quaternion_normals ? key.surface.double_sided ? 2 : 1 : 0;
   shape.constants[id_show_level] = key.frame.shows_level;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;

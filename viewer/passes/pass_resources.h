@@ -75,11 +75,12 @@ struct FrameFeatures {
   std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
-  bool auto_exposure = false;  ///< there is an image with the exposure
-  bool unlit_image = false;    ///< there is an image for colours that no tone curve changes
-  bool gooch = false;          ///< Gooch shading
-  bool shows_level = false;    ///< the prepass writes levels of textures instead of normals
-  bool smooth_edges = false;   ///< opaque and transparent passes draw 4 samples a pixel
+  bool auto_exposure = false;       ///< there is an image with the exposure
+  bool unlit_image = false;         ///< there is an image for colours that no tone curve changes
+  bool gooch = false;               ///< Gooch shading
+  bool shows_level = false;         ///< the prepass writes levels of textures instead of normals
+  bool quaternion_normals = false;  ///< normals and frames are interpolated as quaternions
+  bool smooth_edges = false;        ///< opaque and transparent passes draw 4 samples a pixel
   std::uint32_t light_count = 0;
 
   auto operator<=>(const FrameFeatures&) const = default;

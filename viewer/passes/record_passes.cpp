@@ -99,7 +99,7 @@ void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPi
       draw_mesh(context, draw, VK_CULL_MODE_NONE);  // what is thin casts a shadow from either side
       continue;
     }
-    const bool sides = draw.double_sided && draw.topology == Topology::triangles;
+    const bool sides = draw.surface.double_sided && draw.topology == Topology::triangles;
     if (sides && key.pass == Pass::transparent) draw_mesh(context, draw, VK_CULL_MODE_FRONT_BIT);  // back faces first
     draw_mesh(context, draw, sides && key.pass != Pass::transparent ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
   }

@@ -23,6 +23,12 @@ enum class Shading : std::uint8_t {
   gooch      ///< their shape: cool to warm tones with outlines, as in technical illustrations
 };
 
+/// How normals and tangent frames lie between the vertices of a triangle.
+enum class NormalInterpolation : std::uint8_t {
+  interpolated,  ///< linear, then of unit length again
+  quaternion     ///< as quaternions (Hast 2005): of unit length without a square root
+};
+
 /// How light of the scene becomes light of the display.
 enum class ToneCurve : std::uint8_t {
   neutral,  ///< Khronos PBR Neutral: keeps base colours, compresses highlights
@@ -115,6 +121,7 @@ struct DepthRange {
 struct RenderOptions {
   Show show = Show::color;
   Shading shading = Shading::physical;
+  NormalInterpolation normals = NormalInterpolation::interpolated;
   AmbientOcclusion ao;
   Lighting lighting;
   Shadows shadows;

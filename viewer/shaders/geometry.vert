@@ -6,6 +6,7 @@
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "projection.glsl"
+#include "quaternion_normal.glsl"
 
 layout(constant_id = 16) const bool kShadowMap = false;      // draws the shadow map
 layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
@@ -20,11 +21,22 @@ layout(location = 6) in float access;        // ambient access in the key pose b
 layout(location = 7) in float next_access;
 
 layout(location = 0) out vec3 view_position;
-layout(location = 1) out vec3 view_normal;
+layout(location = 1) out vec3 view_normal;   // or, with quaternions, its half-way vector
 layout(location = 2) out vec4 view_tangent;
 layout(location = 3) out vec4 texcoords;
 layout(location = 4) out vec4 vertex_color;
 layout(location = 5) out float vertex_access;
+
+// With quaternions. -q is the same frame as q, but what lies between the two is not. A vertex does not know the other
+// corners of its triangles, so it brings both signs: cosine and sine of half the turn about the normal positive. The first
+// corner says which of them all take: the one that is farther from its change of sign. So frames that turn by less than
+// 90 degrees within a triangle are interpolated the short way. Back sides have frames of their own, of -n.
+layout(location = 6) out vec4 frame_by_cosine;
+layout(location = 7) out vec4 frame_by_sine;
+layout(location = 8) out vec3 back_half_way;
+layout(location = 9) out vec4 back_frame_by_cosine;
+layout(location = 10) out vec4 back_frame_by_sine;
+layout(location = 11) flat out vec2 sine_is_larger;   // front and back: above 0 = yes
 
 invariant gl_Position;
 
@@ -38,6 +50,14 @@ vec3 transformed_normal(vec3 n) {
   return length_squared > 0.0 ? turned * inversesqrt(length_squared) : n;
 }
 
+// out  by_cosine, by_sine  the frame in both signs, zero without a tangent;   returns sine_is_larger
+float both_signs(vec3 h, vec3 along, out vec4 by_cosine, out vec4 by_sine) {
+  vec2 spinor;
+  by_cosine = frame_quaternion(h, along, spinor);
+  by_sine = spinor.y < 0.0 ? -by_cosine : by_cosine;
+  return abs(spinor.y) - spinor.x;
+}
+
 void main() {
   vec4 local = vec4(position, 1.0);
   vec3 view = vec3(dot(draw.view_from_mesh[0], local), dot(draw.view_from_mesh[1], local), dot(draw.view_from_mesh[2], local));
@@ -46,6 +66,13 @@ void main() {
   view_normal = transformed_normal(normal);
   view_tangent = vec4(dot(draw.view_from_mesh[0], direction), dot(draw.view_from_mesh[1], direction),
                       dot(draw.view_from_mesh[2], direction), tangent.w);
+  if (kQuaternions != 0) {
+    vec3 n = view_normal;
+    view_normal = half_way(n);
+    sine_is_larger.x = both_signs(view_normal, view_tangent.xyz, frame_by_cosine, frame_by_sine);
+    back_half_way = half_way(-n);
+    sine_is_larger.y = both_signs(back_half_way, view_tangent.xyz, back_frame_by_cosine, back_frame_by_sine);
+  }
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
   vertex_access = kVertexAccess ? mix(access, next_access, draw.access_factor) : 1.0;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Normals of normal maps. The shader that includes this has the inputs view_position, view_tangent and texcoords.
 
-const float kLeastSine = 1e-3;   // between normal and tangent: below it, rounding and quantisation decide the direction
+layout(location = 6) in vec4 frame_by_cosine;
+layout(location = 7) in vec4 frame_by_sine;
+layout(location = 9) in vec4 back_frame_by_cosine;
+layout(location = 10) in vec4 back_frame_by_sine;
+layout(location = 11) flat in vec2 sine_is_larger;
 
 // The direction of `along` in the plane perpendicular to n; false if `along` is zero or nearly parallel to n.
 bool perpendicular(vec3 n, vec3 along, out vec3 t) {
@@ -12,12 +16,25 @@ bool perpendicular(vec3 n, vec3 along, out vec3 t) {
   return true;
 }
 
+// On back faces n is reversed; the bitangent must not change then.
+float bitangent_side() { return view_tangent.w * (gl_FrontFacing ? draw.handedness : -draw.handedness); }
+
+// Normal, tangent and bitangent from the quaternions of the vertices; false if the tangents have no direction.
+bool quaternion_frame(inout vec3 n, out vec3 t, out vec3 b) {
+  vec4 q = sine_is_larger.x > 0.0 ? frame_by_sine : frame_by_cosine;
+  if (back_side()) q = sine_is_larger.y > 0.0 ? back_frame_by_sine : back_frame_by_cosine;
+  if (dot(q, q) < 1e-6) return false;
+  mat3 frame_of_map = frame_of(q);
+  n = frame_of_map[2];
+  t = frame_of_map[0];
+  b = frame_of_map[1] * bitangent_side();
+  return true;
+}
+
 // Tangent and bitangent of the normal map, from the tangents of the mesh; false if the tangent has no direction.
 bool stored_frame(vec3 n, out vec3 t, out vec3 b) {
   if (!perpendicular(n, view_tangent.xyz, t)) return false;
-  // On back faces n is reversed; the bitangent must not change then.
-  float side = gl_FrontFacing ? draw.handedness : -draw.handedness;
-  b = cross(n, t) * view_tangent.w * side;
+  b = cross(n, t) * bitangent_side();
   return true;
 }
 
@@ -40,7 +57,8 @@ vec3 mapped_normal(vec3 n, vec3 texel, float scale, int set) {
   vec3 relief = texel * 2.0 - 1.0;
   vec3 t, b;
   bool found;
-  if (kTangents) found = stored_frame(n, t, b);
+  if (kTangents && kQuaternions != 0) found = quaternion_frame(n, t, b);
+  else if (kTangents) found = stored_frame(n, t, b);
   else found = derived_frame(n, set, t, b);
   if (!found) return n;
   if (!gl_FrontFacing) relief.xy = -relief.xy;   // n is reversed already: a bump of the front is a dent of the back
