@@ -233,6 +233,17 @@ eventually "the picture stays" equals_now blue
 save_color 0.8,0.1,0.1
 eventually "a file that is whole again is shown as before" equals_now red
 eventually "and that is said" says 'face.gltf: read again' 2
+xdotool mousemove --window "$window" 320 200 mousedown 1
+sleep 0.3
+xdotool mousemove --window "$window" 400 200
+sleep 0.3
+xdotool mouseup 1
+eventually "dragging turns the camera" differs_now red
+eventually "and it stays there" still turned
+save_color 0.1,0.1,0.8
+eventually "a changed file is shown from there" differs_now turned
+save_color 0.8,0.1,0.1
+eventually "and changed back it is the very same picture" equals_now turned
 grep -v 'shown as before$\|: read again$' "$pictures/messages" && fail "the validation layer has nothing to say"
 : > "$pictures/messages"
 quit

@@ -12,9 +12,9 @@
 
 #include "viewer/app/bake_access.h"
 #include "viewer/app/frame.h"
+#include "viewer/app/framed_camera.h"
 #include "viewer/app/keys.h"
 #include "viewer/app/live_plan.h"
-#include "viewer/app/orbit_camera.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/reload/go_over.h"
 #include "viewer/app/scene_choice.h"
@@ -75,8 +75,6 @@ class WindowLoop {
   void add_access(std::uint32_t clip);
   void place_camera();
   void frame_all();
-  void go_along(Framed what);
-  void follow();
   void leave_file_camera();
   double aspect() const;
   void ask();
@@ -103,10 +101,7 @@ class WindowLoop {
   Frame frame_;
   std::unique_ptr<ShownScene> shown_;
   std::uint32_t exhibit_ = 0;
-  OrbitCamera camera_;
-  std::optional<Framed> followed_;  ///< set while the camera goes along
-  std::uint32_t followed_clip_ = kNone;
-  glm::dvec3 place_{0.0};  ///< where it has gone
+  FramedCamera camera_;
   Settings settings_;
   LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
@@ -140,46 +135,20 @@ void WindowLoop::add_access(std::uint32_t clip) {
 void WindowLoop::place_camera() {
   const Exhibit& exhibit = exhibits_[exhibit_];
   const auto placed = options_.camera ? options_.camera : exhibit.camera;
-  camera_ = OrbitCamera();
-  camera_.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
+  camera_ = FramedCamera();
+  camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
   if (placed && settings_.framing == Framing::clip)
-    camera_.place(placed->eye, placed->target);
+    camera_.orbit.place(placed->eye, placed->target);
   else
     frame_all();
 }
 
-void WindowLoop::frame_all() {
-  const Exhibit& exhibit = exhibits_[exhibit_];
-  Playback& playback = shown_->playback();
-  followed_.reset();
-  if (settings_.framing == Framing::clip) return camera_.frame(shown_->bounds().outline.points(), aspect());
-  Framed what = framed(settings_.framing, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get());
-  camera_.frame(what.outline.points(), aspect());
-  if (settings_.framing != Framing::follow) return;
-  place_ = glm::dvec3(0.0);
-  go_along(std::move(what));
-}
-
-// Goes along with `what` from where the camera is.
-void WindowLoop::go_along(Framed what) {
-  followed_ = std::move(what);
-  followed_clip_ = shown_->playback().clip();
-  follow();
-}
-
-// Goes along with the pose. Another clip is framed anew.
-void WindowLoop::follow() {
-  if (!followed_) return;
-  if (followed_clip_ != shown_->playback().clip()) return frame_all();
-  const glm::dvec3 place = followed_->place_at(shown_->playback().time_s());
-  camera_.target += place - place_;
-  place_ = place;
-}
+void WindowLoop::frame_all() { camera_.frame(settings_.framing, *shown_, aspect()); }
 
 // Continues from the view of the file's camera with the user's own camera.
 void WindowLoop::leave_file_camera() {
   if (settings_.camera == kNone) return;
-  camera_.take_over(shown_->view_of(settings_.camera, aspect()), shown_->bounds().reached);
+  camera_.orbit.take_over(shown_->view_of(settings_.camera, aspect()), shown_->bounds().reached);
   settings_.camera = kNone;
 }
 
@@ -190,10 +159,10 @@ double WindowLoop::aspect() const {
 
 // Requests the pose of the next picture, without what is out of view.
 void WindowLoop::ask() {
-  follow();
+  camera_.follow(*shown_, aspect());
   const bool of_file = settings_.camera != kNone;
   const View view =
-      of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.view(shown_->bounds().reached);
+      of_file ? shown_->coming_view_of(settings_.camera, aspect()) : camera_.orbit.view(shown_->bounds().reached);
   shown_->set_cache_weight(settings_.cache_weight);
   shown_->set_shadows(settings_.shadows);
   shown_->submit(view, of_file && shown_->is_moved(settings_.camera), aspect(), settings_.watches_joints());
@@ -207,9 +176,9 @@ void WindowLoop::react(const Input& input) {
   if (panel_.wants_mouse()) return;
   const double height = swapchain_.extent().height;
   if (input.turn_held || input.move_held || input.wheel != 0.0) leave_file_camera();
-  if (input.turn_held) camera_.orbit(input.moved_x, input.moved_y, height);
-  if (input.move_held) camera_.pan(input.moved_x, input.moved_y, height);
-  if (input.wheel != 0.0) camera_.zoom(input.wheel);
+  if (input.turn_held) camera_.orbit.orbit(input.moved_x, input.moved_y, height);
+  if (input.move_held) camera_.orbit.pan(input.moved_x, input.moved_y, height);
+  if (input.wheel != 0.0) camera_.orbit.zoom(input.wheel);
 }
 
 void WindowLoop::act(Action action) {
@@ -284,7 +253,7 @@ PanelFacts WindowLoop::facts() {
 void WindowLoop::draw() {
   const ClipExtent& bounds = shown_->bounds();
   const View view =
-      settings_.camera == kNone ? camera_.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
+      settings_.camera == kNone ? camera_.orbit.view(bounds.reached) : shown_->view_of(settings_.camera, aspect());
   const RenderOptions look = render_options(settings_, shown_->exhibit().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
@@ -382,9 +351,7 @@ std::string WindowLoop::show_changed(Exhibit changed) {
   settings_.variant = variant.value_or(kNone);
   live_plan_.forget();
   said_fault_.clear();
-  const Playback& playback = shown_->playback();
-  if (followed_)
-    go_along(framed(Framing::follow, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get()));
+  camera_.go_on(*shown_);
   return {};
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "viewer/app/framed_camera.h"
+
+#include <utility>
+
+namespace sinew::viewer {
+namespace {
+
+Framed framed_now(Framing framing, ShownScene& shown) {
+  const Exhibit& exhibit = shown.exhibit();
+  const Playback& playback = shown.playback();
+  return framed(framing, exhibit.scene, playback.clip(), playback.time_s(), exhibit.cache.get());
+}
+
+}  // namespace
+
+void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect) {
+  followed_.reset();
+  if (framing == Framing::clip) return orbit.frame(shown.bounds().outline.points(), aspect);
+  Framed what = framed_now(framing, shown);
+  orbit.frame(what.outline.points(), aspect);
+  if (framing != Framing::follow) return;
+  place_ = glm::dvec3(0.0);
+  go_along(std::move(what), shown.playback());
+}
+
+void FramedCamera::follow(ShownScene& shown, double aspect) {
+  if (!followed_) return;
+  const Playback& playback = shown.playback();
+  if (followed_clip_ != playback.clip()) return frame(Framing::follow, shown, aspect);
+  move_to(followed_->place_at(playback.time_s()));
+}
+
+void FramedCamera::go_on(ShownScene& shown) {
+  if (followed_) go_along(framed_now(Framing::follow, shown), shown.playback());
+}
+
+void FramedCamera::go_along(Framed what, const Playback& playback) {
+  move_to(what.place_at(playback.time_s()));
+  followed_ = std::move(what);
+  followed_clip_ = playback.clip();
+}
+
+void FramedCamera::move_to(const glm::dvec3& place) {
+  orbit.target += place - place_;
+  place_ = place;
+}
+
+}  // namespace sinew::viewer
