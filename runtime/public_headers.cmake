@@ -57,6 +57,7 @@ set(sinew_public_headers
   runtime/library/clip_channels.h
   runtime/library/clip_library.h
   runtime/memory/memory_of.h
+  runtime/model/clip_boxes.h
   runtime/model/material.h
   runtime/model/mesh.h
   runtime/model/mesh_copies.h

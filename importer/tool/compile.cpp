@@ -72,7 +72,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
   ImportOptions import;
-  const AssetFileOptions blocks = blocks_of(options);
+  AssetFileOptions blocks = blocks_of(options);
   import.decode_images = false;
   import.make_tangents = import.keep_encoded_images = blocks.model;
   auto file = load_file(in, import);
@@ -82,6 +82,8 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;
   compile_clips_of(scene, blocks.clips ? *chosen : ClipChoice(), metres_of(*budget, scene));
+  const ClipBoxes boxes = blocks.model && blocks.clips ? bound_clips(scene) : ClipBoxes();
+  blocks.clip_boxes = boxes;
   const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
   if (const auto fault = write::replace_file(out, bytes))
     return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});

@@ -9,6 +9,7 @@
 #include "importer/tool/progress_line.h"
 #include "runtime/base/contract.h"
 #include "runtime/compress/virtual_vertices.h"
+#include "runtime/lod/clip_bounds.h"
 
 namespace sinew::tool {
 namespace {
@@ -53,6 +54,13 @@ std::vector<Clip> certify_clips(const Scene& scene, std::span<const Animation> t
     clips[i] = compile_and_measure(scene, written[i], truths[i], vertices, budget_m);
   });
   return clips;
+}
+
+ClipBoxes bound_clips(const Scene& scene) {
+  ClipBoxes boxes(scene.animations.size());
+  for_each_clip("bounding clips", boxes.size(),
+                [&](std::size_t i) { boxes[i] = clip_boxes(scene, static_cast<std::uint32_t>(i)); });
+  return boxes;
 }
 
 }  // namespace sinew::tool

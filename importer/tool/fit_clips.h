@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/compress/compile_clip_within.h"
+#include "runtime/model/clip_boxes.h"
 
 namespace sinew::tool {
 
@@ -15,5 +16,8 @@ std::vector<ClipWithin> fit_clips(const Scene& scene, std::span<const Animation>
 /// Compiles `written`, one for each of `truths`, and measures it, on all cores (compile_and_measure).
 std::vector<Clip> certify_clips(const Scene& scene, std::span<const Animation> truths,
                                 std::span<const Animation> written, double budget_m);
+
+/// Boxes of the mesh instances over each clip, from the animations of the scene (clip_boxes), on all cores.
+ClipBoxes bound_clips(const Scene& scene);
 
 }  // namespace sinew::tool

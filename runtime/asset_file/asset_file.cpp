@@ -107,6 +107,7 @@ std::string_view name_of(AssetKind kind) noexcept {
     case AssetKind::model: return "model";
     case AssetKind::clips: return "clips";
     case AssetKind::animations: return "animations";
+    case AssetKind::bounds: return "bounds";
   }
   return "";
 }

@@ -17,9 +17,10 @@ enum class AssetKind : std::uint32_t {
   model,       ///< meshes, skins, morph sets, materials, textures, images, instances, correctives, cameras, lights
   clips,       ///< compiled, as save_clips (clip/clip_file.h) writes them
   animations,  ///< the authoring form of the clips, the truth; optional
+  bounds,      ///< ClipBoxes of the file's clips and model; optional
 };
 
-/// "skeleton", "model", "clips", "animations"; empty for others.
+/// "skeleton", "model", "clips", "animations", "bounds"; empty for others.
 std::string_view name_of(AssetKind kind) noexcept;
 
 /// Why an asset file is refused: the broken rule, where, and the case in words.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/asset_file/read_assets.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "runtime/asset_file/animation_fields.h"
 #include "runtime/asset_file/asset_reader.h"
 #include "runtime/asset_file/look_fields.h"
+#include "runtime/base/all_finite.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/clip_rest.h"
 #include "runtime/clip/decompile_clip.h"
@@ -116,6 +118,21 @@ Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vec
   return animations;
 }
 
+bool is_finite(const Aabb& box) noexcept {
+  return all_finite(std::span(&box.lower.x, 3)) && all_finite(std::span(&box.upper.x, 3));
+}
+
+/// What is wrong with boxes of a scene; nothing where they are right.
+const char* fault_of(const ClipBoxes& boxes, const Scene& scene) noexcept {
+  if (boxes.size() > scene.clips.size()) return "there are boxes of more clips than the scene has";
+  for (const std::vector<Aabb>& of_clip : boxes) {
+    if (!of_clip.empty() && of_clip.size() != scene.instances.size())
+      return "a clip has boxes of more or fewer mesh instances than the scene has";
+    if (!std::all_of(of_clip.begin(), of_clip.end(), is_finite)) return "a box is not finite";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Read<Skeleton> read_skeleton(const AssetFile& file) {
@@ -168,6 +185,17 @@ Read<Scene> read_scene(const AssetFile& file) {
   if (file.find(AssetKind::clips) != nullptr || file.find(AssetKind::animations) != nullptr)
     if (const auto added = add_clips(file, scene); !added) return tl::unexpected(added.error());
   return scene;
+}
+
+Read<ClipBoxes> read_clip_boxes(const AssetFile& file, const Scene& scene) {
+  ClipBoxes boxes;
+  if (file.find(AssetKind::bounds) == nullptr) return boxes;
+  if (const auto bound = check_signature(file, AssetKind::bounds, skeleton_signature(scene.skeleton)); !bound)
+    return tl::unexpected(bound.error());
+  const auto read = read_block(file, AssetKind::bounds, [&](AssetReader& in) { in.read(boxes); });
+  if (!read) return tl::unexpected(read.error());
+  if (const char* fault = fault_of(boxes, scene)) return refuse("asset-value", AssetKind::bounds, fault);
+  return boxes;
 }
 
 }  // namespace sinew

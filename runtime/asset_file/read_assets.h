@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "runtime/asset_file/asset_file.h"
+#include "runtime/model/clip_boxes.h"
 #include "runtime/model/scene.h"
 
 namespace sinew {
@@ -33,5 +34,11 @@ tl::expected<Scene, AssetFileError> read_scene(const AssetFile& file);
 ///       properties than the scene has); the scene is then as before
 /// cost  O(bytes of the blocks), allocates
 tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Scene& scene);
+
+/// Where the meshes of read_scene(file) are while its clips play, for clip_bounds (lod/clip_bounds.h); nothing where
+/// the file does not say, as those of before.
+/// in    scene  of this file; clips of others may have been added
+/// err   AssetFileError;  cost O(clips * instances), allocates
+tl::expected<ClipBoxes, AssetFileError> read_clip_boxes(const AssetFile& file, const Scene& scene);
 
 }  // namespace sinew

@@ -13,6 +13,7 @@
 #include "runtime/base/checksum.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/model/clip_boxes.h"
 
 namespace sinew {
 namespace {
@@ -108,6 +109,8 @@ std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptio
   if (options.model) add(AssetKind::model, bytes_of_model(scene));
   if (options.clips) add(AssetKind::clips, bytes_of_clips(scene.clips));
   if (options.clips && options.truth) add(AssetKind::animations, bytes_of(scene.animations));
+  if (options.model && options.clips && !options.clip_boxes.empty())
+    add(AssetKind::bounds, bytes_of(ClipBoxes(options.clip_boxes.begin(), options.clip_boxes.end())));
   return file_of(blocks, skeleton_signature(scene.skeleton));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "runtime/model/scene.h"
@@ -13,6 +14,8 @@ struct AssetFileOptions {
   /// Also the authoring form of the clips. Without it a reader makes one of the keys of the compiled clips
   /// (read_assets.h), which takes less room and is as far from the truth as the clips' certificates say.
   bool truth = false;
+  /// Of the scene's clips (clip_boxes of lod/clip_bounds.h). They are written with model and clips.
+  std::span<const std::vector<Aabb>> clip_boxes = {};
   int zstd_level = 0;  ///< 0 = blocks lie as they are; 1 to 19 pack those that get smaller
 };
 

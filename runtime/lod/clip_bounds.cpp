@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/base/contract.h"
 #include "runtime/compress/clip_error.h"
 #include "runtime/lod/pose_drift.h"
 #include "runtime/math/quaternion.h"
@@ -171,9 +172,8 @@ void add_margins(const Clip* clip, Skinning skinning, bool skinned, Aabb& box) {
   grow(box, more);
 }
 
-}  // namespace
-
-std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip) {
+/// Boxes over all times of a clip, from its keys.
+std::vector<Aabb> boxes_over(const Scene& scene, std::span<const JointMapping> joint_map, std::uint32_t clip) {
   const Animation rest;
   const Animation* animation = clip < scene.animations.size() ? &scene.animations[clip] : nullptr;
   std::vector<Aabb> boxes(scene.instances.size());
@@ -182,7 +182,6 @@ std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint3
   if (keys.size() > kMaxBoundsPoses / poses) return boxes;
   const std::size_t pieces = std::clamp<std::size_t>(kMaxBoundsPoses / (poses * keys.size()), 1, kPieces);
   std::vector<std::vector<Part>> parts;
-  const std::vector<JointMapping> joint_map = map_joints(scene, needs.skeleton_lod, needs.mirror.get());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) hang(joint_map, parts.emplace_back(parts_of(scene, animation, i)));
 
   PoseDrift drift(scene.skeleton, animation != nullptr ? *animation : rest);
@@ -201,8 +200,24 @@ std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint3
     }
   }
   look_at(static_cast<double>(keys.back()), static_cast<double>(keys.back()));
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<Aabb> clip_boxes(const Scene& scene, std::uint32_t clip) {
+  return boxes_over(scene, map_joints(scene, {}, nullptr), clip);
+}
+
+std::vector<Aabb> clip_bounds(const Scene& scene, const Needs& needs, std::uint32_t clip,
+                              std::span<const Aabb> stored) {
+  CONTRACT(stored.empty() || stored.size() == scene.instances.size());
+  const bool is_known = needs.skeleton_lod.kept.empty() && !stored.empty();
+  std::vector<Aabb> boxes = is_known
+                                ? std::vector<Aabb>(stored.begin(), stored.end())
+                                : boxes_over(scene, map_joints(scene, needs.skeleton_lod, needs.mirror.get()), clip);
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    add_margins(animation != nullptr ? &scene.clips[clip] : nullptr, needs.skinning_of(i),
+    add_margins(clip < scene.clips.size() ? &scene.clips[clip] : nullptr, needs.skinning_of(i),
                 scene.instances[i].skin != kNone, boxes[i]);
   return boxes;
 }

@@ -23,14 +23,30 @@ tl::expected<Scene, AssetFileError> read_signed(Bytes& file) {
   sign_assets(file);
   const auto opened = AssetFile::open(file);
   if (!opened) return tl::unexpected(opened.error());
-  return read_scene(*opened);
+  auto scene = read_scene(*opened);
+  if (!scene) return scene;
+  if (const auto boxes = read_clip_boxes(*opened, *scene); !boxes) return tl::unexpected(boxes.error());
+  return scene;
+}
+
+/// Boxes of the scene's two clips: of one instance nothing is known, nor of the second clip.
+ClipBoxes boxes_of(const Scene& scene) {
+  std::vector<Aabb> of_clip(scene.instances.size(), {glm::vec3(-1.0f, 0.25f, 3.0f), glm::vec3(2.0f, 1.5f, 77.0f)});
+  of_clip.back() = Aabb();
+  return {of_clip, {}};
+}
+
+Bytes full_file(std::uint64_t seed) {
+  const Scene scene = full_scene(seed);
+  const ClipBoxes boxes = boxes_of(scene);
+  return write_asset_file(scene, {.truth = true, .clip_boxes = boxes});
 }
 
 TEST(damaged_assets, every_byte_of_every_block_may_be_anything) {
-  const Bytes file = write_asset_file(full_scene(1), {.truth = true});
+  const Bytes file = full_file(1);
   FixedRandom random(2);
   std::size_t refused = 0, read = 0;
-  for (std::size_t i = kAssetHead + 4 * kAssetEntry; i < file.size(); ++i)
+  for (std::size_t i = kAssetHead + 5 * kAssetEntry; i < file.size(); ++i)
     for (const std::uint8_t with : {std::uint8_t{0xff}, static_cast<std::uint8_t>(1 + random.below(255))}) {
       Bytes changed = file;
       changed[i] ^= std::byte{with};
@@ -87,9 +103,30 @@ TEST(damaged_assets, a_number_that_is_wrong_in_a_scene_is_refused_in_its_block) 
   }
 }
 
+TEST(damaged_assets, boxes_that_do_not_fit_the_scene_are_refused) {
+  const Scene scene = full_scene(3);
+  void (*const spoil[])(ClipBoxes & boxes) = {
+      [](ClipBoxes& boxes) { boxes[0][0].upper.y = std::numeric_limits<float>::quiet_NaN(); },
+      [](ClipBoxes& boxes) { boxes[0][1].lower.x = -std::numeric_limits<float>::infinity(); },
+      [](ClipBoxes& boxes) { boxes[0].pop_back(); },
+      [](ClipBoxes& boxes) { boxes.resize(3); },
+  };
+  for (const auto& one : spoil) {
+    ClipBoxes boxes = boxes_of(scene);
+    Bytes good = write_asset_file(scene, {.clip_boxes = boxes});
+    ASSERT_TRUE(read_signed(good));
+    one(boxes);
+    Bytes file = write_asset_file(scene, {.clip_boxes = boxes});
+    const auto read = read_signed(file);
+    ASSERT_FALSE(read) << &one - spoil;
+    EXPECT_EQ(read.error().rule, "asset-value");
+    EXPECT_EQ(read.error().block, "bounds");
+  }
+}
+
 TEST(damaged_assets, counts_that_no_bytes_stand_behind_take_no_memory) {
-  Bytes file = write_asset_file(full_scene(1), {.truth = true});
-  const std::size_t first = kAssetHead + 4 * kAssetEntry;
+  const Bytes file = full_file(1);
+  const std::size_t first = kAssetHead + 5 * kAssetEntry;
   for (std::size_t i = first; i + 8 <= file.size(); i += 4) {
     Bytes changed = file;
     put_number(std::span(changed), i, std::uint64_t{0x7fffffff});

@@ -111,6 +111,36 @@ TEST(read_assets, a_file_may_hold_any_of_skeleton_model_and_clips) {
   EXPECT_EQ(hashes_of_frames(character).front(), hashes_of_frames(scene).front());
 }
 
+TEST(read_assets, boxes_of_clips_come_with_model_and_clips_or_not_at_all) {
+  const Scene scene = full_scene(6);
+  ClipBoxes boxes(scene.clips.size());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    boxes[1].push_back({glm::vec3(-1.0f, 0.25f, static_cast<float>(i)), glm::vec3(2.0f, 1.5f, 77.0f)});
+  for (const int level : {0, 3}) {
+    const Bytes file = write_asset_file(scene, {.clip_boxes = boxes, .zstd_level = level});
+    Scene read = scene_of(file);
+    ASSERT_TRUE(add_clips(opened(file), read)) << "boxes go on to be those of the file's own clips";
+    const auto again = read_clip_boxes(opened(file), read);
+    ASSERT_TRUE(again);
+    ASSERT_EQ(again->size(), 2u);
+    EXPECT_TRUE(again->at(0).empty());
+    ASSERT_EQ(again->at(1).size(), boxes[1].size());
+    for (std::size_t i = 0; i < boxes[1].size(); ++i) {
+      EXPECT_EQ(again->at(1)[i].lower, boxes[1][i].lower);
+      EXPECT_EQ(again->at(1)[i].upper, boxes[1][i].upper);
+    }
+  }
+  for (const AssetFileOptions& part :
+       {AssetFileOptions{.model = false, .clip_boxes = boxes}, AssetFileOptions{.clips = false, .clip_boxes = boxes}})
+    EXPECT_EQ(AssetFile::open(write_asset_file(scene, part))->find(AssetKind::bounds), nullptr);
+  const Bytes plain = write_asset_file(scene);
+  EXPECT_TRUE(read_clip_boxes(opened(plain), scene)->empty()) << "files of before are read";
+  Scene other = scene;
+  other.skeleton.names[1] = "renamed";
+  const Bytes file = write_asset_file(scene, {.clip_boxes = boxes});
+  EXPECT_EQ(read_clip_boxes(opened(file), other).error().rule, "asset-signature");
+}
+
 TEST(read_assets, clips_of_another_skeleton_are_refused_and_both_are_named) {
   const Scene scene = arm_scene();
   const Bytes clips = write_asset_file(scene, {.skeleton = false, .model = false});

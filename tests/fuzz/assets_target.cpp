@@ -4,6 +4,7 @@
 
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/lod/clip_bounds.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/asset_file/signed_file.h"
 #include "tests/fuzz/fuzz_targets.h"
@@ -21,12 +22,14 @@ bool is_small(const Scene& scene) {
   return scene.skeleton.joint_count() <= kMostJoints && vertices <= kMostVertices;
 }
 
-void play(const Scene& scene) {
+void play(const Scene& scene, const ClipBoxes& boxes) {
   const Plan plan = compile_plan(scene, {.bounds = true});
   FrameBuffer frame(plan);
   for (std::uint32_t clip = 0; clip < std::min<std::size_t>(scene.clips.size(), 2); ++clip) {
     const ClipLayer layer{.clip = clip, .time_s = 0.37 * scene.clips[clip].duration_s()};
     require(run_plan(plan, {.layers = {&layer, 1}}, frame) == ErrorCode::ok, "a scene that was read can be played");
+    if (clip < boxes.size() && !boxes[clip].empty())  // else it takes long
+      require(clip_bounds(scene, {}, clip, boxes[clip]).size() == scene.instances.size(), "every instance has a box");
   }
 }
 
@@ -36,10 +39,13 @@ void read_all(Bytes file) {
   const auto scene = read_scene(*opened);
   if (!scene) return require(!scene.error().rule.empty() && !scene.error().block.empty(), "an error names its block");
   require(check(*scene) == ErrorCode::ok, "a scene that was read passes its checks");
-  if (is_small(*scene)) play(*scene);
-  const std::vector<std::byte> again = write_asset_file(*scene, {.truth = true});
+  const auto boxes = read_clip_boxes(*opened, *scene);
+  if (!boxes) return require(boxes.error().block == "bounds", "an error names its block");
+  if (is_small(*scene)) play(*scene, *boxes);
+  const std::vector<std::byte> again = write_asset_file(*scene, {.truth = true, .clip_boxes = *boxes});
   const auto reopened = AssetFile::open(again);
-  require(reopened && read_scene(*reopened), "what was read can be written and read again");
+  require(reopened && read_scene(*reopened) && read_clip_boxes(*reopened, *scene),
+          "what was read can be written and read again");
 }
 
 }  // namespace

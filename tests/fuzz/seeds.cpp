@@ -18,6 +18,8 @@
 #include "runtime/asset_file/write_asset_file.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/compress/compile_clip_within.h"
+#include "runtime/lod/clip_bounds.h"
+#include "runtime/model/clip_boxes.h"
 #include "samples/showcase/showcase.h"
 #include "tests/asset_file/full_scene.h"
 #include "tests/importer/encoded_images.h"
@@ -201,9 +203,12 @@ void add_clips(const Scene& scene, std::vector<Seed>& out) {
     }
 }
 
-/// Asset files of a scene: plain with its authoring form, and packed without.
+/// Asset files of a scene: plain with its authoring form, and packed without; both with boxes of its clips.
 void add_assets(const Scene& scene, std::vector<Seed>& out) {
-  for (const AssetFileOptions& options : {AssetFileOptions{.truth = true}, AssetFileOptions{.zstd_level = 1}})
+  ClipBoxes boxes;
+  for (std::uint32_t clip = 0; clip < scene.clips.size(); ++clip) boxes.push_back(clip_boxes(scene, clip));
+  for (const AssetFileOptions& options :
+       {AssetFileOptions{.truth = true, .clip_boxes = boxes}, AssetFileOptions{.clip_boxes = boxes, .zstd_level = 1}})
     if (Blob file = write_asset_file(scene, options); file.size() < kLargest)
       out.push_back({"assets", std::move(file)});
 }

@@ -19,6 +19,7 @@
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/unpack_clip.h"
 #include "runtime/compress/compile_clip_within.h"
+#include "runtime/lod/clip_bounds.h"
 #include "tests/asset_file/played_frames.h"
 #include "tests/importer/tool_model.h"
 #include "tests/reference/clip_error.h"
@@ -111,7 +112,7 @@ TEST(compile_command, writes_an_asset_file_that_info_tells_about_and_whose_clips
     EXPECT_THAT(compiled.out, HasSubstr(text));
   const CommandOutcome info = run_tool({"info", out});
   ASSERT_EQ(info.status, 0) << info.err;
-  for (const char* text : {"asset file, version 1: 3 blocks, 2 clips", "skeleton", "joints 4, meshes 2",
+  for (const char* text : {"asset file, version 1: 4 blocks, 2 clips", "skeleton", "bounds", "joints 4, meshes 2",
                            "memory: ", "(skeletons ", "0.2 mm", "bend"})
     EXPECT_THAT(info.out, HasSubstr(text));
   const auto json = nlohmann::json::parse(run_tool({"info", out, "--json"}).out);
@@ -162,6 +163,30 @@ TEST(compile_command, the_file_plays_what_the_model_plays) {
   const auto imported = import_gltf(model.path(), {.decode_images = false});
   ASSERT_TRUE(imported);
   EXPECT_EQ(hashes_of_frames(*scene), hashes_of_frames(imported->scene));
+}
+
+TEST(compile_command, the_file_knows_where_meshes_are_while_its_clips_play) {
+  const ToolModelFile model;
+  const std::string out = model.beside("model.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", out, "--budget", "5mm"}).status, 0);
+  const std::string bytes = content_of(out);
+  const auto read = read_scene(*AssetFile::open(std::as_bytes(std::span(bytes))));
+  ASSERT_TRUE(read);
+  const auto boxes = read_clip_boxes(*AssetFile::open(std::as_bytes(std::span(bytes))), *read);
+  ASSERT_TRUE(boxes);
+  ASSERT_EQ(boxes->size(), 2u);
+  auto imported = import_gltf(model.path(), {.decode_images = false});
+  ASSERT_TRUE(imported);
+  imported->scene.clips = read->clips;  // with their errors, which bounds hold too
+  for (std::uint32_t clip = 0; clip < 2; ++clip) {
+    const std::vector<Aabb> of_truth = clip_bounds(imported->scene, {}, clip),
+                            of_file = clip_bounds(*read, {}, clip, boxes->at(clip));
+    ASSERT_EQ(of_truth.size(), of_file.size());
+    for (std::size_t i = 0; i < of_truth.size(); ++i) {
+      EXPECT_EQ(of_file[i].lower, of_truth[i].lower) << i;
+      EXPECT_EQ(of_file[i].upper, of_truth[i].upper) << i;
+    }
+  }
 }
 
 TEST(compile_command, parts_of_a_model_are_files_of_one_skeleton) {

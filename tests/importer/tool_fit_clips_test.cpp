@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "runtime/clip/clip_file.h"
+#include "runtime/lod/clip_bounds.h"
 #include "tests/scenes/skeletons.h"
 #include "tests/scenes/swinging.h"
 #include "tests/support/fixed_random.h"
@@ -86,6 +87,25 @@ TEST(certify_clips, measures_each_clip_against_its_own_truth_on_any_number_of_th
     EXPECT_EQ(saved(alone[c]), saved(together[c])) << c;
     EXPECT_NEAR(alone[c].certificate()->measured_m, 0.01 * static_cast<double>(c), 1e-6);
     EXPECT_EQ(alone[c].duration_s(), scene.animations[c].duration_s);
+  }
+}
+
+TEST(bound_clips, finds_the_boxes_of_each_clip_on_any_number_of_threads) {
+  Scene scene = scene_of_clips(5);
+  scene.meshes.resize(1);
+  scene.meshes[0].primitives.resize(1);
+  scene.meshes[0].primitives[0].positions = {{0, 0, 0}, {0.5f, 0, 0}};
+  scene.instances.push_back({.joint = 8, .mesh = 0});
+  finish_scene(scene);
+  for (const std::size_t threads : {1u, 4u}) {
+    const ClipBoxes boxes = on_threads(threads, [&] { return tool::bound_clips(scene); });
+    ASSERT_EQ(boxes.size(), 5u);
+    for (std::uint32_t c = 0; c < 5; ++c) {
+      const Aabb box = clip_boxes(scene, c)[0];
+      EXPECT_EQ(boxes[c][0].lower, box.lower) << c;
+      EXPECT_EQ(boxes[c][0].upper, box.upper) << c;
+    }
+    EXPECT_NE(boxes[1][0].upper, boxes[2][0].upper);
   }
 }
 

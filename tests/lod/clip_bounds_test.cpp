@@ -73,6 +73,40 @@ TEST(clip_bounds, G54_holds_vertices_that_follow_joints_in_other_ways) {
   }
 }
 
+void expect_same_boxes(const std::vector<Aabb>& a, const std::vector<Aabb>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].lower, b[i].lower) << i;
+    EXPECT_EQ(a[i].upper, b[i].upper) << i;
+  }
+}
+
+TEST(clip_bounds, boxes_that_were_stored_give_the_bits_of_the_keys) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    RandomSceneOptions options;
+    options.targets = seed % 2 * 3;
+    options.correctives = seed == 5 ? 1 : 0;  // they need targets
+    const Scene scene = random_scene(seed, options);
+    Scene stored = scene;
+    for (Animation& animation : stored.animations) animation.bones.clear();  // no keys to compute them from
+    for (const std::uint32_t clip : {0u, 1u}) {
+      const std::vector<Aabb> boxes = clip_boxes(scene, clip);
+      for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion})
+        expect_same_boxes(clip_bounds(stored, boxes_for(skinning), clip, boxes),
+                          clip_bounds(scene, boxes_for(skinning), clip));
+    }
+  }
+}
+
+TEST(clip_bounds, boxes_that_were_stored_are_of_all_joints) {
+  const Scene scene = arm_scene();
+  Needs needs;
+  needs.skeleton_lod.kept.assign(scene.skeleton.joint_count(), false);
+  const std::vector<Aabb> with_lod = clip_bounds(scene, needs, 0);
+  EXPECT_NE(with_lod[0].upper, clip_bounds(scene, {}, 0)[0].upper);
+  expect_same_boxes(clip_bounds(scene, needs, 0, clip_boxes(scene, 0)), with_lod);
+}
+
 TEST(clip_bounds, is_not_much_more_than_what_is_reached) {
   const Scene arm = arm_scene(), face = face_scene();
   const std::vector<Aabb> of_arm = expect_holds(arm, boxes_for(Skinning::linear), 0, 1000);

@@ -13,6 +13,7 @@ tl::expected<AssetParts, AssetFileError> asset_parts(std::span<const std::byte> 
   if (parts.file.find(AssetKind::skeleton) != nullptr) {
     auto scene = read_scene(parts.file);
     if (!scene) return tl::unexpected(scene.error());
+    if (const auto boxes = read_clip_boxes(parts.file, *scene); !boxes) return tl::unexpected(boxes.error());
     parts.clips = scene->clips;
     parts.scene = *std::move(scene);
   } else if (const AssetBlock* block = parts.file.find(AssetKind::clips)) {
