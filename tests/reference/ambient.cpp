@@ -95,11 +95,19 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, double ac
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
   const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
   const glm::dvec3 returned = coat.once + coat.again;
-  const glm::dvec3 ground = s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b}));
+  const glm::dvec3 ground =
+      s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b})) * (1.0 - s.transmission);
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
   return from(light, s.normal, 2.0 / 3.0) * scattered * scattered_access(access, s.base_color * (1.0 - s.metallic)) +
          mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected * access;
+}
+
+glm::dvec3 passed_through(const ShadedPoint& s) {
+  const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0), s.roughness);
+  const Layer surface = layer(s.dielectric_f0, s.dielectric_f90, sums);
+  const glm::dvec3 returned = surface.once + surface.again;
+  return s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b})) * (1.0 - s.metallic) * s.transmission;
 }
 
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal) {

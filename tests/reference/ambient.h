@@ -23,11 +23,17 @@ struct AmbientGradient {
 /// Radiance towards the viewer from ambient light.
 /// eq   a layer of reflectance f0 returns once = f0 x + f90 y, and of the rest 1 - x - y, with the mean reflectance
 ///      m = f0 + (f90 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour and
-///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again).
+///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again), without the
+///      transmission.
 ///      The light of `once` is that around the mirror direction, times `access`; of the others that of the half sphere,
 ///      times scattered_access() of the base colour, which is black for metals
 /// in   access  share of the ambient light that other surfaces let through
 glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, double access = 1.0);
+
+/// Share of the light behind a thin surface that passes through.
+/// eq   KHR_materials_transmission: transmission of what the dielectric's layer leaves, 1 - max(once + again), in the
+///      base colour
+glm::dvec3 passed_through(const ShadedPoint& point);
 
 /// Mean light of the half sphere about a normal, weighted with the cosine.
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);

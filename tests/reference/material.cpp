@@ -63,7 +63,7 @@ Coat coat_at(const Scene& scene, const SurfacePoint& point) {
           mapped_normal(scene, point, coat.normal_texture, coat.normal_scale)};
 }
 
-glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
+ShadedPoint shaded_point(const Scene& scene, const SurfacePoint& point) {
   const Material& material = point.material;
   const glm::dvec4 texel = looked_up(scene, point, material.metallic_roughness_texture, false);
   ShadedPoint shaded;
@@ -75,6 +75,13 @@ glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surrou
   shaded.dielectric_f0 = dielectric_f0(scene, point) * shaded.dielectric_f90;
   shaded.normal = mapped_normal(scene, point, material.normal_texture, material.normal_scale);
   shaded.to_viewer = point.to_viewer;
+  shaded.transmission = static_cast<double>(material.transmission.factor) *
+                        looked_up(scene, point, material.transmission.texture, false).r;
+  return shaded;
+}
+
+glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
+  const ShadedPoint shaded = shaded_point(scene, point);
   const Coat coat = coat_at(scene, point);
   const double share = coat_share(coat, point.to_viewer), access = around.access * baked_access(scene, point);
   const SheenLayer sheen = sheen_at(scene, point);
@@ -112,6 +119,15 @@ glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroun
   const glm::dvec3 emitted = through * glm::dvec3(material.emissive) * static_cast<double>(material.emissive_strength) *
                              glm::dvec3(looked_up(scene, point, material.emissive_texture, true));
   return (shows_light ? reflected(scene, point, around) : base) + emitted;
+}
+
+bool transmits(const SurfacePoint& point) { return !point.material.unlit && point.material.transmission.factor > 0.0f; }
+
+glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point) {
+  if (!transmits(point) || point.normal == glm::dvec3(0.0)) return glm::dvec3(0.0);
+  const ShadedPoint shaded = shaded_point(scene, point);
+  const double sheen = sheen_of_ambient(sheen_at(scene, point), shaded.normal, point.to_viewer).left;
+  return passed_through(shaded) * sheen * (1.0 - coat_share(coat_at(scene, point), point.to_viewer));
 }
 
 }  // namespace sinew::reference

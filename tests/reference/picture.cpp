@@ -49,7 +49,7 @@ std::vector<SurfacePoint> layers(const PictureOf& picture, double x, double y) {
     const bool masked = point.material.alpha_mode == AlphaMode::mask;
     if (masked && base_color(picture.scene, point).a < static_cast<double>(point.material.alpha_cutoff)) continue;
     kept.push_back(point);
-    if (point.material.alpha_mode != AlphaMode::blend) break;
+    if (point.material.alpha_mode != AlphaMode::blend && !transmits(point)) break;
   }
   return kept;
 }
@@ -69,7 +69,7 @@ std::vector<ArrivingLight> lights_at(const PictureOf& picture, const glm::dvec3&
 }
 
 double access_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
-  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend) return 1.0;
+  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend || transmits(point)) return 1.0;
   return picture
       .access[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)];
 }
@@ -99,12 +99,11 @@ glm::dvec3 displayed(const Lighting& lighting, const glm::dvec3& light) {
   }
 }
 
-/// The light of the gradient behind a pixel, as displayed.
+/// The light of the gradient behind a pixel.
 glm::dvec3 gradient_behind(const PictureOf& picture, double x, double y) {
   const double t = 0.5 + 0.5 * glm::normalize(sight_line(picture, x, y).direction).y;
   const glm::dvec3 light = glm::dvec3(picture.ambient.ground) * (1.0 - t) + glm::dvec3(picture.ambient.sky) * t;
-  const Lighting& lighting = picture.options.lighting;
-  return displayed(lighting, light * static_cast<double>(lighting.environment_intensity));
+  return light * static_cast<double>(picture.options.lighting.environment_intensity);
 }
 
 /// Cool to warm tone of a surface in the light of the first lamp, linear.
@@ -142,12 +141,33 @@ struct Layered {
   double coverage = 0.0, lit = 0.0;
 };
 
+/// Puts the colour of a thin surface before what is behind it. Before an environment it covers what it is seen before;
+/// before anything else it covers what it keeps back in every colour.
+void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, double x, double y, Layered& behind) {
+  const glm::dvec3 colour = glm::dvec3(1.0 - alpha) + alpha * passed;
+  const double most = std::max({colour.r, colour.g, colour.b}), unlit = (behind.coverage - behind.lit) * most;
+  behind.light *= colour;
+  behind.unlit *= colour;
+  if (picture.options.backdrop == viewer::Backdrop::sharp && !picture.options.transparent_background) {
+    behind.light += gradient_behind(picture, x, y) * passed * alpha * (1.0 - behind.coverage);
+    behind.coverage += alpha * (1.0 - behind.coverage);
+  } else {
+    behind.coverage = 1.0 - most * (1.0 - behind.coverage);
+  }
+  behind.lit = behind.coverage - unlit;
+}
+
 Layered layered(const PictureOf& picture, double x, double y) {
   const std::vector<SurfacePoint> seen = layers(picture, x, y);
   Layered sum;
   for (auto point = seen.rbegin(); point != seen.rend(); ++point) {
     const bool blended = point->material.alpha_mode == AlphaMode::blend;
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
+    if (transmits(*point) && picture.options.shading != viewer::Shading::gooch) {
+      filter(picture, transmitted(picture.scene, *point), alpha, x, y, sum);
+      sum.light += radiance_of(picture, *point, x, y) * alpha;
+      continue;
+    }
     for (double* below : {&sum.coverage, &sum.lit}) *below *= 1.0 - alpha;
     for (glm::dvec3* below : {&sum.light, &sum.unlit}) *below *= 1.0 - alpha;
     const bool gooch = picture.options.shading == viewer::Shading::gooch;
@@ -169,7 +189,7 @@ glm::dvec4 lit_color(const PictureOf& picture, double x, double y) {
   if (coverage > 0.0) display += unlit / coverage;
   if (picture.options.transparent_background) return {each(display, srgb_encoded), coverage};
   const glm::dvec3 behind = picture.options.backdrop == viewer::Backdrop::sharp
-                                ? gradient_behind(picture, x, y)
+                                ? displayed(picture.options.lighting, gradient_behind(picture, x, y))
                                 : each(glm::dvec3(picture.options.background), srgb_decoded);
   return {each(display * coverage + behind * (1.0 - coverage), srgb_encoded), 1.0};
 }
@@ -204,7 +224,7 @@ double automatic_exposure(const PictureOf& picture) {
 
 DepthAndNormal depth_at(const PictureOf& picture, double x, double y) {
   for (const SurfacePoint& point : layers(picture, x, y)) {
-    if (point.material.alpha_mode == AlphaMode::blend) continue;
+    if (point.material.alpha_mode == AlphaMode::blend || transmits(point)) continue;
     return {point.distance_m, transform_vector(picture.view.view_from_world, mapped_normal(picture.scene, point))};
   }
   return {};

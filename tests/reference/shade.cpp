@@ -26,7 +26,7 @@ glm::dvec3 direct(const ShadedPoint& s, const glm::dvec3& to_light, const glm::d
   const double n_l = glm::dot(s.normal, to_light);
   if (n_l <= 0.0) return glm::dvec3(0.0);
   const double v_h = glm::dot(s.to_viewer, glm::normalize(to_light + s.to_viewer)), edge = std::pow(1.0 - v_h, 5.0);
-  const glm::dvec3 diffuse = s.base_color * (n_l / std::numbers::pi);
+  const glm::dvec3 diffuse = s.base_color * ((1.0 - s.transmission) * n_l / std::numbers::pi);
   const double specular = ggx(s.normal, s.to_viewer, to_light, s.roughness);
   const glm::dvec3 fresnel = s.dielectric_f0 * (1.0 - edge) + glm::dvec3(s.dielectric_f90 * edge);
   const glm::dvec3 dielectric = diffuse * (1.0 - std::max({fresnel.r, fresnel.g, fresnel.b})) + specular * fresnel;

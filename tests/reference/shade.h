@@ -11,6 +11,7 @@ struct ShadedPoint {
   glm::dvec3 normal{0.0, 1.0, 0.0}, to_viewer{0.0, 1.0, 0.0};
   glm::dvec3 dielectric_f0{0.04};  ///< what the dielectric reflects along its normal
   double dielectric_f90 = 1.0;     ///< and at grazing angles
+  double transmission = 0.0;       ///< share of what enters the dielectric that passes through
 };
 
 /// A clear layer over a surface (KHR_materials_clearcoat).
@@ -28,6 +29,7 @@ double ggx(const glm::dvec3& normal, const glm::dvec3& to_viewer, const glm::dve
 
 /// Radiance towards the viewer from light of one direction.
 /// eq   glTF 2.0, Appendix B.3: mix(dielectric, metal, metallic) with GGX and height-correlated Smith visibility;
+///      KHR_materials_transmission: diffuse * (1 - transmission)
 ///      KHR_materials_specular: dielectric = diffuse * (1 - max(F)) + specular * F, F = f0 + (f90 - f0) * (1 - v.h)^5
 glm::dvec3 direct(const ShadedPoint& point, const glm::dvec3& to_light, const glm::dvec3& irradiance);
 

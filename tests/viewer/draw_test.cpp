@@ -366,6 +366,12 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
   glass.alpha_mode = AlphaMode::blend;
   glass.double_sided = true;
   built.add(showcase::sphere({0, 1.5f, 0}, 0.5f), built.add_material(glass));
+  glass.alpha_mode = AlphaMode::opaque;
+  glass.transmission.factor = 0.7f;
+  glass.sheen = {.color = {0.3f, 0.2f, 0.1f}, .roughness = 0.5f};
+  glass.clearcoat.factor = 0.5f;
+  built.add(showcase::sphere({1, 1.2f, 0}, 0.4f), built.add_material(glass));
+  built.add(showcase::sphere({-1, 1.2f, 0}, 0.2f), built.add_material(unlit({0, 1, 0, 1})));
   for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth, Show::level})
     for (const bool occlusion : {true, false})
       for (const bool blur : {true, false}) {
@@ -373,6 +379,8 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
         options.show = show;
         options.ao.on = occlusion;
         options.ao.blur = blur;
+        options.smooth_edges = occlusion;
+        options.backdrop = blur ? Backdrop::blurred : occlusion ? Backdrop::sharp : Backdrop::plain;
         const FloatPicture picture = render_float(built, 133, 67, look_at({3, 3, 5}, {0, 0, 0}, 0.8, 0.05), options);
         float farthest = 0.0f;
         for (const glm::vec4& pixel : picture.pixels)

@@ -166,6 +166,18 @@ TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cut
   EXPECT_TRUE(shared(depth, [](auto& k) { k.surface.tangents = false; }));
 }
 
+TEST_F(pass_pipelines, what_filters_the_light_behind_knows_no_light_of_its_own) {
+  for (const Through step : {Through::filter, Through::filter_drawn, Through::blurred_backdrop}) {
+    MeshPipelineKey key = full_key(Pass::transparent);
+    key.through = step;
+    EXPECT_TRUE(shared(key, [](auto& k) { k.frame.light_count = 1; }));
+    EXPECT_TRUE(shared(key, [](auto& k) { k.frame.ambient = false; }));
+    EXPECT_TRUE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[4] = 0; })) << "nothing is emitted";
+    EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.texcoord_sets[0] = 0; }));
+    EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.clearcoat = true; }));
+  }
+}
+
 TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
   const MeshPipelineKey key = full_key(Pass::opaque);
   EXPECT_FALSE(shared(key, [](auto& k) { k.frame.occluded = false; }));
@@ -178,6 +190,8 @@ TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.specular = false; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.clearcoat = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.sheen = true; }));
+  EXPECT_FALSE(shared(full_key(Pass::transparent), [](auto& k) { k.through = Through::light; }));
+  EXPECT_FALSE(shared(full_key(Pass::transparent), [](auto& k) { k.covers = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.textures[1] = 0; }));
   EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))
       << "blended surfaces take no occlusion";

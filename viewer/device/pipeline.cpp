@@ -5,15 +5,32 @@ namespace sinew::viewer {
 
 namespace {
 
+struct Factors {
+  VkBlendFactor color, stored_color, alpha, stored_alpha;
+};
+
+Factors factors_of(Blending blending) noexcept {
+  constexpr auto zero = VK_BLEND_FACTOR_ZERO, one = VK_BLEND_FACTOR_ONE;
+  constexpr auto rest = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA, uncovered = VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+  switch (blending) {
+    case Blending::straight: return {VK_BLEND_FACTOR_SRC_ALPHA, rest, one, rest};
+    case Blending::filter: return {zero, VK_BLEND_FACTOR_SRC_COLOR, one, rest};
+    case Blending::uncovered: return {uncovered, one, uncovered, one};
+    case Blending::add: return {one, one, one, one};
+    default: return {one, rest, one, rest};
+  }
+}
+
 std::array<VkPipelineColorBlendAttachmentState, 2> blend_states(const PipelineShape& shape) {
   VkPipelineColorBlendAttachmentState blend{};
   blend.colorWriteMask =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   blend.blendEnable = shape.blend;
-  blend.srcColorBlendFactor = shape.premultiplied ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_SRC_ALPHA;
-  blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-  blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  const Factors factors = factors_of(shape.blending);
+  blend.srcColorBlendFactor = factors.color;
+  blend.dstColorBlendFactor = factors.stored_color;
+  blend.srcAlphaBlendFactor = factors.alpha;
+  blend.dstAlphaBlendFactor = factors.stored_alpha;
   VkPipelineColorBlendAttachmentState second = blend;
   if (!shape.adds_second) second.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
   return {blend, second};

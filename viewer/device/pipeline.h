@@ -10,6 +10,16 @@ namespace sinew::viewer {
 
 inline constexpr std::size_t kShaderConstants = 40;
 
+/// What becomes of a drawn colour s over the stored one d. The second attachment of a frame stores light that is shown
+/// as it is, and its share of the coverage.
+enum class Blending : std::uint8_t {
+  over,       ///< s + d (1 - s.a): premultiplied
+  straight,   ///< s s.a + d (1 - s.a)
+  filter,     ///< d s, coverage s.a + d.a (1 - s.a);   second: d s, share d.a (1 - s.a)
+  uncovered,  ///< d + s (1 - d.a), coverage too: behind what is drawn; shaders give the second no colour
+  add         ///< d + s; the same
+};
+
 /// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, one
 /// colour attachment or two of one format, reversed depth.
 struct PipelineShape {
@@ -24,8 +34,8 @@ struct PipelineShape {
   bool depth_write = false;
   VkCompareOp depth_compare = VK_COMPARE_OP_ALWAYS;
   bool blend = false;
-  bool premultiplied = true;  ///< alpha of the blended colour is premultiplied
-  bool meshes = false;        ///< cull mode, front face and vertex strides are dynamic
+  Blending blending = Blending::over;
+  bool meshes = false;  ///< cull mode, front face and vertex strides are dynamic
   std::span<const VkVertexInputBindingDescription> bindings;
   std::span<const VkVertexInputAttributeDescription> attributes;
 };

@@ -59,7 +59,7 @@ void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, c
   opaque_.clear();
   blended_.clear();
   casters_.clear();
-  unlit_ = sheen_ = false;
+  unlit_ = reads_table_ = false;
   hidden_ = out_of_view_ = 0;
   const Frame frame{slot, view, aspect, point_size, casters};
   for (const DrawnScene& drawn : scenes) {
@@ -122,11 +122,14 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.masked = alpha == AlphaMode::mask;
     draw.mirrored = mirrored;
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
-    const bool blended = alpha == AlphaMode::blend;
-    if (frame.casters && !blended && primitive.topology == Topology::triangles) casters_.push_back(draw);
+    draw.blended = alpha == AlphaMode::blend;
+    draw.transmits = draw.surface.material.layers.transmission && draw.surface.normals != NormalSource::none;
+    const bool sorted = material && shows_behind(*material);
+    if (frame.casters && !sorted && primitive.topology == Topology::triangles) casters_.push_back(draw);
     unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);
-    sheen_ = sheen_ || (!out_of_view && draw.surface.material.layers.sheen);
-    if (!out_of_view) (blended ? blended_ : opaque_).push_back(draw);
+    const LayerFeatures& layers = draw.surface.material.layers;
+    reads_table_ = reads_table_ || (!out_of_view && (layers.sheen || layers.transmission));
+    if (!out_of_view) (sorted ? blended_ : opaque_).push_back(draw);
   }
 }
 

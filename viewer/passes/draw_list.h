@@ -50,12 +50,15 @@ struct Draw {
   SurfaceFeatures surface;
   Topology topology = Topology::triangles;
   bool masked = false, mirrored = false;
-  float distance = 0.0f;  ///< from the eye plane to the centre of the primitive, metres
+  bool blended = false;    ///< alpha is coverage
+  bool transmits = false;  ///< light passes through, also where alpha covers all
+  float distance = 0.0f;   ///< from the eye plane to the centre of the primitive, metres
 };
 
 struct DrawnScene;
 
-/// The draws of a frame: opaque and masked ones in the order of the scene, blended ones from far to near.
+/// The draws of a frame: opaque and masked ones in the order of the scene; blended ones, and those that light passes
+/// through, from far to near.
 class DrawList {
  public:
   /// Collects the draws of the scenes, without instances that are hidden and primitives that are out of view.
@@ -68,8 +71,9 @@ class DrawList {
   std::span<const Draw> blended() const noexcept { return blended_; }
   /// Opaque and masked triangles, also those that are out of view.
   std::span<const Draw> casters() const noexcept { return casters_; }
-  bool unlit() const noexcept { return unlit_; }             ///< some draw that is in view is unlit
-  bool sheen() const noexcept { return sheen_; }             ///< some draw that is in view has sheen
+  bool unlit() const noexcept { return unlit_; }  ///< some draw that is in view is unlit
+  /// Some draw that is in view reads the table of the environment for lamps, too.
+  bool reads_table() const noexcept { return reads_table_; }
   std::uint32_t hidden() const noexcept { return hidden_; }  ///< instances on hidden nodes
   std::uint32_t out_of_view() const noexcept {
     return out_of_view_;
@@ -88,7 +92,7 @@ class DrawList {
            bool mirrored);
 
   std::vector<Draw> opaque_, blended_, casters_;
-  bool unlit_ = false, sheen_ = false;
+  bool unlit_ = false, reads_table_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };
 

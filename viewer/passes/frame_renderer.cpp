@@ -167,7 +167,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
   const bool occlusion = graph.ao_image;
   if (reads_environment(inputs)) state.environment.show(inputs.options.lighting.environment);
-  if (state.draws.sheen() && !is_gooch(inputs)) state.environment.show_table();
+  if (state.draws.reads_table() && !is_gooch(inputs)) state.environment.show_table();
   slot.set.write(
       make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel),
       state.targets, state.environment, graph.has(Pass::normal_depth));

@@ -48,6 +48,7 @@ enum ConstantId : std::size_t {
   id_specular = 24,
   id_clearcoat = 25,
   id_sheen = 26,
+  id_through = 27,
   id_layer_textures = 28,
   id_wraps = 36,
   id_show_level = 37,
@@ -58,6 +59,16 @@ bool reads_textures(const MaterialFeatures& material) noexcept {
   constexpr auto is_read = [](std::uint8_t use) { return use != 0; };
   return std::any_of(material.texcoord_sets.begin(), material.texcoord_sets.end(), is_read) ||
          std::any_of(material.layers.textures.begin(), material.layers.textures.end(), is_read);
+}
+
+Blending blending_of(Through step) noexcept {
+  switch (step) {
+    case Through::nothing: return Blending::over;
+    case Through::filter:
+    case Through::filter_drawn: return Blending::filter;
+    case Through::light: return Blending::add;
+    default: return Blending::uncovered;
+  }
 }
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -94,6 +105,14 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     key.frame.light_count = 0;
     sets[1] = sets[2] = sets[3] = sets[4] = 0;
     surface.material.layers = {};
+  }
+  if (key.through == Through::nothing) surface.material.layers.transmission = false;
+  if (key.through != Through::nothing && key.through != Through::light) {
+    key.frame.ambient = false;
+    key.frame.light_count = 0;
+    key.frame.shadow_light = kNone;
+    key.frame.vertex_access = false;
+    sets[3] = sets[4] = 0;
   }
   if (sets[2] == 0 && surface.material.layers.textures[kClearcoatNormal] == 0) surface.tangents = false;
   key.frame.quaternion_normals = key.frame.quaternion_normals && surface.normals == NormalSource::vertices;
@@ -144,7 +163,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
                                      : Shader::shade_frag;
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
-  shape.constants[id_blended] = blended;
+  shape.constants[id_blended] = blended && !key.covers;
+  shape.constants[id_through] = static_cast<std::uint32_t>(key.through);
   shape.constants[id_occluded] = key.frame.occluded;
   shape.constants[id_ao_step] = occlusion_.step;
   shape.constants[id_parallel] = key.frame.parallel;
@@ -169,6 +189,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
+  shape.blending = blending_of(key.through);
   shape.second_color = key.frame.unlit_image;
   shape.adds_second = key.surface.material.unlit || key.frame.gooch;
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
@@ -253,7 +274,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
       shape.bindings = line_bindings;
       shape.attributes = line_attributes;
       shape.blend = true;
-      shape.premultiplied = false;
+      shape.blending = Blending::straight;
       break;
     default: shape.fragment = Shader::tonemap_frag; break;
   }

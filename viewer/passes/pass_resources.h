@@ -86,11 +86,24 @@ struct FrameFeatures {
   auto operator<=>(const FrameFeatures&) const = default;
 };
 
+/// The steps in which a surface that lets light through is drawn over what is behind it: its colour filters that, then
+/// it adds its own light.
+enum class Through : std::uint8_t {
+  nothing,           ///< the surface is drawn at once
+  filter,            ///< first step; a plain backdrop is darkened, too
+  filter_drawn,      ///< first step before an environment, which is no part of the image yet
+  blurred_backdrop,  ///< second step then: the environment through the surface, where nothing is drawn behind it
+  sharp_backdrop,
+  light  ///< last step
+};
+
 /// The properties of a pipeline that draws meshes.
 struct MeshPipelineKey {
   Pass pass = Pass::opaque;  ///< normal_depth, opaque or transparent
   Topology topology = Topology::triangles;
   bool masked = false;
+  bool covers = false;  ///< transparent: alpha is no coverage
+  Through through = Through::nothing;
   bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
   bool depth_only = false;     ///< normal_depth, shadow; opaque: the depth of the samples
   FrameFeatures frame;

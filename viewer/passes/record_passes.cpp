@@ -67,41 +67,61 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
-void draw_mesh(const PassContext& context, const Draw& draw, VkCullModeFlags cull) {
-  vkCmdSetCullMode(context.commands, cull);
-  vkCmdDrawIndexed(context.commands, draw.index_count, 1, 0, 0, 0);
+/// The sides of a draw that are not drawn, for each time that it is drawn.
+std::span<const VkCullModeFlagBits> culled_sides(const Draw& draw, Pass pass) noexcept {
+  static constexpr std::array nothing = {VK_CULL_MODE_NONE}, back = {VK_CULL_MODE_BACK_BIT};
+  static constexpr std::array back_faces_first = {VK_CULL_MODE_FRONT_BIT, VK_CULL_MODE_BACK_BIT};
+  if (pass == Pass::shadow) return nothing;  // what is thin casts a shadow from either side
+  if (!draw.surface.double_sided || draw.topology != Topology::triangles) return back;
+  if (pass == Pass::transparent) return back_faces_first;
+  return nothing;
 }
 
-/// Draws meshes; each draw completes `key` with its topology, alpha test and surface.
+std::span<const Through> steps_of(const FrameFeatures& frame, const Draw& draw, Pass pass) noexcept {
+  static constexpr std::array at_once = {Through::nothing};
+  static constexpr std::array plain = {Through::filter, Through::light};
+  static constexpr std::array blurred = {Through::filter_drawn, Through::blurred_backdrop, Through::light};
+  static constexpr std::array sharp = {Through::filter_drawn, Through::sharp_backdrop, Through::light};
+  if (pass != Pass::transparent || !draw.transmits || frame.gooch) return at_once;
+  if (frame.transparent_background || frame.backdrop == Backdrop::plain) return plain;
+  if (frame.backdrop == Backdrop::sharp) return sharp;
+  return blurred;
+}
+
+void bind_draw(const PassContext& context, const Draw& draw) {
+  const VkCommandBuffer commands = context.commands;
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 1, 1, &draw.material, 0, nullptr);
+  vkCmdPushConstants(commands, context.layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                     sizeof(DrawConstants), &draw.constants);
+  vkCmdBindVertexBuffers2(commands, 0, kAttributeCount, draw.buffers.data(), draw.offsets.data(), nullptr,
+                          draw.strides.data());
+  vkCmdBindIndexBuffer(commands, draw.indices, draw.indices_at, VK_INDEX_TYPE_UINT32);
+  vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+}
+
+/// Draws meshes; each draw completes `key` with its topology, alpha test, surface and step.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
-  const bool shadow = key.pass == Pass::shadow;
-  const VkDescriptorSet frame_set = shadow ? context.set.without_shadow() : context.set.set();
+  const VkDescriptorSet frame_set = key.pass == Pass::shadow ? context.set.without_shadow() : context.set.set();
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0, nullptr);
   key.frame = context.features;
   VkPipeline bound = VK_NULL_HANDLE;
   for (const Draw& draw : draws) {
     key.topology = draw.topology;
     key.surface = draw.surface;
+    key.covers = key.pass == Pass::transparent && !draw.blended;
     key.masked = draw.masked && !key.after_prepass;  // after the prepass, the EQUAL depth test is the alpha test
-    const VkPipeline pipeline = context.pipelines.mesh(key);
-    if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-    bound = pipeline;
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 1, 1, &draw.material, 0,
-                            nullptr);
-    vkCmdPushConstants(commands, context.layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                       sizeof(DrawConstants), &draw.constants);
-    vkCmdBindVertexBuffers2(commands, 0, kAttributeCount, draw.buffers.data(), draw.offsets.data(), nullptr,
-                            draw.strides.data());
-    vkCmdBindIndexBuffer(commands, draw.indices, draw.indices_at, VK_INDEX_TYPE_UINT32);
-    vkCmdSetFrontFace(commands, draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    if (shadow) {
-      draw_mesh(context, draw, VK_CULL_MODE_NONE);  // what is thin casts a shadow from either side
-      continue;
+    bind_draw(context, draw);
+    for (const VkCullModeFlagBits culled : culled_sides(draw, key.pass)) {
+      vkCmdSetCullMode(commands, culled);
+      for (const Through step : steps_of(context.features, draw, key.pass)) {
+        key.through = step;
+        const VkPipeline pipeline = context.pipelines.mesh(key);
+        if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+        bound = pipeline;
+        vkCmdDrawIndexed(commands, draw.index_count, 1, 0, 0, 0);
+      }
     }
-    const bool sides = draw.surface.double_sided && draw.topology == Topology::triangles;
-    if (sides && key.pass == Pass::transparent) draw_mesh(context, draw, VK_CULL_MODE_FRONT_BIT);  // back faces first
-    draw_mesh(context, draw, sides && key.pass != Pass::transparent ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
   }
 }
 

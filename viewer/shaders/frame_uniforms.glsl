@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What all passes of a frame share; mirrors viewer/passes/frame_uniforms.h.
 
+const float kBlurredLevel = 3.5;   // of the environment, where it is shown blurred behind the scene
+
 struct Light {
   vec3 position;              // view space
   uint kind;                  // 0 directional, 1 point, 2 spot

@@ -13,6 +13,14 @@ void set_specular(inout Surface s) {
   s.dielectric_f0 = min(f0, vec3(1.0)) * s.dielectric_f90;
 }
 
+// eq   KHR_materials_transmission
+void set_transmission(inout Surface s) {
+  s.transmission = 0.0;
+  if (kThrough == kOpaque) return;
+  s.transmission = material.transmission;
+  if (kTransmissionTexture != 0) s.transmission *= layer_texel(kTransmissionTexture, 12, texcoords).r;
+}
+
 struct Sheen {
   vec3 color;
   float roughness;
@@ -61,13 +69,15 @@ vec3 under_sheen(Sheen sheen, Surface s, vec3 below, vec3 to_light, vec3 irradia
   return sheen.color * lobe * irradiance + below * (1.0 - greatest(sheen.color) * min(most, 1.0));
 }
 
+// Share of the light from below that sheen lets through towards the viewer.
+float left_by_sheen(Sheen sheen) { return kSheen ? 1.0 - greatest(sheen.color) * min(sheen.albedo, 1.0) : 1.0; }
+
 // The same for ambient light. Fibres gather it from the half sphere.
 // in   access  share of the light that arrives at the fibres; `below` has its own
 vec3 under_sheen(Sheen sheen, Surface s, vec3 below, float access) {
   if (!kSheen) return below;
-  float albedo = min(sheen.albedo, 1.0);
   vec3 arriving_light = diffuse_light(frame.environment_from_view * s.n);
-  return sheen.color * albedo * arriving_light * access + below * (1.0 - greatest(sheen.color) * albedo);
+  return sheen.color * min(sheen.albedo, 1.0) * arriving_light * access + below * left_by_sheen(sheen);
 }
 
 struct Coat {

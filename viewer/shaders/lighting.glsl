@@ -13,6 +13,7 @@ struct Surface {
   vec3 n, to_viewer;
   vec3 dielectric_f0;     // what the dielectric reflects along its normal,
   float dielectric_f90;   // and at grazing angles
+  float transmission;     // share of what enters the dielectric that passes through instead of being scattered
 };
 
 float greatest(vec3 v) { return max(v.r, max(v.g, v.b)); }
@@ -37,7 +38,7 @@ vec3 reflected(Surface s, vec3 to_light, vec3 irradiance) {
   float away = 1.0 - v_h, edge = away * away * away * away * away;
   vec3 dielectric = s.dielectric_f0 + (s.dielectric_f90 - s.dielectric_f0) * edge;
   vec3 fresnel = mix(dielectric, s.base_color + (1.0 - s.base_color) * edge, s.metallic);
-  vec3 diffuse = (1.0 - greatest(dielectric)) * (1.0 - s.metallic) * s.base_color / kPi;
+  vec3 diffuse = (1.0 - greatest(dielectric)) * (1.0 - s.metallic) * (1.0 - s.transmission) * s.base_color / kPi;
   return (diffuse * n_l + fresnel * ggx(s.n, s.to_viewer, to_light, s.roughness)) * irradiance;
 }
 
@@ -108,8 +109,16 @@ vec3 ambient(Surface s, vec3 scattered, float mirrored) {
   vec3 metal_once, metal_again, once, again;
   layer(s.base_color, 1.0, sums, metal_once, metal_again);
   layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);
-  vec3 below = s.base_color * (1.0 - greatest(once + again));
+  vec3 below = s.base_color * (1.0 - greatest(once + again)) * (1.0 - s.transmission);
   vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
   return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) * scattered +
          mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic) * mirrored;
+}
+
+// Share of the light behind a thin surface that passes through, in the direction that it has.
+// eq   KHR_materials_transmission: base colour of what the surface of the dielectric does not reflect
+vec3 transmitted(Surface s) {
+  vec3 once, again;
+  layer(s.dielectric_f0, s.dielectric_f90, split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness), once, again);
+  return s.base_color * (1.0 - greatest(once + again)) * (1.0 - s.metallic) * s.transmission;
 }

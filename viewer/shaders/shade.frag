@@ -22,6 +22,11 @@ layout(location = 5) in float vertex_access;
 #include "lighting.glsl"
 #include "shadow.glsl"
 #include "normal_map.glsl"
+
+// How a surface lets light through: the step of it that is drawn (enum Through in viewer/passes/pass_resources.h).
+const int kOpaque = 0, kFilter = 1, kFilterDrawn = 2, kBlurredBackdrop = 3, kSharpBackdrop = 4, kLightAlone = 5;
+layout(constant_id = 27) const int kThrough = kOpaque;
+
 #include "layers.glsl"
 
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
@@ -39,7 +44,8 @@ layout(location = 0) out vec4 color;   // premultiplied light, and coverage of a
 layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for the image of such a frame
 
 // out  through  share of what the surface emits that its layers let through
-vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
+//      behind   share of the light behind that the surface lets through
+vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behind) {
   Surface s;
   s.base_color = base_color;
   s.metallic = material.metallic;
@@ -51,6 +57,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   }
   s.roughness = clamp(s.roughness, kLeastRoughness, 1.0);
   set_specular(s);
+  set_transmission(s);
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
   float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n);
@@ -62,7 +69,12 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   Sheen sheen = sheen_at(s);
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
+  behind = vec3(0.0);
   vec3 sum = vec3(0.0);
+  if (kThrough != kOpaque && kThrough != kLightAlone) {
+    behind = transmitted(s) * left_by_sheen(sheen) * through;
+    return sum;
+  }
   if (kAmbient) {
     vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
     vec3 below = under_sheen(sheen, s, ambient(s, scattered, access), access);
@@ -78,18 +90,38 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through) {
   return sum;
 }
 
+// A step of a surface that lets light through. The blending of each step is in viewer/device/pipeline.h.
+// in   behind  share of the light behind;   light  of the surface;   coverage  by its alpha
+void show_through(vec3 behind, vec3 light, float coverage) {
+  unlit = vec4(0.0);
+  if (kThrough == kLightAlone) {
+    color = vec4(min(light, vec3(kMostLight)) * coverage, 0.0);
+  } else if (kThrough == kFilter || kThrough == kFilterDrawn) {
+    vec3 filtered = 1.0 - coverage + coverage * behind;
+    float hidden = 1.0 - greatest(filtered);
+    unlit = vec4(filtered, hidden);
+    color = vec4(filtered, kThrough == kFilter ? hidden : 0.0);
+  } else {
+    float level = kThrough == kBlurredBackdrop ? kBlurredLevel : 0.0;
+    vec3 direction = frame.environment_from_view * -towards_viewer(view_position);
+    vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.environment_intensity;
+    color = vec4(min(arriving_light * behind, vec3(kMostLight)) * coverage, coverage);
+  }
+}
+
 void main() {
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
-  vec3 light = base.rgb;
+  vec3 light = base.rgb, behind = vec3(0.0);
   if (!kUnlit) {
     float through = 1.0;
     if (kNormals != 0) {
       float share;
-      vec3 shaded = lit(base.rgb, n, share);
+      vec3 passed, shaded = lit(base.rgb, n, share, passed);
       if (n != vec3(0.0)) {
         light = shaded;
         through = share;
+        behind = passed;
       }
     }
     vec3 emitted = material.emissive;
@@ -98,7 +130,9 @@ void main() {
     light += emitted * through;
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
-  if (kUnlit) {
+  if (kThrough != kOpaque) {
+    show_through(behind, light, coverage);
+  } else if (kUnlit) {
     unlit = vec4(clamp(light, 0.0, 1.0) * coverage, coverage);
     color = vec4(vec3(0.0), coverage);
   } else {

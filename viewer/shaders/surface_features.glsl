@@ -23,3 +23,4 @@ layout(constant_id = 31) const int kClearcoatRoughnessTexture = 0;
 layout(constant_id = 32) const int kClearcoatNormalTexture = 0;
 layout(constant_id = 33) const int kSheenColorTexture = 0;
 layout(constant_id = 34) const int kSheenRoughnessTexture = 0;
+layout(constant_id = 35) const int kTransmissionTexture = 0;

@@ -13,8 +13,6 @@ layout(constant_id = 14) const bool kTransparentBackground = false;
 
 layout(constant_id = 19) const bool kAutoExposure = false;   // the exposure follows the picture
 
-const float kBlurredLevel = 3.5;   // of the environment
-
 layout(location = 0) out vec4 shown;
 
 // The environment behind a pixel.

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "runtime/base/contract.h"
+#include "viewer/upload/upload_materials.h"
 
 namespace sinew::viewer {
 
@@ -77,13 +78,11 @@ glm::vec3 centre_of(const Primitive& primitive, const DeformedPrimitive& deforme
   return box.empty() ? glm::vec3(0.0f) : 0.5f * (box.lower + box.upper);
 }
 
-bool blended(const Scene& scene, const Primitive& primitive) noexcept {
-  const auto blends = [&](std::uint32_t material) {
-    return material != kNone && scene.materials[material].alpha_mode == AlphaMode::blend;
-  };
+bool is_sorted(const Scene& scene, const Primitive& primitive) noexcept {
+  const auto is = [&](std::uint32_t material) { return material != kNone && shows_behind(scene.materials[material]); };
   const auto& variants = primitive.variant_materials;
-  return blends(primitive.material) ||
-         std::any_of(variants.begin(), variants.end(), [&](const VariantMaterial& v) { return blends(v.material); });
+  return is(primitive.material) ||
+         std::any_of(variants.begin(), variants.end(), [&](const VariantMaterial& v) { return is(v.material); });
 }
 
 void place_lights(const Scene& scene, const FrameResult& result, FrameVertices& slot) {
@@ -119,7 +118,7 @@ void FrameUpload::State::upload_primitive(FrameVertices& slot, const Primitive& 
     const std::uint64_t bytes = copy(deformed, next, slot.buffer.mapped());
     counts.bytes += bytes;
     counts.written += bytes > 0;
-    if (blended(scene, primitive)) next.centre = centre_of(primitive, deformed);
+    if (is_sorted(scene, primitive)) next.centre = centre_of(primitive, deformed);
   }
   last = next;
 }

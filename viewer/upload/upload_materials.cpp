@@ -35,7 +35,8 @@ constexpr std::array<Reading, kLayerTextures> kReadings = {Reading::alpha, Readi
 std::array<bool, kLayerTextures> layers_shown(const Material& m) noexcept {
   const bool specular = !m.unlit && m.specular.has_effect(), coat = !m.unlit && m.clearcoat.factor > 0.0f;
   const bool sheen = !m.unlit && m.sheen.color != glm::vec3(0.0f);
-  return {specular, specular, coat, coat, coat, sheen, sheen};
+  const bool transmission = !m.unlit && m.transmission.factor > 0.0f;
+  return {specular, specular, coat, coat, coat, sheen, sheen, transmission};
 }
 
 /// Which place each texture of a layer has, and what the places hold.
@@ -88,6 +89,8 @@ MaterialUniforms material_uniforms(const Material& m) noexcept {
   return out;
 }
 
+bool shows_behind(const Material& m) noexcept { return m.alpha_mode == AlphaMode::blend || layers_shown(m)[7]; }
+
 MaterialFeatures material_features(const Material& m) noexcept {
   const auto uses = texture_uses(m);
   const Places places = places_of(m);
@@ -98,6 +101,7 @@ MaterialFeatures material_features(const Material& m) noexcept {
   out.layers.specular = shown[0];
   out.layers.clearcoat = shown[2];
   out.layers.sheen = shown[5];
+  out.layers.transmission = shown[7];
   for (std::size_t i = 0; i < kLayerTextures; ++i)
     if (const std::size_t place = places.of_layer[i]; place < kTexturePlaces)
       out.layers.textures[i] =

@@ -41,7 +41,7 @@ static_assert(sizeof(MaterialUniforms) == 16 * (6 + 2 * (kMaterialTextures + kLa
 
 /// The layers of a surface that shaders are compiled for.
 struct LayerFeatures {
-  bool specular = false, clearcoat = false, sheen = false;
+  bool specular = false, clearcoat = false, sheen = false, transmission = false;
   /// 0 = no texture, else 1 + 2 * place + (1 for TEXCOORD_1).
   std::array<std::uint8_t, kLayerTextures> textures{};
 
@@ -66,6 +66,9 @@ struct TexturePlace {
   std::uint32_t texture = kNone;
   bool srgb = false;
 };
+
+/// Surfaces that show what is behind them, by alpha or by transmission, are drawn from far to near.
+bool shows_behind(const Material& material) noexcept;
 
 MaterialFeatures material_features(const Material& material) noexcept;
 std::array<TexturePlace, kTexturePlaces> texture_places(const Material& material) noexcept;
