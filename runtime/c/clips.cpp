@@ -90,7 +90,9 @@ sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs
   return c::guarded([&] {
     Needs wanted;
     if (const sinew_error error = c::read_needs(needs, own, wanted); error != SINEW_OK) return error;
-    const std::vector<Aabb> found = clip_bounds(own, wanted, clip);
+    const bool has_boxes = clip < scene->clip_boxes.size();
+    const std::vector<Aabb> found = clip_bounds(
+        own, wanted, clip, has_boxes ? std::span<const Aabb>(scene->clip_boxes[clip]) : std::span<const Aabb>());
     for (std::size_t i = 0; i < found.size(); ++i) c::copy_bits(found[i], boxes[i]);
     *count = found.size();
     return SINEW_OK;

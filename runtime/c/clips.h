@@ -40,7 +40,7 @@ sinew_error sinew_clips_load(sinew_scene* scene, uint32_t first_clip, const void
 ///             view (meshes that correctives morph, skinned meshes with parts that are not skinned, very long clips)
 /// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_SIZE_MISMATCH (capacity below the instances),
 ///      what sinew_plan_create answers of needs
-/// cost O(keys * joints + vertices), allocates
+/// cost O(keys * joints + vertices), of asset files that hold boxes O(instances); allocates
 sinew_error sinew_clip_bounds(const sinew_scene* scene, const sinew_needs* needs, uint32_t clip, sinew_box* boxes,
                               size_t capacity, size_t* count);
 

@@ -13,6 +13,7 @@
 #include "runtime/c/retarget.h"
 #include "runtime/library/clip_library.h"
 #include "runtime/lod/compile_skeleton_lod.h"
+#include "runtime/model/clip_boxes.h"
 #include "runtime/model/scene.h"
 #include "runtime/plan/compile_plan.h"
 #include "runtime/pose/mirror_pose.h"
@@ -27,6 +28,7 @@
 struct sinew_scene {
   sinew::Scene scene;
   mutable std::atomic<std::size_t> plan_count{0};  // that refer to the scene's clips
+  sinew::ClipBoxes clip_boxes = {};                // of the file, if it has some
 };
 
 struct sinew_plan {

@@ -38,7 +38,9 @@ sinew_error sinew_assets_read(const void* bytes, std::size_t byte_count, sinew_s
     if (!file) return refuse(file.error(), messages);
     auto read = read_scene(*file);
     if (!read) return refuse(read.error(), messages);
-    *scene = new sinew_scene{*std::move(read)};
+    auto boxes = read_clip_boxes(*file, *read);
+    if (!boxes) return refuse(boxes.error(), messages);
+    *scene = new sinew_scene{*std::move(read), {}, *std::move(boxes)};
     return SINEW_OK;
   });
 }

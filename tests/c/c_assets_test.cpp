@@ -5,6 +5,7 @@
 #include <string>
 
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/c/clips.h"
 #include "runtime/c/handles.h"
 #include "runtime/c_assets/sinew_assets.h"
 #include "tests/asset_file/played_frames.h"
@@ -26,6 +27,31 @@ TEST(c_assets, a_file_gives_a_scene_that_owns_what_it_has) {
   EXPECT_EQ(hashes_of_frames(read->scene), hashes_of_frames(scene));
   EXPECT_EQ(sinew_clip_count(read), 1u);
   sinew_scene_destroy(read);
+}
+
+TEST(c_assets, boxes_of_a_file_are_those_that_clip_bounds_answers) {
+  const Scene scene = face_scene();
+  const ClipBoxes boxes{std::vector<Aabb>(scene.instances.size(), {glm::vec3(-70.0f), glm::vec3(80.0f)})};
+  const Bytes file = write_asset_file(scene, {.clip_boxes = boxes});
+  sinew_scene* read = nullptr;
+  ASSERT_EQ(sinew_assets_read(file.data(), file.size(), &read, nullptr), SINEW_OK);
+  std::vector<sinew_box> found(scene.instances.size());
+  std::size_t count = 0;
+  ASSERT_EQ(sinew_clip_bounds(read, nullptr, 0, found.data(), found.size(), &count), SINEW_OK);
+  ASSERT_EQ(count, found.size());
+  EXPECT_NEAR(found[0].lower.x, -70.0f, 0.1f);
+  EXPECT_NEAR(found[0].upper.z, 80.0f, 0.1f);
+  ASSERT_EQ(sinew_clip_bounds(read, nullptr, SINEW_NONE, found.data(), found.size(), &count), SINEW_OK);
+  EXPECT_LT(found[0].upper.z, 10.0f) << "the rest pose is not in the file";
+  sinew_scene_destroy(read);
+}
+
+TEST(c_assets, boxes_that_do_not_fit_are_refused) {
+  const Scene scene = face_scene();
+  const ClipBoxes boxes(scene.clips.size() + 1);
+  const Bytes file = write_asset_file(scene, {.clip_boxes = boxes});
+  sinew_scene* read = nullptr;
+  EXPECT_EQ(sinew_assets_read(file.data(), file.size(), &read, nullptr), SINEW_BAD_FILE);
 }
 
 TEST(c_assets, clips_of_the_same_skeleton_are_added_and_others_are_refused_in_words) {
