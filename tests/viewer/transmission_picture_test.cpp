@@ -70,7 +70,9 @@ TEST_F(transmission_picture, panes_filter_each_other_from_far_to_near) {
   second.transmission.factor = 1.0f;
   blended.base_color.a = 0.5f;
   blended.alpha_mode = AlphaMode::blend;
-  built.add(wall(), built.add_material(second), translation({0.6f, -0.5f, 0.5f}));
+  Primitive moved = wall();  // its middle is not its origin
+  for (glm::vec3& p : moved.positions) p += glm::vec3(0.6f, -0.5f, 0.5f);
+  built.add(moved, built.add_material(second));
   built.add(wall(), built.add_material(blended), translation({0.1f, 0.3f, 0.1f}));
   expect_reference_picture(built, before_pane(), every_light(), kBounds);
 }
