@@ -157,15 +157,21 @@ TEST_F(layer_picture, each_texture_of_a_layer_has_its_own_coordinates_and_transf
 }
 
 TEST_F(layer_picture, textures_of_layers_share_images_with_others) {
-  BuiltScene built;
-  Material material = with_all_layers();
-  const std::uint32_t shared = add_noise_texture(built), other = add_noise_texture(built);
-  for (TextureUse* use : texture_uses(material)) use->texture = shared;
-  material.normal_texture.texture = material.occlusion_texture.texture = other;
-  for (const LayerTexture& texture : kTextures) texture.use(material).texcoord = 1;
-  ASSERT_TRUE(shows_all_textures(material));
-  expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
-                           {.bound = kDecodedBound, .sharp = 0.4});
+  for (const std::uint32_t set : {0u, 1u}) {
+    BuiltScene built;
+    Material material = with_all_layers();
+    const std::uint32_t shared = add_noise_texture(built);
+    const std::uint32_t other = add_plain_texture(built, {196, 90, 220, 255});
+    for (TextureUse* use : texture_uses(material)) use->texture = shared;
+    material.normal_texture.texture = material.occlusion_texture.texture = other;
+    for (const LayerTexture& texture : kTextures) {
+      texture.use(material).texcoord = set;
+      if (!texture.srgb) texture.use(material).texture = other;
+    }
+    ASSERT_TRUE(shows_all_textures(material));
+    expect_reference_picture(lit_wall(built, material), view_of_wall(), every_light(),
+                             {.bound = kDecodedBound, .sharp = 0.4});
+  }
 }
 
 TEST_F(layer_picture, white_surfaces_in_white_light_return_all_of_it_under_every_layer) {
