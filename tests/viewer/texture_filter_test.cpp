@@ -80,6 +80,7 @@ TEST_F(texture_memory, of_a_rip_map_is_four_times_that_of_the_image) {
   constexpr std::uint64_t image = 4 * 16 * 16;
   EXPECT_EQ(bytes_with({FilterKind::rip_map}), 4 * image);
   EXPECT_EQ(bytes_with({FilterKind::trilinear}), image + 4 * (64 + 16 + 4 + 1));
+  EXPECT_EQ(bytes_with({FilterKind::bilinear}), image);
 }
 
 }  // namespace

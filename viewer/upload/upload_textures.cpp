@@ -88,6 +88,8 @@ VkSampler TextureSet::sampler(const Sampler& wanted) {
 
 std::vector<MipLevel> TextureSet::levels_of(std::span<const std::uint8_t> rgba, std::uint32_t width,
                                             std::uint32_t height, bool srgb) const {
+  if (filter_.kind == FilterKind::nearest || filter_.kind == FilterKind::bilinear)
+    return {{width, height, {rgba.begin(), rgba.end()}}};
   std::vector<MipLevel> levels = mip_chain(rgba, width, height, srgb);
   if (filter_.kind != FilterKind::rip_map) return levels;
   const std::uint32_t limit = device_.limits().maxImageDimension2D;
