@@ -29,6 +29,7 @@ struct CompileOptions {
   std::string out, budget = "0.1mm";
   std::vector<std::string> clips, parts{"skeleton", "model", "clips"};
   bool truth = false;
+  double page_s = 0.0;
   int zstd_level = 0;
 };
 
@@ -65,6 +66,7 @@ AssetFileOptions blocks_of(const CompileOptions& options) {
           .model = has("model"),
           .clips = has("clips"),
           .truth = options.truth,
+          .page_s = options.page_s,
           .zstd_level = options.zstd_level};
 }
 
@@ -126,6 +128,12 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       ->type_name("PART[,...]")
       ->allow_extra_args(false);
   command->add_flag("--truth", options->truth, "Also store the keys of FILE, in full");
+  command
+      ->add_option("--page", options->page_s,
+                   "Store clips that are longer in pages of this length, so that an engine can play them from a "
+                   "bounded part of OUT (runtime/paging/paged_clip.h); 4 is a good start")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->type_name("SECONDS");
   command->add_option("--zstd", options->zstd_level, "Pack what gets smaller by it, at a level from 1 to 19")
       ->check(CLI::Range(1, 19))
       ->type_name("LEVEL");

@@ -108,6 +108,8 @@ std::string_view name_of(AssetKind kind) noexcept {
     case AssetKind::clips: return "clips";
     case AssetKind::animations: return "animations";
     case AssetKind::bounds: return "bounds";
+    case AssetKind::pages: return "pages";
+    case AssetKind::page_keys: return "page_keys";
   }
   return "";
 }
@@ -172,14 +174,28 @@ tl::expected<void, AssetFileError> AssetFile::check_sums() const {
   return {};
 }
 
-tl::expected<std::span<const std::byte>, AssetFileError> AssetFile::bytes_of(AssetKind kind,
-                                                                             std::vector<std::byte>& unpacked) const {
+tl::expected<const AssetBlock*, AssetFileError> AssetFile::known_block(AssetKind kind) const {
   const AssetBlock* block = find(kind);
   if (block == nullptr) return refuse_block("asset-missing", kind, "the file has no such block");
   if (!block->is_known)
     return refuse_block("asset-version", kind,
                         "the block is of version " + std::to_string(block->version) + ", this library reads version " +
                             std::to_string(kAssetBlockVersion) + ": compile the model again");
+  return block;
+}
+
+tl::expected<std::span<const std::byte>, AssetFileError> AssetFile::view_of(AssetKind kind) const {
+  const auto block = known_block(kind);
+  if (!block) return tl::unexpected(block.error());
+  if ((*block)->is_packed) return refuse_block("asset-value", kind, "the block is packed");
+  return file_.subspan((*block)->offset, (*block)->stored_bytes);
+}
+
+tl::expected<std::span<const std::byte>, AssetFileError> AssetFile::bytes_of(AssetKind kind,
+                                                                             std::vector<std::byte>& unpacked) const {
+  const auto known = known_block(kind);
+  if (!known) return tl::unexpected(known.error());
+  const AssetBlock* block = *known;
   if (!sum_is_right(static_cast<std::size_t>(block - blocks_.data())))
     return refuse_block("asset-checksum", kind, "the block has changed since it was written");
   const auto stored = file_.subspan(block->offset, block->stored_bytes);

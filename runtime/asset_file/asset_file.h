@@ -18,9 +18,11 @@ enum class AssetKind : std::uint32_t {
   clips,       ///< compiled, as save_clips (clip/clip_file.h) writes them
   animations,  ///< the authoring form of the clips, the truth; optional
   bounds,      ///< ClipBoxes of the file's clips and model; optional
+  pages,       ///< which of the clips lie in pages (PageTable), of which `clips` has the first keys only; optional
+  page_keys,   ///< these pages, each with a checksum of its own, so that one is read without the others
 };
 
-/// "skeleton", "model", "clips", "animations", "bounds"; empty for others.
+/// "skeleton", "model", "clips", "animations", "bounds", "pages", "page_keys"; empty for others.
 std::string_view name_of(AssetKind kind) noexcept;
 
 /// Why an asset file is refused: the broken rule, where, and the case in words.
@@ -84,12 +86,18 @@ class AssetFile {
   tl::expected<std::span<const std::byte>, AssetFileError> bytes_of(AssetKind kind,
                                                                     std::vector<std::byte>& unpacked) const;
 
+  /// The bytes of a block as they lie in the file. None is read, and no checksum compared: for blocks of parts that
+  /// have checksums of their own (AssetKind::page_keys).
+  /// err   asset-missing, asset-version, asset-value where the block is packed;  cost O(1)
+  tl::expected<std::span<const std::byte>, AssetFileError> view_of(AssetKind kind) const;
+
   /// The first block whose bytes have changed, unknown ones among them; what read_assets.h checks beyond that is its
   /// own.
   /// cost  O(bytes of the file)
   tl::expected<void, AssetFileError> check_sums() const;
 
  private:
+  tl::expected<const AssetBlock*, AssetFileError> known_block(AssetKind kind) const;
   bool sum_is_right(std::size_t block) const noexcept;
 
   std::span<const std::byte> file_;

@@ -9,6 +9,7 @@
 #include "runtime/asset_file/animation_fields.h"
 #include "runtime/asset_file/asset_reader.h"
 #include "runtime/asset_file/look_fields.h"
+#include "runtime/asset_file/read_pages.h"
 #include "runtime/base/all_finite.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/clip/clip_rest.h"
@@ -105,9 +106,10 @@ Read<std::vector<Animation>> decompile(const std::vector<Clip>& clips, const Sce
 }
 
 Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vector<Clip>& clips, const Scene& scene) {
-  const AssetBlock* stored = file.find(AssetKind::clips);
+  const AssetBlock *stored = file.find(AssetKind::clips), *pages = file.find(AssetKind::page_keys);
+  const std::uint64_t bytes = stored->bytes + (pages != nullptr ? pages->bytes : 0);
   if (file.find(AssetKind::animations) == nullptr)
-    return decompile(clips, scene, kAssetMadeBytes + kAssetMadeTimes * stored->bytes);
+    return decompile(clips, scene, kAssetMadeBytes + kAssetMadeTimes * bytes);
   if (const auto bound = check_signature(file, AssetKind::animations, stored->skeleton_signature); !bound)
     return tl::unexpected(bound.error());
   std::vector<Animation> animations;
@@ -146,21 +148,23 @@ Read<Skeleton> read_skeleton(const AssetFile& file) {
   return std::move(scene.skeleton);
 }
 
-Read<std::vector<Clip>> read_clips(const AssetFile& file, std::uint64_t skeleton_signature) {
+Read<std::vector<Clip>> read_clips(const AssetFile& file, std::uint64_t skeleton_signature, LongClips long_clips) {
   std::vector<std::byte> unpacked;
   const auto bytes = file.bytes_of(AssetKind::clips, unpacked);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto bound = check_signature(file, AssetKind::clips, skeleton_signature); !bound)
-    return tl::unexpected(bound.error());
+  for (const AssetKind kind : {AssetKind::clips, AssetKind::pages, AssetKind::page_keys})
+    if (const auto bound = check_signature(file, kind, skeleton_signature); !bound)
+      return tl::unexpected(bound.error());
   auto clips = load_clips(*bytes);
   if (!clips)
     return tl::unexpected(AssetFileError{clips.error().rule, std::string(name_of(AssetKind::clips)),
                                          clips.error().offset, clips.error().detail});
+  if (long_clips == LongClips::joined) return join_pages(file, *std::move(clips));
   return *std::move(clips);
 }
 
-Read<void> add_clips(const AssetFile& file, Scene& scene) {
-  auto clips = read_clips(file, skeleton_signature(scene.skeleton));
+Read<void> add_clips(const AssetFile& file, Scene& scene, LongClips long_clips) {
+  auto clips = read_clips(file, skeleton_signature(scene.skeleton), long_clips);
   if (!clips) return tl::unexpected(clips.error());
   if (const auto bound = check_binding(*clips, scene); !bound) return bound;
   auto animations = animations_of(file, *clips, scene);
@@ -174,7 +178,7 @@ Read<void> add_clips(const AssetFile& file, Scene& scene) {
   return {};
 }
 
-Read<Scene> read_scene(const AssetFile& file) {
+Read<Scene> read_scene(const AssetFile& file, LongClips long_clips) {
   auto skeleton = read_skeleton(file);
   if (!skeleton) return tl::unexpected(skeleton.error());
   Scene scene;
@@ -183,7 +187,7 @@ Read<Scene> read_scene(const AssetFile& file) {
   if (file.find(AssetKind::model) != nullptr)
     if (const auto read = read_model(file, scene); !read) return tl::unexpected(read.error());
   if (file.find(AssetKind::clips) != nullptr || file.find(AssetKind::animations) != nullptr)
-    if (const auto added = add_clips(file, scene); !added) return tl::unexpected(added.error());
+    if (const auto added = add_clips(file, scene, long_clips); !added) return tl::unexpected(added.error());
   return scene;
 }
 

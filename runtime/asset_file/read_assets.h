@@ -13,6 +13,13 @@ namespace sinew {
 // bytes may be passed: every index, count and float is checked here, once, and memory stays below 16 MiB and a small
 // multiple of kAssetMadeTimes the file.
 
+/// What is read of clips that lie in pages (`AssetFileOptions::page_s`).
+enum class LongClips : std::uint8_t {
+  joined,      ///< all keys
+  first_keys,  ///< the first key of each track; a PagedClip (paging/paged_clip.h) plays the pages, as
+               ///< read_page_tables (read_pages.h) finds them. Animations that are made of such clips stand still
+};
+
 /// The skeleton of a file.
 /// err   AssetFileError;  cost O(bytes of the block), allocates
 tl::expected<Skeleton, AssetFileError> read_skeleton(const AssetFile& file);
@@ -21,19 +28,21 @@ tl::expected<Skeleton, AssetFileError> read_skeleton(const AssetFile& file);
 /// those that were written.
 /// err   AssetFileError, asset-signature where they were compiled for another skeleton
 /// cost  O(bytes of the block), allocates
-tl::expected<std::vector<Clip>, AssetFileError> read_clips(const AssetFile& file, std::uint64_t skeleton_signature);
+tl::expected<std::vector<Clip>, AssetFileError> read_clips(const AssetFile& file, std::uint64_t skeleton_signature,
+                                                           LongClips long_clips = LongClips::joined);
 
 /// Skeleton, model and clips of a file as a scene that passes check(Scene); a file without model or clips gives a scene
 /// without them. `animations` are those of the file where it has them, else the keys of the clips
 /// (clip/decompile_clip.h): root motion, bounds and LODs that are derived from them are right for what the clips play.
 /// err   AssetFileError;  cost O(bytes), allocates
-tl::expected<Scene, AssetFileError> read_scene(const AssetFile& file);
+tl::expected<Scene, AssetFileError> read_scene(const AssetFile& file, LongClips long_clips = LongClips::joined);
 
 /// Appends the clips of a file, with their animations as read_scene has them, to a scene of the same skeleton.
 /// err   AssetFileError: asset-signature (another skeleton), asset-binding (the clips move other morph weights or
 ///       properties than the scene has); the scene is then as before
 /// cost  O(bytes of the blocks), allocates
-tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Scene& scene);
+tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Scene& scene,
+                                             LongClips long_clips = LongClips::joined);
 
 /// Where the meshes of read_scene(file) are while its clips play, for clip_bounds (lod/clip_bounds.h); nothing where
 /// the file does not say, as those of before.

@@ -10,10 +10,12 @@
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/asset_file/asset_writer.h"
 #include "runtime/asset_file/look_fields.h"
+#include "runtime/asset_file/page_fields.h"
 #include "runtime/base/checksum.h"
 #include "runtime/clip/byte_stream.h"
 #include "runtime/clip/clip_file.h"
 #include "runtime/model/clip_boxes.h"
+#include "runtime/paging/cut_clip.h"
 
 namespace sinew {
 namespace {
@@ -58,6 +60,36 @@ Bytes bytes_of_clips(const std::vector<Clip>& clips) {
   std::vector<const Clip*> saved;
   for (const Clip& clip : clips) saved.push_back(&clip);
   return save_clips(saved);
+}
+
+/// Clips of which the long ones have their keys in pages.
+struct PagedClips {
+  std::vector<Clip> clips;
+  std::vector<PageTable> tables;  ///< empty where no clip is long
+  Bytes keys;
+};
+
+PageTable write_pages(const Clip& clip, double page_s, Bytes& keys) {
+  PageTable table{page_s, {keys.size()}};
+  for (std::size_t page = 0; page < page_count_of(clip.duration_s(), page_s); ++page) {
+    const Clip cut = cut_page(clip, page_s, page);
+    const Clip* const saved[] = {&cut};
+    const Bytes bytes = save_clips(saved);
+    keys.insert(keys.end(), bytes.begin(), bytes.end());
+    table.offsets.push_back(keys.size());
+  }
+  return table;
+}
+
+PagedClips paged(const std::vector<Clip>& clips, double page_s) {
+  PagedClips paged{clips, {}, {}};
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    if (page_s <= 0.0 || clips[c].duration_s() <= page_s) continue;
+    paged.tables.resize(clips.size());
+    paged.tables[c] = write_pages(clips[c], page_s, paged.keys);
+    paged.clips[c] = first_keys(clips[c]);
+  }
+  return paged;
 }
 
 std::uint64_t aligned(std::uint64_t at) noexcept {
@@ -107,7 +139,14 @@ std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptio
   };
   if (options.skeleton) add(AssetKind::skeleton, bytes_of(scene.skeleton));
   if (options.model) add(AssetKind::model, bytes_of_model(scene));
-  if (options.clips) add(AssetKind::clips, bytes_of_clips(scene.clips));
+  if (options.clips) {
+    PagedClips clips = paged(scene.clips, options.page_s);
+    add(AssetKind::clips, bytes_of_clips(clips.clips));
+    if (!clips.tables.empty()) {
+      add(AssetKind::pages, bytes_of(clips.tables));
+      blocks.push_back(block_of(AssetKind::page_keys, std::move(clips.keys), 0));
+    }
+  }
   if (options.clips && options.truth) add(AssetKind::animations, bytes_of(scene.animations));
   if (options.model && options.clips && !options.clip_boxes.empty())
     add(AssetKind::bounds, bytes_of(ClipBoxes(options.clip_boxes.begin(), options.clip_boxes.end())));

@@ -16,6 +16,9 @@ struct AssetFileOptions {
   bool truth = false;
   /// Of the scene's clips (clip_boxes of lod/clip_bounds.h). They are written with model and clips.
   std::span<const std::vector<Aabb>> clip_boxes = {};
+  /// Clips longer than this are written in pages of this many seconds (read_pages.h), so that an engine can play them
+  /// from a bounded part of the file; 0 = none are. Pages stay unpacked.
+  double page_s = 0.0;
   int zstd_level = 0;  ///< 0 = blocks lie as they are; 1 to 19 pack those that get smaller
 };
 

@@ -38,10 +38,22 @@ void read_value(const PackedTrack& packed, std::size_t key, glm::vec3& out) {
 
 void read_value(const PackedTrack& packed, std::size_t key, glm::quat& out) { out = unpack_rotation(packed, key); }
 
+/// One lane of a block with a single key, which needs no tangents.
+template <class V>
+Track<V> key_of(const TrackBlock& block, float time_s, std::size_t lane) {
+  Track<V> track{Interpolation::step, {time_s}, {V{}}};
+  if (block.packed.empty())
+    read_value(block, 0, block.value_plane, lane, track.values[0]);
+  else
+    read_value(packed_lane(block.packed, block.lane_count, lane, 1), 0, track.values[0]);
+  return track;
+}
+
 /// One lane of a block with all its keys.
 template <class V>
 Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::size_t lane) {
   const std::size_t parts = parts_of(block.interpolation), components = components_of(block.property);
+  if (times_s.size() == 1) return key_of<V>(block, times_s.front(), lane);
   Track<V> track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<V>(times_s.size() * parts)};
   if (block.packed.empty()) {
     for (std::size_t i = 0; i < track.values.size(); ++i)
@@ -56,6 +68,10 @@ Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::
 /// All lanes of a block of weights or numbers, which lie as a WeightTrack has them.
 WeightTrack weights_of(const TrackBlock& block, std::span<const float> times_s) {
   const std::size_t lanes = block.lane_count, count = times_s.size() * parts_of(block.interpolation) * lanes;
+  if (times_s.size() == 1 && block.packed.empty()) {
+    const float* value = block.plane(0, block.value_plane);
+    return {Interpolation::step, {times_s.front()}, {value, value + lanes}, block.lane_count};
+  }
   WeightTrack track{block.interpolation, {times_s.begin(), times_s.end()}, std::vector<float>(count), block.lane_count};
   if (block.packed.empty()) {
     std::copy_n(block.rows.begin(), count, track.values.begin());

@@ -53,7 +53,7 @@ void mirror(const CompiledPlan& plan, const PoseSpan& from, const PoseSpan& to, 
 
 void sample_plainly(const CompiledPlan& plan, const ClipLayer& layer, LayerOutput output, bool with_weights,
                     bool same_clip, FrameWork& work) noexcept {
-  const SampleClipJob job{.clip = &plan.assets.clips[layer.clip],
+  const SampleClipJob job{.clip = layer.page != nullptr ? layer.page : &plan.assets.clips[layer.clip],
                           .time_s = layer.time_s,
                           .pose = output.pose,
                           .weights = with_weights ? output.weights : std::span<float>{},

@@ -11,6 +11,8 @@
 
 namespace sinew {
 
+class Clip;
+
 /// How a layer enters the pose. `blend`: layers of this kind are averaged. The others are added on top of that mean
 /// (add_pose.h): the difference of the clip from the rest pose, or from the clip's own first instant.
 enum class LayerKind : std::uint8_t { blend, add_to_rest, add_to_start };
@@ -23,11 +25,15 @@ struct ClipLayer {
   std::uint32_t mask = kNone;  ///< index into Needs::masks: joint weights that multiply `weight`. Morph weights and
                                ///< properties have no mask
   LayerKind kind = LayerKind::blend;
-  bool mirrored = false;  ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
-                          ///< Masks weigh joints of the mirrored pose; properties are not mirrored
+  bool mirrored = false;       ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
+                               ///< Masks weigh joints of the mirrored pose; properties are not mirrored
+  const Clip* page = nullptr;  ///< a part of `clip` that has the keys of time_s (paging/paged_clip.h), sampled in its
+                               ///< place; lives until the frame has run. Null: `clip` has them. Not of plans with a
+                               ///< Needs::skeleton_lod, whose clips have fewer joints
 };
 
-/// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ.
+/// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ. Pages are
+/// not compared: all that have the keys of a time give the same bits.
 inline bool same_layers(std::span<const ClipLayer> a, std::span<const ClipLayer> b) noexcept {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ClipLayer& x, const ClipLayer& y) {
     return x.clip == y.clip && same_bits(x.time_s, y.time_s) && same_bits(x.weight, y.weight) && x.mask == y.mask &&

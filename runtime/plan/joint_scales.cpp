@@ -58,7 +58,9 @@ class SeenScales {
 };
 
 void add_keys(const TrackBlock& block, std::size_t key_count, std::vector<SeenScales>& scales) {
-  const bool keeps_range = block.packed.empty() &&
+  const bool has_other_keys =
+      key_count == 1;  // elsewhere, in pages (paging/cut_clip.h): other tracks of one key are folded
+  const bool keeps_range = !has_other_keys && block.packed.empty() &&
                            (block.interpolation == Interpolation::step || block.interpolation == Interpolation::linear);
   for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
     SeenScales& seen = scales[block.targets[lane]];

@@ -27,11 +27,19 @@ bool is_finite(const Affine& m) noexcept {
   return zero.x + zero.y + zero.z + zero.w == 0.0f;
 }
 
+/// A page of another clip with as many targets is the caller's mistake, which no frame looks for.
+bool has_size_of(const Clip& page, const Clip& clip) noexcept {
+  return page.joint_count() == clip.joint_count() && page.weight_count() == clip.weight_count() &&
+         page.property_count() == clip.property_count();
+}
+
 ErrorCode check(const CompiledPlan& plan, std::span<const ClipLayer> layers) noexcept {
   std::size_t active = 0;
   double total_weight = 0.0;
   for (const ClipLayer& layer : layers) {
     if (layer.clip >= plan.assets.clips.size()) return ErrorCode::index_out_of_range;
+    if (layer.page != nullptr && !has_size_of(*layer.page, plan.assets.clips[layer.clip]))
+      return ErrorCode::size_mismatch;
     if (!std::isfinite(layer.time_s) || !std::isfinite(layer.weight)) return ErrorCode::not_finite;
     if (layer.mask != kNone && layer.mask >= plan.needs.masks.size()) return ErrorCode::index_out_of_range;
     const bool adds = layer.kind != LayerKind::blend;

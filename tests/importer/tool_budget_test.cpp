@@ -165,6 +165,22 @@ TEST(compile_command, the_file_plays_what_the_model_plays) {
   EXPECT_EQ(hashes_of_frames(*scene), hashes_of_frames(imported->scene));
 }
 
+TEST(compile_command, pages_play_what_whole_clips_play) {
+  const ToolModelFile model;
+  const std::string whole = model.beside("whole.sinew"), paged = model.beside("paged.sinew");
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", whole}).status, 0);
+  ASSERT_EQ(run_tool({"compile", model.path(), "-o", paged, "--page", "0.25"}).status, 0);
+  const std::string bytes = content_of(paged);
+  const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
+  ASSERT_TRUE(file);
+  EXPECT_NE(file->find(AssetKind::page_keys), nullptr);
+  EXPECT_EQ(run_tool({"check", paged}).status, 0);
+  EXPECT_THAT(run_tool({"info", paged}).out, HasSubstr("page_keys"));
+  const auto sampled = [](const std::string& path) { return run_tool({"sample", path, "--time", "0.7"}).out; };
+  EXPECT_EQ(sampled(paged), sampled(whole));
+  EXPECT_EQ(run_tool({"compile", model.path(), "-o", paged, "--page", "0"}).status, 2);
+}
+
 TEST(compile_command, the_file_knows_where_meshes_are_while_its_clips_play) {
   const ToolModelFile model;
   const std::string out = model.beside("model.sinew");

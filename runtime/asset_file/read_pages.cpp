@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/asset_file/read_pages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "runtime/asset_file/asset_reader.h"
+#include "runtime/asset_file/page_fields.h"
+#include "runtime/clip/clip_file.h"
+#include "runtime/paging/join_clips.h"
+
+namespace sinew {
+namespace {
+
+tl::unexpected<AssetFileError> refuse(AssetKind kind, const char* rule, std::uint64_t offset, std::string detail) {
+  return tl::unexpected(AssetFileError{rule, std::string(name_of(kind)), offset, std::move(detail)});
+}
+
+/// What is wrong with a table; nothing where it is right.
+const char* fault_of(const PageTable& table, std::uint64_t bytes) noexcept {
+  if (table.offsets.empty()) return nullptr;
+  if (!std::isfinite(table.page_s) || table.page_s <= 0.0) return "the length of pages is not a time";
+  if (table.offsets.size() < 2) return "a clip has pages, but none is there";
+  if (std::adjacent_find(table.offsets.begin(), table.offsets.end(), std::greater_equal<>()) != table.offsets.end() ||
+      table.offsets.back() > bytes)
+    return "pages do not lie one after another among the keys";
+  return nullptr;
+}
+
+/// One clip of its pages.
+class PageJoin {
+ public:
+  PageJoin(std::span<const std::byte> keys, const Clip& head) : keys_(keys), head_(head), joiner_(head) {}
+
+  tl::expected<Clip, AssetFileError> join(const PageTable& table) {
+    for (std::size_t page = 0; page < table.page_count(); ++page)
+      if (auto added = add(table.offsets[page], table.offsets[page + 1], name_of_page(head_.name(), page)); !added)
+        return tl::unexpected(added.error());
+    return joiner_.clip();
+  }
+
+ private:
+  tl::expected<void, AssetFileError> add(std::uint64_t first, std::uint64_t end, const std::string& name) {
+    const auto pages = load_clips(keys_.subspan(first, end - first));
+    if (!pages)
+      return refuse(AssetKind::page_keys, pages.error().rule.c_str(), first + pages.error().offset,
+                    "page \"" + name + "\": " + pages.error().detail);
+    if (pages->size() != 1 || pages->front().name() != name)
+      return refuse(AssetKind::page_keys, "asset-value", first, "here is no page \"" + name + "\"");
+    if (!joiner_.add(pages->front()))
+      return refuse(AssetKind::page_keys, "asset-value", first,
+                    "page \"" + name + "\" does not continue the clip before it");
+    return {};
+  }
+
+  std::span<const std::byte> keys_;
+  const Clip& head_;
+  ClipJoiner joiner_;
+};
+
+/// With offsets in the block of page keys.
+tl::expected<std::vector<PageTable>, AssetFileError> tables_of(const AssetFile& file, std::uint64_t bytes) {
+  std::vector<std::byte> unpacked;
+  const auto block = file.bytes_of(AssetKind::pages, unpacked);
+  if (!block) return tl::unexpected(block.error());
+  std::vector<PageTable> tables;
+  AssetReader reader(*block, AssetKind::pages);
+  reader.read(tables);
+  if (!reader.finish()) return tl::unexpected(reader.error());
+  for (const PageTable& table : tables)
+    if (const char* fault = fault_of(table, bytes)) return refuse(AssetKind::pages, "asset-value", 0, fault);
+  return tables;
+}
+
+}  // namespace
+
+tl::expected<std::vector<PageTable>, AssetFileError> read_page_tables(const AssetFile& file) {
+  if (file.find(AssetKind::pages) == nullptr) return std::vector<PageTable>();
+  const auto keys = file.view_of(AssetKind::page_keys);
+  if (!keys) return tl::unexpected(keys.error());
+  auto tables = tables_of(file, keys->size());
+  if (!tables) return tables;
+  const std::uint64_t first = file.find(AssetKind::page_keys)->offset;
+  for (PageTable& table : *tables)
+    for (std::uint64_t& offset : table.offsets) offset += first;
+  return tables;
+}
+
+tl::expected<std::vector<Clip>, AssetFileError> join_pages(const AssetFile& file, std::vector<Clip> heads) {
+  if (file.find(AssetKind::pages) == nullptr) return heads;
+  const auto keys = file.view_of(AssetKind::page_keys);
+  if (!keys) return tl::unexpected(keys.error());
+  const auto tables = tables_of(file, keys->size());
+  if (!tables) return tl::unexpected(tables.error());
+  if (tables->size() != heads.size())
+    return refuse(AssetKind::pages, "asset-value", 0, "there are tables of more or fewer clips than the file has");
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    if ((*tables)[c].offsets.empty()) continue;
+    if ((*tables)[c].page_count() != page_count_of(heads[c].duration_s(), (*tables)[c].page_s))
+      return refuse(AssetKind::pages, "asset-value", 0,
+                    "clip \"" + heads[c].name() + "\" has more or fewer pages than its duration asks for");
+    auto joined = PageJoin(*keys, heads[c]).join((*tables)[c]);
+    if (!joined) return tl::unexpected(joined.error());
+    heads[c] = *std::move(joined);
+  }
+  return heads;
+}
+
+}  // namespace sinew

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "runtime/clip/clip.h"
+
+namespace sinew {
+
+/// How one clip is cut into pages: page k has the keys that times from k page_s to (k + 1) page_s need, the first page
+/// also those of times before, the last page those of times after. Each page is a block of save_clips (clip_file.h).
+struct PageTable {
+  double page_s = 0.0;                 ///< of every page but the last, which may be shorter
+  std::vector<std::uint64_t> offsets;  ///< [pages + 1] bytes of the file: page k lies from offsets[k] to offsets[k +
+                                       ///< 1]. Empty = the clip is whole
+
+  std::size_t page_count() const noexcept { return offsets.empty() ? 0 : offsets.size() - 1; }
+  friend bool operator==(const PageTable&, const PageTable&) = default;
+};
+
+/// Times of one page. Neighbours share the time at which they meet.
+struct PageTimes {
+  double first_s, last_s;
+
+  double nearest(double time_s) const noexcept { return std::clamp(time_s, first_s, last_s); }
+};
+
+inline PageTimes times_of_page(std::size_t page, double page_s, std::size_t page_count) noexcept {
+  constexpr double kAlways_s = std::numeric_limits<double>::infinity();
+  return {page == 0 ? -kAlways_s : static_cast<double>(page) * page_s,
+          page + 1 == page_count ? kAlways_s : static_cast<double>(page + 1) * page_s};
+}
+
+/// The page with the keys of a time: of two that meet there the later one.
+inline std::size_t page_at(double time_s, double page_s, std::size_t page_count) noexcept {
+  const auto first_s = [&](std::size_t page) { return times_of_page(page, page_s, page_count).first_s; };
+  const double pages = time_s / page_s, last = static_cast<double>(page_count - 1);
+  auto page = static_cast<std::size_t>(pages > 0.0 ? std::min(pages, last) : 0.0);
+  if (time_s < first_s(page)) --page;  // the quotient was rounded up
+  if (page + 1 < page_count && time_s >= first_s(page + 1)) ++page;
+  return page;
+}
+
+/// Pages of a clip of this length, at least one.      in   page_s > 0
+inline std::size_t page_count_of(double duration_s, double page_s) noexcept {
+  return std::max<std::size_t>(static_cast<std::size_t>(std::ceil(duration_s / page_s)), 1);
+}
+
+/// The name that a page bears, so that one is not taken for another: "walk [3]".
+inline std::string name_of_page(const std::string& clip, std::size_t page) {
+  return clip + " [" + std::to_string(page) + "]";
+}
+
+/// One page of a clip: cut_clip, with the name of the page and without the certificate.
+/// cost O(keys of the page + tracks), allocates
+Clip cut_page(const Clip& clip, double page_s, std::size_t page);
+
+}  // namespace sinew

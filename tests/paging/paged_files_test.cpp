@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// .sinew files whose long clips lie in pages.
+#include <gtest/gtest.h>
+
+#include "runtime/animation/skeleton_signature.h"
+#include "runtime/asset_file/read_assets.h"
+#include "runtime/asset_file/read_pages.h"
+#include "runtime/asset_file/write_asset_file.h"
+#include "runtime/paging/paged_clip.h"
+#include "tests/asset_file/full_scene.h"
+#include "tests/asset_file/played_frames.h"
+#include "tests/asset_file/signed_file.h"
+#include "tests/paging/pages.h"
+#include "tests/support/fixed_random.h"
+
+namespace sinew::test {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+constexpr double kPage_s = 0.4;
+
+Bytes paged_file(const Scene& scene, int zstd_level = 0) {
+  return write_asset_file(scene, {.page_s = kPage_s, .zstd_level = zstd_level});
+}
+
+Bytes saved(const Clip& clip) {
+  const Clip* const clips[] = {&clip};
+  return save_clips(clips);
+}
+
+/// The rule of reading all of it, and its sentence; empty where all is well.
+std::string error_of(const Bytes& file) {
+  const auto opened = AssetFile::open(file);
+  if (!opened) return describe(opened.error());
+  const auto scene = read_scene(*opened);
+  return scene ? "" : describe(scene.error());
+}
+
+TEST(paged_files, readers_of_whole_clips_get_them_bit_for_bit) {
+  for (const int level : {0, 3}) {
+    const Scene scene = full_scene(1);
+    const Bytes file = paged_file(scene, level);
+    const auto opened = AssetFile::open(file);
+    ASSERT_TRUE(opened);
+    ASSERT_NE(opened->find(AssetKind::page_keys), nullptr);
+    const auto read = read_scene(*opened);
+    ASSERT_TRUE(read) << describe(read.error());
+    ASSERT_EQ(read->clips.size(), scene.clips.size());
+    for (std::size_t c = 0; c < scene.clips.size(); ++c) EXPECT_EQ(saved(read->clips[c]), saved(scene.clips[c]));
+    EXPECT_EQ(hashes_of_frames(*read), hashes_of_frames(scene));
+    EXPECT_TRUE(opened->check_sums());
+  }
+}
+
+TEST(paged_files, an_engine_plays_the_pages_from_the_bytes_of_the_file) {
+  const Scene scene = full_scene(2);
+  const Bytes file = paged_file(scene);
+  const AssetFile opened = *AssetFile::open(file);
+  const auto heads = read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys);
+  ASSERT_TRUE(heads);
+  const auto tables = read_page_tables(opened);
+  ASSERT_TRUE(tables);
+  ASSERT_EQ(tables->size(), heads->size());
+  for (std::size_t c = 0; c < heads->size(); ++c) {
+    const PageTable& table = (*tables)[c];
+    ASSERT_GT(table.page_count(), 1u) << c;
+    EXPECT_EQ(saved((*heads)[c]), saved(first_keys(scene.clips[c])));
+    PagedClip paged((*heads)[c], table.page_s, table.page_count());
+    for (double t = 0.0; t < scene.clips[c].duration_s(); t += 0.03) {
+      paged.at(t);
+      while (const auto page = paged.next_page()) {
+        const auto taken = paged.load_page(
+            *page, std::span(file).subspan(table.offsets[*page], table.offsets[*page + 1] - table.offsets[*page]));
+        ASSERT_TRUE(taken) << taken.error().detail;
+      }
+      const PageSample at = paged.at(t);
+      ASSERT_FALSE(at.is_missing);
+      ASSERT_EQ(numbers_at(at.page, t), numbers_at(scene.clips[c], t)) << t;
+    }
+  }
+}
+
+TEST(paged_files, clips_no_longer_than_a_page_stay_whole) {
+  Scene scene = full_scene(3);
+  const double longest = std::max(scene.clips[0].duration_s(), scene.clips[1].duration_s());
+  const Bytes file = write_asset_file(scene, {.page_s = longest});
+  EXPECT_EQ(AssetFile::open(file)->find(AssetKind::pages), nullptr);
+  EXPECT_EQ(file, write_asset_file(scene));
+  EXPECT_TRUE(read_page_tables(*AssetFile::open(file))->empty());
+}
+
+TEST(paged_files, scenes_of_first_keys_are_valid_and_have_the_durations_of_their_clips) {
+  const Scene scene = full_scene(4);
+  const Bytes file = paged_file(scene);
+  const auto heads = read_scene(*AssetFile::open(file), LongClips::first_keys);
+  ASSERT_TRUE(heads) << describe(heads.error());
+  EXPECT_EQ(check(*heads), ErrorCode::ok);
+  for (std::size_t c = 0; c < scene.clips.size(); ++c) {
+    EXPECT_EQ(heads->clips[c].duration_s(), scene.clips[c].duration_s());
+    EXPECT_EQ(heads->animations[c].duration_s, scene.clips[c].duration_s());
+  }
+}
+
+TEST(paged_files, tables_are_read_without_looking_at_keys) {
+  const Scene scene = full_scene(5);
+  Bytes file = paged_file(scene);
+  const AssetBlock keys = *AssetFile::open(file)->find(AssetKind::page_keys);
+  for (std::uint64_t i = 0; i < keys.stored_bytes; ++i) file[keys.offset + i] ^= std::byte{0x5a};
+  const AssetFile opened = *AssetFile::open(file);
+  EXPECT_TRUE(read_page_tables(opened));
+  EXPECT_TRUE(read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys));
+  EXPECT_EQ(error_of(file).substr(0, 30), "clip-magic in block page_keys,");
+  EXPECT_EQ(opened.check_sums().error().block, "page_keys");
+}
+
+TEST(paged_files, every_byte_of_pages_and_their_table_may_be_anything) {
+  const Bytes file = paged_file(full_scene(6));
+  FixedRandom random(1);
+  std::size_t refused = 0, read = 0;
+  for (const AssetKind kind : {AssetKind::pages, AssetKind::page_keys}) {
+    const AssetBlock block = *AssetFile::open(file)->find(kind);
+    for (std::uint64_t i = 0; i < block.stored_bytes; i += 1 + random.below(3)) {
+      Bytes changed = file;
+      changed[block.offset + i] ^= std::byte{static_cast<std::uint8_t>(1 + random.below(255))};
+      sign_assets(changed);
+      const std::string error = error_of(changed);
+      ++(error.empty() ? read : refused);
+      if (!error.empty()) {
+        EXPECT_NE(error.find("in block page"), std::string::npos) << error;
+      }
+    }
+  }
+  EXPECT_GT(refused, 100u);
+  EXPECT_EQ(read, 0u) << "each page has a checksum of its own, and each number of a table says where they lie";
+}
+
+TEST(paged_files, a_table_that_leaves_pages_out_is_refused) {
+  const Scene scene = full_scene(1);
+  Bytes file = paged_file(scene);
+  const AssetBlock table = *AssetFile::open(file)->find(AssetKind::pages);
+  put_number(file, table.offset + 8, 2 * kPage_s);  // behind the number of tables: the length of the first one's pages
+  sign_assets(file);
+  EXPECT_NE(error_of(file).find("has more or fewer pages than its duration asks for"), std::string::npos)
+      << error_of(file);
+}
+
+TEST(paged_files, pages_of_another_skeleton_are_refused) {
+  Bytes file = paged_file(full_scene(1));
+  for (std::size_t block = 0; block < AssetFile::open(file)->blocks().size(); ++block) {
+    const std::size_t at = kAssetHead + block * kAssetEntry;
+    const auto kind = number_at<std::uint32_t>(file, at + kEntryKind);
+    if (kind != static_cast<std::uint32_t>(AssetKind::page_keys)) continue;
+    Bytes changed = file;
+    changed[at + kEntrySignature] ^= std::byte{1};
+    sign_assets(changed);
+    EXPECT_EQ(error_of(changed).substr(0, 34), "asset-signature in block page_keys") << error_of(changed);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
