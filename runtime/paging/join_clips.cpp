@@ -26,31 +26,22 @@ bool are_alike(const TimeGroup& a, const TimeGroup& b) noexcept {
                     [](const TrackBlock& p, const TrackBlock& q) { return are_alike(p, q); });
 }
 
-/// Numbers that a sample starts from, without those that tracks write: a clip that was loaded has others there.
-struct RestingNumbers {
-  std::vector<float> pose, weights, properties;
-
-  explicit RestingNumbers(const ClipLayout& clip)
-      : pose(clip.base_pose.all()), weights(clip.base_weights.all()), properties(clip.base_properties.all()) {
-    for (const TimeGroup& group : clip.groups)
-      for (const TrackBlock& block : group.blocks) clear(block, clip.joint_count);
-  }
-  friend bool operator==(const RestingNumbers& a, const RestingNumbers& b) noexcept {
-    return same_bits<float>(a.pose, b.pose) && same_bits<float>(a.weights, b.weights) &&
-           same_bits<float>(a.properties, b.properties);
-  }
-
- private:
-  void clear(const TrackBlock& block, std::size_t joint_count) {
-    const std::size_t stride = BasePose::stride_for(joint_count), planes = block.property == Property::rotation ? 4 : 3;
-    for (const std::uint32_t target : block.targets) {
-      if (block.property == Property::weight) weights[target] = 0.0f;
-      if (block.property == Property::number) properties[target] = 0.0f;
-      for (std::size_t p = 0; p < planes && is_of_joints(block); ++p)
-        pose[(first_plane(block.property) + p) * stride + target] = 0.0f;
+/// The numbers that a sample starts from, without those that tracks write: a clip that was loaded has the identity
+/// there.
+std::vector<float> resting_pose(const ClipLayout& clip) {
+  std::vector<float> pose = clip.base_pose.all();
+  const std::size_t stride = BasePose::stride_for(clip.joint_count);
+  for (const TimeGroup& group : clip.groups)
+    for (const TrackBlock& block : group.blocks) {
+      if (!is_of_joints(block)) continue;
+      const std::size_t first = first_plane(block.property), count = block.property == Property::rotation ? 4 : 3;
+      for (const std::uint32_t joint : block.targets)
+        for (std::size_t plane = first; plane < first + count; ++plane) pose[plane * stride + joint] = 0.0f;
     }
-  }
-};
+  return pose;
+}
+
+bool are_alike(const BaseNumbers& a, const BaseNumbers& b) { return same_bits<float>(a.all(), b.all()); }
 
 /// Parts meet on a key, or between two keys: both have them.
 std::size_t shared_keys(std::span<const float> before, std::span<const float> after) noexcept {
@@ -66,7 +57,8 @@ bool moves_alike(const Clip& a, const Clip& b) {
   return x.joint_count == y.joint_count &&
          std::equal(x.groups.begin(), x.groups.end(), y.groups.begin(), y.groups.end(),
                     [](const TimeGroup& p, const TimeGroup& q) { return are_alike(p, q); }) &&
-         RestingNumbers(x) == RestingNumbers(y);
+         same_bits<float>(resting_pose(x), resting_pose(y)) && are_alike(x.base_weights, y.base_weights) &&
+         are_alike(x.base_properties, y.base_properties);
 }
 
 ClipJoiner::ClipJoiner(const Clip& head) : head_(head), times_s_(head.layout().groups.size()) {

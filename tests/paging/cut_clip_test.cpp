@@ -87,6 +87,26 @@ TEST(cut_clip, a_part_keeps_name_duration_and_certificate_and_shares_what_rests)
   EXPECT_EQ(part.counts().rotations, whole.counts().rotations);
 }
 
+/// Lanes of sample_clip read past the last number of a key.
+TEST(cut_clip, rows_of_a_part_end_with_the_room_that_lanes_read) {
+  const Clip part = cut_clip(varied_clip(1), 1.0, 2.0);
+  std::size_t packed = 0, full = 0;
+  for (const TimeGroup& group : part.layout().groups)
+    for (const TrackBlock& block : group.blocks) {
+      const std::size_t keys = group.times.key_count();
+      ++(block.packed.empty() ? full : packed);
+      if (block.packed.empty()) {
+        ASSERT_EQ(block.rows.size(), keys * block.plane_count * block.lane_count + kLanePadding);
+        EXPECT_EQ(block.rows.back(), 0.0f);
+      } else {
+        ASSERT_EQ(block.packed.bits.size(), keys * block.packed.row_bytes + kReadAhead);
+        EXPECT_EQ(block.packed.bits.back(), 0);
+      }
+    }
+  EXPECT_GT(packed, 0u);
+  EXPECT_GT(full, 0u);
+}
+
 TEST(cut_clip, first_keys_have_one_key_a_track_and_the_pose_at_the_start) {
   const Clip whole = varied_clip(5), head = first_keys(whole);
   for (const TimeGroup& group : head.layout().groups) EXPECT_EQ(group.times.key_count(), 1u);
@@ -150,6 +170,44 @@ TEST(join_clips, what_does_not_continue_the_clip_is_refused) {
   EXPECT_FALSE(adds({cut_clip(other, 0.0, 4.0)})) << "other tracks";
   EXPECT_FALSE(moves_alike(whole, other));
   EXPECT_TRUE(moves_alike(whole, cut_clip(whole, 2.0, 2.5)));
+}
+
+/// A clip of one joint with one track of two keys.
+Clip clip_with(Vec3Track BoneAnimation::*part, Interpolation interpolation, float second, double tolerance = 0.0) {
+  BoneAnimation bone;
+  (bone.*part) = {interpolation, {0.0f, 1.0f}, {glm::vec3(0.0f), glm::vec3(second)}};
+  KeyTolerances rounding;
+  rounding.bones = {{.translation = tolerance, .scale = tolerance}};
+  return compile_clip(test::animation_of({bone}), test::chain_skeleton(1), {}, std::vector<std::uint32_t>{0}, {},
+                      rounding);
+}
+
+TEST(join_clips, clips_move_alike_when_their_tracks_are_of_the_same_kinds_and_ranges) {
+  const auto translation = &BoneAnimation::translation, scale = &BoneAnimation::scale;
+  const Clip clip = clip_with(translation, Interpolation::linear, 1.0f);
+  EXPECT_TRUE(moves_alike(clip, clip_with(translation, Interpolation::linear, 2.0f)));
+  EXPECT_FALSE(moves_alike(clip, clip_with(translation, Interpolation::step, 1.0f)));
+  EXPECT_FALSE(moves_alike(clip, clip_with(scale, Interpolation::linear, 1.0f)));
+  EXPECT_FALSE(moves_alike(clip, clip_with(translation, Interpolation::linear, 1.0f, 0.01))) << "packed";
+  const Clip packed = clip_with(translation, Interpolation::linear, 1.0f, 0.01);
+  EXPECT_TRUE(moves_alike(packed, packed));
+  EXPECT_FALSE(moves_alike(packed, clip_with(translation, Interpolation::linear, 2.0f, 0.02)))
+      << "as wide, other steps";
+  EXPECT_FALSE(moves_alike(packed, clip_with(translation, Interpolation::linear, 8.0f, 0.01))) << "wider";
+  EXPECT_FALSE(moves_alike(clip, test::clip_of({}, test::chain_skeleton(1))));
+}
+
+TEST(join_clips, clips_that_rest_otherwise_do_not_move_alike) {
+  Skeleton bent = test::chain_skeleton(3);
+  const Clip straight = test::clip_of({}, bent);
+  bent.rest[2].scale.y = 2.0f;
+  EXPECT_FALSE(moves_alike(straight, test::clip_of({}, bent)));
+  const std::vector<std::uint32_t> first{0, 1};
+  const auto with_weight = [&](float rest) {
+    return compile_clip({}, test::chain_skeleton(3), std::vector<float>{rest}, first);
+  };
+  EXPECT_TRUE(moves_alike(with_weight(0.5f), with_weight(0.5f)));
+  EXPECT_FALSE(moves_alike(with_weight(0.5f), with_weight(0.25f)));
 }
 
 }  // namespace

@@ -121,6 +121,16 @@ TEST_F(PagedTest, memory_never_exceeds_the_window) {
   }
 }
 
+TEST_F(PagedTest, loaded_bytes_are_those_of_the_pages) {
+  PagedClip clip = paged();
+  clip.at(0.0);
+  EXPECT_EQ(clip.loaded_bytes(), 0u);
+  load(clip, 0);
+  EXPECT_EQ(clip.loaded_bytes(), clip.at(0.0).page.byte_size());
+  load(clip, 1);
+  EXPECT_EQ(clip.loaded_bytes(), clip.at(0.0).page.byte_size() + clip.at(0.5).page.byte_size());
+}
+
 TEST_F(PagedTest, a_sample_keeps_its_keys_while_pages_go) {
   PagedClip clip = paged({.window = 2});
   clip.at(0.2);
@@ -167,6 +177,11 @@ TEST_F(PagedTest, a_block_that_is_another_page_is_refused_by_name) {
   EXPECT_EQ(refused(0, damaged).substr(0, 13), "clip-checksum");
   EXPECT_EQ(clip.loaded_pages(), 0u);
   EXPECT_EQ(refused(0, bytes[0]), "taken");
+}
+
+TEST(page_table, a_whole_clip_has_no_page) {
+  EXPECT_EQ(PageTable{}.page_count(), 0u);
+  EXPECT_EQ((PageTable{1.0, {64, 80, 99}}.page_count()), 2u);
 }
 
 TEST(page_table, times_fall_on_the_page_that_has_their_keys) {

@@ -2,10 +2,13 @@
 // .sinew files whose long clips lie in pages.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "runtime/animation/skeleton_signature.h"
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/clip/clip_layout.h"
 #include "runtime/paging/paged_clip.h"
 #include "tests/asset_file/full_scene.h"
 #include "tests/asset_file/played_frames.h"
@@ -143,6 +146,39 @@ TEST(paged_files, a_table_that_leaves_pages_out_is_refused) {
   sign_assets(file);
   EXPECT_NE(error_of(file).find("has more or fewer pages than its duration asks for"), std::string::npos)
       << error_of(file);
+}
+
+TEST(paged_files, short_clips_stay_whole_beside_long_ones) {
+  Scene scene = full_scene(3);
+  ASSERT_EQ(scene.clips.size(), 2u);
+  ClipLayout shorter = scene.clips[0].layout();
+  shorter.duration_s = 1.0;
+  scene.clips[0] = clip_of(shorter);
+  ASSERT_EQ(scene.clips[1].duration_s(), 2.0);
+  const Bytes file = write_asset_file(scene, {.page_s = 1.5});
+  const auto tables = read_page_tables(*AssetFile::open(file));
+  ASSERT_TRUE(tables);
+  EXPECT_EQ((*tables)[0].page_count(), 0u);
+  EXPECT_EQ((*tables)[1].page_count(), 2u);
+  const auto clips = read_clips(*AssetFile::open(file), skeleton_signature(scene.skeleton));
+  ASSERT_TRUE(clips) << describe(clips.error());
+  for (std::size_t c = 0; c < 2; ++c) EXPECT_EQ(saved((*clips)[c]), saved(scene.clips[c]));
+}
+
+/// Tables of no clip that anyone wrote.
+TEST(paged_files, tables_that_make_no_sense_are_refused) {
+  const Bytes file = paged_file(full_scene(1));
+  const AssetBlock table = *AssetFile::open(file)->find(AssetKind::pages);
+  const auto with = [&](std::uint64_t at, auto number) {
+    Bytes changed = file;
+    put_number(changed, table.offset + at, number);
+    sign_assets(changed);
+    return error_of(changed);
+  };
+  // the number of tables | seconds of the first one's pages | the number of its offsets | 8 bytes of padding | offsets
+  for (const double page_s : {0.0, -1.0, std::nan(""), HUGE_VAL})
+    EXPECT_NE(with(8, page_s).find("the length of pages is not a time"), std::string::npos) << page_s;
+  EXPECT_NE(with(32, std::uint64_t{1} << 60).find("pages do not lie one after another"), std::string::npos);
 }
 
 TEST(paged_files, pages_of_another_skeleton_are_refused) {
