@@ -6,6 +6,7 @@
 
 #include "runtime/c/boundary.h"
 #include "runtime/c/handles.h"
+#include "runtime/clip/decompile_clip.h"
 #include "runtime/playback/root_motion.h"
 
 namespace {
@@ -29,6 +30,14 @@ sinew_dual_quat motion_out(const DualQuatd& motion) noexcept {
   return out;
 }
 
+sinew_error read_parts(const sinew_root_parts* given, RootMotionParts& parts) noexcept {
+  sinew_root_parts own = sinew_default_root_parts();
+  if (const sinew_error error = c::read_struct(given, own); error != SINEW_OK) return error;
+  if (own.turn > SINEW_ROOT_TURN_FULL) return SINEW_UNSUPPORTED;
+  parts = {own.x != 0, own.y != 0, own.z != 0, static_cast<RootTurn>(own.turn)};
+  return SINEW_OK;
+}
+
 /// A joint in a clip, and what of it carries the character.
 struct RootTrack {
   BoneAnimation none;  // where the clip leaves the joint alone
@@ -40,16 +49,13 @@ struct RootTrack {
 sinew_error find_root(const sinew_scene* scene, std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts,
                       RootTrack& root) noexcept {
   if (scene == nullptr) return SINEW_NULL_ARGUMENT;
-  sinew_root_parts given = sinew_default_root_parts();
-  if (const sinew_error error = c::read_struct(parts, given); error != SINEW_OK) return error;
-  if (given.turn > SINEW_ROOT_TURN_FULL) return SINEW_UNSUPPORTED;
+  if (const sinew_error error = read_parts(parts, root.parts); error != SINEW_OK) return error;
   const Scene& own = scene->scene;
   if (clip >= own.animations.size() || joint >= own.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
   const std::vector<BoneAnimation>& bones = own.animations[clip].bones;
   const auto found = std::find_if(bones.begin(), bones.end(), [&](const auto& bone) { return bone.joint == joint; });
   if (found != bones.end()) root.animation = &*found;
   root.rest = own.skeleton.rest[joint];
-  root.parts = {given.x != 0, given.y != 0, given.z != 0, static_cast<RootTurn>(given.turn)};
   return SINEW_OK;
 }
 
@@ -58,7 +64,19 @@ bool all_finite(const PlaybackStep& step) noexcept {
          std::isfinite(step.to_turns) && std::isfinite(step.to_s);
 }
 
+sinew_error read_step(const sinew_step& given, PlaybackStep& step) noexcept {
+  c::copy_bits(given, step);
+  if (step.mode > PlayMode::once) return SINEW_UNSUPPORTED;
+  return all_finite(step) ? SINEW_OK : SINEW_NOT_FINITE;
+}
+
 }  // namespace
+
+struct sinew_root_track {
+  BoneAnimation animation;
+  Transform rest;
+  RootMotionParts parts;
+};
 
 sinew_dual_quat sinew_dual_quat_identity(void) { return motion_out({}); }
 
@@ -99,11 +117,39 @@ sinew_error sinew_root_motion(const sinew_scene* scene, std::uint32_t clip, std:
                               const sinew_root_parts* parts, const sinew_step* step, sinew_dual_quat* out) {
   if (step == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
   PlaybackStep own;
-  c::copy_bits(*step, own);
-  if (own.mode > PlayMode::once) return SINEW_UNSUPPORTED;
-  if (!all_finite(own)) return SINEW_NOT_FINITE;
+  if (const sinew_error error = read_step(*step, own); error != SINEW_OK) return error;
   RootTrack root;
   if (const sinew_error error = find_root(scene, clip, joint, parts, root); error != SINEW_OK) return error;
   *out = motion_out(root_motion(*root.animation, root.rest, root.parts, own));
+  return SINEW_OK;
+}
+
+sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, std::uint32_t clip,
+                                    std::uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out) {
+  if (scene == nullptr || library == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  RootMotionParts own;
+  if (const sinew_error error = read_parts(parts, own); error != SINEW_OK) return error;
+  if (clip >= library->clips.size() || joint >= scene->scene.skeleton.joint_count()) return SINEW_INDEX_OUT_OF_RANGE;
+  return c::guarded([&] {
+    const BoundClips bound = clips_for(library->clips, scene->scene);
+    *out = new sinew_root_track{decompile_joint(bound.clips[clip], joint), scene->scene.skeleton.rest[joint], own};
+    return SINEW_OK;
+  });
+}
+
+void sinew_root_track_destroy(sinew_root_track* track) { delete track; }
+
+sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out) {
+  if (track == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  if (!std::isfinite(time_s)) return SINEW_NOT_FINITE;
+  *out = motion_out(root_place(track->animation, track->rest, track->parts, time_s));
+  return SINEW_OK;
+}
+
+sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step, sinew_dual_quat* out) {
+  if (track == nullptr || step == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  PlaybackStep own;
+  if (const sinew_error error = read_step(*step, own); error != SINEW_OK) return error;
+  *out = motion_out(root_motion(track->animation, track->rest, track->parts, own));
   return SINEW_OK;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "runtime/c/library.h"
 #include "runtime/c/playback.h"
 #include "runtime/c/scene.h"
 
@@ -54,6 +55,21 @@ sinew_error sinew_root_place(const sinew_scene* scene, uint32_t clip, uint32_t j
 /// err  as sinew_root_place; SINEW_NOT_FINITE and SINEW_UNSUPPORTED also for a step that no clock made
 sinew_error sinew_root_motion(const sinew_scene* scene, uint32_t clip, uint32_t joint, const sinew_root_parts* parts,
                               const sinew_step* step, sinew_dual_quat* out);
+
+/// The same of one clip of a library, whose keys are those of its compiled clip. Refers to nothing that it is made of.
+typedef struct sinew_root_track sinew_root_track;
+
+/// in   library  the clip is one of it, bound to the scene by names, as in sinew_plan_create_from_library
+/// err  as sinew_root_place, and SINEW_OUT_OF_MEMORY
+/// cost O(names + clips * (joints + weights + properties) + keys of the joint), allocates
+sinew_error sinew_root_track_create(const sinew_scene* scene, const sinew_library* library, uint32_t clip,
+                                    uint32_t joint, const sinew_root_parts* parts, sinew_root_track** out);
+void sinew_root_track_destroy(sinew_root_track* track);
+
+/// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE
+sinew_error sinew_root_track_place(const sinew_root_track* track, double time_s, sinew_dual_quat* out);
+/// err  SINEW_NULL_ARGUMENT; SINEW_NOT_FINITE and SINEW_UNSUPPORTED for a step that no clock made
+sinew_error sinew_root_track_motion(const sinew_root_track* track, const sinew_step* step, sinew_dual_quat* out);
 
 #ifdef __cplusplus
 }

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "runtime/animation/track_sample.h"
+#include "runtime/base/contract.h"
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/clip/move_lanes.h"
 
 namespace sinew {
 namespace {
@@ -63,6 +65,13 @@ Track<V> track_of(const TrackBlock& block, std::span<const float> times_s, std::
   const PackedTrack packed = packed_lane(block.packed, block.lane_count, lane, times_s.size());
   for (std::size_t k = 0; k < times_s.size(); ++k) read_value(packed, k, track.values[k]);
   return track;
+}
+
+void set_track(const TrackBlock& block, std::span<const float> times_s, std::size_t lane, BoneAnimation& bone) {
+  if (block.property == Property::rotation)
+    bone.rotation = track_of<glm::quat>(block, times_s, lane);
+  else
+    (block.property == Property::scale ? bone.scale : bone.translation) = track_of<glm::vec3>(block, times_s, lane);
 }
 
 /// All lanes of a block of weights or numbers, which lie as a WeightTrack has them.
@@ -127,14 +136,8 @@ class Decompiler {
   void add_block(const TrackBlock& block, std::span<const float> times_s) {
     if (block.property == Property::weight) return add_weights(block, times_s);
     if (block.property == Property::number) return add_numbers(block, times_s);
-    for (std::size_t lane = 0; lane < block.lane_count; ++lane) {
-      BoneAnimation& moved = bone(block.targets[lane]);
-      if (block.property == Property::rotation)
-        moved.rotation = track_of<glm::quat>(block, times_s, lane);
-      else
-        (block.property == Property::scale ? moved.scale : moved.translation) =
-            track_of<glm::vec3>(block, times_s, lane);
-    }
+    for (std::size_t lane = 0; lane < block.lane_count; ++lane)
+      set_track(block, times_s, lane, bone(block.targets[lane]));
   }
 
   /// The instance that has a weight.
@@ -232,6 +235,25 @@ class Decompiler {
 Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                                  const PropertyTable& properties) {
   return Decompiler(clip.layout(), rest, first_weight, properties).run();
+}
+
+BoneAnimation decompile_joint(const Clip& clip, std::uint32_t joint) {
+  const ClipLayout& layout = clip.layout();
+  CONTRACT(joint < layout.joint_count);
+  const std::size_t stride = BasePose::stride_for(layout.joint_count);
+  const auto held = [&](std::size_t plane) { return layout.base_pose[plane * stride + joint]; };
+  const auto constant = [](auto value) { return Track<decltype(value)>{Interpolation::step, {0.0f}, {value}}; };
+  BoneAnimation bone{.joint = joint,
+                     .translation = constant(glm::vec3(held(0), held(1), held(2))),
+                     .rotation = constant(quat_xyzw(held(3), held(4), held(5), held(6))),
+                     .scale = constant(glm::vec3(held(7), held(8), held(9)))};
+  for (const TimeGroup& group : layout.groups)
+    for (const TrackBlock& block : group.blocks) {
+      const auto found = std::lower_bound(block.targets.begin(), block.targets.end(), joint);
+      if (!is_of_joints(block) || found == block.targets.end() || *found != joint) continue;
+      set_track(block, group.times.times_s(), static_cast<std::size_t>(found - block.targets.begin()), bone);
+    }
+  return bone;
 }
 
 std::uint64_t decompiled_bytes(const Clip& clip) noexcept {

@@ -17,6 +17,13 @@ namespace sinew {
 Result<Animation> decompile_clip(const Clip& clip, const ClipRest& rest, std::span<const std::uint32_t> first_weight,
                                  const PropertyTable& properties);
 
+/// The keys of one joint, for what follows from them alone: the root motion of a clip that came without its source,
+/// such as one of a library (playback/root_motion.h). What no track animates has one key, where the clip holds the
+/// joint.
+/// in    joint  of the clip
+/// cost  O(blocks + keys of the joint), allocates them
+BoneAnimation decompile_joint(const Clip& clip, std::uint32_t joint);
+
 /// Bytes that the keys of decompile_clip take.      cost O(blocks)
 std::uint64_t decompiled_bytes(const Clip& clip) noexcept;
 

@@ -192,6 +192,40 @@ TEST(c_bad_calls, root_motion_refuses_what_does_not_exist) {
   EXPECT_NE(sinew_root_motion(&scene, 0, 0, nullptr, &step, &out), SINEW_OK) << "no clock made that";
 }
 
+TEST(c_bad_calls, root_tracks_refuse_what_does_not_exist) {
+  const sinew_scene scene{arm_scene()};
+  sinew_library* library = nullptr;
+  ASSERT_EQ(sinew_library_create(&scene, &library), SINEW_OK);
+  sinew_root_track* track = nullptr;
+  const auto create = [&](std::uint32_t clip, std::uint32_t joint, const sinew_root_parts* parts) {
+    return sinew_root_track_create(&scene, library, clip, joint, parts, &track);
+  };
+  EXPECT_EQ(create(0, 0, nullptr), SINEW_INDEX_OUT_OF_RANGE) << "the library is empty";
+  ASSERT_EQ(sinew_library_add(library, &scene, SINEW_REFUSE, nullptr), SINEW_OK);
+  EXPECT_EQ(create(0, 9, nullptr), SINEW_INDEX_OUT_OF_RANGE);
+  sinew_root_parts parts = sinew_default_root_parts();
+  parts.turn = 3;
+  EXPECT_EQ(create(0, 0, &parts), SINEW_UNSUPPORTED);
+  EXPECT_EQ(sinew_root_track_create(nullptr, library, 0, 0, nullptr, &track), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_create(&scene, nullptr, 0, 0, nullptr, &track), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_create(&scene, library, 0, 0, nullptr, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(track, nullptr);
+  ASSERT_EQ(create(0, 0, nullptr), SINEW_OK);
+  sinew_dual_quat out;
+  sinew_step step{};
+  for (const double bad : kNotNumbers) EXPECT_EQ(sinew_root_track_place(track, bad, &out), SINEW_NOT_FINITE);
+  EXPECT_EQ(sinew_root_track_place(nullptr, 0.0, &out), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_place(track, 0.0, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_motion(nullptr, &step, &out), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_motion(track, nullptr, &out), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_root_track_motion(track, &step, nullptr), SINEW_NULL_ARGUMENT);
+  for (double& number : step.inside) number = std::nan("");
+  EXPECT_NE(sinew_root_track_motion(track, &step, &out), SINEW_OK) << "no clock made that";
+  sinew_root_track_destroy(track);
+  sinew_root_track_destroy(nullptr);
+  sinew_library_destroy(library);
+}
+
 class c_bad_calls_of_a_plan : public testing::Test {
  protected:
   c_bad_calls_of_a_plan() : scene{arm_scene()} {

@@ -10,6 +10,7 @@
 #include "runtime/base/same_bits.h"
 #include "runtime/c/handles.h"
 #include "runtime/clip/clip_file.h"
+#include "runtime/clip/decompile_clip.h"
 #include "runtime/lod/clip_bounds.h"
 #include "runtime/lod/interpolated_input.h"
 #include "runtime/plan/run_plan.h"
@@ -53,6 +54,35 @@ TEST(c_world, root_motion_is_that_of_the_cpp_interface) {
       moved += !same_bytes(world, sinew_dual_quat_identity());
     }
   EXPECT_GT(moved, 4u);
+}
+
+TEST(c_world, root_motion_of_a_library_is_that_of_its_clips_bound_to_the_scene) {
+  const sinew_scene scene{random_scene(3)};
+  sinew_library* library = nullptr;
+  ASSERT_EQ(sinew_library_create(&scene, &library), SINEW_OK);
+  ASSERT_EQ(sinew_library_add(library, &scene, SINEW_REFUSE, nullptr), SINEW_OK);
+  const BoundClips clips = clips_for(library->clips, scene.scene);
+  sinew_root_parts parts = sinew_default_root_parts();
+  parts.turn = SINEW_ROOT_TURN_FULL;
+  const RootMotionParts in_cpp{.turn = RootTurn::full};
+  for (std::uint32_t joint = 0; joint < scene.scene.skeleton.joint_count(); ++joint) {
+    sinew_root_track* track = nullptr;
+    ASSERT_EQ(sinew_root_track_create(&scene, library, 1, joint, &parts, &track), SINEW_OK);
+    const BoneAnimation bone = decompile_joint(clips.clips[1], joint);
+    const Transform& rest = scene.scene.skeleton.rest[joint];
+    sinew_dual_quat place, motion;
+    ASSERT_EQ(sinew_root_track_place(track, 0.6, &place), SINEW_OK);
+    EXPECT_TRUE(same_bytes(place, root_place(bone, rest, in_cpp, 0.6)));
+    PlaybackClock clock(clips.clips[1].duration_s());
+    const PlaybackStep step = clock.advance(5.3);
+    sinew_step in_c{};
+    static_assert(sizeof in_c >= sizeof step);
+    std::memcpy(&in_c, &step, sizeof step);
+    ASSERT_EQ(sinew_root_track_motion(track, &in_c, &motion), SINEW_OK);
+    EXPECT_TRUE(same_bytes(motion, root_motion(bone, rest, in_cpp, step)));
+    sinew_root_track_destroy(track);
+  }
+  sinew_library_destroy(library);
 }
 
 TEST(c_world, a_joint_that_the_clip_leaves_alone_carries_nothing) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "runtime/base/same_bits.h"
 #include "runtime/clip/unpack_clip.h"
+#include "runtime/paging/cut_clip.h"
 #include "tests/clip/varied_clip.h"
 
 namespace sinew::test {
@@ -94,6 +97,42 @@ TEST(decompile_clip, what_is_held_is_one_key_and_what_rests_is_none) {
   EXPECT_EQ(found->weights[0].weights.values, (std::vector{0.75f, 0.875f}));
   ASSERT_EQ(found->properties.size(), 1u);
   EXPECT_EQ(found->properties[0].target.kind, PropertyKind::roughness);
+}
+
+TEST(decompile_clip, a_single_key_of_any_interpolation_is_held) {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const Clip first = first_keys(varied_clip(seed));
+    const Rest rest;
+    const auto animation =
+        decompile_clip(first, clip_rest(rest.skeleton, rest.weights, rest.properties), rest.first, rest.properties);
+    ASSERT_TRUE(animation);
+    for (const BoneAnimation& bone : animation->bones) {
+      EXPECT_EQ(check(bone.translation), ErrorCode::ok);
+      EXPECT_EQ(check(bone.rotation), ErrorCode::ok);
+    }
+    const Clip again = compile_clip(*animation, rest.skeleton, rest.weights, rest.first);
+    EXPECT_TRUE(samples_the_same(again, unpacked(first))) << seed;
+  }
+}
+
+TEST(decompile_clip, one_joint_moves_as_it_does_in_the_clip) {
+  for (std::uint64_t seed = 1; seed < 9; ++seed) {
+    const Clip clip = varied_clip(seed), played = unpacked(clip);
+    PoseBuffer pose(clip.joint_count());
+    for (std::uint32_t joint = 0; joint < clip.joint_count(); ++joint) {
+      const BoneAnimation bone = decompile_joint(clip, joint);
+      EXPECT_EQ(bone.joint, joint);
+      for (double t = -0.2; t < 5.0; t += 0.11) {
+        run(SampleClipJob{&played, t, pose.span(), {}});
+        const Transform expected = pose.span().get(joint);
+        const Transformd found = bone.interpolate<double>(t, {});
+        EXPECT_LE(glm::length(found.translation - glm::dvec3(expected.translation)), 1e-5) << joint << " at " << t;
+        const Quat<double> rotation = aligned_with(found.rotation, quat_cast<double>(expected.rotation));
+        EXPECT_LE(safe_length(rotation - found.rotation), 2e-6) << t;
+        EXPECT_LE(glm::length(found.scale - glm::dvec3(expected.scale)), 1e-6) << t;
+      }
+    }
+  }
 }
 
 TEST(decompile_clip, a_clip_of_other_instances_or_properties_is_refused) {
