@@ -10,13 +10,21 @@
 namespace sinew {
 namespace {
 
+/// Exporters that name nodes alone are common.
+std::string_view name_of(const MeshInstance& instance, const Scene& scene) noexcept {
+  const std::string_view mesh = scene.meshes[instance.mesh].name;
+  const std::vector<std::string>& joints = scene.skeleton.names;
+  return mesh.empty() && instance.joint < joints.size() ? std::string_view(joints[instance.joint]) : mesh;
+}
+
 std::vector<std::string> weight_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const MeshInstance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
+    const std::string of_mesh(name_of(instance, scene));
     for (std::size_t t = 0; t < instance.rest_weights.size(); ++t) {
       const bool is_named = t < mesh.target_names.size() && !mesh.target_names[t].empty();
-      names.push_back(mesh.name.empty() ? "" : mesh.name + '/' + (is_named ? mesh.target_names[t] : std::to_string(t)));
+      names.push_back(of_mesh.empty() ? "" : of_mesh + '/' + (is_named ? mesh.target_names[t] : std::to_string(t)));
     }
   }
   return names;

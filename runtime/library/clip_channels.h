@@ -13,7 +13,9 @@ namespace sinew {
 /// to nothing.
 ///
 ///     joint                 its name
-///     morph weight          "mesh/target"; a target without a name has its number: "mesh/2"
+///     morph weight          "mesh/target"; a target without a name has its number: "mesh/2", and a mesh without one
+///     the
+///                           name of the joint that it is placed at
 ///     number of a property  "joint arm/visible", "material skin/base_color/2": the thing, the property, the component;
 ///                           of texture transforms the slot too: "material skin/base_color_texture/offset/0"
 ///

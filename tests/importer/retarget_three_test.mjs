@@ -6,9 +6,11 @@
 // `--keep-rest`, and both have to agree. Without offsets it is wrong, and the last check says by how much.
 // Its frames lie duration / (n - 1) apart for n frames of 1 / fps, so clips are compared at the times that it writes.
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+
+import { bodies, duration, times, written } from './retarget_bodies.mjs';
 
 const [sinew, folder] = process.argv.slice(2);
 const three = process.env.SINEW_THREE ?? join(process.env.NODE_PATH ?? 'node_modules', 'three');
@@ -29,65 +31,11 @@ const bones = [['mixamorig:Hips', 'pelvis', -1, [0, 1, 0]], ['mixamorig:Spine', 
   ['mixamorig:LeftArm', 'upperarm_l', 1, [0.2, 1.4, 0]], ['mixamorig:LeftLeg', 'calf_l', 2, [0.1, 0.5, 0]],
   ['mixamorig:LeftForeArm', 'lowerarm_l', 4, [0.5, 1.4, 0]], ['mixamorig:LeftFoot', 'foot_l', 5, [0.1, 0, 0]],
   ['mixamorig:LeftHand', 'hand_l', 6, [0.8, 1.4, 0]]];
-const lowered = { 'mixamorig:LeftForeArm': [0.4, 1.15, 0], 'mixamorig:LeftHand': [0.6, 0.9, 0] };  // the target rests with its arm down
+const lowered = { 6: [0.4, 1.15, 0], 8: [0.6, 0.9, 0] };  // the target rests with its arm down
 const size = 1.5;  // of the target, in all lengths: the ratio of heights
-const keys = 13, duration = 1.2;
 
-let state = 7;
-const random = () => (state = (state * 16807) % 2147483647) / 2147483647 * 2 - 1;
-const rotation = reach => new Quaternion().setFromAxisAngle(new Vector3(random(), random(), random()).normalize(), reach * random());
-
-/// Rest rotations in the world, and the local transforms that follow from them.
-function body(scale, other = {}) {
-  const place_of = j => other[bones[j][0]] ?? bones[j][3];
-  const world = bones.map(() => rotation(3));
-  return bones.map(([, , parent], j) => {
-    const above = parent < 0 ? new Quaternion() : world[parent].clone().invert();
-    const from = parent < 0 ? [0, 0, 0] : place_of(parent);
-    return { world: world[j], rotation: above.clone().multiply(world[j]),
-      place: new Vector3(...place_of(j).map((x, i) => (x - from[i]) * scale)).applyQuaternion(above) };
-  });
-}
-
-const source = body(1), target = body(size, lowered);
-const times = Array.from({ length: keys }, (_, k) => k * duration / (keys - 1));
-const turns = source.map(joint => times.map(() => joint.rotation.clone().multiply(rotation(0.9))));
-const path = times.map(t => [0.3 * t, 1 + 0.1 * Math.sin(5 * t), t]);
-
-function write(file, names, joints, moves) {
-  const numbers = moves ? [...times, ...path.flat(), ...turns.flat().flatMap(q => q.toArray())] : [];
-  const json = { asset: { version: '2.0' }, scenes: [{ nodes: [0] }], nodes: joints.map((joint, j) => {
-    const children = bones.flatMap(([, , parent], c) => parent === j ? [c] : []);
-    return { name: names[j], translation: joint.place.toArray(), rotation: joint.rotation.toArray(), ...(children.length && { children }) };
-  }) };
-  if (moves) {
-    const accessor = (first, count, type, more) => ({ bufferView: 0, byteOffset: 4 * first, componentType: 5126, count, type, ...more });
-    json.buffers = [{ byteLength: 4 * numbers.length, uri: 'data:application/octet-stream;base64,' + Buffer.from(new Float32Array(numbers).buffer).toString('base64') }];
-    json.bufferViews = [{ buffer: 0, byteLength: 4 * numbers.length }];
-    json.accessors = [accessor(0, keys, 'SCALAR', { min: [0], max: [Math.fround(duration)] }), accessor(keys, keys, 'VEC3'),
-      ...bones.map((_, j) => accessor(4 * keys + 4 * keys * j, keys, 'VEC4'))];
-    json.animations = [{ samplers: json.accessors.slice(1).map((_, i) => ({ input: 0, output: i + 1 })),
-      channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }, ...bones.map((_, j) => ({ sampler: j + 1, target: { node: j, path: 'rotation' } }))] }];
-  }
-  writeFileSync(file, JSON.stringify(json));
-}
-
-/// Keys that sinew wrote: {node: {path: [times, values]}}.
-function written(file) {
-  const glb = readFileSync(file), length = glb.readUInt32LE(12), json = JSON.parse(glb.subarray(20, 20 + length));
-  const floats = index => {
-    const accessor = json.accessors[index], view = json.bufferViews[accessor.bufferView];
-    const begin = 28 + length + (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
-    const count = accessor.count * { SCALAR: 1, VEC3: 3, VEC4: 4 }[accessor.type];
-    return Array.from({ length: count }, (_, i) => glb.readFloatLE(begin + 4 * i));
-  };
-  const found = {};
-  for (const { sampler, target: { node, path: what } } of json.animations[0].channels) {
-    const { input, output } = json.animations[0].samplers[sampler];
-    (found[json.nodes[node].name] ??= {})[what] = [floats(input), floats(output)];
-  }
-  return found;
-}
+const { body, motion, write } = bodies(THREE, bones.map(([, , parent, place]) => [parent, place]));
+const source = body(1), target = body(size, lowered), { turns, path } = motion(source);
 
 function mesh(names, joints) {
   const made = joints.map((joint, j) => {
@@ -133,8 +81,8 @@ function differences(clip, found) {
 
 mkdirSync(folder, { recursive: true });
 const [clips, character, out] = ['clips.gltf', 'character.gltf', 'out.glb'].map(name => join(folder, name));
-write(clips, bones.map(b => b[0]), source, true);
-write(character, ours, target, false);
+write(clips, bones.map(b => b[0]), source, { turns, path });
+write(character, ours, target);
 execFileSync(sinew, ['retarget', clips, '--onto', character, '-o', out, '--keep-rest']);
 const offsets = Object.fromEntries(ours.map((name, j) =>
   [name, new Matrix4().makeRotationFromQuaternion(source[j].world.clone().invert().multiply(target[j].world))]));

@@ -31,6 +31,13 @@ TEST(clip_channels, morph_weights_have_the_names_of_their_mesh_and_target) {
   scene.meshes[0].target_names.clear();
   EXPECT_THAT(listed(clip_channels(scene).weights), ElementsAre("face/0", "face/1"));
   scene.meshes[0].name.clear();
+  const std::uint32_t joint = scene.instances[0].joint;
+  scene.skeleton.names.assign(scene.skeleton.joint_count(), "other");
+  scene.skeleton.names[joint] = "head";
+  EXPECT_THAT(listed(clip_channels(scene).weights), ElementsAre("head/0", "head/1"));
+  scene.skeleton.names[joint].clear();
+  EXPECT_THAT(listed(clip_channels(scene).weights), ElementsAre("", ""));
+  scene.skeleton.names.clear();
   EXPECT_THAT(listed(clip_channels(scene).weights), ElementsAre("", ""));
 }
 
