@@ -50,6 +50,7 @@ set(sinew_public_headers
   runtime/clip/base_numbers.h
   runtime/clip/clip_file.h
   runtime/clip/clip_rest.h
+  runtime/clip/decompile_clip.h
   runtime/clip/keep_joints.h
   runtime/clip/key_tolerances.h
   runtime/clip/unpack_clip.h
@@ -57,6 +58,9 @@ set(sinew_public_headers
   runtime/library/clip_channels.h
   runtime/library/clip_library.h
   runtime/memory/memory_of.h
+  runtime/paging/cut_clip.h
+  runtime/paging/page_table.h
+  runtime/paging/paged_clip.h
   runtime/model/clip_boxes.h
   runtime/model/material.h
   runtime/model/mesh.h
@@ -134,11 +138,13 @@ set(sinew_public_headers
   runtime/geometry_cache/scene_of_cache.h
   runtime/asset_file/asset_file.h
   runtime/asset_file/read_assets.h
+  runtime/asset_file/read_pages.h
   runtime/asset_file/write_asset_file.h
   runtime/c/clips.h
   runtime/c/library.h
   runtime/c/messages.h
   runtime/c/mirror.h
+  runtime/c/pages.h
   runtime/c/root_motion.h
   runtime/c/skeleton_lod.h
   runtime/c/update_levels.h

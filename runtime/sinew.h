@@ -7,6 +7,7 @@
 #include "runtime/c/library.h"
 #include "runtime/c/messages.h"
 #include "runtime/c/mirror.h"
+#include "runtime/c/pages.h"
 #include "runtime/c/plan.h"
 #include "runtime/c/playback.h"
 #include "runtime/c/pose.h"

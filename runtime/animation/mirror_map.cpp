@@ -49,8 +49,6 @@ std::vector<MirroredAxes> mirrored_axes(const ReferencePose& reference, const Jo
     Quat<double> rotation = normalised(quat_conjugate(reference.rotation[p]) * normal * reference.rotation[j]);
     if (p == j) rotation = normalised(pure_quaternion({rotation.x, rotation.y, rotation.z}));
     axes[j] = axes_of(rotation, tolerance_rad);
-    if (p == j)
-      axes[j].rotation = normalised(pure_quaternion({axes[j].rotation.x, axes[j].rotation.y, axes[j].rotation.z}));
   }
   return axes;
 }

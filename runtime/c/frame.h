@@ -38,6 +38,9 @@ typedef struct sinew_geometry_input {
                   ///< between: blended with the pose in world space
 } sinew_geometry_input;
 
+/// The keys of a clip for one time (pages.h).
+typedef struct sinew_page sinew_page;
+
 typedef struct sinew_frame_input {
   size_t struct_size;
   const sinew_layer* layers;         ///< none = rest pose. Where weights sum to less than 1 the rest pose fills up
@@ -53,6 +56,10 @@ typedef struct sinew_frame_input {
                                    ///< SINEW_NEED_BETWEEN_UPDATES, else 0
   const sinew_geometry_input* geometry;  ///< [sinew_needs.cached_instances] null = nothing plays
   size_t geometry_count;                 ///< of these, or 0
+  const sinew_page* const* pages;        ///< [layer_count] the keys of layers whose clips lie in pages. Null, and null
+                                         ///< elements: the clips have them. Pages live, and stay as
+                                         ///< they are, as long as frames get the layers
+  const sinew_page* const* next_pages;   ///< [next_layer_count] the same for next_layers
 } sinew_frame_input;
 
 /// No layers, root identity, interpolation factor 0; struct_size is set.
@@ -73,10 +80,10 @@ void sinew_frame_destroy(sinew_frame* frame);
 /// Evaluates one frame; the same input again does nothing.
 /// in   input  null = the rest pose
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip, mask, an instance that the source
-///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers), SINEW_NOT_FINITE, SINEW_UNSUPPORTED
-///      (negative weight; mirrored where the plan has no mirror; weight below 1 where the plan has one layer; adding
-///      where the plan has none; an interpolation factor outside of [0, 1] or where the plan has none). Afterwards the
-///      last good frame is still there.
+///      does not play), SINEW_SIZE_MISMATCH (weights, geometry, too many layers, a page of another clip),
+///      SINEW_NOT_FINITE, SINEW_UNSUPPORTED (negative weight; mirrored where the plan has no mirror; weight below 1
+///      where the plan has one layer; adding where the plan has none; an interpolation factor outside of [0, 1] or
+///      where the plan has none). Afterwards the last good frame is still there.
 sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 
 /// Asks for the memory that the next run touches first, without waiting for it: call it for the next character of a

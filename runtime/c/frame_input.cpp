@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/c/boundary.h"
+#include "runtime/c/page_handle.h"
 
 namespace sinew::c {
 namespace {
@@ -12,20 +13,29 @@ static_assert(sizeof(VertexSource) <= sizeof(sinew_vertex_source));
 static_assert(static_cast<int>(LayerKind::add_to_rest) == SINEW_LAYER_ADD_TO_REST &&
               static_cast<int>(LayerKind::add_to_start) == SINEW_LAYER_ADD_TO_START);
 
-/// Writes layers behind one another into `room`, of which it takes what it needs.
-const sinew_layer* write_layers(std::span<const ClipLayer> layers, std::span<sinew_layer>& room) noexcept {
-  sinew_layer* first = room.data();
+/// Writes layers and their pages behind one another into `room`, of which it takes what it needs.
+const sinew_layer* write_layers(std::span<const ClipLayer> layers, InputRoomOfC& room,
+                                const sinew_page* const*& pages) noexcept {
+  sinew_layer* first = room.layers.data();
+  const sinew_page** first_page = room.pages.data();
+  bool any = false;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    first_page[i] = page_of(layers[i].page);
+    any = any || layers[i].page != nullptr;
+  }
+  pages = any ? first_page : nullptr;
+  room.pages = room.pages.subspan(layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i)
     first[i] = {layers[i].time_s, layers[i].clip, layers[i].mask, layers[i].weight,
                 static_cast<std::uint32_t>(layers[i].kind) | (layers[i].mirrored ? SINEW_LAYER_MIRRORED : 0u)};
-  room = room.subspan(layers.size());
+  room.layers = room.layers.subspan(layers.size());
   return layers.empty() ? nullptr : first;
 }
 
 }  // namespace
 
-sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<ClipLayer> room,
-                        std::span<const ClipLayer>& layers) noexcept {
+sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
+                        std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept {
   if (count > 0 && given == nullptr) return SINEW_NULL_ARGUMENT;
   if (count > room.size()) return SINEW_SIZE_MISMATCH;
   for (std::size_t i = 0; i < count; ++i) {
@@ -33,7 +43,13 @@ sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<C
     const std::uint32_t kind = layer.kind & ~SINEW_LAYER_MIRRORED;
     if (kind > SINEW_LAYER_ADD_TO_START) return SINEW_UNSUPPORTED;
     const bool mirrored = layer.kind != kind;
-    room[i] = {layer.clip, layer.time_s, layer.weight, layer.mask, static_cast<LayerKind>(kind), mirrored};
+    room[i] = {layer.clip,
+               layer.time_s,
+               layer.weight,
+               layer.mask,
+               static_cast<LayerKind>(kind),
+               mirrored,
+               pages != nullptr ? clip_of(pages[i]) : nullptr};
   }
   layers = room.first(count);
   return SINEW_OK;
@@ -46,12 +62,13 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, c
   if (own.weights.count > 0 && own.weights.data == nullptr) return SINEW_NULL_ARGUMENT;
   if (own.weights.count > plan.scene->scene.weight_count()) return SINEW_SIZE_MISMATCH;
   const std::size_t layer_room = plan.plan.needs().layer_room();
-  sinew_error error = read_layers(own.layers, own.layer_count, room.layers.first(layer_room), input.layers);
+  sinew_error error = read_layers(own.layers, own.pages, own.layer_count, room.layers.first(layer_room), input.layers);
   if (error != SINEW_OK) return error;
   input.next_layers = {};
   if (own.interpolation_factor != 0.0f) {
     if (!plan.plan.needs().between_updates) return SINEW_UNSUPPORTED;
-    error = read_layers(own.next_layers, own.next_layer_count, room.layers.subspan(layer_room), input.next_layers);
+    error = read_layers(own.next_layers, own.next_pages, own.next_layer_count, room.layers.subspan(layer_room),
+                        input.next_layers);
     if (error != SINEW_OK) return error;
   }
   if (own.geometry_count > 0 && own.geometry == nullptr) return SINEW_NULL_ARGUMENT;
@@ -73,9 +90,9 @@ sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, c
 
 sinew_error write_input(const FrameInput& input, InputRoomOfC room, sinew_frame_input* out) noexcept {
   sinew_frame_input own = sinew_default_input();
-  own.layers = write_layers(input.layers, room.layers);
+  own.layers = write_layers(input.layers, room, own.pages);
   own.layer_count = input.layers.size();
-  own.next_layers = write_layers(input.next_layers, room.layers);
+  own.next_layers = write_layers(input.next_layers, room, own.next_pages);
   own.next_layer_count = input.next_layers.size();
   own.interpolation_factor = input.interpolation_factor;
   own.weights = {input.weights.data(), input.weights.size()};
@@ -105,5 +122,7 @@ sinew_frame_input sinew_default_input(void) {
           .next_layer_count = 0,
           .interpolation_factor = 0.0f,
           .geometry = nullptr,
-          .geometry_count = 0};
+          .geometry_count = 0,
+          .pages = nullptr,
+          .next_pages = nullptr};
 }

@@ -18,6 +18,7 @@ struct InputRoom {
 /// The same as C has it.
 struct InputRoomOfC {
   std::span<sinew_layer> layers;
+  std::span<const sinew_page*> pages;  ///< as many
   std::span<sinew_geometry_input> geometry;
 };
 
@@ -38,9 +39,11 @@ struct OwnInputRoom {
 sinew_error read_input(const sinew_frame_input* given, const sinew_plan& plan, const InputRoom& room,
                        FrameInput& input) noexcept;
 
-/// Layers of a C caller.    err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more than room), SINEW_UNSUPPORTED (kind)
-sinew_error read_layers(const sinew_layer* given, std::size_t count, std::span<ClipLayer> room,
-                        std::span<const ClipLayer>& layers) noexcept;
+/// Layers of a C caller.
+/// in   pages  [count] or null
+/// err  SINEW_NULL_ARGUMENT, SINEW_SIZE_MISMATCH (more than room), SINEW_UNSUPPORTED (kind)
+sinew_error read_layers(const sinew_layer* given, const sinew_page* const* pages, std::size_t count,
+                        std::span<ClipLayer> room, std::span<const ClipLayer>& layers) noexcept;
 
 /// The other way: an input of the runtime for a C caller.
 /// out  out  views of `room` and of what `input` views

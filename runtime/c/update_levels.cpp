@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c/update_levels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/c/boundary.h"
@@ -17,15 +18,21 @@ static_assert(static_cast<int>(UpdateLevel::every_second) == SINEW_UPDATE_EVERY_
 
 /// Room for the input of a C caller on its way in, and for the answer on its way out.
 struct BothRooms {
-  explicit BothRooms(const sinew_plan& plan) : own(plan), layers(plan.input_room()), geometry(plan.geometry_room()) {}
+  explicit BothRooms(const sinew_plan& plan)
+      : own(plan), layers(plan.input_room()), pages(plan.input_room()), geometry(plan.geometry_room()) {}
   c::InputRoom in() noexcept { return own.room(); }
-  c::InputRoomOfC out() noexcept { return {layers, geometry}; }
+  c::InputRoomOfC out() noexcept { return {layers, pages, geometry}; }
 
  private:
   c::OwnInputRoom own;
   std::vector<sinew_layer> layers;
+  std::vector<const sinew_page*> pages;
   std::vector<sinew_geometry_input> geometry;
 };
+
+bool has_pages(std::span<const ClipLayer> layers) noexcept {
+  return std::any_of(layers.begin(), layers.end(), [](const ClipLayer& layer) { return layer.page != nullptr; });
+}
 
 }  // namespace
 
@@ -120,7 +127,8 @@ sinew_error sinew_interpolated_input_next(sinew_interpolated_input* interpolated
     FrameInput own;
     std::span<const ClipLayer> next;
     sinew_error error = c::read_input(now, *interpolated->plan, interpolated->room.in(), own);
-    if (error == SINEW_OK) error = c::read_layers(ahead, ahead_count, interpolated->ahead, next);
+    if (error == SINEW_OK && has_pages(own.layers)) error = SINEW_UNSUPPORTED;  // those of `ahead` are not given
+    if (error == SINEW_OK) error = c::read_layers(ahead, nullptr, ahead_count, interpolated->ahead, next);
     if (error != SINEW_OK) return error;
     return c::write_input(interpolated->interpolated.next(own, next, static_cast<UpdateLevel>(level), frame, phase),
                           interpolated->room.out(), input);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/asset_file/read_assets.h"
+#include "runtime/asset_file/read_pages.h"
 #include "runtime/c/boundary.h"
 #include "runtime/c/handles.h"
 
@@ -24,7 +25,29 @@ sinew_error refuse(const AssetFileError& error, sinew_messages** messages) {
   return SINEW_BAD_FILE;
 }
 
+struct ReadFile {
+  std::unique_ptr<sinew_scene> scene;
+  std::vector<PageTable> tables;
+};
+
+tl::expected<ReadFile, AssetFileError> read_file(std::span<const std::byte> bytes, LongClips long_clips) {
+  const auto file = AssetFile::open(bytes);
+  if (!file) return tl::unexpected(file.error());
+  auto scene = read_scene(*file, long_clips);
+  if (!scene) return tl::unexpected(scene.error());
+  auto boxes = read_clip_boxes(*file, *scene);
+  if (!boxes) return tl::unexpected(boxes.error());
+  auto tables = read_page_tables(*file);
+  if (!tables) return tl::unexpected(tables.error());
+  return ReadFile{std::unique_ptr<sinew_scene>(new sinew_scene{*std::move(scene), {}, *std::move(boxes)}),
+                  *std::move(tables)};
+}
+
 }  // namespace
+
+struct sinew_page_tables {
+  std::vector<PageTable> clips;
+};
 
 int sinew_looks_like_assets(const void* bytes, std::size_t byte_count) {
   return bytes != nullptr && looks_like_asset_file(span_of(bytes, byte_count));
@@ -34,15 +57,38 @@ sinew_error sinew_assets_read(const void* bytes, std::size_t byte_count, sinew_s
                               sinew_messages** messages) {
   if (bytes == nullptr || scene == nullptr) return SINEW_NULL_ARGUMENT;
   return c::guarded([&] {
-    const auto file = AssetFile::open(span_of(bytes, byte_count));
-    if (!file) return refuse(file.error(), messages);
-    auto read = read_scene(*file);
+    auto read = read_file(span_of(bytes, byte_count), LongClips::joined);
     if (!read) return refuse(read.error(), messages);
-    auto boxes = read_clip_boxes(*file, *read);
-    if (!boxes) return refuse(boxes.error(), messages);
-    *scene = new sinew_scene{*std::move(read), {}, *std::move(boxes)};
+    *scene = read->scene.release();
     return SINEW_OK;
   });
+}
+
+sinew_error sinew_assets_read_first_keys(const void* bytes, std::size_t byte_count, sinew_scene** scene,
+                                         sinew_page_tables** tables, sinew_messages** messages) {
+  if (bytes == nullptr || scene == nullptr || tables == nullptr) return SINEW_NULL_ARGUMENT;
+  return c::guarded([&] {
+    auto read = read_file(span_of(bytes, byte_count), LongClips::first_keys);
+    if (!read) return refuse(read.error(), messages);
+    *tables = new sinew_page_tables{std::move(read->tables)};
+    *scene = read->scene.release();
+    return SINEW_OK;
+  });
+}
+
+void sinew_page_tables_destroy(sinew_page_tables* tables) { delete tables; }
+
+std::size_t sinew_page_tables_count(const sinew_page_tables* tables, std::uint32_t clip, double* page_s) {
+  const bool is_there = tables != nullptr && clip < tables->clips.size();
+  if (page_s != nullptr) *page_s = is_there ? tables->clips[clip].page_s : 0.0;
+  return is_there ? tables->clips[clip].page_count() : 0;
+}
+
+std::size_t sinew_page_tables_place(const sinew_page_tables* tables, std::uint32_t clip, std::size_t page,
+                                    std::uint64_t* offset) {
+  const bool is_there = page < sinew_page_tables_count(tables, clip, nullptr);
+  if (offset != nullptr) *offset = is_there ? tables->clips[clip].offsets[page] : 0;
+  return is_there ? tables->clips[clip].offsets[page + 1] - tables->clips[clip].offsets[page] : 0;
 }
 
 sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, std::size_t byte_count,

@@ -18,6 +18,20 @@ int sinew_looks_like_assets(const void* bytes, size_t byte_count);
 /// err  SINEW_NULL_ARGUMENT, SINEW_BAD_FILE, SINEW_OUT_OF_MEMORY;   cost O(bytes), allocates
 sinew_error sinew_assets_read(const void* bytes, size_t byte_count, sinew_scene** scene, sinew_messages** messages);
 
+/// How the clips of a file are cut into pages (runtime/c/pages.h).
+typedef struct sinew_page_tables sinew_page_tables;
+
+/// sinew_assets_read without the pages: clips that lie in pages have the first key of each track.
+/// out  tables  owned by the caller
+sinew_error sinew_assets_read_first_keys(const void* bytes, size_t byte_count, sinew_scene** scene,
+                                         sinew_page_tables** tables, sinew_messages** messages);
+void sinew_page_tables_destroy(sinew_page_tables* tables);
+
+/// How many pages a clip has, and how many seconds each is long; 0 and 0: the clip is whole, or there is none.
+size_t sinew_page_tables_count(const sinew_page_tables* tables, uint32_t clip, double* page_s);
+/// Where a page lies in the file; its size, 0 for a page that is not there.
+size_t sinew_page_tables_place(const sinew_page_tables* tables, uint32_t clip, size_t page, uint64_t* offset);
+
 /// Appends the clips of an asset file to a scene of the same skeleton.
 /// in   scene  without plans: those refer to its clips
 /// err  SINEW_NULL_ARGUMENT, SINEW_BUSY (the scene has plans), SINEW_BAD_FILE (also clips of another skeleton),

@@ -48,13 +48,16 @@ void sort_apart(std::span<const std::uint32_t> triangles, std::size_t vertex_cou
   const auto has_last_vertex = [&](const Triangle& triangle) {
     return std::find(triangle.begin(), triangle.end(), vertex_count - 1) != triangle.end();
   };
+  const auto breaks = [](const Triangle& before, const Triangle& after) { return !follows(after, before); };
   const std::vector<Triangle> sorted = sorted_by_first_corner(triangles);
-  for (std::size_t t = 0, end = 0; t < sorted.size(); t = end) {
-    for (end = t + 1; end < sorted.size() && follows(sorted[end], sorted[end - 1]);) ++end;
-    if (end - t >= FlatStream::kFewest)
-      faces.streams.push_back({sorted[t], static_cast<std::uint32_t>(end - t)});
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto last = std::adjacent_find(first, sorted.end(), breaks);
+    const auto end = last == sorted.end() ? last : last + 1;
+    if (static_cast<std::size_t>(end - first) >= FlatStream::kFewest)
+      faces.streams.push_back({*first, static_cast<std::uint32_t>(end - first)});
     else
-      for (; t < end; ++t) append(sorted[t], has_last_vertex(sorted[t]) ? faces.alone : faces.corners);
+      for (auto t = first; t != end; ++t) append(*t, has_last_vertex(*t) ? faces.alone : faces.corners);
+    first = end;
   }
   fill_vectors(faces.corners);
 }

@@ -19,7 +19,8 @@ namespace sinew {
 ///     const PageSample at = paged.at(time_s);
 ///     const ClipLayer layer{.clip = number, .time_s = at.time_s, .page = &at.page};
 ///
-/// owns  the keys: they stay as long as this, whatever is loaded meanwhile. Keep it until the frame has run.
+/// owns  the keys: they stay as long as this, whatever is loaded meanwhile. Keep it until the frame has run; where layers
+///       are held over frames (lod/update_rate.h), as long as they are.
 struct PageSample {
   Clip page;                ///< for ClipLayer::page or SampleClipJob::clip
   double time_s = 0.0;      ///< for ClipLayer::time_s

@@ -28,8 +28,8 @@ struct ClipLayer {
   bool mirrored = false;       ///< the clip plays with left and right exchanged, its morph weights too (Needs::mirror).
                                ///< Masks weigh joints of the mirrored pose; properties are not mirrored
   const Clip* page = nullptr;  ///< a part of `clip` that has the keys of time_s (paging/paged_clip.h), sampled in its
-                               ///< place; lives until the frame has run. Null: `clip` has them. Not of plans with a
-                               ///< Needs::skeleton_lod, whose clips have fewer joints
+                               ///< place; lives, unchanged, as long as frames get this layer. Null: `clip` has them.
+                               ///< Not of plans with a Needs::skeleton_lod, whose clips have fewer joints
 };
 
 /// Whether layers give the same pose, bit for bit. Numbers are compared by their bits: the two zeros differ. Pages are

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "runtime/animation/mirror_animation.h"
@@ -151,6 +152,29 @@ TEST(mirror_map, twice_mirrored_is_the_same_bit_for_bit_where_the_sides_are_mirr
         EXPECT_TRUE(test::is_near(twice[j].translation, local[j].translation, 8 * test::kEps)) << j;
       }
     }
+  }
+}
+
+bool copies_rotation(const MirroredJoint& joint) {
+  return std::all_of(joint.rotation.begin(), joint.rotation.end(),
+                     [](const MirrorRow<4>& row) { return copied_entry(row) != 0; });
+}
+
+TEST(mirror_map, axes_within_the_tolerance_are_taken_for_mirror_images_and_others_are_not) {
+  for (const RightSide right : {RightSide::mirrored_axes, RightSide::opposite_axes}) {
+    TwoSided body = scenes::two_sided(right);
+    const auto paired =
+        static_cast<std::uint32_t>(std::find_if(body.partner.begin(), body.partner.end(),
+                                                [&](const std::uint32_t& p) {
+                                                  return p != static_cast<std::uint32_t>(&p - body.partner.data());
+                                                }) -
+                                   body.partner.begin());
+    glm::quat& rest = body.skeleton.rest[paired].rotation;
+    rest = glm::normalize(rest * glm::angleAxis(5e-5f, glm::vec3(0, 0, 1)));
+    const MirrorMap near = make_mirror_map(body.skeleton),
+                    exact = make_mirror_map(body.skeleton, {.angle_tolerance_rad = 1e-6});
+    EXPECT_TRUE(copies_rotation(near.joints[paired]));
+    EXPECT_FALSE(copies_rotation(exact.joints[paired]));
   }
 }
 

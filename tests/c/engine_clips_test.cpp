@@ -121,6 +121,14 @@ TEST(c_clips, names_that_do_not_bind_are_listed_or_refused) {
   EXPECT_EQ(unbound, nullptr) << "all bind";
   EXPECT_EQ(sinew_library_clip_count(library), 2u);
   EXPECT_EQ(sinew_library_find(library, "walk"), SINEW_NONE) << "two have the name";
+  renamed.skeleton.names = body.scene.skeleton.names;
+  renamed.skeleton.names[1] = renamed.skeleton.names[3];
+  finish_scene(renamed);
+  const sinew_scene twins{renamed};
+  EXPECT_EQ(sinew_library_add(library, &twins, SINEW_REFUSE, &unbound), SINEW_UNBOUND);
+  ASSERT_EQ(sinew_message_count(unbound), 1u);
+  EXPECT_EQ(sinew_message(unbound, 0), "ambiguous: " + renamed.skeleton.names[3]);
+  sinew_messages_destroy(unbound);
   EXPECT_EQ(sinew_library_add(library, &body, 2, nullptr), SINEW_UNSUPPORTED);
   EXPECT_STREQ(sinew_describe(SINEW_UNBOUND), "clips move what the skeleton or the scene does not have");
   sinew_library_destroy(library);

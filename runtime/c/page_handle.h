@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+
+#include "runtime/paging/paged_clip.h"
+
+/// What is behind the handle of a page.
+struct sinew_page {
+  sinew::PageSample sample;
+};
+
+namespace sinew::c {
+
+static_assert(offsetof(sinew_page, sample) == 0 && offsetof(PageSample, page) == 0);
+
+inline const Clip* clip_of(const sinew_page* page) noexcept { return page != nullptr ? &page->sample.page : nullptr; }
+
+/// The page that has this clip.
+inline const sinew_page* page_of(const Clip* clip) noexcept { return reinterpret_cast<const sinew_page*>(clip); }
+
+}  // namespace sinew::c

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "runtime/c/frame.h"
+#include "runtime/c/messages.h"
+#include "runtime/c/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// A long clip of which a bounded number of pages is in memory, those around the time that plays:
+///
+///     sinew_paged_clip_at(paged, time_s, 0, page);                     // each frame, before it runs
+///     layer.time_s = sinew_page_time_s(page);
+///     input.pages = &page;
+///     ...
+///     while (sinew_paged_clip_next_page(paged, &number))               // the engine's loader, on any thread
+///       sinew_paged_clip_load_page(paged, number, bytes, byte_count, NULL, NULL);
+///
+/// sinew_assets_read_first_keys (sinew_assets.h) tells where the pages lie in a file. One thread plays; loaders may be
+/// several, and need not keep up.
+typedef struct sinew_paged_clip sinew_paged_clip;
+
+/// What a paged clip shows at a time, with the keys for it. Made once and used again.
+struct sinew_page;
+
+typedef struct sinew_page_window {
+  size_t struct_size;
+  size_t pages;    ///< most in memory, at least 2
+  uint32_t loops;  ///< 1 = the page after the last one is the first
+} sinew_page_window;
+sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop
+
+/// in   scene       may go afterwards; its clip has the first keys
+///      page_s, page_count  of sinew_page_table
+///      window      null = sinew_default_page_window
+/// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_UNSUPPORTED (no pages, a
+///      length that is no time, a window of fewer than 2), SINEW_OUT_OF_MEMORY
+sinew_error sinew_paged_clip_create(const sinew_scene* scene, uint32_t clip, double page_s, size_t page_count,
+                                    const sinew_page_window* window, sinew_paged_clip** out);
+void sinew_paged_clip_destroy(sinew_paged_clip* paged);
+
+/// err  SINEW_NULL_ARGUMENT, SINEW_OUT_OF_MEMORY
+sinew_error sinew_page_create(sinew_page** out);
+void sinew_page_destroy(sinew_page* page);
+double sinew_page_time_s(const sinew_page* page);  ///< for the layer: the time asked for, or the nearest that is loaded
+int sinew_page_is_missing(const sinew_page* page);  ///< 1 = what is shown is not of the time asked for
+
+/// What there is of a time, and where the window is from now on.
+/// in   backwards  1 = the pages before this one are needed next
+/// err  SINEW_NULL_ARGUMENT, SINEW_NOT_FINITE;  cost O(window), a lock that loaders hold for as long; allocates nothing
+sinew_error sinew_paged_clip_at(sinew_paged_clip* paged, double time_s, uint32_t backwards, sinew_page* page);
+
+/// The most urgent page that is not loaded; 0: all of the window are.
+int sinew_paged_clip_next_page(const sinew_paged_clip* paged, size_t* page);
+
+/// Takes a page, if the window still has it.
+/// out  taken     1 = it was taken; may be null
+///      messages  owned by the caller, why the bytes were refused; may be null. Given for SINEW_BAD_FILE only
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (page), SINEW_BAD_FILE (damaged, another page, another clip),
+///      SINEW_OUT_OF_MEMORY;  cost O(bytes), allocates the page
+sinew_error sinew_paged_clip_load_page(sinew_paged_clip* paged, size_t page, const void* bytes, size_t byte_count,
+                                       int* taken, sinew_messages** messages);
+size_t sinew_paged_clip_loaded_pages(const sinew_paged_clip* paged);
+size_t sinew_paged_clip_loaded_bytes(const sinew_paged_clip* paged);
+
+#ifdef __cplusplus
+}
+#endif
