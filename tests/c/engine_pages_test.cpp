@@ -83,7 +83,9 @@ TEST_F(CPages, what_cannot_be_is_refused) {
   const auto create = [&](std::uint32_t clip, double page_s, std::size_t count, const sinew_page_window* window) {
     return sinew_paged_clip_create(&heads, clip, page_s, count, window, &none);
   };
-  EXPECT_EQ(create(9, 1.0, 3, nullptr), SINEW_INDEX_OUT_OF_RANGE);
+  const auto clips = static_cast<std::uint32_t>(scene.clips.size());
+  EXPECT_EQ(create(clips, 1.0, 3, nullptr), SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(create(clips + 1, 1.0, 3, nullptr), SINEW_INDEX_OUT_OF_RANGE);
   for (const double page_s : {0.0, -1.0, std::nan(""), HUGE_VAL})
     EXPECT_EQ(create(0, page_s, 3, nullptr), SINEW_UNSUPPORTED);
   EXPECT_EQ(create(0, 1.0, 0, nullptr), SINEW_UNSUPPORTED);

@@ -140,6 +140,29 @@ TEST(bake_command, says_what_is_wrong_and_writes_nothing) {
   fails({model.path(), "--clip", "0", "-o", model.path()}, 2, "is read; it is left as it is");
 }
 
+TEST(bake_command, info_has_a_row_for_each_stream_of_each_mesh) {
+  const std::string file = SINEW_SOURCE_DIR "/tests/golden/cloth.sgeo";
+  EXPECT_EQ(run_tool({"info", file}).out,
+            file +
+                "\n"
+                "geometry cache, version 1\n"
+                "  #  mesh    stream     vertices  points  triangles  asked  measured  kept\n"
+                "  0  \"mesh\"  positions       425     425        768   1 mm  0.999 mm  yes\n"
+                "  1  \"mesh\"  positions        70      70          0   1 mm  0.998 mm  yes\n"
+                "             colours          70       2              0.01   0.00789  yes\n"
+                "10 frames at 30 a second, 7488 bytes, 11.0 % of raw floats, 15.7 kB a second\n"
+                "2 segments of up to 6 frames; a seek decodes no more\n");
+  const auto meshes = nlohmann::json::parse(run_tool({"info", "--json", file}).out)["geometry_cache"]["meshes"];
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0]["triangles"], 768);
+  EXPECT_EQ(meshes[0]["vertices"], 425);
+  EXPECT_EQ(meshes[1]["triangles"], 0);
+  EXPECT_EQ(meshes[1]["points"], 70);
+  ASSERT_EQ(meshes[1]["streams"].size(), 2u);
+  EXPECT_EQ(meshes[1]["streams"][1]["kind"], "colours");
+  EXPECT_EQ(meshes[1]["streams"][1]["points"], 2);
+}
+
 TEST(bake_command, info_refuses_a_damaged_cache) {
   const ToolModelFile model;
   const std::string out = model.beside("out.sgeo");

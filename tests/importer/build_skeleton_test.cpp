@@ -103,6 +103,17 @@ TEST(build_skins, G31_a_bad_fourth_row_is_taken_as_0_0_0_1) {
   EXPECT_EQ(outcome(file.import()), "skin-matrices at /skins/0/inverseBindMatrices");
 }
 
+TEST(build_skins, G31_no_number_of_a_matrix_may_be_nan_or_infinite) {
+  for (std::size_t bad = 0; bad < 32; ++bad) {
+    std::vector<float> two = matrix();
+    two.insert(two.end(), two.begin(), two.begin() + 16);
+    two[bad] = bad % 2 == 0 ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::infinity();
+    const auto result = with_skin(two, 2).import();
+    ASSERT_EQ(outcome(result), "not-finite at /skins/0/inverseBindMatrices") << bad;
+    EXPECT_THAT(result.error().issue.detail, testing::StartsWith("matrix " + std::to_string(bad / 16) + " ")) << bad;
+  }
+}
+
 TEST(build_skins, the_root_that_a_skin_names_is_a_joint_of_the_skeleton) {
   TinyGltf file = with_skin(matrix(), 1);
   const auto without = file.import();

@@ -248,6 +248,27 @@ TEST(cost_findings, of_geometry_caches) {
                           "meshopt, residuals takes 3.50 times its bytes, and 8.00 ns a point to decode."));
 }
 
+TEST(cost_findings, of_geometry_caches_the_budget_follows_models_of_another_size_than_usual) {
+  const auto budget_of = [](double times) {
+    Scene scene = arm();
+    const auto factor = static_cast<float>(times);
+    for (glm::vec3& point : scene.meshes[0].primitives[0].positions) point *= factor;
+    for (Transform& rest : scene.skeleton.rest) rest.translation *= factor;
+    for (Affine& bind : scene.skins[0].inverse_bind)
+      for (glm::vec4& row : bind.row) row.w *= factor;
+    finish_scene(scene);
+    const Subject subject(scene, 0, Effort::quick());
+    EXPECT_NEAR(subject.hardly_seen_mm(), 0.2 * times, 0.02 * times);
+    const Study study = cost::study_geometry(subject);
+    return study.group.points.empty() ? study.group.left_out : names(study.group)[0];
+  };
+  EXPECT_EQ(budget_of(1.0), "sinew 0.1 mm *");
+  EXPECT_EQ(budget_of(20.0), "sinew 0.1 mm *");
+  EXPECT_EQ(budget_of(100.0), "sinew 10 mm *");
+  EXPECT_EQ(budget_of(1000.0), "sinew 100 mm *");
+  EXPECT_EQ(budget_of(1e-3), "sinew 0.1 um *");
+}
+
 TEST(cost_findings, of_arithmetic) {
   const Scene scene = arm();
   const Study study = cost::study_arithmetic(Subject(scene, 0, Effort::quick()));

@@ -161,6 +161,14 @@ std::string part_about(const std::string& form, const std::string& text, const s
   return part;
 }
 
+TEST(shell_files, zsh_is_told_which_arguments_are_many_files) {
+  const std::string zsh = run_tool({"--generate", "zsh"}).out;
+  for (const char* command : {"info", "check", "sample", "plan"})
+    EXPECT_THAT(part_about("zsh", zsh, command), HasSubstr("'*:FILE:_files'")) << command;
+  EXPECT_THAT(part_about("zsh", zsh, "verify"), HasSubstr("':GOLDEN:_files'"));
+  EXPECT_THAT(part_about("zsh", zsh, "bake"), HasSubstr("':FILE:_files'"));
+}
+
 TEST(shell_files, have_every_option_of_every_command) {
   for (const char* form : {"man", "bash", "zsh", "fish"}) {
     const CommandOutcome made = run_tool({"--generate", form});

@@ -140,6 +140,44 @@ TEST(pose_stream, values_of_another_type_are_refused_where_they_are) {
             "/clips/0/samples/0/skinned/0/dqs: does not have one entry for each of the 1 vertices");
 }
 
+TEST(pose_stream, what_is_missing_is_named_for_each_kind_of_entry) {
+  const auto missing = [](const std::string& text) {
+    const auto read = parse_poses(with_samples(text));
+    return read ? std::string("taken") : read.error().json_pointer + ": " + read.error().detail;
+  };
+  const std::string world = R"("world": [1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])", place = "/clips/0/samples/0/";
+  const auto of = [](const std::string& nodes, const std::string& weights, const std::string& skinned) {
+    return fmt::format(R"({{"time": 0, "nodes": [{}], "weights": [{}], "skinned": [{}]}})", nodes, weights, skinned);
+  };
+  const std::string primitive = R"({"node": 0, "primitive": 0, "vertices": []})";
+  EXPECT_EQ(missing(of("{\"node\": 0, " + world + "}", R"({"node": 0, "weights": []})", primitive)), "taken");
+  EXPECT_EQ(missing(of("5", "", "")), place + "nodes/0/node: an index is missing here");
+  EXPECT_EQ(missing(of("", "5", "")), place + "weights/0/node: an index is missing here");
+  EXPECT_EQ(missing(of("", "", "5")), place + "skinned/0/node: an index is missing here");
+  EXPECT_EQ(missing(of("{" + world + "}", "", "")), place + "nodes/0/node: an index is missing here");
+  EXPECT_EQ(missing(of(R"({"node": 0})", "", "")), place + "nodes/0/world: an array is missing here");
+  EXPECT_EQ(missing(of("", R"({"weights": []})", "")), place + "weights/0/node: an index is missing here");
+  EXPECT_EQ(missing(of("", R"({"node": 0})", "")), place + "weights/0/weights: an array is missing here");
+  EXPECT_EQ(missing(of("", "", R"({"node": 0, "vertices": []})")),
+            place + "skinned/0/primitive: an index is missing here");
+  EXPECT_EQ(missing(of("", "", R"({"node": 0, "primitive": 0})")),
+            place + "skinned/0/vertices: an array is missing here");
+  EXPECT_EQ(missing(R"({"nodes": [], "weights": [], "skinned": []})"), place + "time: a time is missing here");
+  EXPECT_EQ(missing(R"({"time": 0, "weights": [], "skinned": []})"), place + "nodes: an array is missing here");
+  EXPECT_EQ(missing(R"({"time": 0, "nodes": [], "skinned": []})"), place + "weights: an array is missing here");
+  EXPECT_EQ(missing(R"({"time": 0, "nodes": [], "weights": []})"), place + "skinned: an array is missing here");
+  const auto no_samples = parse_poses(R"({"clips": [{"clip": 0}]})");
+  ASSERT_FALSE(no_samples);
+  EXPECT_EQ(no_samples.error().json_pointer, "/clips/0/samples");
+}
+
+TEST(pose_stream, of_several_faults_the_first_one_is_told) {
+  const auto read = parse_poses(R"({"clips": [7, [[[[{"clip": []}]]]]], "extent": "far"})");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().json_pointer, "/clips/0/clip");
+  EXPECT_EQ(read.error().rule, "pose-format");
+}
+
 TEST(pose_stream, nesting_takes_no_memory_of_its_own_and_is_bounded) {
   const std::string deep(100'000, '[');
   const auto read = parse_poses(R"({"x": )" + deep + std::string(deep.size(), ']') + R"(, "clips": []})");
