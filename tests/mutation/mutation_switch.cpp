@@ -68,7 +68,11 @@ class Recorder : public testing::EmptyTestEventListener {
     out_ << std::endl;
   }
 
+  /// A record without this line is that of a program that did not come to its end.
+  void OnTestProgramEnd(const testing::UnitTest&) override { out_ << kEnd << std::endl; }
+
  private:
+  static constexpr const char* kEnd = "end";
   std::ofstream out_;
   Reached of_suite_;
   bool in_suite_ = false;

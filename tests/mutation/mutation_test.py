@@ -85,6 +85,20 @@ class MutationTest(unittest.TestCase):
         self.assertIs(programs.run('/bin/sh', 0.3, ['-c', 'sleep 1'], {}), True)
         self.assertIs(programs.run('/bin/sh', 0.3, ['-c', 'exit 1'], {}), False)
 
+    def test_a_program_that_ends_early_while_it_is_recorded_is_told(self):
+        script = f'{self.folder.name}/recorded'
+        with open(script, 'w', encoding='utf-8') as file:
+            file.write('#!/bin/sh\nprintf "a.first passed 1 7\\na.second passed 1\\n$ENDING" > "$SINEW_MUTATION_RECORD"\nkill -9 $$\n')
+        os.chmod(script, 0o755)
+        build = MutatedBuild(self.tree, f'{self.folder.name}/early', {}, 1)
+        build.linked['early'] = build.linked['whole'] = script
+        programs = Programs(build, corpus=True)
+        self.assertEqual(programs.record('early'), [('a.first', 1, frozenset({7})), ('a.second', 1, frozenset())])
+        self.assertEqual(programs.broken, ['early ends behind a.second, and all tests that follow'])
+        programs.environment['ENDING'] = 'end\n'
+        self.assertEqual(len(programs.record('whole')), 2)
+        self.assertEqual(len(programs.broken), 1)
+
     def test_keys_stay_when_other_functions_change(self):
         with open(f'{EXAMPLE}/{SOURCE}', encoding='utf-8') as file:
             text = file.read().replace('int clamped(', 'int other(int x) { return x < 3 ? x + 1 : 0; }\n\nint clamped(')
