@@ -103,6 +103,25 @@ TEST(bake_command, moves_a_mesh_by_a_point_cache_whose_axes_it_finds_and_tells) 
   EXPECT_THAT(unclear.err, HasSubstr("--up"));
 }
 
+TEST(bake_command, a_budget_in_parts_of_the_model_is_of_its_longest_side) {
+  const ToolModelFile model;
+  const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");
+  for (const double side : {0.01, 30.0}) {
+    std::vector<glm::vec3> rest;
+    for (const glm::vec3& p : kRest) rest.push_back(p * glm::vec3(0.5f, 1.0f, 0.25f) * static_cast<float>(side));
+    std::string text;
+    for (const glm::vec3& p : rest)
+      text += "v " + std::to_string(p.x) + ' ' + std::to_string(p.y) + ' ' + std::to_string(p.z) + '\n';
+    write_file(obj, text + kObj.substr(kObj.find('f')));
+    std::vector<glm::vec3> stretched = rest;
+    for (glm::vec3& p : stretched) p.y *= 3.0f;
+    write_file(points, mdd_file({rest, stretched}, {0.0f, 0.1f}));
+    ASSERT_EQ(run_tool({"bake", obj, "--points", points, "--up", "y", "--budget", "0.5%", "-o", out}).status, 0);
+    const auto json = nlohmann::json::parse(run_tool({"info", "--json", out}).out);
+    EXPECT_NEAR(json["geometry_cache"]["meshes"][0]["asked_m"].get<double>(), 0.005 * side, 1e-5 * side);
+  }
+}
+
 TEST(bake_command, takes_numbered_files_as_long_as_they_follow) {
   const ToolModelFile model;
   for (const char* number : {"08", "09", "10", "12"})

@@ -30,7 +30,7 @@ constexpr std::uint32_t kFaces = 2 * kSide * kSide;
 constexpr std::uint32_t kVertices = (kSide + 1) * (kSide + 1);
 
 /// A grid in z = x * y with positions (float) and joints (u8), by either method, not quantised.
-std::vector<std::byte> encode_grid(int method) {
+std::vector<std::byte> encode_grid(int method, bool with_metadata = false) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(kFaces);
   const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
@@ -54,6 +54,11 @@ std::vector<std::byte> encode_grid(int method) {
       add({{{x, y}, {x + 1, y + 1}, {x, y + 1}}});
     }
   const auto mesh = builder.Finalize();
+  if (with_metadata) {
+    auto metadata = std::make_unique<draco::GeometryMetadata>();
+    metadata->AddEntryString("made by", "hand");
+    mesh->AddMetadata(std::move(metadata));
+  }
   draco::Encoder encoder;
   encoder.SetEncodingMethod(method);
   draco::EncoderBuffer buffer;
@@ -236,6 +241,20 @@ TEST(decode_draco, G62_refuses_what_does_not_match_the_document) {
   refuse("reference", "/bufferView", "index 5 of 1", [](auto& d) { extension_of(d)["bufferView"] = 5; });
   refuse("json-missing", "", "attributes", [](auto& d) { extension_of(d).erase("attributes"); });
   refuse("json-type", "", "", [](auto& d) { extension_of(d) = 3; });
+}
+
+TEST(decode_draco, G62_metadata_are_read_past) {
+  for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+    const auto stream = encode_grid(method, true), plain = encode_grid(method);
+    ASSERT_GT(stream.size(), plain.size());
+    const auto size = probe_draco(stream);
+    ASSERT_TRUE(size) << size.error();
+    EXPECT_EQ(size->faces, kFaces);
+    EXPECT_EQ(size->vertices, probe_draco(plain)->vertices);
+    const auto cut = probe_draco(gltf::Bytes(stream).first(14));
+    ASSERT_FALSE(cut);
+    EXPECT_THAT(cut.error(), HasSubstr("ends early"));
+  }
 }
 
 TEST(decode_draco, G68_a_head_that_claims_millions_is_refused_before_decoding) {

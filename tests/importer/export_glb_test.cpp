@@ -3,15 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 
 #include "importer/import_gltf.h"
 #include "samples/showcase/showcase.h"
+#include "tests/importer/rewritten.h"
 #include "tests/support/corpus.h"
 #include "tests/support/scene_equality.h"
 
 namespace sinew {
 namespace {
+
+using test::Json;
+using test::split_glb;
 
 ImportedFile round_trip(const Scene& scene) {
   const auto bytes = export_glb(scene);
@@ -125,6 +130,23 @@ TEST(export_glb, keeps_animated_properties_visibility_copies_and_variants) {
   const ImportedFile after = round_trip(before);
   for (const auto& warning : after.warnings) ADD_FAILURE() << describe("round-trip.glb", warning);
   test::expect_equal(before, after.scene);
+}
+
+TEST(export_glb, has_bounds_of_positions_and_times_alone) {
+  const auto bytes = export_glb(showcase::showcase()[0].scene);
+  ASSERT_TRUE(bytes);
+  const Json root = split_glb(*bytes).json;
+  std::set<std::size_t> bounded;
+  for (const Json& mesh : root["meshes"])
+    for (const Json& primitive : mesh["primitives"]) {
+      bounded.insert(primitive["attributes"]["POSITION"].get<std::size_t>());
+      for (const Json& target : primitive.value("targets", Json::array()))
+        if (target.contains("POSITION")) bounded.insert(target["POSITION"].get<std::size_t>());
+    }
+  for (const Json& animation : root["animations"])
+    for (const Json& sampler : animation["samplers"]) bounded.insert(sampler["input"].get<std::size_t>());
+  for (std::size_t a = 0; a < root["accessors"].size(); ++a)
+    EXPECT_EQ(root["accessors"][a].contains("min"), bounded.contains(a)) << a;
 }
 
 TEST(export_glb, refuses_squad_which_gltf_cannot_say) {

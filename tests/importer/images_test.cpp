@@ -49,6 +49,9 @@ void expect_missing(const std::vector<std::byte>& file, const std::string& reaso
   EXPECT_THAT(images[0].missing_reason, HasSubstr(reason));
   EXPECT_THAT(images[0].rgba, IsEmpty());
   EXPECT_EQ(images[0].width, 0u);
+  EXPECT_EQ(images[0].height, 0u);
+  EXPECT_EQ(images[0].encoded_size, 0u);
+  EXPECT_EQ(images[0].mime_type, "");
   EXPECT_TRUE(log.ok());
   const auto warnings = log.take_warnings();
   ASSERT_THAT(warnings, SizeIs(1));

@@ -119,6 +119,25 @@ TEST(rewrite_gltf, views_without_bytes_name_a_buffer_that_is_there) {
   EXPECT_TRUE(rewrite_gltf(*again)->file == once->file);
 }
 
+TEST(rewrite_gltf, views_whose_buffer_is_missing_hold_nothing_where_something_names_them) {
+  TinyGltf gltf;
+  gltf.add_triangle();
+  Json whole = Json::parse(gltf.text());
+  whole["buffers"].push_back({{"byteLength", 8}});
+  whole["bufferViews"].push_back({{"buffer", 1}, {"byteOffset", 4}, {"byteLength", 4}});
+  whole["extensions"]["NOT_A_root"] = {{"bufferView", whole["bufferViews"].size() - 1}};
+  whole["extensionsUsed"] = {"NOT_A_root"};
+  const std::string text = whole.dump();
+  const auto file = import_gltf(bytes_of(text), "file.gltf", carrying());
+  ASSERT_EQ(outcome(file), "ok");
+  RewriteOptions options;
+  options.drop = {"all"};
+  const auto again = rewrite_gltf(*file, options);
+  ASSERT_TRUE(again) << again.error().issue.detail;
+  EXPECT_EQ(split_glb(again->file).json["bufferViews"],
+            Json::parse(R"([{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteLength": 0}])"));
+}
+
 TEST(rewrite_gltf, writes_text_and_a_buffer_that_say_the_same_as_a_glb) {
   const TinyGltf gltf = strange_file();
   RewriteOptions options;

@@ -314,6 +314,7 @@ TEST(tinygltf_view, differs_where_tinygltf_loses_what_the_file_says) {
   EXPECT_TRUE(document.nodes[0].extensions.is_null());
   EXPECT_EQ(document.meshes[0].primitives[0].mode, TINYGLTF_MODE_LINE);
   EXPECT_TRUE(document.meshes[0].primitives[0].attributes.contains(std::string("a\0b", 3)));
+  EXPECT_TRUE(static_cast<const tinygltf::Mesh&>(document.meshes[0]).primitives.empty()) << "they are not kept twice";
   EXPECT_EQ(document.meshes[0].target_names, (std::vector<std::string>{"a", "", "c"}));
   const gltf::Animation& animation = document.animations[0];
   ASSERT_EQ(animation.channels.size(), 2u);

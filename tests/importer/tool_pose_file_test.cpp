@@ -160,6 +160,28 @@ TEST(pose_input, names_the_place_of_what_it_refuses) {
   }
 }
 
+/// Whole JSON does not make up for what follows it: only the end of a compressed file says that its text is right.
+TEST(pose_input, refuses_a_compressed_file_whose_checksum_is_cut_off_or_wrong) {
+  const std::string file = temporary("sum.json.gz");
+  for (const bool is_cut : {true, false}) {
+    write(file, pose_with_odd_numbers());
+    ASSERT_TRUE(read_poses(file));
+    const auto size = std::filesystem::file_size(file);
+    if (is_cut) {
+      std::filesystem::resize_file(file, size - 6);
+    } else {
+      std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+      stream.seekp(static_cast<std::streamoff>(size) - 8);
+      stream.write("none", 4);
+    }
+    const auto read = read_poses(file);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().rule, "pose-file");
+    EXPECT_EQ(read.error().detail, "is damaged or cut short");
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(pose_input, refuses_a_compressed_file_that_is_cut_short_or_missing) {
   const std::string file = temporary("cut.json.gz");
   write(file, pose_with_odd_numbers());

@@ -126,6 +126,7 @@ TEST(vrm, springs_and_constraints_are_read_without_a_humanoid) {
   EXPECT_EQ(vrm.colliders[1].kind, VrmCollider::Kind::plane) << "the extended shape counts";
   ASSERT_THAT(vrm.springs, SizeIs(1));
   EXPECT_THAT(vrm.springs[0].colliders, ElementsAre(0u, 1u, 1u));
+  EXPECT_EQ(vrm.springs[0].center, joint_of(*result, 0));
   ASSERT_THAT(vrm.springs[0].joints, SizeIs(2));
   EXPECT_EQ(vrm.springs[0].joints[0].stiffness, 0.5f);
   EXPECT_EQ(vrm.springs[0].joints[0].gravity_direction, glm::vec3(1, 0, 0));

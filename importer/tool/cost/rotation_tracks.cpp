@@ -57,7 +57,6 @@ bool is_between_keys(const QuatTrack& track) {
 
 Animation rotations_only(const Animation& animation, Interpolation interpolation) {
   Animation out;
-  out.name = animation.name;
   out.duration_s = animation.duration_s;
   for (const BoneAnimation& bone : animation.bones) {
     if (!is_between_keys(bone.rotation)) continue;

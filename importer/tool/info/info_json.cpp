@@ -263,7 +263,6 @@ Json issue_json(const ImportIssue& issue) {
 
 /// What `sinew convert` refuses to lose unless it is told to, or why it would fail.
 std::vector<ImportIssue> lost_by_convert(const ImportedFile& file) {
-  if (file.carried == nullptr) return {};
   RewriteOptions options;
   options.drop = {"all"};
   options.buffer_uri = "any.bin";  // a document without its binary part is smaller

@@ -69,8 +69,10 @@ class UnpackedText {
     at_ = count_ = 0;
     if (file_ == nullptr || !fault_.empty()) return;
     const int got = gzread(file_, block_, sizeof block_);
-    if (got < 0) fault_ = kDamaged;
-    if (got <= 0) return;
+    if (got < 0) {
+      fault_ = kDamaged;
+      return;
+    }
     count_ = static_cast<std::size_t>(got);
     if (count_ > left_) fault_ = "unpacks to more than 256 times its size";
     left_ -= std::min<std::uint64_t>(left_, count_);
