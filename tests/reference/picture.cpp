@@ -157,10 +157,65 @@ void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, do
   behind.lit = behind.coverage - unlit;
 }
 
+/// Whether a surface blends in any order.
+bool is_weighted(const PictureOf& picture, const SurfacePoint& point) {
+  return picture.options.transparency == viewer::Transparency::weighted &&
+         point.material.alpha_mode == AlphaMode::blend && !transmits(point);
+}
+
+/// Adds the colour of a surface, all that it covers of a pixel.
+void add_surface(const PictureOf& picture, const SurfacePoint& point, double alpha, double x, double y, Layered& sum) {
+  const bool gooch = picture.options.shading == viewer::Shading::gooch;
+  if (gooch && !point.material.unlit)
+    sum.unlit += tone_of(picture, point) * alpha;
+  else
+    (point.material.unlit ? sum.unlit : sum.light) += radiance_of(picture, point, x, y) * alpha;
+  sum.coverage += alpha;
+  if (!gooch && !point.material.unlit) sum.lit += alpha;
+}
+
+/// Lays the surfaces that blend in any order over what is behind all of them.
+/// eq   McGuire and Bavoil (2013), eqs. 6 and 7: sum(w a c) / sum(w a) * (1 - product(1 - a)); the weight falls by 2^5
+///      from the nearest to the farthest distance at which such surfaces are
+void lay_weighted_over(const PictureOf& picture, const std::vector<SurfacePoint>& seen, double x, double y,
+                       Layered& behind) {
+  double nearest_m = 1e9, farthest_m = 0.0;
+  for (std::size_t i = 0; i < picture.scene.instances.size(); ++i)
+    for (const Primitive& primitive : picture.scene.meshes[picture.scene.instances[i].mesh].primitives) {
+      if (primitive.material == kNone) continue;
+      SurfacePoint point;
+      point.material = picture.scene.materials[primitive.material];
+      if (!is_weighted(picture, point)) continue;
+      const Affined view_from_mesh =
+          picture.view.view_from_world * affine_cast<double>(picture.frame.instances[i].world_from_mesh);
+      for (const glm::vec3& position : primitive.positions) {
+        const double distance_m = -transform_point(view_from_mesh, glm::dvec3(position)).z;
+        nearest_m = std::min(nearest_m, distance_m);
+        farthest_m = std::max(farthest_m, distance_m);
+      }
+    }
+  Layered sums;
+  double passed = 1.0;
+  for (const SurfacePoint& point : seen) {
+    if (!is_weighted(picture, point)) continue;
+    const double alpha = std::clamp(base_color(picture.scene, point).a, 0.0, 1.0),
+                 along = (point.distance_m - nearest_m) / std::max(farthest_m - nearest_m, 1e-30);
+    add_surface(picture, point, alpha * std::exp2(-5.0 * along), x, y, sums);
+    passed *= 1.0 - alpha;
+  }
+  if (sums.coverage <= 0.0) return;
+  const double scale = (1.0 - passed) / sums.coverage;
+  behind.light = behind.light * passed + sums.light * scale;
+  behind.unlit = behind.unlit * passed + sums.unlit * scale;
+  behind.coverage = behind.coverage * passed + sums.coverage * scale;
+  behind.lit = behind.lit * passed + sums.lit * scale;
+}
+
 Layered layered(const PictureOf& picture, double x, double y) {
   const std::vector<SurfacePoint> seen = layers(picture, x, y);
   Layered sum;
   for (auto point = seen.rbegin(); point != seen.rend(); ++point) {
+    if (is_weighted(picture, *point)) continue;
     const bool blended = point->material.alpha_mode == AlphaMode::blend;
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
     if (transmits(*point) && picture.options.shading != viewer::Shading::gooch) {
@@ -170,15 +225,10 @@ Layered layered(const PictureOf& picture, double x, double y) {
     }
     for (double* below : {&sum.coverage, &sum.lit}) *below *= 1.0 - alpha;
     for (glm::dvec3* below : {&sum.light, &sum.unlit}) *below *= 1.0 - alpha;
-    const bool gooch = picture.options.shading == viewer::Shading::gooch;
-    if (gooch && !point->material.unlit)
-      sum.unlit += tone_of(picture, *point) * alpha;
-    else
-      (point->material.unlit ? sum.unlit : sum.light) += radiance_of(picture, *point, x, y) * alpha;
-    sum.coverage += alpha;
-    if (!gooch && !point->material.unlit) sum.lit += alpha;
-    if (gooch && !blended) sum.unlit *= 1.0 - outline_at(picture, x, y);
+    add_surface(picture, *point, alpha, x, y, sum);
+    if (picture.options.shading == viewer::Shading::gooch && !blended) sum.unlit *= 1.0 - outline_at(picture, x, y);
   }
+  lay_weighted_over(picture, seen, x, y, sum);
   return sum;
 }
 

@@ -27,6 +27,7 @@ struct PictureOf {
 ///      displayed = sRGB(mix(background, (lit * tone curve(exposure * light / lit) + unlit colours) / coverage,
 ///      coverage)) lit = the share of surfaces that are not KHR_materials_unlit, whose light alone is exposed
 ///      KHR_materials_transmission: light + below * its share that passes through, instead of below * (1 - alpha)
+///      Transparency::weighted: surfaces that blend lie over all others as a weighted mean (eq in picture.cpp)
 ///      Gooch shading: tones (tests/reference/gooch.h) and outlines on opaque surfaces instead of light
 /// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);

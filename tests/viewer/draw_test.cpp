@@ -377,6 +377,7 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
       for (const bool blur : {true, false}) {
         RenderOptions options;
         options.show = show;
+        options.transparency = occlusion == blur ? Transparency::weighted : Transparency::sorted;
         options.ao.on = occlusion;
         options.ao.blur = blur;
         options.smooth_edges = occlusion;

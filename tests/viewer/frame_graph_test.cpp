@@ -59,6 +59,19 @@ TEST(frame_graph, P17_has_no_pass_for_ambient_access_that_comes_with_the_vertice
   EXPECT_TRUE(FrameGraph({.blended = true, .occlusion = false, .baked = true}).vertex_access);
 }
 
+TEST(frame_graph, sums_what_blends_in_any_order_behind_what_is_sorted) {
+  const FrameGraph both({.opaque = true, .blended = true, .weighted = true, .ambient = false});
+  EXPECT_THAT(std::vector<Pass>(both.begin(), both.end()),
+              ElementsAre(Pass::opaque, Pass::transparent, Pass::weighted, Pass::tonemap));
+  EXPECT_TRUE(both.weighted_images);
+  EXPECT_FALSE(FrameGraph({.opaque = true, .blended = true}).weighted_images);
+  const FrameNeeds alone{.weighted = true, .occlusion = false, .baked = true, .auto_exposure = true};
+  EXPECT_TRUE(FrameGraph(alone).has(Pass::exposure));
+  EXPECT_TRUE(FrameGraph(alone).vertex_access);
+  EXPECT_TRUE(FrameGraph({.weighted = true, .shadows = true}).has(Pass::shadow));
+  EXPECT_FALSE(FrameGraph({.weighted = true, .show = Show::normals}).weighted_images) << "buffers show what is opaque";
+}
+
 TEST(frame_graph, has_no_transparent_pass_without_blended_materials) {
   EXPECT_FALSE(FrameGraph({.opaque = true}).has(Pass::transparent));
   EXPECT_TRUE(FrameGraph({.opaque = true, .blended = true}).has(Pass::transparent));

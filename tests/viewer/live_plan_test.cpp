@@ -40,7 +40,7 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
   EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao",
                                   "blur_horizontal", "blur_vertical", "opaque", "outline", "ground", "transparent",
-                                  "exposure", "tonemap", "show", "overlay"));
+                                  "weighted", "exposure", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
@@ -125,10 +125,11 @@ TEST(live_plan, becomes_a_table_of_text) {
 }
 
 TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
-  for (std::uint32_t bits = 0; bits < 2048; ++bits)
+  for (std::uint32_t bits = 0; bits < 4096; ++bits)
     for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth, Show::level}) {
       const FrameNeeds needs{.opaque = (bits & 1) != 0,
                              .blended = (bits & 2) != 0,
+                             .weighted = (bits & 2048) != 0,
                              .overlay = (bits & 4) != 0,
                              .unlit = (bits & 256) != 0,
                              .gooch = (bits & 1024) != 0,
@@ -140,7 +141,7 @@ TEST(pass_stages, agree_with_the_frame_graph_and_always_say_why) {
                              .ground = (bits & 128) != 0,
                              .show = show};
       const FrameGraph graph(needs);
-      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 2, {64, 48}, {32, 24}})) {
+      for (const PassStage& stage : describe_passes(needs, {9, 7, 3, 5, 2, {64, 48}, {32, 24}})) {
         EXPECT_EQ(stage.runs, graph.has(stage.pass)) << name_of(stage.pass) << ' ' << bits;
         EXPECT_GT(stage.reason.size(), 10u) << name_of(stage.pass) << ' ' << bits;
         EXPECT_EQ(stage.count > 0, stage.runs) << name_of(stage.pass) << ' ' << bits;

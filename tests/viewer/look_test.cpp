@@ -195,5 +195,45 @@ TEST_F(look, P14_deformed_meshes_are_culled_by_the_box_of_their_vertices) {
   EXPECT_EQ(draw_count({}), 1u) << "not asked for: drawn";
 }
 
+TEST_F(look, what_blends_in_any_order_lies_between_the_ends_of_its_bounds) {
+  Seen seen;
+  Material glass = matte(glm::vec3(0.5f));
+  glass.alpha_mode = AlphaMode::blend;
+  seen.built.scene.materials = {glass};
+  for (Mesh& mesh : seen.built.scene.meshes) mesh.primitives[0].material = 0;
+  const Primitive shape = square(0.5f);
+  seen.built.deform(0, shape.positions, shape.normals);
+  const auto range_of = [&](const Aabb& bounds, Transparency transparency = Transparency::weighted) {
+    FrameResult result = seen.built.frame();
+    InstanceResult instance = result.instances[0];
+    instance.bounds = bounds;
+    result.instances = {&instance, 1};
+    const SceneUpload scene(*test_device(), seen.built.scene);
+    FrameUpload frame(*test_device(), seen.built.scene, 1);
+    frame.update(0, result);
+    const DrawnScene drawn{&scene, &frame};
+    DrawList draws;
+    draws.collect({&drawn, 1}, 0, seen.view, 1.0, 1.0f, false, transparency);
+    EXPECT_EQ(draws.weighted().size(), transparency == Transparency::weighted ? 1u : 0u);
+    EXPECT_EQ(draws.blended().size(), transparency == Transparency::weighted ? 0u : 1u);
+    return draws.weighted_range();
+  };
+  const auto distance = [&](const glm::vec3& point) {
+    return static_cast<float>(-transform_point(seen.view.view_from_world, glm::dvec3(point)).z);
+  };
+  const Aabb box{{-0.5f, -0.25f, -0.5f}, {0.5f, 0.25f, 0.5f}};
+  float nearest = 1e9f, farthest = 0.0f;
+  for (int corner = 0; corner < 8; ++corner) {
+    const float at = distance({corner & 1 ? 0.5f : -0.5f, corner & 2 ? 0.25f : -0.25f, corner & 4 ? 0.5f : -0.5f});
+    nearest = std::min(nearest, at);
+    farthest = std::max(farthest, at);
+  }
+  EXPECT_NEAR(range_of(box).nearest_m, nearest, 1e-5f);
+  EXPECT_NEAR(range_of(box).farthest_m, farthest, 1e-5f);
+  EXPECT_EQ(range_of({}).nearest_m, range_of({}).farthest_m) << "without bounds it is at its centre";
+  EXPECT_NEAR(range_of({}).nearest_m, distance({0, 0, 0}), 1e-5f);
+  range_of(box, Transparency::sorted);
+}
+
 }  // namespace
 }  // namespace sinew::viewer

@@ -176,6 +176,12 @@ TEST(options, accept_each_filter_of_textures) {
   EXPECT_EQ(accepted({"--filter", "anisotropic=16"}).filter, (TextureFilter{FilterKind::anisotropic, 16}));
 }
 
+TEST(options, accept_each_order_of_what_blends) {
+  EXPECT_EQ(accepted({}).transparency, Transparency::sorted);
+  EXPECT_EQ(accepted({"--transparency", "sorted"}).transparency, Transparency::sorted);
+  EXPECT_EQ(accepted({"--transparency", "weighted"}).transparency, Transparency::weighted);
+}
+
 TEST(options, accept_each_interpolation_of_normals) {
   EXPECT_EQ(accepted({}).normals, NormalInterpolation::interpolated);
   EXPECT_EQ(accepted({"--normals", "interpolated"}).normals, NormalInterpolation::interpolated);
@@ -229,6 +235,7 @@ TEST(options, refuse_wrong_usage_with_code_2_and_name_the_place) {
       {{"--size", "640x360x"}, "640x360x"},
       {{"--skinning", "cubic"}, "linear, dual-quaternion, center-of-rotation"},
       {{"--normals", "slerp"}, "interpolated, quaternion"},
+      {{"--transparency", "peeled"}, "sorted, weighted"},
       {{"--filter", "linear"}, "nearest, bilinear, trilinear, ripmap"},
       {{"--filter", "anisotropic"}, "anisotropic=8"},
       {{"--filter", "anisotropic=1"}, "2 to 16"},

@@ -258,6 +258,21 @@ TEST_F(PanelTest, looks_are_chosen_from_lists) {
   }
 }
 
+TEST_F(PanelTest, the_order_of_what_blends_is_chosen_where_something_does) {
+  Playback playback(scene_);
+  frame(playback);
+  frame(playback);
+  const int without = ImGui::GetDrawData()->TotalVtxCount;
+  scene_.materials.emplace_back().alpha_mode = AlphaMode::blend;
+  frame(playback);
+  frame(playback);
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, without);
+  choose("blended", "weighted", playback);
+  EXPECT_EQ(settings_.transparency, Transparency::weighted);
+  choose("blended", "sorted", playback);
+  EXPECT_EQ(settings_.transparency, Transparency::sorted);
+}
+
 TEST_F(PanelTest, cameras_variants_and_clips_are_those_of_the_file) {
   scene_.cameras = {{.name = "front", .joint = 0}, {.name = "unused", .joint = kNone}, {.name = "side", .joint = 0}};
   scene_.variants = {"day", "night"};

@@ -14,6 +14,7 @@ TEST(settings, begin_as_the_command_line_says) {
   Options options;
   options.show = Show::depth;
   options.normals = NormalInterpolation::quaternion;
+  options.transparency = Transparency::weighted;
   options.ambient_occlusion = false;
   options.skinning = Skinning::dual_quaternion;
   options.cache_weight = 0.25f;
@@ -28,6 +29,8 @@ TEST(settings, begin_as_the_command_line_says) {
   const Settings settings = settings_from(options, scene);
   EXPECT_EQ(settings.show, Show::depth);
   EXPECT_EQ(settings.normals, NormalInterpolation::quaternion);
+  EXPECT_EQ(settings.transparency, Transparency::weighted);
+  EXPECT_EQ(render_options(settings, nullptr, {}, {0, 0, 5}).transparency, Transparency::weighted);
   EXPECT_FALSE(settings.ambient_occlusion);
   EXPECT_EQ(settings.skinning, Skinning::dual_quaternion);
   EXPECT_EQ(settings.cache_weight, 0.25f);

@@ -162,6 +162,12 @@ void add_picture_options(CLI::App& app, Options& options) {
                                                              {{"interpolated", NormalInterpolation::interpolated},
                                                               {"quaternion", NormalInterpolation::quaternion}});
               });
+  text_option(app, "--transparency", "HOW",
+              "blended surfaces: sorted, or weighted: in any order, for those that intersect (sorted)",
+              [&](const std::string& text) {
+                options.transparency = named<Transparency>(
+                    "--transparency", text, {{"sorted", Transparency::sorted}, {"weighted", Transparency::weighted}});
+              });
   auto* method = text_option(
       app, "--ao", "METHOD", "ambient occlusion: gtao (horizons), ssao (points around), or rays at vertices (gtao)",
       [&](const std::string& text) {

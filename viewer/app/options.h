@@ -47,6 +47,7 @@ struct Options {
   TextureFilter filter;
   Shading shading = Shading::physical;
   NormalInterpolation normals = NormalInterpolation::interpolated;
+  Transparency transparency = Transparency::sorted;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   std::uint32_t key_poses = 1;  ///< of the clip, for which rays are cast; 1 = the rest pose

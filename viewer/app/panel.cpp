@@ -187,6 +187,12 @@ void variant_choice(const Scene& scene, Settings& settings) {
   ImGui::EndCombo();
 }
 
+void transparency_choice(const Scene& scene, Settings& settings) {
+  const bool blends = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                  [](const Material& material) { return material.alpha_mode == AlphaMode::blend; });
+  if (blends) choice("blended", {"sorted", "weighted"}, settings.transparency);
+}
+
 void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wishes) {
   camera_choice(*facts.scene, settings);
   variant_choice(*facts.scene, settings);
@@ -216,6 +222,7 @@ void look_controls(const PanelFacts& facts, Settings& settings, PanelWishes& wis
   ImGui::RadioButton("level", &show, static_cast<int>(Show::level));
   settings.show = static_cast<Show>(show);
   light_controls(settings);
+  transparency_choice(*facts.scene, settings);
   const Framing before = settings.framing;
   choice("frame", {"clip", "pose", "follow"}, settings.framing);
   wishes.frame_all |= settings.framing != before;

@@ -15,6 +15,7 @@ Settings settings_from(const Options& options, const Scene& scene) {
   settings.show = options.show;
   settings.shading = options.shading;
   settings.normals = options.normals;
+  settings.transparency = options.transparency;
   settings.ambient_occlusion = options.ambient_occlusion;
   settings.occlusion_method = options.occlusion_method;
   settings.environment_turn_deg = options.environment_turn_deg;
@@ -90,6 +91,7 @@ RenderOptions render_options(const Settings& settings, std::shared_ptr<const Env
   options.show = settings.show;
   options.shading = settings.shading;
   options.normals = settings.normals;
+  options.transparency = settings.transparency;
   options.lighting.environment = std::move(environment);
   options.lighting.environment_intensity = settings.environment_intensity;
   options.lighting.environment_turn_rad = glm::radians(settings.environment_turn_deg);

@@ -13,6 +13,7 @@ struct Settings {
   Show show = Show::color;
   Shading shading = Shading::physical;
   NormalInterpolation normals = NormalInterpolation::interpolated;
+  Transparency transparency = Transparency::sorted;
   bool ambient_occlusion = true;
   OcclusionMethod occlusion_method = AmbientOcclusion{}.method;
   bool shadows = true;

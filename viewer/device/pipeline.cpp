@@ -16,12 +16,13 @@ Factors factors_of(Blending blending) noexcept {
     case Blending::straight: return {VK_BLEND_FACTOR_SRC_ALPHA, rest, one, rest};
     case Blending::filter: return {zero, VK_BLEND_FACTOR_SRC_COLOR, one, rest};
     case Blending::uncovered: return {uncovered, one, uncovered, one};
-    case Blending::add: return {one, one, one, one};
+    case Blending::add:
+    case Blending::weighted: return {one, one, one, one};
     default: return {one, rest, one, rest};
   }
 }
 
-std::array<VkPipelineColorBlendAttachmentState, 2> blend_states(const PipelineShape& shape) {
+std::array<VkPipelineColorBlendAttachmentState, kMostColors> blend_states(const PipelineShape& shape) {
   VkPipelineColorBlendAttachmentState blend{};
   blend.colorWriteMask =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
@@ -32,8 +33,12 @@ std::array<VkPipelineColorBlendAttachmentState, 2> blend_states(const PipelineSh
   blend.srcAlphaBlendFactor = factors.alpha;
   blend.dstAlphaBlendFactor = factors.stored_alpha;
   VkPipelineColorBlendAttachmentState second = blend;
-  if (!shape.adds_second) second.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
-  return {blend, second};
+  if (shape.blending == Blending::weighted) {
+    second.dstColorBlendFactor = second.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  } else if (!shape.adds_second) {
+    second.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+  }
+  return {blend, second, blend};
 }
 
 std::vector<VkDynamicState> dynamic_states(const PipelineShape& shape) {
@@ -76,9 +81,8 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   depth.depthCompareOp = shape.depth_compare;
   const auto attachments = blend_states(shape);
   const bool draws_color = shape.color_format != VK_FORMAT_UNDEFINED;
-  const std::uint32_t colors = !draws_color ? 0 : shape.second_color ? 2 : 1;
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  blend.attachmentCount = colors;
+  blend.attachmentCount = draws_color ? shape.colors : 0;
   blend.pAttachments = attachments.data();
   const std::vector<VkDynamicState> states = dynamic_states(shape);
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
@@ -86,7 +90,7 @@ VkPipeline make_pipeline(const Device& device, VkPipelineLayout layout, const Pi
   dynamic.pDynamicStates = states.data();
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
   rendering.colorAttachmentCount = blend.attachmentCount;
-  const std::array formats = {shape.color_format, shape.color_format};
+  const std::array<VkFormat, kMostColors> formats = {shape.color_format, shape.color_format, shape.color_format};
   rendering.pColorAttachmentFormats = formats.data();
   rendering.depthAttachmentFormat = shape.depth ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_UNDEFINED;
 

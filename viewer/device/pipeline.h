@@ -9,6 +9,7 @@
 namespace sinew::viewer {
 
 inline constexpr std::size_t kShaderConstants = 40;
+inline constexpr std::size_t kMostColors = 3;  ///< attachments of a pass
 
 /// What becomes of a drawn colour s over the stored one d. The second attachment of a frame stores light that is shown
 /// as it is, and its share of the coverage.
@@ -17,17 +18,19 @@ enum class Blending : std::uint8_t {
   straight,   ///< s s.a + d (1 - s.a)
   filter,     ///< d s, coverage s.a + d.a (1 - s.a);   second: d s, share d.a (1 - s.a)
   uncovered,  ///< d + s (1 - d.a), coverage too: behind what is drawn; shaders give the second no colour
-  add         ///< d + s; the same
+  add,        ///< d + s; the same
+  weighted    ///< sums, d + s;   second: coverage, s + d (1 - s);   third: sums, too
 };
 
-/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, one
-/// colour attachment or two of one format, reversed depth.
+/// What differs between the graphics pipelines. The rest is fixed: dynamic rendering, dynamic viewport and scissor, up
+/// to three colour attachments of one format, reversed depth.
 struct PipelineShape {
   Shader vertex = Shader::full_screen_vert, fragment = Shader::tonemap_frag;
   std::array<std::uint32_t, kShaderConstants> constants{};  ///< specialisation constants of both shaders, by their ids
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkFormat color_format = VK_FORMAT_UNDEFINED;
-  bool second_color = false;  ///< a second attachment: what blends over it covers it, but adds no coverage
+  std::uint32_t colors = 1;   ///< attachments, where there is a format; what blends over the second covers it, but adds
+                              ///< no coverage
   bool adds_second = false;   ///< what blends adds its own coverage to the second attachment
   std::uint32_t samples = 1;  ///< of the attachments: 1 or 4
   bool depth = false;         ///< there is a D32 depth attachment

@@ -35,6 +35,14 @@ void choose_key_poses(Draw& draw, const PrimitiveBuffers& own, std::size_t verti
   draw.offsets[access + 1] += VkDeviceSize{kAttributeBytes[access]} * vertices * blend.next;
 }
 
+/// Distances of a box from the eye plane.
+DepthRange range_of(const Affine& view_from_box, const Aabb& box) {
+  const glm::vec4 row = view_from_box.row[2];
+  const glm::vec3 middle = 0.5f * (box.lower + box.upper), half = 0.5f * (box.upper - box.lower);
+  const float distance = -(glm::dot(glm::vec3(row), middle) + row.w), reach = glm::dot(glm::abs(glm::vec3(row)), half);
+  return {distance - reach, distance + reach};
+}
+
 /// Number of draws of an instance that is in view.
 std::uint32_t draws_of(const MeshInstance& instance, const Mesh& mesh) {
   const auto drawn = std::count_if(mesh.primitives.begin(), mesh.primitives.end(),
@@ -55,13 +63,15 @@ SurfaceFeatures surface_of(const Primitive& primitive, const MaterialFeatures& m
 }  // namespace
 
 void DrawList::collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
-                       float point_size, bool casters) {
+                       float point_size, bool casters, Transparency transparency) {
   opaque_.clear();
   blended_.clear();
+  weighted_.clear();
+  weighted_range_ = {};
   casters_.clear();
   unlit_ = reads_table_ = false;
   hidden_ = out_of_view_ = 0;
-  const Frame frame{slot, view, aspect, point_size, casters};
+  const Frame frame{slot, view, aspect, point_size, casters, transparency};
   for (const DrawnScene& drawn : scenes) {
     const FrameVertices& vertices = drawn.frame->vertices(slot);
     const Scene& scene = drawn.scene->scene();
@@ -88,7 +98,9 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
   const FrameVertices& vertices = drawn.frame->vertices(frame.slot);
   const Scene& scene = drawn.scene->scene();
   const MeshSet& meshes = drawn.scene->meshes();
-  const Affine view_from_mesh = affine_cast<float>(view_from_mesh_d);
+  const Affine view_from_mesh = affine_cast<float>(view_from_mesh_d),
+               view_from_world = affine_cast<float>(frame.view.view_from_world);
+  const Aabb& bounds = vertices.instances[instance].bounds;
   const std::uint32_t mesh_index = scene.instances[instance].mesh;
   const Mesh& mesh = scene.meshes[mesh_index];
   for (std::uint32_t p = 0; p < mesh.primitives.size(); ++p) {
@@ -97,8 +109,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     if (own.index_count == 0) continue;
     const DeformedBuffers& deformed = vertices.primitives[vertices.instances[instance].first_primitive + p];
     const bool moved = deformed.positions != kAbsent;  // then only the bounds of the whole instance are known
-    const bool out_of_view = moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world,
-                                                    vertices.instances[instance].bounds)
+    const bool out_of_view = moved ? is_out_of_view(frame.view, frame.aspect, frame.view.view_from_world, bounds)
                                    : is_out_of_view(frame.view, frame.aspect, view_from_mesh_d, primitive.bounds);
     out_of_view_ += out_of_view;
     if (out_of_view && !frame.casters) continue;
@@ -129,8 +140,20 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);
     const LayerFeatures& layers = draw.surface.material.layers;
     reads_table_ = reads_table_ || (!out_of_view && (layers.sheen || layers.transmission));
-    if (!out_of_view) (sorted ? blended_ : opaque_).push_back(draw);
+    if (out_of_view) continue;
+    if (sorted && !draw.transmits && frame.transparency == Transparency::weighted)
+      add_weighted(draw, moved && !bounds.empty() ? range_of(view_from_world, bounds)
+                         : moved                  ? DepthRange{draw.distance, draw.distance}
+                                                  : range_of(view_from_mesh, primitive.bounds));
+    else
+      (sorted ? blended_ : opaque_).push_back(draw);
   }
+}
+
+void DrawList::add_weighted(const Draw& draw, const DepthRange& range) {
+  const DepthRange before = weighted_.empty() ? range : weighted_range_;
+  weighted_range_ = {std::min(before.nearest_m, range.nearest_m), std::max(before.farthest_m, range.farthest_m)};
+  weighted_.push_back(draw);
 }
 
 }  // namespace sinew::viewer

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
 #include "viewer/upload/scene_upload.h"
@@ -58,17 +59,21 @@ struct Draw {
 struct DrawnScene;
 
 /// The draws of a frame: opaque and masked ones in the order of the scene; blended ones, and those that light passes
-/// through, from far to near.
+/// through, from far to near. With Transparency::weighted those that only blend are apart, in the order of the scene.
 class DrawList {
  public:
   /// Collects the draws of the scenes, without instances that are hidden and primitives that are out of view.
   /// in   aspect  width / height of the picture;   casters  collects what casts shadows, too
+  ///      transparency  weighted: what only blends is in weighted(), not in blended()
   /// cost O(primitives); allocates only while the number of draws grows
   void collect(std::span<const DrawnScene> scenes, std::uint32_t slot, const View& view, double aspect,
-               float point_size, bool casters = false);
+               float point_size, bool casters = false, Transparency transparency = Transparency::sorted);
 
   std::span<const Draw> opaque() const noexcept { return opaque_; }
   std::span<const Draw> blended() const noexcept { return blended_; }
+  std::span<const Draw> weighted() const noexcept { return weighted_; }
+  /// Of the bounds of weighted().
+  DepthRange weighted_range() const noexcept { return weighted_range_; }
   /// Opaque and masked triangles, also those that are out of view.
   std::span<const Draw> casters() const noexcept { return casters_; }
   bool unlit() const noexcept { return unlit_; }  ///< some draw that is in view is unlit
@@ -87,11 +92,14 @@ class DrawList {
     double aspect;
     float point_size;
     bool casters;
+    Transparency transparency;
   };
   void add(const Frame& frame, const DrawnScene& drawn, std::size_t instance, const Affined& view_from_mesh,
            bool mirrored);
+  void add_weighted(const Draw& draw, const DepthRange& range);
 
-  std::vector<Draw> opaque_, blended_, casters_;
+  std::vector<Draw> opaque_, blended_, weighted_, casters_;
+  DepthRange weighted_range_;
   bool unlit_ = false, reads_table_ = false;
   std::uint32_t hidden_ = 0, out_of_view_ = 0;
 };

@@ -8,7 +8,7 @@ namespace sinew::viewer {
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
       "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque", "outline",
-      "ground", "transparent",  "exposure", "tonemap",         "show",          "overlay"};
+      "ground", "transparent",  "weighted", "exposure",        "tonemap",       "show",   "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -31,7 +31,8 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
     if (outlined) add(Pass::outline);
     if (needs.ground) add(Pass::ground);
     if (needs.blended) add(Pass::transparent);
-    if (needs.auto_exposure && (needs.opaque || needs.blended)) add(Pass::exposure);
+    if (needs.weighted) add(Pass::weighted);
+    if (needs.auto_exposure && (needs.opaque || needs.blended || needs.weighted)) add(Pass::exposure);
     add(Pass::tonemap);
   } else {
     add(Pass::show);
@@ -44,6 +45,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   normal_image = occlusion || outlined || needs.show == Show::normals || needs.show == Show::level ||
                  (vertex_access && needs.show == Show::ao);
   color_image = picture;
+  weighted_images = has(Pass::weighted);
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;
   shadow_image = needs.shadowed();

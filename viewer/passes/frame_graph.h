@@ -19,20 +19,22 @@ enum class Pass : std::uint8_t {
   outline,  ///< of Gooch shading: lines at silhouettes and creases
   ground,   ///< shadows and contact on a level ground, and its grid
   transparent,
+  weighted,  ///< weighted sums of blended surfaces, which lie over the picture where that is read
   exposure,  ///< automatic: from the light of the picture
   tonemap,
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 13;
+inline constexpr std::size_t kPassCount = 14;
 
 std::string_view name_of(Pass pass) noexcept;
 
 /// What a frame contains and what was asked for.
 struct FrameNeeds {
-  bool opaque = false;  ///< something opaque or masked is visible
-  bool blended = false;
-  bool overlay = false;  ///< lines or a panel
+  bool opaque = false;    ///< something opaque or masked is visible
+  bool blended = false;   ///< something is visible that is drawn from far to near
+  bool weighted = false;  ///< something is visible that blends in any order
+  bool overlay = false;   ///< lines or a panel
   bool unlit = false;    ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
   bool gooch = false;    ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
   bool shadows = false;  ///< a light casts them
@@ -46,7 +48,7 @@ struct FrameNeeds {
   Show show = Show::color;
 
   /// Some pass reads the shadow map.
-  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended || ground); }
+  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended || weighted || ground); }
 
   /// Some pass reads normals and depth to draw lines.
   bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
@@ -58,7 +60,7 @@ struct FrameNeeds {
 
   /// Some pass reads ambient access of the vertices.
   bool reads_baked() const noexcept {
-    return (opaque || blended) && baked && (show == Show::ao || (show == Show::color && ambient));
+    return (opaque || blended || weighted) && baked && (show == Show::ao || (show == Show::color && ambient));
   }
 };
 
@@ -74,6 +76,7 @@ class FrameGraph {
 
   bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
   bool exposure_image = false;
+  bool weighted_images = false;  ///< sums of colours and weights, and coverage; with an unlit image unlit sums, too
   bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
   bool vertex_access = false;    ///< vertices bring their ambient access
   bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there

@@ -96,10 +96,16 @@ namespace {
 FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const FrameInputs& inputs,
                       const FrameTargets& targets, double collect_us) {
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
-             blended = static_cast<std::uint32_t>(draws.blended().size());
-  const PassWork work{static_cast<std::uint32_t>(draws.casters().size()),  opaque,           blended,
-                      static_cast<std::uint32_t>(inputs.lines.size() / 2), targets.extent(), targets.ao_extent()};
-  return {describe_passes(needs, work), opaque + blended, draws.out_of_view(), draws.hidden(), collect_us};
+             blended = static_cast<std::uint32_t>(draws.blended().size()),
+             weighted = static_cast<std::uint32_t>(draws.weighted().size());
+  const PassWork work{.caster_draws = static_cast<std::uint32_t>(draws.casters().size()),
+                      .opaque_draws = opaque,
+                      .blended_draws = blended,
+                      .weighted_draws = weighted,
+                      .lines = static_cast<std::uint32_t>(inputs.lines.size() / 2),
+                      .extent = targets.extent(),
+                      .ao_extent = targets.ao_extent()};
+  return {describe_passes(needs, work), opaque + blended + weighted, draws.out_of_view(), draws.hidden(), collect_us};
 }
 
 bool is_gooch(const FrameInputs& inputs) { return inputs.options.shading == Shading::gooch; }
@@ -121,6 +127,7 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
           .auto_exposure = graph.exposure_image,
           .unlit_image = graph.unlit_image,
+          .weighted = graph.weighted_images,
           .gooch = is_gooch(inputs),
           .shows_level = inputs.options.show == Show::level,
           .quaternion_normals = inputs.options.normals == NormalInterpolation::quaternion,
@@ -128,11 +135,19 @@ FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, st
           .light_count = light_count(inputs.options, lights)};
 }
 
+/// Of surfaces at one distance all weigh the same.
+glm::vec2 weighted_range(const DepthRange& range) {
+  const float depth_m = range.farthest_m - range.nearest_m;
+  return {range.nearest_m, depth_m > 0.0f ? 1.0f / depth_m : 0.0f};
+}
+
 FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLight& shadow) {
-  const bool gooch = is_gooch(inputs), visible = !draws.opaque().empty() || !draws.blended().empty();
+  const bool gooch = is_gooch(inputs),
+             visible = !draws.opaque().empty() || !draws.blended().empty() || !draws.weighted().empty();
   const bool ground = !gooch || inputs.options.ground.look == GroundLook::grid;
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
+          .weighted = !draws.weighted().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
           .unlit = draws.unlit() || (gooch && visible),
           .gooch = gooch,
@@ -159,7 +174,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const ShadowLight shadow = is_gooch(inputs) ? ShadowLight{} : shadow_light(inputs.view, inputs.options, state.lights);
   const bool casters = shadow.index != kNone && inputs.options.show == Show::color;
   state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
-                      std::min(kPointPixels, state.device.max_point_size()), casters);
+                      std::min(kPointPixels, state.device.max_point_size()), casters, inputs.options.transparency);
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   const FrameNeeds needs = needs_of(state.draws, inputs, shadow);
   const FrameGraph graph(needs);
@@ -168,9 +183,10 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const bool occlusion = graph.ao_image;
   if (reads_environment(inputs)) state.environment.show(inputs.options.lighting.environment);
   if (state.draws.reads_table() && !is_gooch(inputs)) state.environment.show_table();
-  slot.set.write(
-      make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel),
-      state.targets, state.environment, graph.has(Pass::normal_depth));
+  FrameUniforms uniforms =
+      make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel);
+  uniforms.weighted_range = weighted_range(state.draws.weighted_range());
+  slot.set.write(uniforms, state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
 
   const PassContext context{commands,

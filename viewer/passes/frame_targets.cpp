@@ -19,6 +19,9 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::color_samples:
     case Target::unlit_samples:
+    case Target::weighted_sums_samples:
+    case Target::weighted_coverage_samples:
+    case Target::weighted_unlit_samples:
       return {kColorFormat, full, 1, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false, kSmoothSamples};
     case Target::depth_samples:
       return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, false, kSmoothSamples};
@@ -26,7 +29,10 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
     case Target::exposure: return {kExposureFormat, {1, 1}, 1, color};
     case Target::normals: return {kNormalFormat, full, 1, color};
     case Target::color:
-    case Target::unlit: return {kColorFormat, full, 1, color};
+    case Target::unlit:
+    case Target::weighted_sums:
+    case Target::weighted_coverage:
+    case Target::weighted_unlit: return {kColorFormat, full, 1, color};
     default: return {kAoFormat, access, 1, color};
   }
 }
@@ -50,12 +56,25 @@ FrameTargets::FrameTargets(const Device& device, std::uint32_t ao_step)
 
 void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
   const bool resized = extent.width != extent_.width || extent.height != extent_.height;
-  const std::array<bool, kTargetCount> wanted = {graph.depth_image,    graph.normal_image,
-                                                 graph.ao_image,       graph.half_blurred_ao,
-                                                 graph.color_image,    graph.shadow_image,
-                                                 graph.sampled,        graph.sampled,
-                                                 graph.unlit_image,    graph.unlit_image && graph.sampled,
-                                                 graph.exposure_image, graph.exposure_image};
+  const bool weighted = graph.weighted_images, weighted_unlit = weighted && graph.unlit_image;
+  const std::array<bool, kTargetCount> wanted = {graph.depth_image,
+                                                 graph.normal_image,
+                                                 graph.ao_image,
+                                                 graph.half_blurred_ao,
+                                                 graph.color_image,
+                                                 graph.shadow_image,
+                                                 graph.sampled,
+                                                 graph.sampled,
+                                                 graph.unlit_image,
+                                                 graph.unlit_image && graph.sampled,
+                                                 graph.exposure_image,
+                                                 graph.exposure_image,
+                                                 weighted,
+                                                 weighted,
+                                                 weighted_unlit,
+                                                 weighted && graph.sampled,
+                                                 weighted && graph.sampled,
+                                                 weighted_unlit && graph.sampled};
   bool changed = resized;
   for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
   if (!changed) return;

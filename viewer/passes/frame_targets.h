@@ -20,9 +20,15 @@ enum class Target : std::uint8_t {
   unlit,
   unlit_samples,
   light_sums,  ///< of the automatic exposure
-  exposure
+  exposure,
+  weighted_sums,  ///< colours of blended surfaces times coverage and weight; alpha: the weights
+  weighted_coverage,
+  weighted_unlit,  ///< as the sums, of unlit surfaces alone
+  weighted_sums_samples,
+  weighted_coverage_samples,
+  weighted_unlit_samples
 };
-inline constexpr std::size_t kTargetCount = 12;
+inline constexpr std::size_t kTargetCount = 18;
 
 inline constexpr std::uint32_t kSmoothSamples = 4;  ///< a pixel, of color_samples and depth_samples
 

@@ -50,9 +50,9 @@ struct FrameUniforms {
   glm::vec3 ground_z{0.0f};
   float padding = 0.0f;
   glm::vec2 ground_grid_offset{0.0f};  ///< metres from a corner of the grid to the middle of the ground
-  glm::vec2 more_padding{0.0f};
-  glm::vec4 ground_reach{0.0f};  ///< least x and z, most x and z of what is drawn, from the middle
-  glm::vec4 background{0.0f};    ///< linear
+  glm::vec2 weighted_range{0.0f};      ///< least distance of what blends by weights, and 1 / (most - least)
+  glm::vec4 ground_reach{0.0f};        ///< least x and z, most x and z of what is drawn, from the middle
+  glm::vec4 background{0.0f};          ///< linear
   std::array<glm::vec4, kMostOcclusionSamples> offsets{};
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};

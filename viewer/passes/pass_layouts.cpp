@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, access, colour
 constexpr std::uint32_t kFrameBindings =
-    1 + kTargetBindings + 5;  // uniforms before; environment, split sum, shadow map, unlit colours, exposure behind
+    1 + kTargetBindings +
+    8;  // uniforms before; environment, split sum, shadow map, unlit colours, exposure, three of weighted sums behind
 
 }  // namespace
 
@@ -80,12 +81,15 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
     const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
                                                        s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
     const VkImageView shadow = s == 0 ? targets.view(Target::shadow) : targets.nothing();
-    const std::array<VkDescriptorImageInfo, 5> others = {
+    const std::array<VkDescriptorImageInfo, 8> others = {
         environment.environment(),
         environment.split_sum(),
         {nearest_, shadow, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
         {nearest_, targets.view(Target::unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
-        {nearest_, targets.view(s == 0 ? Target::exposure : Target::light_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
+        {nearest_, targets.view(s == 0 ? Target::exposure : Target::light_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {nearest_, targets.view(Target::weighted_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {nearest_, targets.view(Target::weighted_coverage), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {nearest_, targets.view(Target::weighted_unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {

@@ -52,7 +52,8 @@ enum ConstantId : std::size_t {
   id_layer_textures = 28,
   id_wraps = 36,
   id_show_level = 37,
-  id_quaternions = 38
+  id_quaternions = 38,
+  id_weighted = 39  // of screens: the frame has weighted sums
 };
 
 bool reads_textures(const MaterialFeatures& material) noexcept {
@@ -81,7 +82,9 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   key.frame.smooth_edges = key.frame.smooth_edges && key.pass != Pass::normal_depth && key.pass != Pass::shadow;
   key.frame.backdrop = {};
   const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
-  if (key.pass == Pass::transparent) key.frame.occluded = false;  // ambient access is that of opaque surfaces
+  key.frame.weighted = false;
+  if (key.pass == Pass::transparent || key.pass == Pass::weighted)
+    key.frame.occluded = false;  // ambient access is that of opaque surfaces
   const bool shows_level = key.pass == Pass::normal_depth && !key.depth_only && key.frame.shows_level;
   key.frame.shows_level = shows_level;
   if (key.depth_only || shows_level) surface.normals = NormalSource::none;
@@ -153,7 +156,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.meshes = true;
   shape.bindings = bindings;
   shape.attributes = attributes;
-  const bool prepass = key.pass == Pass::normal_depth || key.depth_only, blended = key.pass == Pass::transparent;
+  const bool prepass = key.pass == Pass::normal_depth || key.depth_only, weighted = key.pass == Pass::weighted,
+             blended = weighted || key.pass == Pass::transparent;
   const bool cut_samples = key.depth_only && key.masked && shape.samples > 1;
   const bool rip = key.surface.material.rip_maps;
   shape.fragment = cut_samples       ? rip ? Shader::cut_samples_rip_frag : Shader::cut_samples_frag
@@ -164,6 +168,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.color_format = key.depth_only ? VK_FORMAT_UNDEFINED : prepass ? kNormalFormat : kColorFormat;
   shape.constants[id_masked] = key.masked;
   shape.constants[id_blended] = blended && !key.covers;
+  shape.constants[id_weighted] = weighted;
   shape.constants[id_through] = static_cast<std::uint32_t>(key.through);
   shape.constants[id_occluded] = key.frame.occluded;
   shape.constants[id_ao_step] = occlusion_.step;
@@ -189,8 +194,8 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
-  shape.blending = blending_of(key.through);
-  shape.second_color = key.frame.unlit_image;
+  shape.blending = weighted ? Blending::weighted : blending_of(key.through);
+  shape.colors = (weighted ? 2 : 1) + (key.frame.unlit_image ? 1 : 0);
   shape.adds_second = key.surface.material.unlit || key.frame.gooch;
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
@@ -207,7 +212,7 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.depth_write = prepass;
   shape.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = !prepass;
-  shape.second_color = !prepass && key.frame.unlit_image;
+  shape.colors = !prepass && key.frame.unlit_image ? 2 : 1;
   shape.constants[0] = key.grid;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
@@ -220,7 +225,8 @@ void shape_outline(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.samples = key.frame.smooth_edges ? kSmoothSamples : 1;
   shape.depth = true;
   shape.depth_compare = VK_COMPARE_OP_LESS;  // the triangle is at depth 0: only where surfaces are
-  shape.blend = shape.second_color = shape.adds_second = true;
+  shape.blend = shape.adds_second = true;
+  shape.colors = 2;
 }
 
 }  // namespace
@@ -239,6 +245,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_backdrop] = static_cast<std::uint32_t>(key.frame.backdrop);
   shape.constants[id_auto_exposure] = key.frame.auto_exposure;
   shape.constants[id_unlit_image] = key.frame.unlit_image;
+  shape.constants[id_weighted] = key.frame.weighted;
   shape.constants[id_vertex_access] = key.frame.vertex_access;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
   constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};

@@ -77,6 +77,7 @@ struct FrameFeatures {
   Backdrop backdrop = Backdrop::plain;
   bool auto_exposure = false;       ///< there is an image with the exposure
   bool unlit_image = false;         ///< there is an image for colours that no tone curve changes
+  bool weighted = false;            ///< there are weighted sums
   bool gooch = false;               ///< Gooch shading
   bool shows_level = false;         ///< the prepass writes levels of textures instead of normals
   bool quaternion_normals = false;  ///< normals and frames are interpolated as quaternions
@@ -99,7 +100,7 @@ enum class Through : std::uint8_t {
 
 /// The properties of a pipeline that draws meshes.
 struct MeshPipelineKey {
-  Pass pass = Pass::opaque;  ///< normal_depth, opaque or transparent
+  Pass pass = Pass::opaque;  ///< normal_depth, opaque, transparent or weighted
   Topology topology = Topology::triangles;
   bool masked = false;
   bool covers = false;  ///< transparent: alpha is no coverage

@@ -51,8 +51,12 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
     case Pass::blur_vertical: return why_blur(needs);
     case Pass::outline: return why_outline(needs);
     case Pass::transparent:
+      if (!needs.blended && needs.weighted) return "what is blended is so in any order";
       if (!needs.blended) return "nothing blended is in view";
       return picture ? "blended surfaces, from far to near" : "the picture shows a buffer instead";
+    case Pass::weighted:
+      if (!needs.weighted) return "nothing is in view that blends in any order";
+      return picture ? "sums of blended surfaces in any order" : "the picture shows a buffer instead";
     case Pass::exposure:
       if (needs.gooch) return "Gooch shading counts no light";
       if (!needs.auto_exposure) return "the exposure is given";
@@ -84,6 +88,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::normal_depth:
     case Pass::opaque: return work.opaque_draws;
     case Pass::transparent: return work.blended_draws;
+    case Pass::weighted: return work.weighted_draws;
     case Pass::ground: return 1;
     case Pass::overlay: return work.lines;
     case Pass::ssao:

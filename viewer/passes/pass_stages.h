@@ -19,7 +19,7 @@ struct PassStage {
 
 /// Amount of work in a frame.
 struct PassWork {
-  std::uint32_t caster_draws = 0, opaque_draws = 0, blended_draws = 0, lines = 0;
+  std::uint32_t caster_draws = 0, opaque_draws = 0, blended_draws = 0, weighted_draws = 0, lines = 0;
   VkExtent2D extent{}, ao_extent{};  ///< of the picture and of the ambient access image
 };
 

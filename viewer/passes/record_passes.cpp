@@ -13,6 +13,7 @@ struct Attachments {
   VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;             ///< CLEAR = to zeros
   VkImageView resolve = VK_NULL_HANDLE;                                  ///< gets the mean of the samples of `color`
   VkImageView second = VK_NULL_HANDLE, second_resolve = VK_NULL_HANDLE;  ///< as `color` and `resolve`; null = none
+  VkImageView third = VK_NULL_HANDLE, third_resolve = VK_NULL_HANDLE;
   VkImageView depth = VK_NULL_HANDLE;
   bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
   VkExtent2D extent{};
@@ -46,7 +47,8 @@ VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp 
 
 Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) : commands_(commands) {
   const std::array colors = {color_attachment(attachments.color, attachments.load, attachments.resolve),
-                             color_attachment(attachments.second, attachments.load, attachments.second_resolve)};
+                             color_attachment(attachments.second, attachments.load, attachments.second_resolve),
+                             color_attachment(attachments.third, attachments.load, attachments.third_resolve)};
   VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   depth.imageView = attachments.depth;
   depth.imageLayout = attachments.depth_write ? kWriteDepth.layout : kReadDepth.layout;
@@ -55,7 +57,7 @@ Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) :
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = attachments.extent;
   info.layerCount = 1;
-  info.colorAttachmentCount = !attachments.color ? 0 : attachments.second ? 2 : 1;
+  info.colorAttachmentCount = !attachments.color ? 0 : attachments.third ? 3 : attachments.second ? 2 : 1;
   info.pColorAttachments = colors.data();
   info.pDepthAttachment = attachments.depth ? &depth : nullptr;
   vkCmdBeginRendering(commands, &info);
@@ -210,6 +212,16 @@ struct SceneTargets {
         sampled(graph.sampled) {}
 };
 
+/// Attaches an image of the scene's colours, and the one that gets the mean of its samples.
+void attach(const PassContext& context, Target drawn, Target resolved, bool resolves, bool keep, VkImageView& view,
+            VkImageView& resolve) {
+  context.targets.next_use(context.commands, drawn, kWriteColor, keep);
+  view = context.targets.view(drawn);
+  if (!resolves) return;
+  context.targets.next_use(context.commands, resolved, kWriteColor, false);
+  resolve = context.targets.view(resolved);
+}
+
 /// Adds the images of the scene's colours to a pass over them, and what becomes of their samples after the last pass.
 /// in   keep  false = the contents are discarded
 void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments& attachments) {
@@ -219,16 +231,10 @@ void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments
                     : context.graph.has(Pass::outline)   ? Pass::outline
                                                          : Pass::opaque;
   const bool resolves = scene.sampled && pass == last;
-  const auto attach = [&](Target drawn, Target resolved, VkImageView& view, VkImageView& resolve) {
-    context.targets.next_use(context.commands, drawn, kWriteColor, keep);
-    view = context.targets.view(drawn);
-    if (!resolves) return;
-    context.targets.next_use(context.commands, resolved, kWriteColor, false);
-    resolve = context.targets.view(resolved);
-  };
   attachments.load = keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
-  attach(scene.color, Target::color, attachments.color, attachments.resolve);
-  if (context.graph.unlit_image) attach(scene.unlit, Target::unlit, attachments.second, attachments.second_resolve);
+  attach(context, scene.color, Target::color, resolves, keep, attachments.color, attachments.resolve);
+  if (context.graph.unlit_image)
+    attach(context, scene.unlit, Target::unlit, resolves, keep, attachments.second, attachments.second_resolve);
 }
 
 /// The prepass has one sample a pixel. Surfaces that are shaded for four are chosen by a depth of their own.
@@ -279,6 +285,29 @@ void record_ground(const PassContext& context) {
 void record_transparent(const PassContext& context) {
   const Rendering rendering(context.commands, over_opaque(context, Pass::transparent));
   draw_meshes(context, context.draws.blended(), {.pass = Pass::transparent});
+}
+
+/// Sums start at 0. Nothing is sorted, and depth is tested only: surfaces that blend do not hide each other.
+void record_weighted(const PassContext& context) {
+  const bool sampled = context.graph.sampled;
+  const auto drawn = [&](Target samples, Target alone) { return sampled ? samples : alone; };
+  Attachments to{.load = VK_ATTACHMENT_LOAD_OP_CLEAR,
+                 .depth = context.targets.view(SceneTargets(context.graph).depth),
+                 .extent = context.targets.extent()};
+  attach(context, drawn(Target::weighted_sums_samples, Target::weighted_sums), Target::weighted_sums, sampled, false,
+         to.color, to.resolve);
+  attach(context, drawn(Target::weighted_coverage_samples, Target::weighted_coverage), Target::weighted_coverage,
+         sampled, false, to.second, to.second_resolve);
+  if (context.graph.unlit_image)
+    attach(context, drawn(Target::weighted_unlit_samples, Target::weighted_unlit), Target::weighted_unlit, sampled,
+           false, to.third, to.third_resolve);
+  {
+    const Rendering rendering(context.commands, to);
+    draw_meshes(context, context.draws.weighted(), {.pass = Pass::weighted});
+  }
+  for (const Target target : {Target::weighted_sums, Target::weighted_coverage})
+    context.targets.next_use(context.commands, target, kReadInShader);
+  if (context.graph.unlit_image) context.targets.next_use(context.commands, Target::weighted_unlit, kReadInShader);
 }
 
 /// Draws one of the two small images of the automatic exposure.
@@ -349,6 +378,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::outline: return record_outline(context);
     case Pass::ground: return record_ground(context);
     case Pass::transparent: return record_transparent(context);
+    case Pass::weighted: return record_weighted(context);
     case Pass::exposure: return record_exposure(context);
     case Pass::tonemap: return record_tonemap(context);
     case Pass::show: return record_show(context);

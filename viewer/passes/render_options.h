@@ -29,6 +29,12 @@ enum class NormalInterpolation : std::uint8_t {
   quaternion     ///< as quaternions (Hast 2005): of unit length without a square root
 };
 
+/// How surfaces whose alpha is coverage lie over each other.
+enum class Transparency : std::uint8_t {
+  sorted,   ///< primitives from far to near: exact where they do not intersect
+  weighted  ///< in any order: a mean of their colours in which near ones weigh more (McGuire and Bavoil 2013)
+};
+
 /// How light of the scene becomes light of the display.
 enum class ToneCurve : std::uint8_t {
   neutral,  ///< Khronos PBR Neutral: keeps base colours, compresses highlights
@@ -114,6 +120,7 @@ struct Ground {
 /// eq   radius = 1.5 * diagonal; the step is the largest power of 10 that has at least 3 lines in the radius
 Ground ground_for(const Aabb& bounds);
 
+/// Distances from the plane of the eye.
 struct DepthRange {
   float nearest_m = 0.0f, farthest_m = 10.0f;
 };
@@ -122,6 +129,7 @@ struct RenderOptions {
   Show show = Show::color;
   Shading shading = Shading::physical;
   NormalInterpolation normals = NormalInterpolation::interpolated;
+  Transparency transparency = Transparency::sorted;
   AmbientOcclusion ao;
   Lighting lighting;
   Shadows shadows;

@@ -36,6 +36,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float ground_grid_step_m;
   vec3 ground_z;
   vec2 ground_grid_offset;    // metres from a corner of the grid to the middle of the ground
+  vec2 weighted_range;        // least distance of what blends by weights, and 1 / (most - least)
   vec4 ground_reach;          // least x and z, most x and z of what is drawn, from the middle
   vec4 background;            // linear, as displayed
   vec4 offsets[64];           // of the occlusion samples, random lengths; as many as there are samples
@@ -52,3 +53,6 @@ layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer
 layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depth of the light that casts shadows, 1 = near
 layout(set = 0, binding = 8) uniform sampler2D unlit_image;           // linear, premultiplied, as displayed; alpha: its share
 layout(set = 0, binding = 9) uniform sampler2D exposure_image;        // automatic exposure: one texel, or the sums that it is made of
+layout(set = 0, binding = 10) uniform sampler2D weighted_image;       // sums over blended surfaces: weight * coverage * colour, weight * coverage
+layout(set = 0, binding = 11) uniform sampler2D weighted_coverage_image;   // of all of them together
+layout(set = 0, binding = 12) uniform sampler2D weighted_unlit_image;      // the sums of unlit surfaces alone

@@ -27,6 +27,7 @@ layout(location = 4) in vec4 vertex_color;
 
 layout(location = 0) out vec4 color;   // no light, and coverage
 layout(location = 1) out vec4 unlit;   // premultiplied, as displayed
+#include "weighted_output.glsl"
 
 // in   base  sRGB;   out  sRGB
 vec3 tone(vec3 base, vec3 n, vec3 to_viewer) {
@@ -46,5 +47,6 @@ void main() {
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
   color = vec4(vec3(0.0), coverage);
   unlit = vec4(shown * coverage, coverage);
+  if (kWeighted) weigh(-view_position.z, coverage, true);
   if (kMasked && is_cut(base.a)) discard;
 }

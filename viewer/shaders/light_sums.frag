@@ -5,8 +5,10 @@
 // in the same order. What is unlit, the backdrop, and what gives no light do not count.
 #include "frame_uniforms.glsl"
 #include "luminance.glsl"
+#include "weighted_sums.glsl"
 
 layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
+layout(constant_id = 39) const bool kWeightedSums = false;   // surfaces lie over the picture that blend in any order
 
 const int kBlocks = 32;            // kExposureBlocks
 const float kLeastLight = 1e-6;    // less is black
@@ -20,8 +22,9 @@ void main() {
   for (int y = first.y; y < end.y; ++y)
     for (int x = first.x; x < end.x; ++x) {
       vec4 stored = texelFetch(color_image, ivec2(x, y), 0);
-      float lit = stored.a;
-      if (kUnlitImage) lit -= texelFetch(unlit_image, ivec2(x, y), 0).a;
+      vec4 unlit = kUnlitImage ? texelFetch(unlit_image, ivec2(x, y), 0) : vec4(0.0);
+      if (kWeightedSums) lay_over(ivec2(x, y), stored, unlit);
+      float lit = stored.a - unlit.a;
       float light = dot(stored.rgb, kLuminance);
       if (lit > 0.0 && light > kLeastLight * lit) sums.xy += vec2(lit * log2(light / lit), lit);
     }

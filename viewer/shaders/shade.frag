@@ -42,6 +42,7 @@ const float kMostLight = 65504.0;   // largest half float: beyond it drivers sto
 
 layout(location = 0) out vec4 color;   // premultiplied light, and coverage of all surfaces
 layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for the image of such a frame
+#include "weighted_output.glsl"
 
 // out  through  share of what the surface emits that its layers let through
 //      behind   share of the light behind that the surface lets through
@@ -139,5 +140,6 @@ void main() {
     unlit = vec4(vec3(0.0), kBlended ? coverage : 0.0);   // blending covers what is behind, and adds nothing
     color = vec4(min(light, vec3(kMostLight)) * coverage, coverage);
   }
+  if (kWeighted) weigh(-view_position.z, coverage, kUnlit);
   if (kMasked && is_cut(base.a)) discard;
 }

@@ -6,11 +6,13 @@
 #include "encode.glsl"
 #include "projection.glsl"
 #include "tone_curve.glsl"
+#include "weighted_sums.glsl"
 
 layout(constant_id = 9) const int kBackdrop = 0;   // enum Backdrop: 0 plain, 1 blurred, 2 sharp
 layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
 layout(constant_id = 14) const bool kTransparentBackground = false;
 
+layout(constant_id = 39) const bool kWeightedSums = false;    // surfaces lie over the picture that blend in any order
 layout(constant_id = 19) const bool kAutoExposure = false;   // the exposure follows the picture
 
 layout(location = 0) out vec4 shown;
@@ -28,8 +30,9 @@ void main() {
   float exposure = frame.exposure;
   if (kAutoExposure) exposure *= texelFetch(exposure_image, ivec2(0), 0).r;
   vec4 stored = texelFetch(color_image, ivec2(gl_FragCoord.xy), 0);
-  float coverage = clamp(stored.a, 0.0, 1.0);
   vec4 unlit = kUnlitImage ? texelFetch(unlit_image, ivec2(gl_FragCoord.xy), 0) : vec4(0.0);
+  if (kWeightedSums) lay_over(ivec2(gl_FragCoord.xy), stored, unlit);
+  float coverage = clamp(stored.a, 0.0, 1.0);
   float lit = coverage - clamp(unlit.a, 0.0, coverage);
   vec3 light = lit > 0.0 ? tone_mapped(stored.rgb / lit * exposure) : vec3(0.0);
   if (kUnlitImage && unlit.a > 0.0) light = (light * lit + unlit.rgb) / coverage;
