@@ -85,6 +85,32 @@ TEST(mirror_map, a_persons_own_pairs_come_before_names) {
   EXPECT_FALSE(map.unpaired.empty());
 }
 
+TEST(mirror_map, a_joint_that_is_its_own_partner_by_wish_is_not_paired_by_place) {
+  TwoSided body = scenes::two_sided(RightSide::mirrored_axes);
+  for (std::string& name : body.skeleton.names) name.clear();
+  std::uint32_t left = 0;
+  while (body.partner[left] == left) ++left;
+  const std::uint32_t right = body.partner[left];
+  ASSERT_EQ(make_mirror_map(body.skeleton).joints[left].source, right);
+  MirrorOptions options;
+  options.pairs = {{left, left}};
+  const MirrorMap map = make_mirror_map(body.skeleton, options);
+  EXPECT_EQ(map.joints[left].source, left);
+  EXPECT_EQ(map.joints[right].source, right);
+}
+
+TEST(mirror_map, a_plane_that_is_given_is_the_one_where_names_do_not_tell) {
+  Skeleton skeleton = scenes::two_sided(RightSide::mirrored_axes).skeleton;
+  for (std::string& name : skeleton.names) name.clear();
+  MirrorOptions options;
+  options.plane_normal = glm::vec3(0, 0, 2);
+  const MirrorMap map = make_mirror_map(skeleton, options);
+  EXPECT_EQ(map.plane_normal, glm::vec3(0, 0, 1));
+  EXPECT_LT(paired_joints(map), 10u) << "the sides lie along x";
+  options.plane_normal = glm::vec3(0.0f);
+  EXPECT_EQ(make_mirror_map(skeleton, options).plane_normal, glm::vec3(1, 0, 0)) << "no direction";
+}
+
 TEST(mirror_map, poses_agree_with_their_definition_in_model_space) {
   for (const RightSide right : scenes::kRightSides)
     for (std::uint64_t seed = 1; seed < 6; ++seed) {

@@ -155,6 +155,14 @@ TEST_F(CPages, held_inputs_keep_the_pages_of_their_layers_and_interpolated_ones_
   ASSERT_NE(out.pages, nullptr);
   EXPECT_EQ(out.pages[0], nullptr);
   EXPECT_EQ(out.pages[1], page);
+  const sinew_layer turned[] = {layers[1], layers[0]};
+  const sinew_page* const first[] = {page, nullptr};
+  input.layers = turned;
+  input.pages = first;
+  ASSERT_EQ(sinew_held_input_next(held, &input, SINEW_UPDATE_EVERY, 0, 0, &out), SINEW_OK);
+  ASSERT_NE(out.pages, nullptr);
+  EXPECT_EQ(out.pages[0], page);
+  EXPECT_EQ(out.pages[1], nullptr);
   sinew_held_input_destroy(held);
   sinew_interpolated_input* interpolated = nullptr;
   ASSERT_EQ(sinew_interpolated_input_create(plan, &interpolated), SINEW_OK);

@@ -154,6 +154,16 @@ TEST(build_meshes, every_attribute_follows_its_vertex_into_the_groups) {
   EXPECT_THAT(p.colors, ElementsAre(glm::vec4(0, 1, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(0, 0, 1, 1)));
 }
 
+TEST(build_meshes, tangents_without_normals_are_not_those_of_the_file) {
+  TinyGltf file;
+  Json& attributes = file.add_triangle()["attributes"];
+  attributes["TANGENT"] = file.vec4({0, 1, 0, 1, 0, 0, 1, -1, 1, 0, 0, 1});
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_TRUE(warns(result, "mesh-tangent-without-normal", std::string(kAttributes) + "/TANGENT"));
+  EXPECT_THAT(only(result).tangents, IsEmpty());
+}
+
 TEST(build_meshes, G38_weights_are_divided_by_their_sum_and_the_deviation_is_named) {
   TinyGltf file;
   file.add_skinned_triangle({0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {.25f, .5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});

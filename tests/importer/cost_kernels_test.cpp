@@ -52,6 +52,19 @@ double angle_rad(const glm::quat& found, const Quat<double>& truth) {
   return rotation_angle_between(normalised(quat_cast<double>(found)), normalised(truth));
 }
 
+TEST(crooked_pose, turns_each_joint_with_a_parent_by_30_degrees_about_its_axis) {
+  const Skeleton skeleton = chain_skeleton(5);
+  const cost::LocalPose pose = cost::crooked_pose(skeleton), rest = cost::rest_pose(skeleton);
+  for (std::size_t j = 0; j < pose.size(); ++j) {
+    const auto turn = glm::inverse(rest[j].rotation) * pose[j].rotation;
+    const bool is_root = skeleton.parents[j] == kNone;
+    EXPECT_NEAR(2.0 * std::acos(std::min(1.0, std::abs(turn.w))), is_root ? 0.0 : 0.52359877559829887, 1e-7) << j;
+    const double along[] = {turn.x, turn.y, turn.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(along[axis], is_root || axis != j % 3 ? 0.0 : 0.25881904510252074, 1e-12) << j << ' ' << axis;
+  }
+}
+
 TEST(cost_rotation_lanes, agree_with_their_definitions_in_double_on_every_instruction_set) {
   const Animation animation = turning(5);
   const Skeleton skeleton = chain_skeleton(kJoints);

@@ -61,6 +61,7 @@ Scene rich_scene() {
       primitive.texcoords.assign(2, std::vector<glm::vec2>(primitive.vertex_count(), {0.5f, 0.25f}));
   Material& material = scene.materials[0];
   material.base_color_texture.texture = 0;
+  material.base_color_texture.texcoord = 1;
   material.base_color_texture.offset = {0.25f, 0.5f};
   material.base_color_texture.rotation_rad = 0.125f;
   material.base_color_texture.scale = {2.0f, 3.0f};

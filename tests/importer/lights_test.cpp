@@ -60,6 +60,17 @@ TEST(read_lights, a_light_of_no_known_type_is_left_out_and_the_others_stay) {
   EXPECT_EQ(result->scene.skeleton.node_of_joint[result->scene.lights[0].joint], 4u);
 }
 
+TEST(read_lights, weak_light_and_short_ranges_are_as_the_file_has_them) {
+  const auto result = lit_by(Json::parse(R"([{"type": "point", "intensity": 0.25, "range": 0.125},
+    {"type": "point", "intensity": 0}])"))
+                          .import();
+  ASSERT_EQ(outcome(result), "ok");
+  EXPECT_TRUE(result->warnings.empty());
+  EXPECT_EQ(result->scene.lights[0].intensity, 0.25f);
+  EXPECT_EQ(result->scene.lights[0].range_m, 0.125f);
+  EXPECT_EQ(result->scene.lights[1].intensity, 0.0f);
+}
+
 TEST(read_lights, right_values_are_read_without_a_word) {
   const auto result =
       lit_by(Json::parse(R"([{"type": "spot", "name": "a", "color": [1, 0.5, 0], "intensity": 9, "range": 3,

@@ -330,6 +330,25 @@ TEST(sample_features, G63_files_are_found_by_every_spelling_of_their_names) {
   fs::remove_all(folder);
 }
 
+TEST(sample_features, facts_name_the_files_that_were_read_and_no_other) {
+  TinyGltf file;
+  file.add_triangle();
+  const std::size_t view = file.add_view(std::vector<std::uint8_t>(8));
+  file.root["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}},
+                         {{"bufferView", view}, {"mimeType", "image/png"}},
+                         {{"uri", "there%20it is.png"}}};
+  const fs::path folder = fs::temp_directory_path() / ("sinew_facts." + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  std::ofstream(folder / "there it is.png") << "not read";
+  std::ofstream(folder / "x.gltf") << file.text();
+  const auto result = import_gltf(folder / "x.gltf");
+  ASSERT_EQ(outcome(result), "ok");
+  std::vector<std::string> names;
+  for (const fs::path& named : result->facts.files) names.push_back(named.filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("x.gltf", "there it is.png"));
+  fs::remove_all(folder);
+}
+
 TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_missed) {
   for (const bool says_fallback : {true, false})
     for (const bool with_uri : {true, false}) {

@@ -46,6 +46,17 @@ TEST(spare_parts, strides_belong_to_vertices_and_fit_their_view) {
                                       "buffer-view-stride at /bufferViews/1/byteStride"}));
 }
 
+TEST(spare_parts, strides_are_multiples_of_four_up_to_252) {
+  for (const auto& [stride, is_right] : {std::pair(4, true), {252, true}, {6, false}, {250, false}, {256, false}}) {
+    TinyGltf file;
+    const std::size_t view = file.add_view(std::vector<float>(512));
+    file.root["bufferViews"][view]["byteStride"] = stride;
+    file.root["bufferViews"][view]["target"] = 34962;
+    EXPECT_EQ(warnings_of(file, false).contains("buffer-view-stride at /bufferViews/0/byteStride"), !is_right)
+        << stride;
+  }
+}
+
 TEST(spare_parts, extensions_are_objects_declared_and_listed_once) {
   TinyGltf file;
   file.root = Json::parse(R"({"asset": {"version": "2.0"}, "extensionsUsed": ["A", "B", "A"],

@@ -72,6 +72,12 @@ TEST(compare_poses, what_is_missing_fails_and_what_is_more_does_not) {
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.weights[0].weights.pop_back(); }).failed(), 1u);
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives.clear(); }).failed(), 5u);
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].vertices[1] = 8; }).failed(), 2u);
+  EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].vertices[1] = 10; }).failed(), 2u) << "a vertex behind it";
+  EXPECT_EQ(after([](Pose& golden, Pose& pose) {
+              golden.primitives[0].vertices[1] = 8;  // the pose has the same values for vertex 9
+              pose.primitives[0].of(VertexKind::dqs)[3] = NAN;
+            }).failed(),
+            2u);
   EXPECT_EQ(after([](Pose&, Pose& pose) { pose.primitives[0].of(VertexKind::dqs)[0] = NAN; }).failed(), 1u);
   EXPECT_EQ(after([](Pose& golden, Pose&) {
               golden.primitives.clear();

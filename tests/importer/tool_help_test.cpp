@@ -169,6 +169,19 @@ TEST(shell_files, zsh_is_told_which_arguments_are_many_files) {
   EXPECT_THAT(part_about("zsh", zsh, "bake"), HasSubstr("':FILE:_files'"));
 }
 
+TEST(shell_files, the_manual_has_the_text_of_the_help) {
+  const std::string man = run_tool({"--generate", "man"}).out;
+  const auto plain = [](std::string text) {
+    std::string out;
+    for (const char c : text)
+      if (c != '\\' && c != '\n' && c != ' ') out += c;
+    return out;
+  };
+  EXPECT_THAT(plain(man), HasSubstr(plain("Everything that the file says is carried: extras, extensions")));
+  const std::string part = part_about("man", man, "convert");
+  EXPECT_THAT(part, HasSubstr(".PP\nEverything that the file says")) << "a paragraph of its own";
+}
+
 TEST(shell_files, have_every_option_of_every_command) {
   for (const char* form : {"man", "bash", "zsh", "fish"}) {
     const CommandOutcome made = run_tool({"--generate", form});

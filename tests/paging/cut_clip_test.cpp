@@ -202,6 +202,17 @@ TEST(join_clips, clips_that_rest_otherwise_do_not_move_alike) {
   const Clip straight = test::clip_of({}, bent);
   bent.rest[2].scale.y = 2.0f;
   EXPECT_FALSE(moves_alike(straight, test::clip_of({}, bent)));
+  BoneAnimation turn{.joint = 2};
+  turn.rotation = {Interpolation::linear, {0.0f, 1.0f}, {glm::quat(1, 0, 0, 0), glm::quat(0, 1, 0, 0)}};
+  const Animation turning = test::animation_of({turn});
+  for (const int axis : {0, 1, 2}) {
+    Skeleton wide = test::chain_skeleton(3), moved = wide;
+    wide.rest[2].scale[axis] = 2.0f;
+    moved.rest[2].translation[axis] += 1.0f;
+    for (const Skeleton& other : {wide, moved})
+      EXPECT_FALSE(moves_alike(test::clip_of(turning, test::chain_skeleton(3)), test::clip_of(turning, other)))
+          << "what a track of another property leaves to the rest";
+  }
   const std::vector<std::uint32_t> first{0, 1};
   const auto with_weight = [&](float rest) {
     return compile_clip({}, test::chain_skeleton(3), std::vector<float>{rest}, first);

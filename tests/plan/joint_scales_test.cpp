@@ -147,6 +147,17 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
   EXPECT_GT(known, 100u);
 }
 
+TEST(windings, P09_a_root_without_volume_mirrors_nothing) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(scene, {});
+  FrameBuffer frame(plan);
+  const ClipLayer layers[] = {{0, 0.3, 1.0f}};
+  Affine flat;
+  flat.row[1] = glm::vec4(0.0f);
+  ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = flat}, frame), ErrorCode::ok);
+  for (const InstanceResult& instance : frame.result().instances) EXPECT_FALSE(instance.mirrored);
+}
+
 TEST(windings, P09_change_with_the_sign_of_a_scale_and_are_then_tested) {
   const Scene scene = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), glm::vec3(1, 1, -1)}});
   const Plan plan = compile_plan(scene, {});
