@@ -138,7 +138,7 @@ TEST(frame_graph, gooch_shading_draws_outlines_from_normals_and_depth_on_what_is
               ElementsAre(Pass::normal_depth, Pass::opaque, Pass::outline, Pass::transparent, Pass::tonemap));
   const FrameGraph graph(needs);
   EXPECT_TRUE(graph.normal_image && graph.depth_image && graph.unlit_image);
-  EXPECT_FALSE(graph.ao_image || graph.shadow_image || graph.exposure_image);
+  EXPECT_FALSE(graph.ao_image || graph.shadow_maps > 0 || graph.exposure_image);
   EXPECT_FALSE(FrameGraph({.blended = true, .gooch = true, .ambient = false}).has(Pass::outline));
   EXPECT_FALSE(FrameGraph({.opaque = true, .gooch = true, .show = Show::depth}).has(Pass::outline));
 }

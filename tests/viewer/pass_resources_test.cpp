@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "tests/viewer/device_fixture.h"
@@ -20,7 +21,7 @@ struct Wanted {
 std::vector<Wanted> wanted_by(const FrameGraph& graph) {
   return {{Target::depth, graph.depth_image},     {Target::normals, graph.normal_image},
           {Target::ao, graph.ao_image},           {Target::half_blurred_ao, graph.half_blurred_ao},
-          {Target::color, graph.color_image},     {Target::shadow, graph.shadow_image},
+          {Target::color, graph.color_image},     {Target::shadow, graph.shadow_maps > 0},
           {Target::color_samples, graph.sampled}, {Target::depth_samples, graph.sampled}};
 }
 
@@ -32,6 +33,21 @@ class frame_targets : public DeviceTest {
     return out;
   }
 };
+
+TEST_F(frame_targets, the_shadow_image_has_a_tile_for_each_light_that_casts_shadows) {
+  FrameTargets targets(*test_device(), 2);
+  for (const std::uint32_t maps : {1u, 2u, 3u, 4u}) {
+    targets.fit(FrameGraph({.opaque = true, .shadows = maps}), {64, 48});
+    const VkImageView view = targets.view(Target::shadow), color = targets.view(Target::color);
+    targets.fit(FrameGraph({.opaque = true, .shadows = maps}), {64, 48});
+    EXPECT_EQ(targets.view(Target::shadow), view) << "nothing has changed";
+    EXPECT_EQ(targets.view(Target::color), color);
+  }
+  for (const auto& [maps, columns, rows] : {std::tuple(1u, 1u, 1u), {2u, 2u, 1u}, {3u, 2u, 2u}, {4u, 2u, 2u}}) {
+    EXPECT_EQ(ShadowTiles(maps).columns, columns);
+    EXPECT_EQ(ShadowTiles(maps).rows, rows);
+  }
+}
 
 TEST_F(frame_targets, exist_exactly_where_the_graph_needs_them_and_stay_while_it_does) {
   FrameTargets targets(*test_device(), 2);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -140,13 +142,16 @@ TEST_F(shadows, first_directional_light_of_the_scene_casts_them_alone) {
   add_light_at(built, {.kind = Light::Kind::directional, .intensity = 1.5f}, {9, 9, 9}, {-0.5f, -0.8f, 0.6f});
   RenderOptions options = key_light_alone();
   options.lighting.scene_lights = true;
-  const ShadowLight chosen = [&] {
+  const ShadowLights casting = [&] {
     const FrameResult frame = built.frame();
     const std::vector<PlacedLight> placed = {{&built.scene.lights[0], frame.model[built.scene.lights[0].joint]},
                                              {&built.scene.lights[1], frame.model[built.scene.lights[1].joint]}};
-    return shadow_light(from_above(), options, placed);
+    return shadow_lights(from_above(), options, placed);
   }();
+  ASSERT_EQ(casting.count(), 1u);
+  const ShadowLight chosen = *casting.begin();
   EXPECT_EQ(chosen.index, 1u);
+  EXPECT_EQ(casting.mask(), 2u);
   EXPECT_LT(glm::length(chosen.to_light - glm::normalize(glm::dvec3(0.5, 0.8, -0.6))), 1e-6);
   expect_shadows(built, from_above(), options, from_far({0.5, 0.8, -0.6}), &without_sun);
 }
@@ -177,6 +182,83 @@ TEST_F(shadows, of_a_spot_light_amid_the_scene_are_those_of_what_it_shines_on) {
   RenderOptions options = key_light_alone();
   options.lighting.scene_lights = true;
   expect_shadows(built, from_above(), options, {glm::dvec3(position), 1.0}, &without);
+}
+
+/// What a light of the test shines on: where it is, and how its rays go (see truth()).
+struct Lamp {
+  Light light;
+  glm::vec3 position, target;
+
+  glm::dvec4 way() const {
+    if (light.kind == Light::Kind::directional) return from_far(glm::dvec3(position - target));
+    return {glm::dvec3(position), 1.0};
+  }
+};
+
+/// Box and sphere on a floor in the light of some of the lamps.
+BuiltScene lit_by(std::span<const Lamp> lamps, std::uint32_t which) {
+  BuiltScene built = box_and_sphere_on_floor();
+  for (std::size_t i = 0; i < lamps.size(); ++i)
+    if ((which >> i & 1u) != 0)
+      add_light_at(built, lamps[i].light, lamps[i].position, lamps[i].target - lamps[i].position);
+  return built;
+}
+
+/// Expects each pixel around which all shadows are the same to be the sum of the lamps that reach it.
+/// in   casting  bit i is set: lamp i casts shadows
+void expect_shadows_of_all(std::span<const Lamp> lamps, std::uint32_t casting) {
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  options.lighting.tone_curve = ToneCurve::none;
+  const auto all = static_cast<std::uint32_t>((1u << lamps.size()) - 1u);
+  const FloatPicture drawn = render_float(lit_by(lamps, all), kWidth, kHeight, from_above(), options);
+  options.shadows.on = false;
+  std::vector<FloatPicture> alone;
+  std::vector<std::vector<std::optional<Seen>>> truths;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    alone.push_back(render_float(lit_by(lamps, 1u << i), kWidth, kHeight, from_above(), options));
+    truths.push_back(truth(box_and_sphere_on_floor(), from_above(), lamps[i].way()));
+  }
+  std::vector<int> seen(lamps.size());  // pixels in the shadow of each lamp
+  for (int y = 2; y < kHeight - 2; ++y)
+    for (int x = 2; x < kWidth - 2; ++x) {
+      glm::vec3 expected(0.0f);
+      std::uint32_t shadows = 0;
+      bool alike = true;
+      for (std::size_t i = 0; i < lamps.size(); ++i) {
+        const auto& here = truths[i][static_cast<std::size_t>(y * kWidth + x)];
+        alike = alike && here.has_value();
+        for (int dy = -2; dy <= 2 && alike; ++dy)
+          for (int dx = -2; dx <= 2; ++dx)
+            alike = alike && here->like(truths[i][static_cast<std::size_t>((y + dy) * kWidth + x + dx)]);
+        if (!alike) break;
+        const bool dark = here->in_shadow && (casting >> i & 1u) != 0;
+        shadows |= dark ? 1u << i : 0u;
+        for (int c = 0; c < 3; ++c) expected[c] += dark ? 0.0f : linear_from_srgb(alone[i].at(x, y)[c]);
+      }
+      if (!alike) continue;
+      for (std::size_t i = 0; i < lamps.size(); ++i) seen[i] += static_cast<int>(shadows >> i & 1u);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(linear_from_srgb(drawn.at(x, y)[c]), expected[c], 0.004f) << x << ' ' << y << ' ' << shadows;
+    }
+  for (std::size_t i = 0; i < lamps.size(); ++i)
+    EXPECT_EQ(seen[i] > 10, (casting >> i & 1u) != 0) << "shadow of lamp " << i << ": " << seen[i];
+}
+
+TEST_F(shadows, fall_from_four_lights_of_the_scene_each_where_its_own_rays_meet_something) {
+  const auto spot = [](glm::vec3 position) {
+    return Lamp{{.kind = Light::Kind::spot, .intensity = 1.5f, .inner_cone_rad = 0.8f, .outer_cone_rad = 0.9f},
+                position,
+                {0.0f, 0.0f, 0.0f}};
+  };
+  const Lamp sun{{.kind = Light::Kind::directional, .intensity = 0.25f}, {0.5f, 0.8f, -0.6f}, {0, 0, 0}};
+  const Lamp bulb{{.kind = Light::Kind::point, .intensity = 0.5f}, {0.0f, 3.0f, 0.0f}, {0, 0, 0}};
+  const Lamp a = spot({2.2f, 2.4f, -1.2f}), b = spot({-2.0f, 2.6f, 1.4f}), c = spot({-1.6f, 2.8f, -2.0f}),
+             d = spot({2.4f, 2.2f, 1.6f});
+  expect_shadows_of_all(std::vector{bulb, a, b}, 0b110);
+  expect_shadows_of_all(std::vector{a, bulb, sun, b}, 0b1101);
+  expect_shadows_of_all(std::vector{a, bulb, b, c, sun}, 0b11101);
+  expect_shadows_of_all(std::vector{a, b, bulb, c, d, sun}, 0b101011);
 }
 
 TEST_F(shadows, come_from_what_is_out_of_view) {
@@ -233,6 +315,50 @@ TEST_F(shadows, cost_nothing_where_no_light_casts_them) {
   options = key_light_alone();
   options.show = Show::normals;
   EXPECT_FALSE(runs(options));
+}
+
+TEST(shadow_lights, the_ground_is_drawn_as_far_as_any_of_their_shadows_reaches) {
+  BuiltScene built = box_and_sphere_on_floor();
+  add_light_at(built, {.kind = Light::Kind::directional}, {0, 0, 0}, {-0.5f, -0.8f, 0.6f});
+  add_light_at(built, {.kind = Light::Kind::spot, .outer_cone_rad = 0.5f}, {1.5f, 6.0f, 1.0f}, {-0.2f, -1.0f, -0.1f});
+  const FrameResult frame = built.frame();
+  std::vector<PlacedLight> both;
+  for (const Light& light : built.scene.lights) both.push_back({&light, frame.model[light.joint]});
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  options.ao.on = false;
+  options.ground = ground_for(around(1.0f));
+  options.ground.look = GroundLook::shadows;
+  const auto reach_of = [&](std::span<const PlacedLight> lights) {
+    const ShadowLights shadows = shadow_lights(from_above(), options, lights);
+    EXPECT_EQ(shadows.count(), lights.size());
+    return make_frame_uniforms(from_above(), {64, 48}, options, false, lights, shadows, {}).ground_reach;
+  };
+  const glm::vec4 sun = reach_of({&both[0], 1}), spot = reach_of({&both[1], 1}), all = reach_of(both);
+  EXPECT_NE(sun, spot);
+  EXPECT_EQ(all, glm::vec4(std::min(sun.x, spot.x), std::min(sun.y, spot.y), std::max(sun.z, spot.z),
+                           std::max(sun.w, spot.w)));
+}
+
+TEST(shadow_lights, are_directional_ones_before_spots_and_four_at_most_by_their_place) {
+  BuiltScene built;
+  for (const Light::Kind kind : {Light::Kind::spot, Light::Kind::point, Light::Kind::directional, Light::Kind::spot,
+                                 Light::Kind::spot, Light::Kind::directional})
+    add_light_at(built, {.kind = kind}, {0, 3, 0}, {0, -1, 0});
+  const FrameResult frame = built.frame();
+  std::vector<PlacedLight> placed;
+  for (const Light& light : built.scene.lights) placed.push_back({&light, frame.model[light.joint]});
+  RenderOptions options = key_light_alone();
+  options.lighting.scene_lights = true;
+  const ShadowLights casting = shadow_lights(from_above(), options, placed);
+  EXPECT_EQ(casting.mask(), 0b101101u);
+  EXPECT_TRUE(std::is_sorted(casting.begin(), casting.end(),
+                             [](const ShadowLight& a, const ShadowLight& b) { return a.index < b.index; }));
+  EXPECT_TRUE(casting.begin()[0].spot);
+  EXPECT_FALSE(casting.begin()[1].spot);
+  EXPECT_EQ(shadow_lights(from_above(), options, {placed.data() + 1, 1}).count(), 0u) << "points cast none";
+  options.shadows.on = false;
+  EXPECT_EQ(shadow_lights(from_above(), options, placed).count(), 0u);
 }
 
 glm::dvec3 on_map(const ShadowView& view, const glm::dvec3& p) {

@@ -48,7 +48,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   weighted_images = has(Pass::weighted);
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;
-  shadow_image = needs.shadowed();
+  shadow_maps = needs.shadowed() ? needs.shadows : 0;
   ao_image = occlusion;
   half_blurred_ao = occlusion && needs.blur;
 }

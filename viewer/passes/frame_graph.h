@@ -10,7 +10,7 @@
 namespace sinew::viewer {
 
 enum class Pass : std::uint8_t {
-  shadow,        ///< depth as a light sees it
+  shadow,        ///< depth as lights see it
   normal_depth,  ///< view-space normals and depth of everything opaque
   ssao,          ///< ambient access: how much ambient light arrives; at half size
   blur_horizontal,
@@ -35,12 +35,12 @@ struct FrameNeeds {
   bool blended = false;   ///< something is visible that is drawn from far to near
   bool weighted = false;  ///< something is visible that blends in any order
   bool overlay = false;   ///< lines or a panel
-  bool unlit = false;    ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
-  bool gooch = false;    ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
-  bool shadows = false;  ///< a light casts them
-  bool ambient = true;   ///< there is ambient light
-  bool occlusion = true;  ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
-  bool baked = false;     ///< ambient access comes with the vertices; then `occlusion` is false
+  bool unlit = false;  ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
+  bool gooch = false;  ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
+  std::uint32_t shadows = 0;  ///< lights that cast them
+  bool ambient = true;        ///< there is ambient light
+  bool occlusion = true;      ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
+  bool baked = false;         ///< ambient access comes with the vertices; then `occlusion` is false
   bool blur = true;
   bool auto_exposure = false;
   bool ground = false;        ///< it is switched on and seen from above
@@ -48,7 +48,9 @@ struct FrameNeeds {
   Show show = Show::color;
 
   /// Some pass reads the shadow map.
-  bool shadowed() const noexcept { return shadows && show == Show::color && (opaque || blended || weighted || ground); }
+  bool shadowed() const noexcept {
+    return shadows > 0 && show == Show::color && (opaque || blended || weighted || ground);
+  }
 
   /// Some pass reads normals and depth to draw lines.
   bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
@@ -74,7 +76,8 @@ class FrameGraph {
   const Pass* end() const noexcept { return passes_.data() + count_; }
   std::size_t size() const noexcept { return count_; }
 
-  bool depth_image = false, normal_image = false, color_image = false, shadow_image = false;
+  bool depth_image = false, normal_image = false, color_image = false;
+  std::uint32_t shadow_maps = 0;
   bool exposure_image = false;
   bool weighted_images = false;  ///< sums of colours and weights, and coverage; with an unlit image unlit sums, too
   bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image

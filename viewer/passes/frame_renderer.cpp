@@ -98,7 +98,7 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
   const auto opaque = static_cast<std::uint32_t>(draws.opaque().size()),
              blended = static_cast<std::uint32_t>(draws.blended().size()),
              weighted = static_cast<std::uint32_t>(draws.weighted().size());
-  const PassWork work{.caster_draws = static_cast<std::uint32_t>(draws.casters().size()),
+  const PassWork work{.caster_draws = needs.shadows * static_cast<std::uint32_t>(draws.casters().size()),
                       .opaque_draws = opaque,
                       .blended_draws = blended,
                       .weighted_draws = weighted,
@@ -116,13 +116,13 @@ bool reads_environment(const FrameInputs& inputs) {
 }
 
 FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights,
-                          const ShadowLight& shadow) {
+                          const ShadowLights& shadows) {
   return {.occluded = graph.ao_image,
           .vertex_access = graph.vertex_access,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
           .ambient = inputs.options.lighting.ambient() && !is_gooch(inputs),
-          .shadow_light = graph.shadow_image ? shadow.index : kNone,
+          .shadow_lights = graph.shadow_maps > 0 ? shadows.mask() : 0,
           .tone_curve = inputs.options.lighting.tone_curve,
           .backdrop = inputs.options.lighting.ambient() ? inputs.options.backdrop : Backdrop::plain,
           .auto_exposure = graph.exposure_image,
@@ -141,7 +141,7 @@ glm::vec2 weighted_range(const DepthRange& range) {
   return {range.nearest_m, depth_m > 0.0f ? 1.0f / depth_m : 0.0f};
 }
 
-FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLight& shadow) {
+FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows) {
   const bool gooch = is_gooch(inputs),
              visible = !draws.opaque().empty() || !draws.blended().empty() || !draws.weighted().empty();
   const bool ground = !gooch || inputs.options.ground.look == GroundLook::grid;
@@ -151,7 +151,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .overlay = !inputs.lines.empty() || inputs.overlay,
           .unlit = draws.unlit() || (gooch && visible),
           .gooch = gooch,
-          .shadows = shadow.index != kNone && !draws.casters().empty(),
+          .shadows = draws.casters().empty() ? 0 : shadows.count(),
           .ambient = inputs.options.lighting.ambient() && !gooch,
           .occlusion = inputs.options.ao.in_screen_space(),
           .baked = inputs.options.ao.at_vertices(),
@@ -171,12 +171,13 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   const double aspect = static_cast<double>(target.extent.width) / target.extent.height;
   const auto start = std::chrono::steady_clock::now();
   state.collect_lights(inputs);
-  const ShadowLight shadow = is_gooch(inputs) ? ShadowLight{} : shadow_light(inputs.view, inputs.options, state.lights);
-  const bool casters = shadow.index != kNone && inputs.options.show == Show::color;
+  const ShadowLights shadows =
+      is_gooch(inputs) ? ShadowLights{} : shadow_lights(inputs.view, inputs.options, state.lights);
+  const bool casters = shadows.count() > 0 && inputs.options.show == Show::color;
   state.draws.collect(inputs.scenes, inputs.slot, inputs.view, aspect,
                       std::min(kPointPixels, state.device.max_point_size()), casters, inputs.options.transparency);
   const double collect_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-  const FrameNeeds needs = needs_of(state.draws, inputs, shadow);
+  const FrameNeeds needs = needs_of(state.draws, inputs, shadows);
   const FrameGraph graph(needs);
   state.targets.fit(graph, target.extent);
   slot.report = report_of(state.draws, needs, inputs, state.targets, collect_us);
@@ -184,7 +185,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
   if (reads_environment(inputs)) state.environment.show(inputs.options.lighting.environment);
   if (state.draws.reads_table() && !is_gooch(inputs)) state.environment.show_table();
   FrameUniforms uniforms =
-      make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadow, state.kernel);
+      make_frame_uniforms(inputs.view, target.extent, inputs.options, occlusion, state.lights, shadows, state.kernel);
   uniforms.weighted_range = weighted_range(state.draws.weighted_range());
   slot.set.write(uniforms, state.targets, state.environment, graph.has(Pass::normal_depth));
   state.upload_lines(slot, inputs);
@@ -198,7 +199,7 @@ void FrameRenderer::record(VkCommandBuffer commands, const ColorTarget& target, 
                             state.draws,
                             inputs,
                             target,
-                            features_of(inputs, graph, state.lights, shadow),
+                            features_of(inputs, graph, state.lights, shadows),
                             slot.lines.handle(),
                             static_cast<std::uint32_t>(inputs.lines.size())};
   // The submit waits for the target's semaphore at colour output; this barrier continues from there.

@@ -7,14 +7,14 @@ namespace sinew::viewer {
 
 namespace {
 
-ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access) {
+ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access, const ShadowTiles& shadows) {
   constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   switch (target) {
     case Target::depth:
       return {kDepthFormat, full, 1, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::shadow:
       return {kDepthFormat,
-              {kShadowSize, kShadowSize},
+              {kShadowSize * shadows.columns, kShadowSize * shadows.rows},
               1,
               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
     case Target::color_samples:
@@ -62,7 +62,7 @@ void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
                                                  graph.ao_image,
                                                  graph.half_blurred_ao,
                                                  graph.color_image,
-                                                 graph.shadow_image,
+                                                 graph.shadow_maps > 0,
                                                  graph.sampled,
                                                  graph.sampled,
                                                  graph.unlit_image,
@@ -75,15 +75,20 @@ void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
                                                  weighted && graph.sampled,
                                                  weighted && graph.sampled,
                                                  weighted_unlit && graph.sampled};
-  bool changed = resized;
+  const bool other_maps = graph.shadow_maps != shadow_maps_;
+  bool changed = resized || other_maps;
   for (std::size_t i = 0; i < kTargetCount; ++i) changed = changed || wanted[i] != static_cast<bool>(slots_[i].image);
   if (!changed) return;
   device_.wait_idle();
   extent_ = extent;
+  shadow_maps_ = graph.shadow_maps;
   for (std::size_t i = 0; i < kTargetCount; ++i) {
-    if (wanted[i] && !resized && slots_[i].image) continue;
+    const bool fits = !resized && !(other_maps && static_cast<Target>(i) == Target::shadow);
+    if (wanted[i] && fits && slots_[i].image) continue;
     slots_[i] = {};
-    if (wanted[i]) slots_[i].image = GpuImage(device_, shape_of(static_cast<Target>(i), extent_, ao_extent()));
+    if (wanted[i])
+      slots_[i].image =
+          GpuImage(device_, shape_of(static_cast<Target>(i), extent_, ao_extent(), ShadowTiles(shadow_maps_)));
   }
 }
 

@@ -95,6 +95,7 @@ class FrameTargets {
   std::array<Slot, kTargetCount> slots_;
   GpuImage nothing_;
   VkExtent2D extent_{};
+  std::uint32_t shadow_maps_ = 0;
 };
 
 }  // namespace sinew::viewer

@@ -66,18 +66,19 @@ void write_environment(const View& view, const Lighting& lighting, FrameUniforms
   u.environment_intensity = lighting.environment_intensity;
 }
 
-void write_shadow(const View& view, const Aabb& bounds, const ShadowLight& light, FrameUniforms& u) {
+ShadowMapUniforms shadow_map(const View& view, const Aabb& bounds, const ShadowLight& light) {
   const ShadowView map = light.spot ? spot_shadow_view(bounds, light.position, light.to_light, light.cone_rad)
                                     : shadow_view(bounds, light.to_light);
   const auto map_from_view = map.map_from_view(inverse_rigid(view.view_from_world));
-  for (std::size_t i = 0; i < 4; ++i) u.shadow_from_view[i] = glm::vec4(map_from_view[i]);
-  u.shadow_texel_m = static_cast<float>(map.texel_m);
+  ShadowMapUniforms u;
+  for (std::size_t i = 0; i < 4; ++i) u.from_view[i] = glm::vec4(map_from_view[i]);
+  u.texel_m = static_cast<float>(map.texel_m);
+  return u;
 }
 
 /// The part of the ground that is drawn, from its middle: a grid all around, else no more than what may be darker.
-/// in   shadow  the light that casts shadows
 ///      contact_m  how far ambient occlusion reaches
-glm::vec4 ground_reach(const Ground& ground, const ShadowLight& shadow, double contact_m) {
+glm::vec4 ground_reach(const Ground& ground, const ShadowLights& shadows, double contact_m) {
   const double radius = ground.radius_m;
   const glm::vec4 whole(-ground.radius_m, -ground.radius_m, ground.radius_m, ground.radius_m);
   glm::dvec2 least(-radius), most(radius);
@@ -94,19 +95,18 @@ glm::vec4 ground_reach(const Ground& ground, const ShadowLight& shadow, double c
       const glm::dvec3 corner(c & 1 ? box.upper.x : box.lower.x, c & 2 ? box.upper.y : box.lower.y,
                               c & 4 ? box.upper.z : box.lower.z);
       add(corner);
-      if (shadow.index == kNone) continue;
-      const glm::dvec3 to_light = shadow.spot ? shadow.position - corner : shadow.to_light;
-      if (to_light.y > 0.0)
+      for (const ShadowLight& shadow : shadows) {
+        const glm::dvec3 to_light = shadow.spot ? shadow.position - corner : shadow.to_light;
+        if (!(to_light.y > 0.0)) return whole;  // a lamp below the highest caster: shadows without end
         add(corner - to_light * ((corner.y - ground.middle.y) / to_light.y));
-      else
-        return whole;  // a lamp below the highest caster: shadows without end
+      }
     }
   }
   return {static_cast<float>(least.x), static_cast<float>(least.y), static_cast<float>(most.x),
           static_cast<float>(most.y)};
 }
 
-void write_ground(const View& view, const RenderOptions& options, const ShadowLight& shadow, FrameUniforms& u) {
+void write_ground(const View& view, const RenderOptions& options, const ShadowLights& shadows, FrameUniforms& u) {
   const Ground& ground = options.ground;
   u.ground_middle = glm::vec3(transform_point(view.view_from_world, ground.middle));
   u.ground_radius_m = ground.radius_m;
@@ -116,7 +116,7 @@ void write_ground(const View& view, const RenderOptions& options, const ShadowLi
   u.ground_grid_step_m = ground.grid_step_m;
   u.ground_grid_offset = {static_cast<float>(ground.middle.x - step * std::floor(ground.middle.x / step)),
                           static_cast<float>(ground.middle.z - step * std::floor(ground.middle.z / step))};
-  u.ground_reach = ground_reach(ground, shadow, options.ao.in_screen_space() ? options.ao.radius_m : 0.0);
+  u.ground_reach = ground_reach(ground, shadows, options.ao.in_screen_space() ? options.ao.radius_m : 0.0);
 }
 
 }  // namespace
@@ -130,25 +130,39 @@ std::uint32_t light_count(const RenderOptions& options, std::span<const PlacedLi
   return static_cast<std::uint32_t>(std::max<std::size_t>(of_scene, 1));
 }
 
-ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights) {
-  if (!options.shadows.on || options.shadows.bounds.empty()) return {};
+void ShadowLights::sort() noexcept {
+  std::sort(lights_.begin(), lights_.begin() + count_,
+            [](const ShadowLight& a, const ShadowLight& b) { return a.index < b.index; });
+}
+
+std::uint32_t ShadowLights::mask() const noexcept {
+  std::uint32_t mask = 0;
+  for (const ShadowLight& light : *this) mask |= 1u << light.index;
+  return mask;
+}
+
+ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights) {
+  ShadowLights casting;
+  if (!options.shadows.on || options.shadows.bounds.empty()) return casting;
   const Lighting& lighting = options.lighting;
   if (lights.empty() || !lighting.scene_lights) {
-    if (lighting.key == glm::vec3(0.0f)) return {};
+    if (lighting.key == glm::vec3(0.0f)) return casting;
     const glm::dvec3 to_key(safe_normalize(lighting.to_key, {0.0f, 1.0f, 0.0f}));
-    if (!lighting.key_follows_camera) return {0, to_key};
-    return {0, glm::transpose(linear_part(view.view_from_world)) * to_key};  // of a rotation, the inverse
+    const glm::dmat3 view_from_world = linear_part(view.view_from_world);
+    casting.add({0, lighting.key_follows_camera ? glm::transpose(view_from_world) * to_key : to_key});
+    return casting;  // of a rotation, the transpose is the inverse
   }
   for (const Light::Kind kind : {Light::Kind::directional, Light::Kind::spot})
-    for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights); ++i) {
+    for (std::uint32_t i = 0; i < std::min(lights.size(), kMaxLights) && !casting.full(); ++i) {
       const Light& light = *lights[i].light;
       if (light.kind != kind) continue;
       const Affined world = affine_cast<double>(lights[i].world_from_light);
       const glm::dvec3 back = transform_vector(world, glm::dvec3(0.0, 0.0, 1.0));
-      return {i, glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, 1.0), kind == Light::Kind::spot,
-              translation_of(world), static_cast<double>(light.outer_cone_rad)};
+      casting.add({i, glm::length(back) > 0.0 ? glm::normalize(back) : glm::dvec3(0.0, 0.0, 1.0),
+                   kind == Light::Kind::spot, translation_of(world), static_cast<double>(light.outer_cone_rad)});
     }
-  return {};
+  casting.sort();
+  return casting;
 }
 
 bool ground_is_seen(const View& view, const Ground& ground) noexcept {
@@ -158,7 +172,7 @@ bool ground_is_seen(const View& view, const Ground& ground) noexcept {
 }
 
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
-                                  std::span<const PlacedLight> lights, const ShadowLight& shadow,
+                                  std::span<const PlacedLight> lights, const ShadowLights& shadows,
                                   const SsaoKernel& kernel) {
   FrameUniforms u;
   const double aspect = static_cast<double>(extent.width) / extent.height;
@@ -176,8 +190,9 @@ FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const Ren
   u.nearest_shown_m = options.depth_range.nearest_m;
   u.farthest_shown_m = std::max(options.depth_range.farthest_m, options.depth_range.nearest_m + 1e-6f);
   write_environment(view, options.lighting, u);
-  if (shadow.index != kNone) write_shadow(view, options.shadows.bounds, shadow, u);
-  if (ground_is_seen(view, options.ground)) write_ground(view, options, shadow, u);
+  for (std::size_t i = 0; i < shadows.count(); ++i)
+    u.shadow_maps[i] = shadow_map(view, options.shadows.bounds, shadows.begin()[i]);
+  if (ground_is_seen(view, options.ground)) write_ground(view, options, shadows, u);
   for (int i = 0; i < 3; ++i) u.background[i] = linear_from_srgb(options.background[i]);
   for (std::size_t i = 0; occlusion && i < kernel.offsets.size(); ++i)
     u.offsets[i] = glm::vec4(kernel.offsets[i], 0.0f);

@@ -11,6 +11,7 @@
 
 #include "runtime/model/scene.h"
 #include "viewer/passes/render_options.h"
+#include "viewer/passes/shadow_view.h"
 #include "viewer/passes/ssao_kernel.h"
 #include "viewer/passes/view.h"
 
@@ -30,6 +31,12 @@ struct LightUniforms {
   std::array<float, 3> padding{};
 };
 
+struct ShadowMapUniforms {
+  std::array<glm::vec4, 4> from_view{};  ///< rows of ShadowView::map_from_view
+  float texel_m = 0.0f;
+  std::array<float, 3> padding{};
+};
+
 struct FrameUniforms {
   glm::vec4 projection{0.0f};  ///< clip x and y = these * view x and y; clip z = third + fourth * view z
   float near_m = 0.0f;
@@ -39,11 +46,11 @@ struct FrameUniforms {
   float occlusion_radius_m = 0.0f, surface_epsilon_m = 0.0f, fade_start_m = 0.0f, fade_end_m = 0.0f;
   float nearest_shown_m = 0.0f, farthest_shown_m = 0.0f;  ///< range of the depth picture
   float environment_intensity = 0.0f;
-  float shadow_texel_m = 0.0f;
+  float first_padding = 0.0f;
   std::array<glm::vec4, 3> environment_from_view{};  ///< columns of the rotation
   std::array<glm::vec4, 9> diffuse_light{};          ///< Environment::diffuse times its intensity
-  std::array<glm::vec4, 4> shadow_from_view{};       ///< rows of ShadowView::map_from_view
-  glm::vec3 ground_middle{0.0f};                     ///< view space
+  std::array<ShadowMapUniforms, kMostShadows> shadow_maps{};
+  glm::vec3 ground_middle{0.0f};  ///< view space
   float ground_radius_m = 0.0f;
   glm::vec3 ground_x{0.0f};  ///< x and z of the world in view space
   float ground_grid_step_m = 0.0f;
@@ -57,7 +64,7 @@ struct FrameUniforms {
   std::array<glm::vec4, 16> noise{};
   std::array<LightUniforms, kMaxLights> lights{};
 };
-static_assert(sizeof(FrameUniforms) == 16 * (26 + kMostOcclusionSamples + 16 + 4 * kMaxLights));
+static_assert(sizeof(FrameUniforms) == 16 * (22 + 5 * kMostShadows + kMostOcclusionSamples + 16 + 4 * kMaxLights));
 
 /// A light of the scene and the world matrix of its joint, as animated in this frame.
 struct PlacedLight {
@@ -65,27 +72,45 @@ struct PlacedLight {
   Affine world_from_light;
 };
 
-/// The light in the uniforms that casts shadows, and where it shines from. World space.
+/// A light in the uniforms that casts shadows, and where it shines from. World space.
 struct ShadowLight {
-  std::uint32_t index = kNone;  ///< kNone = there is none
-  glm::dvec3 to_light{0.0};     ///< unit, against the direction of the light
+  std::uint32_t index = kNone;
+  glm::dvec3 to_light{0.0};  ///< unit, against the direction of the light
   bool spot = false;
   glm::dvec3 position{0.0};  ///< spot
   double cone_rad = 0.0;     ///< spot: half angle, outside of which it is dark
 };
 
-/// The first directional light, else the first spot light, else the key light where the scene has no lights. None where
-/// shadows are off or have no bounds.
-ShadowLight shadow_light(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
+/// The lights that cast shadows, by their place in the uniforms; each has the map of its place in this list.
+class ShadowLights {
+ public:
+  void add(const ShadowLight& light) noexcept { lights_[count_++] = light; }
+  void sort() noexcept;
+
+  const ShadowLight* begin() const noexcept { return lights_.data(); }
+  const ShadowLight* end() const noexcept { return lights_.data() + count_; }
+  std::uint32_t count() const noexcept { return count_; }
+  bool full() const noexcept { return count_ == kMostShadows; }
+  /// Bit i is set where light i of the uniforms casts shadows.
+  std::uint32_t mask() const noexcept;
+
+ private:
+  std::array<ShadowLight, kMostShadows> lights_{};
+  std::uint32_t count_ = 0;
+};
+
+/// The first directional lights, then the first spot lights, kMostShadows of both; the key light where the scene has no
+/// lights. None where shadows are off or have no bounds.
+ShadowLights shadow_lights(const View& view, const RenderOptions& options, std::span<const PlacedLight> lights);
 
 /// It is switched on, and the eye is above it (a parallel view looks down on it).
 bool ground_is_seen(const View& view, const Ground& ground) noexcept;
 
 /// in   lights  of all scenes shown; the key light of `options` is used if there are none or scene_lights is off
-///      shadow  its map is fitted to options.shadows.bounds
+///      shadows  their maps are fitted to options.shadows.bounds
 ///      occlusion  the frame has ambient occlusion: its sample offsets are needed
 FrameUniforms make_frame_uniforms(const View& view, VkExtent2D extent, const RenderOptions& options, bool occlusion,
-                                  std::span<const PlacedLight> lights, const ShadowLight& shadow,
+                                  std::span<const PlacedLight> lights, const ShadowLights& shadows,
                                   const SsaoKernel& kernel);
 
 /// Number of lights in the uniforms, at least the key light.

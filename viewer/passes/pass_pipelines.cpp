@@ -41,7 +41,7 @@ enum ConstantId : std::size_t {
   id_transparent_background = 14,
   id_ambient = 15,
   id_shadow_map = 16,
-  id_shadow_light = 17,
+  id_shadow_lights = 17,
   id_unlit_image = 18,
   id_auto_exposure = 19,
   id_vertex_access = 20,
@@ -94,7 +94,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (!shades || surface.normals == NormalSource::none) {
     key.frame.occluded = key.frame.ambient = false;
     key.frame.light_count = 0;
-    key.frame.shadow_light = kNone;
+    key.frame.shadow_lights = 0;
     sets[1] = sets[3] = 0;
     surface.material.layers = {};
   }
@@ -113,7 +113,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   if (key.through != Through::nothing && key.through != Through::light) {
     key.frame.ambient = false;
     key.frame.light_count = 0;
-    key.frame.shadow_light = kNone;
+    key.frame.shadow_lights = 0;
     key.frame.vertex_access = false;
     sets[3] = sets[4] = 0;
   }
@@ -188,9 +188,9 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_show_level] = key.frame.shows_level;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
-  shape.constants[id_shadow_map] = key.pass == Pass::shadow;
+  shape.constants[id_shadow_map] = key.pass == Pass::shadow ? key.shadow_map + 1 : 0;
   shape.constants[id_vertex_access] = key.frame.vertex_access;
-  shape.constants[id_shadow_light] = key.frame.shadow_light;
+  shape.constants[id_shadow_lights] = key.frame.shadow_lights;
   shape.depth_write = prepass || (!blended && !key.after_prepass);
   shape.depth_compare = !blended && key.after_prepass ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = blended;
@@ -216,7 +216,7 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.constants[0] = key.grid;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
-  shape.constants[id_shadow_light] = key.frame.shadow_light;
+  shape.constants[id_shadow_lights] = key.frame.shadow_lights;
 }
 
 void shape_outline(const ScreenPipelineKey& key, PipelineShape& shape) {

@@ -71,8 +71,8 @@ struct FrameFeatures {
   bool vertex_access = false;  ///< vertices bring their ambient access
   bool parallel = false;       ///< parallel projection
   bool transparent_background = false;
-  bool ambient = false;                ///< there is an environment
-  std::uint32_t shadow_light = kNone;  ///< index of the light that casts shadows; kNone = none does
+  bool ambient = false;             ///< there is an environment
+  std::uint32_t shadow_lights = 0;  ///< bit i is set: light i casts shadows
   ToneCurve tone_curve = ToneCurve::neutral;
   Backdrop backdrop = Backdrop::plain;
   bool auto_exposure = false;       ///< there is an image with the exposure
@@ -105,16 +105,16 @@ struct MeshPipelineKey {
   bool masked = false;
   bool covers = false;  ///< transparent: alpha is no coverage
   Through through = Through::nothing;
-  bool after_prepass = false;  ///< opaque: depth is written already, the test is EQUAL
-  bool depth_only = false;     ///< normal_depth, shadow; opaque: the depth of the samples
+  bool after_prepass = false;    ///< opaque: depth is written already, the test is EQUAL
+  std::uint32_t shadow_map = 0;  ///< shadow: which one
+  bool depth_only = false;       ///< normal_depth, shadow; opaque: the depth of the samples
   FrameFeatures frame;
   SurfaceFeatures surface;
 
   auto operator<=>(const MeshPipelineKey&) const = default;
 };
 
-/// The properties of a pipeline that covers the target, or draws the ground (normal_depth: its prepass) or the lines of
-/// the overlay.
+/// The properties of a pipeline that covers the target, or draws the ground (or its prepass) or lines of the overlay.
 struct ScreenPipelineKey {
   Pass pass = Pass::tonemap;
   Show show = Show::color;                            ///< Pass::show: which buffer

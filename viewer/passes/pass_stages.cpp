@@ -35,7 +35,7 @@ std::string_view why_outline(const FrameNeeds& needs) {
 }
 
 std::string_view why_shadow(const FrameNeeds& needs) {
-  if (needs.shadowed()) return "depth as the light sees it that casts shadows";
+  if (needs.shadowed()) return "depth as each light sees it that casts shadows";
   if (needs.gooch) return "Gooch shading counts no light";
   if (!needs.shadows) return "no light casts shadows";
   return needs.show == Show::color ? "nothing is in view" : "the picture shows a buffer instead";

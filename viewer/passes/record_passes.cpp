@@ -1,73 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/record_passes.h"
 
+#include "viewer/passes/rendering.h"
 #include "viewer/passes/shadow_view.h"
 
 namespace sinew::viewer {
 
 namespace {
-
-/// The attachments of a pass.
-struct Attachments {
-  VkImageView color = VK_NULL_HANDLE;
-  VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;             ///< CLEAR = to zeros
-  VkImageView resolve = VK_NULL_HANDLE;                                  ///< gets the mean of the samples of `color`
-  VkImageView second = VK_NULL_HANDLE, second_resolve = VK_NULL_HANDLE;  ///< as `color` and `resolve`; null = none
-  VkImageView third = VK_NULL_HANDLE, third_resolve = VK_NULL_HANDLE;
-  VkImageView depth = VK_NULL_HANDLE;
-  bool depth_write = false;  ///< true: depth is cleared and written; false: it is loaded and only tested
-  VkExtent2D extent{};
-};
-
-/// Dynamic rendering: begins on construction and ends with the object.
-class Rendering {
- public:
-  Rendering(VkCommandBuffer commands, const Attachments& attachments);
-  ~Rendering() { vkCmdEndRendering(commands_); }
-  Rendering(const Rendering&) = delete;
-  Rendering& operator=(const Rendering&) = delete;
-
- private:
-  VkCommandBuffer commands_;
-};
-
-VkRenderingAttachmentInfo color_attachment(VkImageView view, VkAttachmentLoadOp load, VkImageView resolve) {
-  VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-  color.imageView = view;
-  color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-  color.loadOp = load;
-  color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  if (resolve) {
-    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-    color.resolveImageView = resolve;
-    color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-  }
-  return color;
-}
-
-Rendering::Rendering(VkCommandBuffer commands, const Attachments& attachments) : commands_(commands) {
-  const std::array colors = {color_attachment(attachments.color, attachments.load, attachments.resolve),
-                             color_attachment(attachments.second, attachments.load, attachments.second_resolve),
-                             color_attachment(attachments.third, attachments.load, attachments.third_resolve)};
-  VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-  depth.imageView = attachments.depth;
-  depth.imageLayout = attachments.depth_write ? kWriteDepth.layout : kReadDepth.layout;
-  depth.loadOp = attachments.depth_write ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-  depth.storeOp = attachments.depth_write ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
-  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-  info.renderArea.extent = attachments.extent;
-  info.layerCount = 1;
-  info.colorAttachmentCount = !attachments.color ? 0 : attachments.third ? 3 : attachments.second ? 2 : 1;
-  info.pColorAttachments = colors.data();
-  info.pDepthAttachment = attachments.depth ? &depth : nullptr;
-  vkCmdBeginRendering(commands, &info);
-  const VkViewport viewport{
-      0.0f, 0.0f, static_cast<float>(attachments.extent.width), static_cast<float>(attachments.extent.height),
-      0.0f, 1.0f};
-  const VkRect2D scissor{{0, 0}, attachments.extent};
-  vkCmdSetViewport(commands, 0, 1, &viewport);
-  vkCmdSetScissor(commands, 0, 1, &scissor);
-}
 
 /// The sides of a draw that are not drawn, for each time that it is drawn.
 std::span<const VkCullModeFlagBits> culled_sides(const Draw& draw, Pass pass) noexcept {
@@ -147,10 +86,16 @@ void draw_screen(const PassContext& context, VkPipeline pipeline, VkDescriptorSe
 void record_shadow(const PassContext& context) {
   context.targets.next_use(context.commands, Target::shadow, kWriteDepth, false);
   {
-    const Rendering rendering(
-        context.commands,
-        {.depth = context.targets.view(Target::shadow), .depth_write = true, .extent = {kShadowSize, kShadowSize}});
-    draw_meshes(context, context.draws.casters(), {.pass = Pass::shadow, .depth_only = true});
+    const ShadowTiles tiles(context.graph.shadow_maps);
+    const Rendering rendering(context.commands, {.depth = context.targets.view(Target::shadow),
+                                                 .depth_write = true,
+                                                 .extent = {kShadowSize * tiles.columns, kShadowSize * tiles.rows}});
+    for (std::uint32_t map = 0; map < context.graph.shadow_maps; ++map) {
+      const std::uint32_t x = kShadowSize * (map % tiles.columns), y = kShadowSize * (map / tiles.columns);
+      set_area(context.commands,
+               {{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, {kShadowSize, kShadowSize}});
+      draw_meshes(context, context.draws.casters(), {.pass = Pass::shadow, .shadow_map = map, .depth_only = true});
+    }
   }
   context.targets.next_use(context.commands, Target::shadow, kReadDepth);
 }

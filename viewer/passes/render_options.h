@@ -95,7 +95,7 @@ struct Lighting {
   bool ambient() const noexcept { return environment && environment_intensity > 0.0f; }
 };
 
-/// Shadows of one light: the first directional light of the scene, else its first spot light, else the key light.
+/// Shadows of the directional and spot lights of the scene, four at most, or of the key light.
 struct Shadows {
   bool on = false;
   Aabb bounds;  ///< world space: everything that casts or receives them; empty = none

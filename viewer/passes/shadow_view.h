@@ -7,10 +7,20 @@
 
 namespace sinew::viewer {
 
-/// Texels along an edge of the shadow map.
+/// Texels along an edge of a shadow map.
 inline constexpr std::uint32_t kShadowSize = 2048;
 
-/// The shadow map as a light sees it.
+/// Lights that cast shadows at most: their maps are tiles of one image, which any Vulkan device may have so large.
+inline constexpr std::uint32_t kMostShadows = 4;
+
+/// Tiles of the image of so many maps. Map i is at column i % columns, row i / columns.
+struct ShadowTiles {
+  std::uint32_t columns, rows;
+
+  explicit constexpr ShadowTiles(std::uint32_t maps) noexcept : columns(maps > 1 ? 2 : 1), rows(maps > 2 ? 2 : 1) {}
+};
+
+/// A shadow map as its light sees it.
 struct ShadowView {
   /// Rows x, y, z, w: x / w and y / w in [-1, 1] over the map, z / w 1 at its near end, 0 at its far end; w = 1 for a
   /// light from far away, else the distance along the light's axis.

@@ -13,6 +13,11 @@ struct Light {
   float inverse_cone_width;   // 1 / (cos(inner) - cos(outer))
 };
 
+struct ShadowMap {            // (viewer/passes/shadow_view.h)
+  vec4 from_view[4];          // rows x, y, z, w
+  float texel_m;              // where w is 1
+};
+
 layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 projection;            // clip x and y = these * view x and y; clip z = third + fourth * view z
   float near_m;
@@ -26,10 +31,9 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   float nearest_shown_m;      // range of the depth picture
   float farthest_shown_m;
   float environment_intensity;
-  float shadow_texel_m;       // where w is 1
   mat3 environment_from_view;
   vec4 diffuse_light[9];      // spherical harmonics of the environment times its intensity (viewer/light/environment.h)
-  vec4 shadow_from_view[4];   // rows x, y, z, w of the shadow map (viewer/passes/shadow_view.h)
+  ShadowMap shadow_maps[4];
   vec3 ground_middle;         // view space
   float ground_radius_m;
   vec3 ground_x;              // x and z of the world in view space
@@ -50,7 +54,7 @@ layout(set = 0, binding = 3) uniform sampler2D ao_image;       // half size: amb
 layout(set = 0, binding = 4) uniform sampler2D color_image;    // linear, premultiplied
 layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radiance; level i filtered for roughness i / last
 layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)
-layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depth of the light that casts shadows, 1 = near
+layout(set = 0, binding = 7) uniform sampler2D shadow_image;          // depths of the lights that cast shadows, in tiles; 1 = near
 layout(set = 0, binding = 8) uniform sampler2D unlit_image;           // linear, premultiplied, as displayed; alpha: its share
 layout(set = 0, binding = 9) uniform sampler2D exposure_image;        // automatic exposure: one texel, or the sums that it is made of
 layout(set = 0, binding = 10) uniform sampler2D weighted_image;       // sums over blended surfaces: weight * coverage * colour, weight * coverage

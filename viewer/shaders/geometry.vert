@@ -8,7 +8,7 @@
 #include "projection.glsl"
 #include "quaternion_normal.glsl"
 
-layout(constant_id = 16) const bool kShadowMap = false;      // draws the shadow map
+layout(constant_id = 16) const int kShadowMap = 0;           // draws this shadow map, counted from 1; 0 = none
 layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 
 layout(location = 0) in vec3 position;
@@ -76,10 +76,9 @@ void main() {
   texcoords = vec4(texcoord_0, texcoord_1);
   vertex_color = color;
   vertex_access = kVertexAccess ? mix(access, next_access, draw.access_factor) : 1.0;
-  if (kShadowMap) {
-    vec4 from = vec4(view, 1.0);
-    gl_Position = vec4(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from),
-                       dot(frame.shadow_from_view[2], from), dot(frame.shadow_from_view[3], from));
+  if (kShadowMap > 0) {
+    vec4 from = vec4(view, 1.0), rows[4] = frame.shadow_maps[kShadowMap - 1].from_view;
+    gl_Position = vec4(dot(rows[0], from), dot(rows[1], from), dot(rows[2], from), dot(rows[3], from));
   } else {
     gl_Position = clip_from_view(view);
   }

@@ -16,7 +16,6 @@
 layout(constant_id = 0) const bool kGrid = false;
 layout(constant_id = 13) const int kLightCount = 1;
 layout(constant_id = 15) const bool kAmbient = true;   // there is an environment
-layout(constant_id = 17) const int kShadowLight = -1;  // index of the light that casts shadows, -1 = none
 
 const float kFadeStart = 0.6;       // part of the radius
 const float kLineCoverage = 0.3;
@@ -48,7 +47,7 @@ float shadow_coverage() {
     vec3 to_light;
     float light = dot(arriving(frame.lights[i], view_position, to_light), kLuminance) * max(dot(normal, to_light), 0.0);
     unhindered += light;
-    if (i == kShadowLight) light *= light_share(view_position, normal, to_light);
+    if (casts_shadows(i)) light *= light_share(i, view_position, normal, to_light);
     hindered += light;
   }
   return 1.0 - hindered / max(unhindered, 1e-9);

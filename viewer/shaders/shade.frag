@@ -32,7 +32,6 @@ layout(constant_id = 27) const int kThrough = kOpaque;
 layout(constant_id = 0) const bool kMasked = false;      // the alpha test, when no prepass did it
 layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha; there is no ambient access for these
 layout(constant_id = 13) const int kLightCount = 1;
-layout(constant_id = 17) const int kShadowLight = -1;    // index of the light that casts shadows, -1 = none
 layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
 
@@ -85,7 +84,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
     vec3 to_light, irradiance = arriving(frame.lights[i], view_position, to_light);
     vec3 below = under_sheen(sheen, s, reflected(s, to_light, irradiance), to_light, irradiance);
     vec3 light = coated(coat, below, s.to_viewer, to_light, irradiance);
-    if (i == kShadowLight) light *= light_share(view_position, geometry_normal, frame.lights[i].to_light);
+    if (casts_shadows(i)) light *= light_share(i, view_position, geometry_normal, frame.lights[i].to_light);
     sum += light;
   }
   return sum;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the light that casts shadows reaches.
+// Where the lights that cast shadows reach.
+
+layout(constant_id = 17) const int kShadowLights = 0;    // bit i is set: light i casts shadows
 
 const float kOffsetTexels = 2.0;   // along the normal: a surface must not shadow itself, nor its filtered neighbours
 
@@ -10,19 +12,25 @@ float lit_texels(vec2 corner, float depth, vec2 columns, vec2 rows) {
   return dot(lit, vec4(columns.x * rows.y, columns.y * rows.y, columns.y * rows.x, columns.x * rows.x));
 }
 
-// Share of the light that arrives at a point: the mean of 3 x 3 texels that moves evenly between texels.
-// in   p, n, to_light  view space; n on the seen side
-float light_share(vec3 p, vec3 n, vec3 to_light) {
+bool casts_shadows(int light) { return (kShadowLights >> light & 1) != 0; }
+
+// Share of a light that arrives at a point: the mean of 3 x 3 texels that moves evenly between texels.
+// in   light  casts shadows;   p, n, to_light  view space; n on the seen side
+float light_share(int light, vec3 p, vec3 n, vec3 to_light) {
+  int maps = bitCount(kShadowLights), columns = maps > 1 ? 2 : 1;
+  int index = bitCount(kShadowLights & ((1 << light) - 1));
+  vec4 rows[4] = frame.shadow_maps[index].from_view;
   float grazing = sqrt(max(0.0, 1.0 - dot(n, to_light) * dot(n, to_light)));
-  float texel_m = frame.shadow_texel_m * dot(frame.shadow_from_view[3], vec4(p, 1.0));
+  float texel_m = frame.shadow_maps[index].texel_m * dot(rows[3], vec4(p, 1.0));
   vec4 from = vec4(p + n * (texel_m * (0.5 + kOffsetTexels * grazing)), 1.0);
-  float w = max(dot(frame.shadow_from_view[3], from), 1e-9);   // less is behind a spot light, where none arrives
-  vec2 map = vec2(dot(frame.shadow_from_view[0], from), dot(frame.shadow_from_view[1], from)) / w;
-  float depth = max(dot(frame.shadow_from_view[2], from) / w, 0.0);   // larger = nearer to the light; 0 = behind all casters
-  vec2 size = vec2(textureSize(shadow_image, 0));
-  vec2 at = (map * 0.5 + 0.5) * size - 1.5;   // of the upper left of the 4 x 4 texels
-  vec2 first = floor(at), part = at - first, corner = (first + 1.0) / size;
-  vec2 two = 2.0 / size, before = 1.0 - part;
+  float w = max(dot(rows[3], from), 1e-9);   // less is behind a spot light, where none arrives
+  vec2 map = vec2(dot(rows[0], from), dot(rows[1], from)) / w;
+  float depth = max(dot(rows[2], from) / w, 0.0);   // larger = nearer to the light; 0 = behind all casters
+  vec2 tiles = vec2(columns, maps > 2 ? 2 : 1), tile = vec2(index % columns, index / columns);
+  vec2 size = vec2(textureSize(shadow_image, 0)) / tiles;
+  vec2 at = clamp((map * 0.5 + 0.5) * size - 1.5, vec2(0.0), size - 4.0);   // of the upper left of the 4 x 4 texels
+  vec2 first = floor(at), part = at - first, corner = (tile + (first + 1.0) / size) / tiles;
+  vec2 two = 2.0 / (size * tiles), before = 1.0 - part;
   float sum = lit_texels(corner, depth, vec2(before.x, 1.0), vec2(before.y, 1.0)) +
               lit_texels(corner + vec2(two.x, 0.0), depth, vec2(1.0, part.x), vec2(before.y, 1.0)) +
               lit_texels(corner + vec2(0.0, two.y), depth, vec2(before.x, 1.0), vec2(1.0, part.y)) +
