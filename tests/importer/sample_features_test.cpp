@@ -379,6 +379,26 @@ TEST(sample_features, G66_a_missing_buffer_that_is_unpacked_from_another_is_not_
     }
 }
 
+TEST(sample_features, G66_a_plain_view_of_a_buffer_that_only_holds_room_is_missed) {
+  const auto with_views = [](int unpacked, int plain) {
+    Json root = Json::parse(R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"]})");
+    const Json room{{"byteLength", 16}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}};
+    root["buffers"] = {room, room};
+    root["bufferViews"] = {
+        {{"buffer", unpacked},
+         {"byteLength", 16},
+         {"extensions",
+          {{"EXT_meshopt_compression",
+            {{"buffer", 0}, {"byteLength", 16}, {"byteStride", 4}, {"count", 4}, {"mode", "ATTRIBUTES"}}}}}},
+        {{"buffer", plain}, {"byteLength", 16}}};
+    root["accessors"] = {{{"bufferView", 1}, {"componentType", 5121}, {"count", 4}, {"type", "VEC4"}}};
+    const std::string text = root.dump();
+    return outcome(import_gltf(bytes_of(text), "x"));
+  };
+  EXPECT_EQ(with_views(1, 0), "buffer-missing at /bufferViews/1/buffer");
+  EXPECT_EQ(with_views(0, 1), "buffer-missing at /bufferViews/1/buffer");
+}
+
 TEST(sample_features, one_run_finds_the_errors_after_a_broken_scene_or_too_deep_a_tree) {
   TinyGltf file;
   file.root["scene"] = 7;

@@ -92,6 +92,7 @@ TEST(vrm, version_0_speaks_the_words_of_version_1) {
   ASSERT_THAT(vrm.expressions, SizeIs(2));
   EXPECT_EQ(vrm.expressions[0].name, "happy");
   EXPECT_EQ(vrm.expressions[0].morphs.at(0).weight, 0.25f);
+  EXPECT_EQ(vrm.expressions[0].morphs[0].instance, 0u);
   EXPECT_EQ(vrm.expressions[1].name, "Mine");
   EXPECT_FALSE(vrm.expressions[1].is_preset);
   ASSERT_THAT(vrm.colliders, SizeIs(1));
@@ -101,6 +102,23 @@ TEST(vrm, version_0_speaks_the_words_of_version_1) {
   EXPECT_EQ(vrm.springs[1].joints[0].stiffness, 2.0f);
   EXPECT_EQ(vrm.springs[1].center, kNone);
   EXPECT_THAT(vrm.springs[1].colliders, ElementsAre(0u));
+}
+
+TEST(vrm, version_0_has_the_defaults_of_its_engine) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRM"};
+  file.root["extensions"]["VRM"] = Json::parse(R"({"humanoid": {"humanBones": [{"bone": "hips", "node": 0}]},
+    "blendShapeMaster": {"blendShapeGroups": [{"name": "Joy", "presetName": "joy", "binds": [{"mesh": 0, "index": 0}]}]},
+    "secondaryAnimation": {"boneGroups": [{"bones": [1]}]}})");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  const VrmCharacter& vrm = *result->vrm;
+  EXPECT_EQ(vrm.expressions.at(0).morphs.at(0).weight, 1.0f);
+  const VrmSpringJoint joint = vrm.springs.at(0).joints.at(0);
+  EXPECT_EQ(joint.stiffness, 1.0f);
+  EXPECT_EQ(joint.drag_force, 0.5f);
+  EXPECT_EQ(joint.gravity_power, 0.0f);
+  EXPECT_EQ(joint.hit_radius_m, 0.0f);
 }
 
 TEST(vrm, springs_and_constraints_are_read_without_a_humanoid) {
