@@ -12,6 +12,7 @@
 
 #include "importer/tool/bake/decoded_take.h"
 #include "importer/tool/clip_choice.h"
+#include "importer/tool/cost/filter_group.h"
 #include "importer/tool/cost/make_report.h"
 #include "importer/tool/cost/occlusion_group.h"
 #include "importer/tool/cost/subject.h"
@@ -42,7 +43,8 @@ std::string description_of(const std::string& file, const Scene& scene) {
                      counted(scene.skins.size(), "skin"), model_size_m(scene));
 }
 
-constexpr double kDoneBefore = 0.8;  // share of the progress line before the study of ambient occlusion
+constexpr double kDoneBefore = 0.7;  // share of the progress line before the study of ambient occlusion
+constexpr double kDoneBeforeFilters = 0.9;
 
 ExitCode finish(cost::Report report, const std::string& subject, const CostOptions& options) {
   report.subject = subject;
@@ -66,6 +68,9 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   show("ambient occlusion", kDoneBefore);
   const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(*scenes.moving);
   report.groups.push_back(cost::look_at_occlusion(cost::occlusion_arguments(options.file, looked_at, options.quick)));
+  show("texture filters", kDoneBeforeFilters);
+  const bool reads_textures = options.file.empty() || !scenes.moving->textures.empty();
+  report.groups.push_back(reads_textures ? cost::look_at_filters(options.quick) : cost::no_filters());
   progress.wipe();
   return finish(std::move(report), subject, options);
 }

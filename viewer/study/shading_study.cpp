@@ -110,23 +110,21 @@ class Drawing {
   Picture draw() {
     Picture picture = headless_.render(still_.frame(), view_, options_);
     for (const PassTime& time : headless_.pass_times())
-      if (time.pass == name_of(Pass::opaque)) least_ms_ = std::min(least_ms_, time.milliseconds);
+      if (time.pass == name_of(Pass::opaque)) milliseconds_.push_back(time.milliseconds);
     return picture;
   }
 
   /// The first picture does not count: the driver compiles shaders for it.
-  void forget_times() noexcept { least_ms_ = kNever; }
-  double least_ms() const noexcept { return least_ms_ < kNever ? least_ms_ : -1.0; }
+  void forget_times() noexcept { milliseconds_.clear(); }
+  const std::vector<double>& milliseconds() const noexcept { return milliseconds_; }
   std::uint64_t texel_bytes() const { return headless_.texel_bytes(); }
 
  private:
-  static constexpr double kNever = 1e30;
-
   const Still& still_;
   View view_;
   RenderOptions options_;
   Headless headless_;
-  double least_ms_ = kNever;
+  std::vector<double> milliseconds_;
 };
 
 using Light = std::vector<double>;  ///< [3 * pixels] linear
@@ -186,7 +184,7 @@ void study_plane(Device& device, const ShadingEffort& effort, bool turned, std::
         std::make_unique<Drawing>(device, still, view, effort.width, effort.height, named.filter, plain_options()));
   take_turns(drawings, turned ? 0 : effort.repetitions);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (!turned) trials[i].milliseconds = drawings[i]->least_ms();
+    if (!turned) trials[i].milliseconds = drawings[i]->milliseconds();
     trials[i].texel_bytes = drawings[i]->texel_bytes();
     (turned ? trials[i].error_turned : trials[i].error) = root_mean_square(means(drawings[i]->draw(), 1), truth);
   }
@@ -201,14 +199,14 @@ void study_normals(Device& device, const ShadingEffort& effort, bool mapped, std
                                                  plain_options(normals)));
   take_turns(drawings, effort.repetitions);
   for (std::size_t i = 0; i < trials.size(); ++i)
-    (mapped ? trials[i].milliseconds_mapped : trials[i].milliseconds) = drawings[i]->least_ms();
+    (mapped ? trials[i].milliseconds_mapped : trials[i].milliseconds) = drawings[i]->milliseconds();
 }
 
 }  // namespace
 
 ShadingStudy study_shading(Device& device, const ShadingEffort& effort) {
-  ShadingStudy study{device.name(), device.max_anisotropy(), {}, {{"interpolated"}, {"quaternion"}}};
-  for (const NamedFilter& named : kFilters) study.filters.push_back({named.name});
+  ShadingStudy study{device.name(), device.max_anisotropy(), {}, {{"interpolated", {}, {}}, {"quaternion", {}, {}}}};
+  for (const NamedFilter& named : kFilters) study.filters.emplace_back().name = named.name;
   for (const bool turned : {false, true}) study_plane(device, effort, turned, study.filters);
   for (const bool mapped : {false, true}) study_normals(device, effort, mapped, study.normals);
   return study;

@@ -10,17 +10,17 @@ namespace sinew::viewer {
 /// One filter on a tilted plane, measured.
 struct FilterTrial {
   std::string name;
-  double error = 0.0;         ///< root mean square difference of light from the supersampled plane, in [0, 1]
-  double error_turned = 0.0;  ///< the same with the texture turned by 45 degrees on the plane
-  double milliseconds = 0.0;  ///< GPU time of the pass that shades the plane, the least; negative without timestamps
-  std::uint64_t texel_bytes = 0;  ///< of the texture with all its levels
+  double error = 0.0;                ///< root mean square difference of light from the supersampled plane, in [0, 1]
+  double error_turned = 0.0;         ///< the same with the texture turned by 45 degrees on the plane
+  std::vector<double> milliseconds;  ///< GPU times of the pass that shades the plane; none without timestamps
+  std::uint64_t texel_bytes = 0;     ///< of the texture with all its levels
 };
 
 /// One way to interpolate normals, measured on a sphere that fills the picture.
 struct NormalTrial {
   std::string name;
-  double milliseconds = 0.0;         ///< as FilterTrial::milliseconds
-  double milliseconds_mapped = 0.0;  ///< the same with a normal map
+  std::vector<double> milliseconds;         ///< as FilterTrial::milliseconds
+  std::vector<double> milliseconds_mapped;  ///< the same with a normal map
 };
 
 struct ShadingStudy {
@@ -34,6 +34,9 @@ struct ShadingStudy {
 struct ShadingEffort {
   std::uint32_t width = 320, height = 200, samples = 16;
   int repetitions = 15;
+
+  /// A first impression within seconds.
+  static ShadingEffort quick() noexcept { return {96, 64, 8, 3}; }
 };
 
 /// Draws a plane that reaches the horizon through every filter, and compares each pixel with the mean of samples x
