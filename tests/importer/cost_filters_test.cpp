@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What `sinew cost` makes of the numbers of sinew-shading-study.
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "importer/tool/cost/filter_group.h"
 #include "tests/importer/cost_study.h"
+#include "tests/importer/tiny_gltf.h"
+#include "tests/importer/tool_model.h"
 
 namespace sinew::test {
 namespace {
-
-using Json = nlohmann::json;
 
 /// Output of the measuring program: anisotropic filtering is dear and good, rip maps are better and take more memory.
 Json answer() {
@@ -67,6 +68,31 @@ TEST(cost_filters, say_why_there_are_none) {
   EXPECT_THAT(cost::filter_group(without_clock.dump()).left_out, HasSubstr("no clock"));
   EXPECT_TRUE(cost::filter_group(without_clock.dump()).points.empty());
   EXPECT_THAT(cost::no_filters().left_out, HasSubstr("no textures"));
+}
+
+/// Why a report on a triangle has no points about filters; empty = it has some.
+std::string left_out_of(bool textured) {
+  const ToolModelFile folder;
+  TinyGltf file;
+  file.add_triangle();
+  if (textured) {
+    file.root["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+    file.root["textures"] = {{{"source", 0}}};
+  }
+  const std::string path = folder.beside("triangle.gltf"), out = folder.beside("costs");
+  std::ofstream(path) << file.text();
+  const CommandOutcome outcome = run_tool({"cost", path, "--quick", "-o", out});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  std::ifstream stream(out + "/report.json");
+  const Json report = Json::parse(stream);
+  for (const Json& group : report["groups"])
+    if (group["name"] == "filters") return group.value("left_out", "");
+  return "no such group";
+}
+
+TEST(cost_filters, are_looked_at_for_files_with_textures) {
+  EXPECT_THAT(left_out_of(false), HasSubstr("no textures"));
+  EXPECT_THAT(left_out_of(true), testing::Not(HasSubstr("no textures")));
 }
 
 }  // namespace
