@@ -186,6 +186,18 @@ bool copies_rotation(const MirroredJoint& joint) {
                      [](const MirrorRow<4>& row) { return copied_entry(row) != 0; });
 }
 
+TEST(mirror_map, places_off_by_rounding_alone_have_no_offset) {
+  for (const RightSide right : {RightSide::mirrored_axes, RightSide::opposite_axes}) {
+    TwoSided body = scenes::two_sided(right);
+    for (Transform& rest : body.skeleton.rest) rest.translation += 1e-8f * rest.translation.y;
+    const MirrorMap map = make_mirror_map(body.skeleton);
+    std::size_t without = 0;
+    for (std::uint32_t j = 0; j < map.joints.size(); ++j)
+      without += body.partner[j] != j && map.joints[j].offset == Vec3d(0.0);
+    EXPECT_EQ(without, 10u * 2u - 10u) << "each of the paired joints";
+  }
+}
+
 TEST(mirror_map, axes_within_the_tolerance_are_taken_for_mirror_images_and_others_are_not) {
   for (const RightSide right : {RightSide::mirrored_axes, RightSide::opposite_axes}) {
     TwoSided body = scenes::two_sided(right);

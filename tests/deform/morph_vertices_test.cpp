@@ -127,6 +127,22 @@ TEST(morph_vertices, G45_a_normal_that_cancels_keeps_its_base) {
   EXPECT_EQ(face.out_normals[0], glm::vec3(0, 0, 1));
 }
 
+TEST(morph_vertices, G45_directions_of_any_length_have_the_components_of_their_unit) {
+  constexpr float kLengths[] = {1e-30f, 1e-22f, 1.0f, 1e20f, 1e30f};
+  Face face(std::size(kLengths));
+  face.morphs.targets.resize(1);
+  const glm::vec3 way(0.36f, -0.48f, 0.8f);
+  for (std::uint32_t v = 0; v < std::size(kLengths); ++v) {
+    face.normals[v] = glm::vec3(0.0f);
+    face.morphs.targets[0].normals.vertices.push_back(v);
+    face.morphs.targets[0].normals.deltas.push_back(kLengths[v] * way);
+  }
+  face.weights = {1};
+  run(face.job());
+  for (std::size_t v = 0; v < std::size(kLengths); ++v)
+    EXPECT_TRUE(test::is_near(face.out_normals[v], way, 1e-6)) << kLengths[v];
+}
+
 TEST(morph_vertices, random_faces_agree_with_double) {
   test::FixedRandom random(4);
   Face face = random_face(random, 200, 12);

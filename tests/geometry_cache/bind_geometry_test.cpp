@@ -51,6 +51,19 @@ TEST_F(bind_geometry, vertices_that_are_split_or_reordered_are_matched_corner_fo
   EXPECT_EQ(match_vertices(cache_.meshes()[0], other).error(), ErrorCode::size_mismatch);
 }
 
+TEST(scene_of_cache, without_triangles_a_mesh_is_its_points) {
+  const std::vector<std::byte> file = *encode_geometry_cache(two_quads(), {.keep_triangles = false});
+  const GeometryCache cache = *GeometryCache::open(file);
+  MappedFrames frames{cache, file};
+  const Scene scene = scene_of(cache, frames)->scene;
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  for (const Mesh& mesh : scene.meshes) {
+    EXPECT_EQ(mesh.primitives[0].topology, Topology::points);
+    EXPECT_THAT(mesh.primitives[0].indices, ElementsAre(0u, 1u, 2u, 3u));
+    EXPECT_TRUE(mesh.primitives[0].normals.empty());
+  }
+}
+
 TEST_F(bind_geometry, without_triangles_the_order_is_that_of_the_mesh) {
   const std::vector<std::byte> file = *encode_geometry_cache(two_quads(), {.keep_triangles = false});
   const GeometryCache cache = *GeometryCache::open(file);

@@ -200,6 +200,17 @@ TEST(cost_influences, the_heaviest_are_kept_with_sum_one) {
   EXPECT_THAT(one.weights, ElementsAre(1.0f, 1.0f));
 }
 
+TEST(cost_influences, whole_weights_of_every_vertex_have_sum_one) {
+  VertexInfluences many;
+  many.groups = {{0, 4, 2, 0}, {4, 3, 3, 8}};
+  for (int i = 0; i < 4; ++i) many.weights.insert(many.weights.end(), {0.501f, 0.498f});
+  for (int i = 0; i < 3; ++i) many.weights.insert(many.weights.end(), {0.3334f, 0.3333f, 0.3331f});
+  many.joints.resize(many.weights.size());
+  const auto whole = cost::whole_weights<std::uint8_t>(many);
+  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(whole[2 * v] + whole[2 * v + 1], 255) << v;
+  for (std::size_t v = 0; v < 3; ++v) EXPECT_EQ(whole[8 + 3 * v] + whole[9 + 3 * v] + whole[10 + 3 * v], 255) << v;
+}
+
 TEST(cost_influences, whole_weights_have_sum_one_and_the_heaviest_takes_what_is_missing) {
   const VertexInfluences two{
       {{0, 1, 1, 0}, {1, 1, 3, 1}}, {4, 1, 2, 3}, {1.0f, 0.5f, 0.2505f, 0.2495f}};  // 127.5 63.9 63.6

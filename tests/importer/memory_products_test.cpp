@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "importer/read/memory_budget.h"
 #include "runtime/clip/clip_layout.h"
 #include "tests/importer/encoded_images.h"
 #include "tests/importer/tiny_gltf.h"
@@ -199,6 +200,14 @@ TEST(memory_products, G68_no_two_lists_multiply) {
 }
 
 /// The same files are no trouble where memory is allowed: the limit is what refuses them.
+TEST(memory_products, G68_what_is_allowed_grows_with_the_file_up_to_the_limit) {
+  constexpr std::uint64_t kFree = std::uint64_t{64} << 20, kMost = std::uint64_t{1} << 50;
+  EXPECT_EQ(allowed_bytes(0, kMost), kFree);
+  EXPECT_EQ(allowed_bytes(1000, kMost), kFree + 64'000);
+  EXPECT_EQ(allowed_bytes(std::uint64_t{1} << 60, kMost), kFree + (std::uint64_t{64} << 40)) << "no overflow";
+  EXPECT_EQ(allowed_bytes(1000, 5), 5u);
+}
+
 TEST(memory_products, G68_large_products_name_the_limit) {
   for (const Product& product : {kProducts[3], kProducts[7], kProducts[9]}) {
     const auto result = import_gltf(bytes_of(product.make().text()), "product", small_allowance());

@@ -166,6 +166,19 @@ TEST(property_pointer, G58_undefined_properties_without_default_are_ignored_and_
   }
 }
 
+TEST(property_pointer, G58_a_texture_that_nothing_places_has_no_place_to_animate) {
+  const char* text = "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset";
+  for (const bool is_placed : {true, false}) {
+    TinyGltf file = animated(text, 2);
+    Json& texture = file.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+    ASSERT_TRUE(texture.contains("index"));
+    if (!is_placed) texture.erase("extensions");
+    const auto result = file.import();
+    EXPECT_EQ(result->scene.animations[0].properties.empty(), !is_placed);
+    EXPECT_EQ(warns(result, "animation-pointer", kTarget), !is_placed);
+  }
+}
+
 TEST(property_pointer, G58_properties_that_the_runtime_does_not_have_are_ignored_and_named) {
   for (const char* text :
        {"/materials/0/extensions/KHR_materials_clearcoat/clearcoatFactor", "/materials/0/alphaMode", "/scene",

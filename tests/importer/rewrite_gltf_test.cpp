@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "importer/rewrite/references.h"
 #include "tests/importer/rewritten.h"
 #include "tests/importer/tiny_draco.h"
 #include "tests/support/scene_equality.h"
@@ -287,6 +290,33 @@ TEST(rewrite_gltf, G62_draco_becomes_plain_accessors_within_the_limits_of_gltf) 
   ASSERT_EQ(primitive.vertex_count(), 3u);
   for (const glm::vec4& color : primitive.colors)
     for (int c = 0; c < 4; ++c) EXPECT_TRUE(color[c] >= 0.0f && color[c] <= 1.0f) << color[c];
+}
+
+TEST(rewrite_gltf, G62_a_compressed_strip_is_written_as_the_triangles_that_it_becomes) {
+  TinyGltf gltf = draco_document(kRounded);
+  Json& primitive = gltf.root["meshes"][0]["primitives"][0];
+  EXPECT_FALSE(rewritten(gltf).json["meshes"][0]["primitives"][0].contains("mode"));
+  primitive["mode"] = 5;
+  EXPECT_EQ(rewritten(gltf).json["meshes"][0]["primitives"][0]["mode"], 4);
+}
+
+TEST(rewrite_gltf, references_in_extensions_are_those_of_the_table_and_of_telling_names) {
+  Json root = Json::parse(R"({"meshes": [{"extensions": {
+      "EXT_mesh_manifold": {"mergeIndices": 11, "other": 3, "manifoldPrimitive": {"indices": 12, "mode": 4}}}}],
+    "extensions": {"EXT_structural_metadata": {"propertyTables": [{"properties": {"a": {"values": 21, "count": 9}}}]},
+      "KHR_audio_of_some_kind": {"accessor": 13, "level": 5, "inner": [{"bufferView": 22, "accessor": 14}],
+                                 "extras": {"accessor": 99}}}})");
+  std::multiset<std::pair<int, int>> seen;
+  rewrite::for_each_reference(root, [&](rewrite::Referenced kind, Json& index) {
+    seen.insert({static_cast<int>(kind), index.get<int>()});
+    index = 0;
+  });
+  const int accessor = static_cast<int>(rewrite::Referenced::accessor),
+            view = static_cast<int>(rewrite::Referenced::view);
+  EXPECT_EQ(seen, (std::multiset<std::pair<int, int>>{
+                      {accessor, 11}, {accessor, 12}, {accessor, 13}, {accessor, 14}, {view, 21}, {view, 22}}));
+  EXPECT_EQ(root["extensions"]["KHR_audio_of_some_kind"]["level"], 5);
+  EXPECT_EQ(root["extensions"]["KHR_audio_of_some_kind"]["extras"]["accessor"], 99);
 }
 
 TEST(rewrite_gltf, G15_bounds_are_those_of_the_decoded_elements) {

@@ -29,6 +29,7 @@ class sandboxed_files : public testing::Test {
     write(root_ / "asset" / "Box With Spaces.bin", "spaces");
     write(root_ / "asset" / "\xC3\xA4.bin", "umlaut");
     write(root_ / "asset" / "50%25.bin", "percent");
+    write(root_ / "asset" / "j\x0f.bin", "digits");
   }
   void TearDown() override { fs::remove_all(root_); }
 
@@ -54,6 +55,7 @@ TEST_F(sandboxed_files, G63_percent_spaces_and_utf8_name_the_same_file) {
   EXPECT_EQ(read("Box With Spaces.bin"), "spaces");
   EXPECT_EQ(read("%C3%A4.bin"), "umlaut");
   EXPECT_EQ(read("\xC3\xA4.bin"), "umlaut");
+  for (const char* uri : {"%6a%0f.bin", "%6A%0F.bin"}) EXPECT_EQ(read(uri), "digits") << "of either case: " << uri;
   EXPECT_EQ(read("50%2525.bin"), "percent") << "decoded once, not twice";
 }
 

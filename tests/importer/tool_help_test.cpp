@@ -179,6 +179,15 @@ TEST(shell_files, the_manual_has_the_text_of_the_help) {
   };
   EXPECT_THAT(plain(man), HasSubstr(plain("Everything that the file says is carried: extras, extensions")));
   const std::string part = part_about("man", man, "convert");
+  EXPECT_THAT(part, HasSubstr("\\fB\\-\\-budget\\fR \\fI")) << "an option and its value are two words";
+  std::size_t begun = 0, ended = 0;
+  for (const std::string& line : lines_of(man)) {
+    begun += line == ".nf";
+    ended += line == ".fi";
+    EXPECT_TRUE(begun == ended || begun == ended + 1) << "blocks of lines end before the next one";
+  }
+  EXPECT_EQ(begun, ended);
+  EXPECT_GT(begun, 0u);
   EXPECT_THAT(part, HasSubstr(".PP\nEverything that the file says")) << "a paragraph of its own";
 }
 

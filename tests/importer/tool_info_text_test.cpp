@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "importer/import_gltf.h"
 #include "importer/tool/info/info_text.h"
+#include "importer/tool/info/skin_statistics.h"
 #include "runtime/memory/memory_of.h"
 #include "tests/importer/tool_model.h"
 
@@ -120,6 +122,21 @@ TEST(tool_info_text, lists_everything_when_asked) {
       text.find(
           "\nwarnings: 9\n  /nodes/3: node-empty: is empty\n  /meshes/0: mesh-odd: is odd\n  /nodes/4: node-empty: "),
       std::string::npos);
+}
+
+TEST(tool_info_text, copies_of_a_vertex_count_once) {
+  Scene scene;
+  Primitive primitive;
+  primitive.positions.resize(5);
+  primitive.source_vertex = {0, 0, 1, 2, 1};
+  primitive.influences.groups = {{0, 3, 1, 0}, {3, 2, 2, 3}};
+  primitive.influences.joints = {4, 4, 5, 4, 6, 4, 6};
+  EXPECT_EQ(tool::file_vertex_count(primitive), 3u);
+  scene.meshes.push_back({"", {primitive}, {}, {}});
+  scene.instances = {{.joint = 0, .mesh = 0, .skin = 0}, {.joint = 0, .mesh = 0, .skin = 0}};
+  const tool::SkinStatistics statistics = tool::skin_statistics(scene, 0);
+  EXPECT_EQ(statistics.vertices_by_influences, (std::map<std::uint32_t, std::uint64_t>{{1, 2}, {2, 1}}));
+  EXPECT_EQ(statistics.joints_with_weight, 3u);
 }
 
 TEST(tool_info_text, shows_the_first_joints_of_a_large_skin_in_lines_that_fit) {

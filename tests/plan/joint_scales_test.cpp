@@ -147,6 +147,17 @@ TEST(windings, P09_known_beforehand_are_those_of_determinants) {
   EXPECT_GT(known, 100u);
 }
 
+TEST(joint_pairs, are_those_that_share_vertices_where_dual_quaternions_are_asked_for) {
+  const Scene scene = arm_scene();
+  Needs needs;
+  EXPECT_TRUE(compile_plan(scene, needs).compiled()->primitive_skinning[0].pairs.empty());
+  needs.skinning = Skinning::dual_quaternion;
+  const Plan plan = compile_plan(scene, needs);
+  const auto& pairs = plan.compiled()->primitive_skinning[0].pairs;
+  ASSERT_EQ(pairs.size(), 1u) << "two joints share two vertices";
+  EXPECT_NE(pairs[0].first, pairs[0].second);
+}
+
 TEST(windings, P09_a_root_without_volume_mirrors_nothing) {
   const Scene scene = arm_scene();
   const Plan plan = compile_plan(scene, {});

@@ -92,6 +92,12 @@ TEST(hold_feet_job, refuses_poses_without_the_joints) {
   EXPECT_EQ(check(HoldFeetJob{nullptr, 0, pose.span(), pose.span()}), ErrorCode::size_mismatch);
   EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, few.span(), pose.span()}), ErrorCode::size_mismatch);
   EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, pose.span(), few.span()}), ErrorCode::size_mismatch);
+  std::uint32_t last = 0;
+  for (const LegPair& leg : b.feet.legs)
+    for (const LegJoint& joint : leg.target.joints) last = std::max(last, joint.joint);
+  test::PoseBuffer without(last), with(last + 1);
+  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, pose.span(), without.span()}), ErrorCode::size_mismatch) << "all but one";
+  EXPECT_EQ(check(HoldFeetJob{&b.feet, 0, pose.span(), with.span()}), ErrorCode::ok);
 }
 
 }  // namespace

@@ -42,8 +42,7 @@ void NpzFile::flush(Entry& entry) {
 }
 
 void NpzFile::flush_all() {
-  for (Entry& entry : entries_)
-    if (!entry.held.empty()) flush(entry);
+  for (Entry& entry : entries_) flush(entry);
   held_ = 0;
 }
 
