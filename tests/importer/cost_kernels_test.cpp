@@ -203,8 +203,8 @@ TEST(cost_influences, the_heaviest_are_kept_with_sum_one) {
 TEST(cost_influences, whole_weights_of_every_vertex_have_sum_one) {
   VertexInfluences many;
   many.groups = {{0, 4, 2, 0}, {4, 3, 3, 8}};
-  for (int i = 0; i < 4; ++i) many.weights.insert(many.weights.end(), {0.501f, 0.498f});
-  for (int i = 0; i < 3; ++i) many.weights.insert(many.weights.end(), {0.3334f, 0.3333f, 0.3331f});
+  for (int i = 0; i < 4; ++i) many.weights.insert(many.weights.end(), {0.5f, 0.5f});
+  for (int i = 0; i < 3; ++i) many.weights.insert(many.weights.end(), {0.5f, 0.25f, 0.25f});
   many.joints.resize(many.weights.size());
   const auto whole = cost::whole_weights<std::uint8_t>(many);
   for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(whole[2 * v] + whole[2 * v + 1], 255) << v;

@@ -121,6 +121,18 @@ TEST(vrm, version_0_has_the_defaults_of_its_engine) {
   EXPECT_EQ(joint.hit_radius_m, 0.0f);
 }
 
+TEST(vrm, a_number_out_of_its_range_is_told_with_the_range) {
+  TinyGltf file = character();
+  file.root["extensionsUsed"] = {"VRM"};
+  file.root["extensions"]["VRM"] = Json::parse(R"({"humanoid": {"humanBones": [{"bone": "hips", "node": 0}]},
+    "secondaryAnimation": {"boneGroups": [{"bones": [1], "stiffiness": -2}]}})");
+  const auto result = file.import();
+  ASSERT_EQ(outcome(result), "ok");
+  ASSERT_THAT(result->warnings, SizeIs(1));
+  EXPECT_NE(result->warnings[0].detail.find("number from 0.0"), std::string::npos) << result->warnings[0].detail;
+  EXPECT_EQ(result->vrm->springs.at(0).joints.at(0).stiffness, 1.0f);
+}
+
 TEST(vrm, springs_and_constraints_are_read_without_a_humanoid) {
   TinyGltf file = character();
   file.root["extensionsUsed"] = {"VRMC_springBone", "VRMC_node_constraint"};
