@@ -72,6 +72,7 @@ set(sinew_public_headers
   runtime/model/scene.h
   runtime/model/scene_look.h
   runtime/model/show_scene.h
+  runtime/model/skeleton_lod.h
   runtime/model/skin.h
   runtime/pose/add_pose.h
   runtime/pose/blend_poses.h

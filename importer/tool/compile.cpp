@@ -14,12 +14,14 @@
 #include "importer/tool/clip_choice.h"
 #include "importer/tool/files/output_check.h"
 #include "importer/tool/fit_clips.h"
+#include "importer/tool/left_out_joints.h"
 #include "importer/tool/length_text.h"
 #include "importer/tool/load_file.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/model_size.h"
 #include "importer/write/replace_file.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/lod/compile_skeleton_lod.h"
 
 namespace sinew::tool {
 namespace {
@@ -28,6 +30,7 @@ struct CompileOptions {
   BatchOptions files;
   std::string out, budget = "0.1mm";
   std::vector<std::string> clips, parts{"skeleton", "model", "clips"};
+  std::vector<std::string> lods;
   bool truth = false;
   double page_s = 0.0;
   int zstd_level = 0;
@@ -46,6 +49,19 @@ tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::ve
     if (std::find(clips.begin(), clips.end(), chosen->front()) == clips.end()) clips.push_back(chosen->front());
   }
   return clips;
+}
+
+/// The skeleton LODs that --joint-tolerance asks for, of the clips that are stored.
+/// err   a sentence
+tl::expected<std::vector<CompiledSkeletonLod>, std::string> lods_of(const Scene& scene,
+                                                                    const std::vector<std::string>& tolerances) {
+  std::vector<CompiledSkeletonLod> lods;
+  for (const std::string& text : tolerances) {
+    const auto tolerance = parse_length(text);
+    if (!tolerance) return tl::unexpected("--joint-tolerance: " + tolerance.error());
+    lods.push_back(compile_skeleton_lod(scene, metres_of(*tolerance, scene)));
+  }
+  return lods;
 }
 
 /// Leaves the chosen clips in the scene, compiled.
@@ -84,12 +100,17 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;
   compile_clips_of(scene, blocks.clips ? *chosen : ClipChoice(), metres_of(*budget, scene));
+  const auto lods = lods_of(scene, options.lods);
+  if (!lods) return fail_with(ExitCode::wrong_usage, lods.error());
+  blocks.skeleton_lods = *lods;
   const ClipBoxes boxes = blocks.model && blocks.clips ? bound_clips(scene) : ClipBoxes();
   blocks.clip_boxes = boxes;
   const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
   if (const auto fault = write::replace_file(out, bytes))
     return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});
-  if (!many) print_result_text(certificate_table(scene.clips, scene.skeleton.names));
+  if (!many)
+    print_result_text(certificate_table(scene.clips, scene.skeleton.names) +
+                      lod_lines(*lods, scene.skeleton.joint_count()));
   print_result("{}: {}, {}\n", out, counted(scene.clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
@@ -128,6 +149,14 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       ->type_name("PART[,...]")
       ->allow_extra_args(false);
   command->add_flag("--truth", options->truth, "Also store the keys of FILE, in full");
+  command
+      ->add_option(
+          "--joint-tolerance", options->lods,
+          fmt::format("Also store which joints can be left out while no vertex moves farther than this, {}; may "
+                      "be given several times, a level each",
+                      kLengthHelp))
+      ->type_name("LENGTH")
+      ->allow_extra_args(false);
   command
       ->add_option("--page", options->page_s,
                    "Store clips that are longer in pages of this length, so that an engine can play them from a "

@@ -28,10 +28,10 @@ std::vector<std::uint32_t> branch_sizes(const Skeleton& skeleton, const std::vec
 
 }  // namespace
 
-std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
+std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within) {
   const Skeleton& skeleton = scene.skeleton;
-  std::string text =
-      fmt::format("joints left out within {}: {} of {}", length_text(asked_m), within.left_out, skeleton.joint_count());
+  std::string text = fmt::format("joints left out within {}: {} of {}", length_text(within.tolerance_m),
+                                 within.left_out, skeleton.joint_count());
   if (within.left_out == 0) return text + "\n";
   text += fmt::format("; they move vertices by {} at most\n", length_text(within.measured_m));
   const std::vector<JointMapping> map = map_joints(scene, within.detail);
@@ -44,7 +44,7 @@ std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within,
   return text;
 }
 
-nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m) {
+nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within) {
   nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
   const std::vector<JointMapping> map = map_joints(scene, within.detail);
   for (std::uint32_t j = 0; j < map.size(); ++j)
@@ -52,10 +52,18 @@ nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonL
       left_out.push_back({{"joint", name_of(scene.skeleton, j)},
                           {"node", scene.skeleton.node_of_joint[j]},
                           {"follows", name_of(scene.skeleton, map[j].kept_joint)}});
-  return {{"asked", asked_m},
+  return {{"asked", within.tolerance_m},
           {"measured", within.measured_m},
           {"joints", scene.skeleton.joint_count()},
           {"left_out", left_out}};
+}
+
+std::string lod_lines(std::span<const CompiledSkeletonLod> lods, std::size_t joint_count) {
+  std::string lines;
+  for (const CompiledSkeletonLod& lod : lods)
+    lines += fmt::format("skeleton LOD within {}: {} of {} joints left out, measured {}\n",
+                         length_text(lod.tolerance_m), lod.left_out, joint_count, length_text(lod.measured_m));
+  return lines;
 }
 
 }  // namespace sinew::tool

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -11,9 +13,12 @@ namespace sinew::tool {
 
 /// A list of the branches that a skeleton LOD leaves out: the uppermost joint, how many joints go with it, and the
 /// joint that they follow.
-std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
+std::string left_out_text(const Scene& scene, const CompiledSkeletonLod& within);
 
 /// {asked, measured, joints, left_out: [{joint, node, follows}]} with every joint that is left out. Lengths in metres.
-nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within, double asked_m);
+nlohmann::ordered_json left_out_json(const Scene& scene, const CompiledSkeletonLod& within);
+
+/// A line a level: what was asked, how many joints are left out, what was measured.
+std::string lod_lines(std::span<const CompiledSkeletonLod> lods, std::size_t joint_count);
 
 }  // namespace sinew::tool

@@ -111,27 +111,22 @@ Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
 }
 
 /// The joints that --joint-tolerance leaves out, over the chosen clip or over all clips.
-struct LeftOut {
-  double asked_m = 0.0;
-  CompiledSkeletonLod within;
-};
-
 /// err  a sentence that says what is wrong with the length
-tl::expected<std::optional<LeftOut>, std::string> leave_out_joints(const PlanOptions& options, const Scene& scene,
-                                                                   const std::vector<std::uint32_t>& clips,
-                                                                   const Needs& needs) {
+tl::expected<std::optional<CompiledSkeletonLod>, std::string> leave_out_joints(const PlanOptions& options,
+                                                                               const Scene& scene,
+                                                                               const std::vector<std::uint32_t>& clips,
+                                                                               const Needs& needs) {
   if (!options.joint_tolerance) return std::nullopt;
   const auto asked = parse_length(*options.joint_tolerance);
   if (!asked) return tl::unexpected("--joint-tolerance: " + asked.error());
-  const double asked_m = metres_of(*asked, scene);
-  return LeftOut{asked_m,
-                 compile_skeleton_lod(scene, asked_m, options.clip ? clips : std::vector<std::uint32_t>{}, needs)};
+  return compile_skeleton_lod(scene, metres_of(*asked, scene), options.clip ? clips : std::vector<std::uint32_t>{},
+                              needs);
 }
 
 /// What a plan came to, for one file.
 struct Outcome {
   const Plan& plan;
-  const std::optional<LeftOut>& left_out;
+  const std::optional<CompiledSkeletonLod>& left_out;
   const std::optional<WorkCounters>& work;
 };
 
@@ -149,7 +144,7 @@ std::string plan_json(const Outcome& outcome, const std::string& file) {
   report["stages"] = stages;
   report["frame_bytes"] = outcome.plan.frame_bytes();
   if (const auto& left_out = outcome.left_out)
-    report["left_out_joints"] = left_out_json(outcome.plan.scene(), left_out->within, left_out->asked_m);
+    report["left_out_joints"] = left_out_json(outcome.plan.scene(), *left_out);
   if (outcome.work) report["work"] = work_json(*outcome.work);
   return file.empty() ? json_text(report) + '\n' : json_line(report);
 }
@@ -163,7 +158,7 @@ void print_text(const Outcome& outcome) {
     print_result("{:<{}}  {:<8} {:>10} {:>12}  {}\n", stage.stage, widest, stage.runs ? "runs" : "left out",
                  stage.count, stage.bytes, stage.reason);
   print_result("one frame buffer of a character takes {} bytes\n", plan.frame_bytes());
-  if (left_out) print_result("{}", left_out_text(plan.scene(), left_out->within, left_out->asked_m));
+  if (left_out) print_result("{}", left_out_text(plan.scene(), *left_out));
   if (!work) return;
   print_result("work done by one frame:\n");
   const nlohmann::ordered_json counts = work_json(*work);
@@ -195,7 +190,7 @@ ExitCode plan_file(const PlanOptions& options, const std::string& path, bool man
   }
   const auto left_out = leave_out_joints(options, file->scene, *chosen, *needs);
   if (!left_out) return fail_with(ExitCode::wrong_usage, left_out.error());
-  if (*left_out) needs->skeleton_lod = (*left_out)->within.detail;
+  if (*left_out) needs->skeleton_lod = (*left_out)->detail;
   const Plan plan = compile_plan(file->scene, *needs);
   std::optional<WorkCounters> work;
   if (options.clip) {

@@ -110,6 +110,7 @@ std::string_view name_of(AssetKind kind) noexcept {
     case AssetKind::bounds: return "bounds";
     case AssetKind::pages: return "pages";
     case AssetKind::page_keys: return "page_keys";
+    case AssetKind::skeleton_lods: return "skeleton_lods";
   }
   return "";
 }

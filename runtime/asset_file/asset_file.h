@@ -14,15 +14,16 @@ namespace sinew {
 /// What a block of an asset file holds.
 enum class AssetKind : std::uint32_t {
   skeleton = 1,
-  model,       ///< meshes, skins, morph sets, materials, textures, images, instances, correctives, cameras, lights
-  clips,       ///< compiled, as save_clips (clip/clip_file.h) writes them
-  animations,  ///< the authoring form of the clips, the truth; optional
-  bounds,      ///< ClipBoxes of the file's clips and model; optional
-  pages,       ///< which of the clips lie in pages (PageTable), of which `clips` has the first keys only; optional
-  page_keys,   ///< these pages, each with a checksum of its own, so that one is read without the others
+  model,          ///< meshes, skins, morph sets, materials, textures, images, instances, correctives, cameras, lights
+  clips,          ///< compiled, as save_clips (clip/clip_file.h) writes them
+  animations,     ///< the authoring form of the clips, the truth; optional
+  bounds,         ///< ClipBoxes of the file's clips and model; optional
+  pages,          ///< which of the clips lie in pages (PageTable), of which `clips` has the first keys only; optional
+  page_keys,      ///< these pages, each with a checksum of its own, so that one is read without the others
+  skeleton_lods,  ///< joints that poses can do without, and how far that moves vertices (CompiledSkeletonLod); optional
 };
 
-/// "skeleton", "model", "clips", "animations", "bounds", "pages", "page_keys"; empty for others.
+/// "skeleton", "model", "clips", "animations", "bounds", "pages", "page_keys", "skeleton_lods"; empty for others.
 std::string_view name_of(AssetKind kind) noexcept;
 
 /// Why an asset file is refused: the broken rule, where, and the case in words.

@@ -2,12 +2,14 @@
 #include "runtime/asset_file/read_assets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "runtime/animation/skeleton_signature.h"
 #include "runtime/asset_file/animation_fields.h"
 #include "runtime/asset_file/asset_reader.h"
+#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
 #include "runtime/asset_file/read_pages.h"
 #include "runtime/base/all_finite.h"
@@ -135,6 +137,28 @@ const char* fault_of(const ClipBoxes& boxes, const Scene& scene) noexcept {
   return nullptr;
 }
 
+bool is_finite(const Transform& t) noexcept {
+  return all_finite(std::span(&t.translation.x, 3)) && all_finite(std::span(&t.rotation.x, 4)) &&
+         all_finite(std::span(&t.scale.x, 3));
+}
+
+bool is_length(double m) noexcept { return std::isfinite(m) && m >= 0.0; }
+
+/// What is wrong with a skeleton LOD; nothing where it is right.
+const char* fault_of(const StoredSkeletonLod& stored, std::size_t joint_count) noexcept {
+  const CompiledSkeletonLod& lod = stored.lod;
+  const auto of_joints = [&](std::size_t size) { return size == 0 || size == joint_count; };
+  if (!of_joints(stored.kept.size()) || !of_joints(lod.detail.held.size()) || lod.left_out > joint_count)
+    return "a skeleton LOD has more or fewer joints than the skeleton";
+  if (std::any_of(stored.kept.begin(), stored.kept.end(), [](std::uint8_t kept) { return kept > 1; }))
+    return "a flag is neither 0 nor 1";
+  if (!std::all_of(lod.detail.held.begin(), lod.detail.held.end(), [](const Transform& t) { return is_finite(t); }))
+    return "a held transform is not finite";
+  if (!is_length(lod.tolerance_m) || !is_length(lod.measured_m)) return "the error of a skeleton LOD is no length";
+  if (lod.worst_joint != kNone && lod.worst_joint >= joint_count) return "there is no such joint";
+  return nullptr;
+}
+
 }  // namespace
 
 Read<Skeleton> read_skeleton(const AssetFile& file) {
@@ -200,6 +224,23 @@ Read<ClipBoxes> read_clip_boxes(const AssetFile& file, const Scene& scene) {
   if (!read) return tl::unexpected(read.error());
   if (const char* fault = fault_of(boxes, scene)) return refuse("asset-value", AssetKind::bounds, fault);
   return boxes;
+}
+
+Read<std::vector<CompiledSkeletonLod>> read_skeleton_lods(const AssetFile& file, const Skeleton& skeleton) {
+  std::vector<CompiledSkeletonLod> lods;
+  if (file.find(AssetKind::skeleton_lods) == nullptr) return lods;
+  if (const auto bound = check_signature(file, AssetKind::skeleton_lods, skeleton_signature(skeleton)); !bound)
+    return tl::unexpected(bound.error());
+  std::vector<StoredSkeletonLod> stored;
+  const auto read = read_block(file, AssetKind::skeleton_lods, [&](AssetReader& in) { in.read(stored); });
+  if (!read) return tl::unexpected(read.error());
+  for (StoredSkeletonLod& level : stored) {
+    if (const char* fault = fault_of(level, skeleton.joint_count()))
+      return refuse("asset-value", AssetKind::skeleton_lods, fault);
+    level.lod.detail.kept.assign(level.kept.begin(), level.kept.end());
+    lods.push_back(std::move(level.lod));
+  }
+  return lods;
 }
 
 }  // namespace sinew

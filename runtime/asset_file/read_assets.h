@@ -5,6 +5,7 @@
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/model/clip_boxes.h"
 #include "runtime/model/scene.h"
+#include "runtime/model/skeleton_lod.h"
 
 namespace sinew {
 
@@ -49,5 +50,13 @@ tl::expected<void, AssetFileError> add_clips(const AssetFile& file, Scene& scene
 /// in    scene  of this file; clips of others may have been added
 /// err   AssetFileError;  cost O(clips * instances), allocates
 tl::expected<ClipBoxes, AssetFileError> read_clip_boxes(const AssetFile& file, const Scene& scene);
+
+/// The skeleton LODs of a file in the order in which they were written, for Needs::skeleton_lod of any plan with linear
+/// or rigid skinning, and what they cost; nothing where it has none. They were found in the keys of whole clips: scenes
+/// of first keys (LongClips::first_keys) have no others.
+/// in    skeleton  of this file, or of the same signature
+/// err   AssetFileError;  cost O(levels * joints), allocates
+tl::expected<std::vector<CompiledSkeletonLod>, AssetFileError> read_skeleton_lods(const AssetFile& file,
+                                                                                  const Skeleton& skeleton);
 
 }  // namespace sinew

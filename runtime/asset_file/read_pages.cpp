@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/asset_file/read_pages.h"
 
+#include <zstd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -44,7 +46,9 @@ class PageJoin {
 
  private:
   tl::expected<void, AssetFileError> add(std::uint64_t first, std::uint64_t end, const std::string& name) {
-    const auto pages = load_clips(keys_.subspan(first, end - first));
+    const auto bytes = unpack_page(keys_.subspan(first, end - first), unpacked_);
+    if (!bytes) return refuse(AssetKind::page_keys, bytes.error().rule.c_str(), first, bytes.error().detail);
+    const auto pages = load_clips(*bytes);
     if (!pages)
       return refuse(AssetKind::page_keys, pages.error().rule.c_str(), first + pages.error().offset,
                     "page \"" + name + "\": " + pages.error().detail);
@@ -59,6 +63,7 @@ class PageJoin {
   std::span<const std::byte> keys_;
   const Clip& head_;
   ClipJoiner joiner_;
+  std::vector<std::byte> unpacked_;
 };
 
 /// With offsets in the block of page keys.
@@ -76,6 +81,19 @@ tl::expected<std::vector<PageTable>, AssetFileError> tables_of(const AssetFile& 
 }
 
 }  // namespace
+
+tl::expected<std::span<const std::byte>, AssetFileError> unpack_page(std::span<const std::byte> stored,
+                                                                     std::vector<std::byte>& unpacked) {
+  const unsigned long long size = ZSTD_getFrameContentSize(stored.data(), stored.size());
+  if (size == ZSTD_CONTENTSIZE_ERROR) return stored;  // it does not begin as packed bytes do
+  if (size / kAssetMadeTimes > stored.size())         // an unknown size is the largest number
+    return refuse(AssetKind::page_keys, "asset-memory", 0, "a page says that it unpacks to far more than its bytes");
+  unpacked.resize(size);
+  const std::size_t made = ZSTD_decompress(unpacked.data(), unpacked.size(), stored.data(), stored.size());
+  if (ZSTD_isError(made) != 0u || made != size)
+    return refuse(AssetKind::page_keys, "asset-size", 0, "a packed page does not unpack to the size that it says");
+  return std::span<const std::byte>(unpacked);
+}
 
 tl::expected<std::vector<PageTable>, AssetFileError> read_page_tables(const AssetFile& file) {
   if (file.find(AssetKind::pages) == nullptr) return std::vector<PageTable>();

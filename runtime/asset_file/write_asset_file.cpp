@@ -9,6 +9,7 @@
 #include "runtime/asset_file/animation_fields.h"
 #include "runtime/asset_file/asset_file.h"
 #include "runtime/asset_file/asset_writer.h"
+#include "runtime/asset_file/lod_fields.h"
 #include "runtime/asset_file/look_fields.h"
 #include "runtime/asset_file/page_fields.h"
 #include "runtime/base/checksum.h"
@@ -29,18 +30,21 @@ struct Block {
   std::uint32_t storage = 0;
 };
 
-/// Packs the bytes where that makes them smaller, and not so small that a reader takes them for an attack.
-Block block_of(AssetKind kind, Bytes bytes, int zstd_level) {
-  Block block{kind, std::move(bytes)};
-  block.bytes = block.stored.size();
-  if (zstd_level <= 0) return block;
-  Bytes packed(ZSTD_compressBound(block.bytes));
-  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), block.stored.data(), block.bytes, zstd_level);
-  if (ZSTD_isError(size) != 0u || size >= block.bytes || block.bytes / size >= kAssetMadeTimes) return block;
+/// The bytes packed, where that makes them smaller, and not so small that a reader takes them for an attack; else none.
+Bytes packed(const Bytes& bytes, int zstd_level) {
+  if (zstd_level <= 0) return {};
+  Bytes packed(ZSTD_compressBound(bytes.size()));
+  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), zstd_level);
+  if (ZSTD_isError(size) != 0u || size >= bytes.size() || bytes.size() / size >= kAssetMadeTimes) return {};
   packed.resize(size);
-  block.stored = std::move(packed);
-  block.storage = kPackedByZstd;
-  return block;
+  return packed;
+}
+
+Block block_of(AssetKind kind, Bytes bytes, int zstd_level) {
+  const std::uint64_t size = bytes.size();
+  Bytes smaller = packed(bytes, zstd_level);
+  if (smaller.empty()) return {kind, std::move(bytes), size};
+  return {kind, std::move(smaller), size, kPackedByZstd};
 }
 
 template <class T>
@@ -48,6 +52,12 @@ Bytes bytes_of(const T& asset) {
   AssetWriter out;
   out.add(asset);
   return std::move(out.bytes());
+}
+
+Bytes bytes_of_lods(std::span<const CompiledSkeletonLod> lods) {
+  std::vector<StoredSkeletonLod> stored;
+  for (const CompiledSkeletonLod& lod : lods) stored.push_back({lod, {lod.detail.kept.begin(), lod.detail.kept.end()}});
+  return bytes_of(stored);
 }
 
 Bytes bytes_of_model(const Scene& scene) {
@@ -69,24 +79,26 @@ struct PagedClips {
   Bytes keys;
 };
 
-PageTable write_pages(const Clip& clip, double page_s, Bytes& keys) {
+PageTable write_pages(const Clip& clip, double page_s, int zstd_level, Bytes& keys) {
   PageTable table{page_s, {keys.size()}};
   for (std::size_t page = 0; page < page_count_of(clip.duration_s(), page_s); ++page) {
     const Clip cut = cut_page(clip, page_s, page);
     const Clip* const saved[] = {&cut};
-    const Bytes bytes = save_clips(saved);
-    keys.insert(keys.end(), bytes.begin(), bytes.end());
+    const Bytes bytes = save_clips(saved), smaller = packed(bytes, zstd_level);
+    const Bytes& stored = smaller.empty() ? bytes : smaller;
+    keys.insert(keys.end(), stored.begin(), stored.end());
     table.offsets.push_back(keys.size());
   }
   return table;
 }
 
-PagedClips paged(const std::vector<Clip>& clips, double page_s) {
+PagedClips paged(const std::vector<Clip>& clips, const AssetFileOptions& options) {
+  const double page_s = options.page_s;
   PagedClips paged{clips, {}, {}};
   for (std::size_t c = 0; c < clips.size(); ++c) {
     if (page_s <= 0.0 || clips[c].duration_s() <= page_s) continue;
     paged.tables.resize(clips.size());
-    paged.tables[c] = write_pages(clips[c], page_s, paged.keys);
+    paged.tables[c] = write_pages(clips[c], page_s, options.zstd_level, paged.keys);
     paged.clips[c] = first_keys(clips[c]);
   }
   return paged;
@@ -140,7 +152,7 @@ std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptio
   if (options.skeleton) add(AssetKind::skeleton, bytes_of(scene.skeleton));
   if (options.model) add(AssetKind::model, bytes_of_model(scene));
   if (options.clips) {
-    PagedClips clips = paged(scene.clips, options.page_s);
+    PagedClips clips = paged(scene.clips, options);
     add(AssetKind::clips, bytes_of_clips(clips.clips));
     if (!clips.tables.empty()) {
       add(AssetKind::pages, bytes_of(clips.tables));
@@ -150,6 +162,7 @@ std::vector<std::byte> write_asset_file(const Scene& scene, const AssetFileOptio
   if (options.clips && options.truth) add(AssetKind::animations, bytes_of(scene.animations));
   if (options.model && options.clips && !options.clip_boxes.empty())
     add(AssetKind::bounds, bytes_of(ClipBoxes(options.clip_boxes.begin(), options.clip_boxes.end())));
+  if (!options.skeleton_lods.empty()) add(AssetKind::skeleton_lods, bytes_of_lods(options.skeleton_lods));
   return file_of(blocks, skeleton_signature(scene.skeleton));
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/model/scene.h"
+#include "runtime/model/skeleton_lod.h"
 
 namespace sinew {
 
@@ -16,8 +17,10 @@ struct AssetFileOptions {
   bool truth = false;
   /// Of the scene's clips (clip_boxes of lod/clip_bounds.h). They are written with model and clips.
   std::span<const std::vector<Aabb>> clip_boxes = {};
+  /// Of the scene's skeleton (lod/compile_skeleton_lod.h).
+  std::span<const CompiledSkeletonLod> skeleton_lods = {};
   /// Clips longer than this are written in pages of this many seconds (read_pages.h), so that an engine can play them
-  /// from a bounded part of the file; 0 = none are. Pages stay unpacked.
+  /// from a bounded part of the file; 0 = none are. Each page is packed by itself (unpack_page).
   double page_s = 0.0;
   int zstd_level = 0;  ///< 0 = blocks lie as they are; 1 to 19 pack those that get smaller
 };

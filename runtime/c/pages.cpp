@@ -16,7 +16,7 @@ struct sinew_paged_clip {
 
 sinew_page_window sinew_default_page_window(void) {
   const PagedClip::Options defaults;
-  return {.struct_size = sizeof(sinew_page_window), .pages = defaults.window, .loops = defaults.loops};
+  return {.struct_size = sizeof(sinew_page_window), .pages = defaults.window, .loops = defaults.loops, .plan = nullptr};
 }
 
 sinew_error sinew_paged_clip_create(const sinew_scene* scene, std::uint32_t clip, double page_s, std::size_t page_count,
@@ -26,8 +26,10 @@ sinew_error sinew_paged_clip_create(const sinew_scene* scene, std::uint32_t clip
   if (const sinew_error error = c::read_struct(window, own); error != SINEW_OK) return error;
   if (clip >= scene->scene.clips.size()) return SINEW_INDEX_OUT_OF_RANGE;
   if (!std::isfinite(page_s) || page_s <= 0.0 || page_count == 0 || own.pages < 2) return SINEW_UNSUPPORTED;
+  if (own.plan != nullptr && own.plan->scene != scene) return SINEW_SIZE_MISMATCH;
   return c::guarded([&] {
-    const PagedClip::Options options{own.pages, own.loops != 0};
+    PagedClip::Options options{own.pages, own.loops != 0};
+    if (own.plan != nullptr) options.kept_joints = kept_joints(own.plan->plan);
     *out = new sinew_paged_clip{{scene->scene.clips[clip], page_s, page_count, options}};
     return SINEW_OK;
   });

@@ -26,16 +26,19 @@ struct sinew_page;
 
 typedef struct sinew_page_window {
   size_t struct_size;
-  size_t pages;    ///< most in memory, at least 2
-  uint32_t loops;  ///< 1 = the page after the last one is the first
+  size_t pages;            ///< most in memory, at least 2
+  uint32_t loops;          ///< 1 = the page after the last one is the first
+  const sinew_plan* plan;  ///< with a skeleton LOD: pages are for frames of it and of plans with the same one; may go
+                           ///< afterwards. Null = for plans of all joints
 } sinew_page_window;
-sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop
+sinew_page_window sinew_default_page_window(void);  ///< 4 pages, with a loop, all joints
 
 /// in   scene       may go afterwards; its clip has the first keys
 ///      page_s, page_count  of sinew_page_table
 ///      window      null = sinew_default_page_window
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE, SINEW_INDEX_OUT_OF_RANGE (clip), SINEW_UNSUPPORTED (no pages, a
-///      length that is no time, a window of fewer than 2), SINEW_OUT_OF_MEMORY
+///      length that is no time, a window of fewer than 2), SINEW_SIZE_MISMATCH (a plan of another scene),
+///      SINEW_OUT_OF_MEMORY
 sinew_error sinew_paged_clip_create(const sinew_scene* scene, uint32_t clip, double page_s, size_t page_count,
                                     const sinew_page_window* window, sinew_paged_clip** out);
 void sinew_paged_clip_destroy(sinew_paged_clip* paged);

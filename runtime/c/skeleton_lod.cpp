@@ -33,6 +33,7 @@ sinew_error sinew_get_skeleton_lod(const sinew_skeleton_lod* lod, sinew_skeleton
                           .kept = {lod->kept.data(), lod->kept.size()},
                           .measured_m = lod->lod.measured_m,
                           .left_out = lod->lod.left_out,
-                          .worst_joint = lod->lod.worst_joint},
+                          .worst_joint = lod->lod.worst_joint,
+                          .tolerance_m = lod->lod.tolerance_m},
                          out);
 }

@@ -24,6 +24,7 @@ typedef struct sinew_skeleton_lod_info {
   double measured_m;     ///< largest displacement that was found
   uint32_t left_out;     ///< joints
   uint32_t worst_joint;  ///< whose vertices moved most; SINEW_NONE = none moved
+  double tolerance_m;    ///< that was asked for
 } sinew_skeleton_lod_info;
 /// err  SINEW_NULL_ARGUMENT, SINEW_WRONG_STRUCT_SIZE
 sinew_error sinew_get_skeleton_lod(const sinew_skeleton_lod* lod, sinew_skeleton_lod_info* out);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/c_assets/sinew_assets.h"
 
+#include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"
@@ -89,6 +91,33 @@ std::size_t sinew_page_tables_place(const sinew_page_tables* tables, std::uint32
   const bool is_there = page < sinew_page_tables_count(tables, clip, nullptr);
   if (offset != nullptr) *offset = is_there ? tables->clips[clip].offsets[page] : 0;
   return is_there ? tables->clips[clip].offsets[page + 1] - tables->clips[clip].offsets[page] : 0;
+}
+
+sinew_error sinew_assets_load_page(sinew_paged_clip* paged, std::size_t page, const void* bytes, std::size_t byte_count,
+                                   int* taken, sinew_messages** messages) {
+  if (paged == nullptr || bytes == nullptr) return SINEW_NULL_ARGUMENT;
+  return c::guarded([&] {
+    std::vector<std::byte> unpacked;
+    const auto stored = unpack_page(span_of(bytes, byte_count), unpacked);
+    if (!stored) return refuse(stored.error(), messages);
+    return sinew_paged_clip_load_page(paged, page, stored->data(), stored->size(), taken, messages);
+  });
+}
+
+sinew_error sinew_assets_read_skeleton_lod(const void* bytes, std::size_t byte_count, const sinew_scene* scene,
+                                           std::size_t level, sinew_skeleton_lod** out, sinew_messages** messages) {
+  if (bytes == nullptr || scene == nullptr || out == nullptr) return SINEW_NULL_ARGUMENT;
+  return c::guarded([&] {
+    const auto file = AssetFile::open(span_of(bytes, byte_count));
+    if (!file) return refuse(file.error(), messages);
+    auto lods = read_skeleton_lods(*file, scene->scene.skeleton);
+    if (!lods) return refuse(lods.error(), messages);
+    if (level >= lods->size()) return SINEW_INDEX_OUT_OF_RANGE;
+    CompiledSkeletonLod& lod = (*lods)[level];
+    std::vector<unsigned char> kept(lod.detail.kept.begin(), lod.detail.kept.end());
+    *out = new sinew_skeleton_lod{std::move(lod), std::move(kept)};
+    return SINEW_OK;
+  });
 }
 
 sinew_error sinew_assets_add_clips(sinew_scene* scene, const void* bytes, std::size_t byte_count,

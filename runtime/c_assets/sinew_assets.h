@@ -2,7 +2,9 @@
 #pragma once
 // Asset files (.sinew) for engines that speak C. Link sinew::c_assets beside sinew::c. For C11 and C++.
 #include "runtime/c/messages.h"
+#include "runtime/c/pages.h"
 #include "runtime/c/scene.h"
+#include "runtime/c/skeleton_lod.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,6 +33,17 @@ void sinew_page_tables_destroy(sinew_page_tables* tables);
 size_t sinew_page_tables_count(const sinew_page_tables* tables, uint32_t clip, double* page_s);
 /// Where a page lies in the file; its size, 0 for a page that is not there.
 size_t sinew_page_tables_place(const sinew_page_tables* tables, uint32_t clip, size_t page, uint64_t* offset);
+
+/// sinew_paged_clip_load_page of bytes as they lie in a file, whose pages may be packed.
+sinew_error sinew_assets_load_page(sinew_paged_clip* paged, size_t page, const void* bytes, size_t byte_count,
+                                   int* taken, sinew_messages** messages);
+
+/// A skeleton LOD that a file has (sinew compile --joint-tolerance), for sinew_needs.skeleton_lod.
+/// in   scene  of this file, or one of the same skeleton
+/// err  SINEW_NULL_ARGUMENT, SINEW_INDEX_OUT_OF_RANGE (the file has fewer), SINEW_BAD_FILE (also one of another
+///      skeleton), SINEW_OUT_OF_MEMORY
+sinew_error sinew_assets_read_skeleton_lod(const void* bytes, size_t byte_count, const sinew_scene* scene, size_t level,
+                                           sinew_skeleton_lod** out, sinew_messages** messages);
 
 /// Appends the clips of an asset file to a scene of the same skeleton.
 /// in   scene  without plans: those refer to its clips

@@ -270,11 +270,8 @@ FramesApart compare_frames(const Scene& scene, Needs needs, const SkeletonLod& d
   return apart;
 }
 
-}  // namespace
-
-CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips,
-                                         const Needs& needs) {
-  CONTRACT(tolerance_m >= 0.0);
+CompiledSkeletonLod find_lod(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips,
+                             const Needs& needs) {
   if (scene.skeleton.joint_count() == 0) return {};
   const std::vector<Moment> moments = moments_of(scene, clips);
   Pruner pruner(scene, moments);
@@ -287,6 +284,16 @@ CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m,
     if (apart.worst_m <= tolerance_m + kRounding * apart.farthest_m) return within;
   }
   return {};
+}
+
+}  // namespace
+
+CompiledSkeletonLod compile_skeleton_lod(const Scene& scene, double tolerance_m, std::span<const std::uint32_t> clips,
+                                         const Needs& needs) {
+  CONTRACT(tolerance_m >= 0.0);
+  CompiledSkeletonLod found = find_lod(scene, tolerance_m, clips, needs);
+  found.tolerance_m = tolerance_m;
+  return found;
 }
 
 }  // namespace sinew

@@ -4,18 +4,10 @@
 #include <span>
 
 #include "runtime/model/scene.h"
+#include "runtime/model/skeleton_lod.h"
 #include "runtime/plan/needs.h"
 
 namespace sinew {
-
-/// A skeleton LOD, and how far it was seen to move vertices.
-struct CompiledSkeletonLod {
-  SkeletonLod detail;
-  std::uint32_t left_out = 0;  ///< joints
-  double measured_m = 0.0;     ///< largest displacement that was found: of the virtual vertices of joints that are
-                               ///< left out, and of vertices in the frames that were compared
-  std::uint32_t worst_joint = kNone;  ///< the joint whose virtual vertices moved most
-};
 
 /// Finds the most joints that poses can do without while no virtual vertex (virtual_vertices.h) is farther than
 /// `tolerance_m` from where all joints together put it. A joint that is left out is held at the mean of its transforms

@@ -7,6 +7,7 @@
 
 #include "runtime/base/contract.h"
 #include "runtime/clip/clip_layout.h"
+#include "runtime/clip/keep_joints.h"
 #include "runtime/paging/join_clips.h"
 
 namespace sinew {
@@ -25,10 +26,18 @@ Clip sharing_rest(const Clip& page, const Clip& head) {
   return clip_of(std::move(layout));
 }
 
+Clip of_joints(const Clip& clip, std::span<const std::uint32_t> kept) {
+  return kept.empty() || kept.size() == clip.joint_count() ? clip : keep_joints(clip, kept);
+}
+
 }  // namespace
 
 PagedClip::PagedClip(Clip head, double page_s, std::size_t page_count, const Options& options)
-    : head_(std::move(head)), page_s_(page_s), page_count_(page_count), options_(options) {
+    : head_(std::move(head)),
+      shown_head_(of_joints(head_, options.kept_joints)),
+      page_s_(page_s),
+      page_count_(page_count),
+      options_(options) {
   CONTRACT(page_s > 0.0 && page_count > 0 && options.window >= 2);
   slots_.reserve(options_.window);
 }
@@ -71,7 +80,7 @@ PageSample PagedClip::at(double time_s, bool backwards) noexcept {
   backwards_ = backwards;
   if (const Slot* slot = find(playing_)) return {slot->clip, time_s, false};
   const Slot* slot = nearest(time_s);
-  if (slot == nullptr) return {head_, 0.0, true};
+  if (slot == nullptr) return {shown_head_, 0.0, true};
   return {slot->clip, times_of_page(slot->page, page_s_, page_count_).nearest(time_s), true};
 }
 
@@ -92,7 +101,7 @@ tl::expected<bool, ClipFileError> PagedClip::load_page(std::size_t page, std::sp
     return refuse("the block is not page \"" + name + "\"" +
                   (clips->empty() ? std::string() : ", but \"" + clips->front().name() + "\""));
   if (!moves_alike(head_, clips->front())) return refuse("page \"" + name + "\" does not move what its clip moves");
-  Slot loaded{page, sharing_rest(clips->front(), head_)};
+  Slot loaded{page, sharing_rest(of_joints(clips->front(), options_.kept_joints), shown_head_)};
   const std::scoped_lock held(lock_);
   if (!is_in_window(page)) return false;
   if (find(page) != nullptr) return true;

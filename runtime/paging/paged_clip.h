@@ -40,9 +40,12 @@ class PagedClip {
     std::size_t window = 4;  ///< most pages in memory, at least 2: the one that plays, the next ones, and behind them
                              ///< the one before, where there is room for it
     bool loops = true;       ///< the page after the last one is the first
+    std::vector<std::uint32_t> kept_joints = {};  ///< kept_joints (plan/compile_plan.h) of a plan with a skeleton LOD,
+                                                  ///< whose poses the pages are for; empty = all joints
   };
 
-  /// in   head        first_keys of the clip: what is shown while no page is loaded, and what a plan is compiled with
+  /// in   head        first_keys of the clip: what is shown while no page is loaded, and what a plan is compiled with;
+  ///                  of all joints, as pages are
   ///      page_s, page_count   as PageTable has them, page_count > 0
   PagedClip(Clip head, double page_s, std::size_t page_count, const Options& options);
   PagedClip(Clip head, double page_s, std::size_t page_count) : PagedClip(std::move(head), page_s, page_count, {}) {}
@@ -79,6 +82,7 @@ class PagedClip {
   const Slot* nearest(double time_s) const noexcept;
 
   Clip head_;
+  Clip shown_head_;  ///< of kept_joints
   double page_s_;
   std::size_t page_count_;
   Options options_;

@@ -199,6 +199,8 @@ std::span<const std::uint32_t> Plan::first_primitive() const noexcept { return c
 std::span<const ClipTracks> Plan::clip_tracks() const noexcept { return compiled_->clip_tracks; }
 std::span<const std::uint32_t> Plan::moved_joints() const noexcept { return compiled_->moved_joints; }
 
+std::vector<std::uint32_t> kept_joints(const Plan& plan) { return kept_joints(plan.compiled()->assets.joint_map); }
+
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept {
   return world_of(plan.compiled()->assets, model, joint);
 }

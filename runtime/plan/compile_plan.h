@@ -92,6 +92,10 @@ inline const Primitive& primitive_of(const Plan& plan, const PrimitivePlan& plan
 /// in   model  FrameResult::model of a frame of the plan
 Affine world_of(const Plan& plan, std::span<const Affine> model, std::uint32_t joint) noexcept;
 
+/// Joints of the scene that poses of the plan have, rising: all but those that Needs::skeleton_lod leaves out.
+/// cost O(J), allocates
+std::vector<std::uint32_t> kept_joints(const Plan& plan);
+
 /// in   scene   must have passed check(Scene)
 ///      needs   max_layers >= 1; instance_skinning empty or one per instance; masks of one finite weight >= 0 per
 ///              joint; skeleton_lod empty or for all joints; cached_instances rising indices of instances

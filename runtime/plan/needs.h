@@ -7,27 +7,13 @@
 
 #include "runtime/animation/mirror_map.h"
 #include "runtime/deform/skin_linear.h"
-#include "runtime/math/transform.h"
+#include "runtime/model/skeleton_lod.h"
 
 namespace sinew {
 
 /// How skinned vertices follow their joints. `center_of_rotation` needs Primitive::centers_of_rotation; a primitive
 /// without them is skinned linearly, and so is a vertex without a center.
 enum class Skinning : std::uint8_t { linear, dual_quaternion, center_of_rotation };
-
-/// Skeleton LOD: which joints poses have. A joint that is left out has no track, no transform and no matrix in any
-/// frame. It hangs rigidly on the nearest joint above that is kept; vertices, meshes, cameras and lights on it follow
-/// that one. compile_skeleton_lod (compile_skeleton_lod.h) finds the joints that move vertices least, and by how much.
-///
-/// The LODs of a character are several plans of one scene. To change level, run the other plan into another frame
-/// buffer, or into a new one over the same block of memory. On a job thread every level is a character of its own, and
-/// all but one are asleep.
-struct SkeletonLod {
-  std::vector<bool>
-      kept;  ///< [J] empty = all. Roots, joints above kept ones, and joints that drive correctives stay too
-  std::vector<Transform> held;  ///< [J] local transforms of the joints that are left out; empty = the rest pose. Joints
-                                ///< with a fixed matrix keep it
-};
 
 /// What the consumer of frames asks for. A stage that neither the needs nor the scene call for is left out of the plan.
 struct Needs {

@@ -93,13 +93,18 @@ std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& deta
   return map;
 }
 
+std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map) {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t j = 0; j < joint_map.size(); ++j)
+    if (joint_map[j].is_kept) kept.push_back(j);
+  return kept;
+}
+
 PlanAssets make_assets(const Scene& scene, std::span<const Clip> clips, const SkeletonLod& detail,
                        const std::shared_ptr<const MirrorMap>& mirror) {
   PlanAssets assets;
   assets.joint_map = map_joints(scene, detail, mirror.get());
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t j = 0; j < assets.joint_map.size(); ++j)
-    if (assets.joint_map[j].is_kept) kept.push_back(j);
+  const std::vector<std::uint32_t> kept = kept_joints(assets.joint_map);
   if (kept.size() == assets.joint_map.size()) {
     assets.clips.assign(clips.begin(), clips.end());
     assets.mirror = mirror;

@@ -38,6 +38,9 @@ struct PlanAssets {
 /// out  [J]     cost O(J)
 std::vector<JointMapping> map_joints(const Scene& scene, const SkeletonLod& detail, const MirrorMap* mirror = nullptr);
 
+/// The joints of a map that poses have, rising.
+std::vector<std::uint32_t> kept_joints(std::span<const JointMapping> joint_map);
+
 /// The scene must outlive what is answered, but for its clips.
 /// in   clips  of the scene's joints, morph weights and properties
 /// cost O(J + clips), or O(size of skeleton, clips and skins) where joints are left out; allocates

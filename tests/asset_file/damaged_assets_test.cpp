@@ -26,6 +26,7 @@ tl::expected<Scene, AssetFileError> read_signed(Bytes& file) {
   auto scene = read_scene(*opened);
   if (!scene) return scene;
   if (const auto boxes = read_clip_boxes(*opened, *scene); !boxes) return tl::unexpected(boxes.error());
+  if (const auto lods = read_skeleton_lods(*opened, scene->skeleton); !lods) return tl::unexpected(lods.error());
   return scene;
 }
 
@@ -36,17 +37,28 @@ ClipBoxes boxes_of(const Scene& scene) {
   return {of_clip, {}};
 }
 
+/// One level that leaves the last joint out.
+std::vector<CompiledSkeletonLod> lods_of(const Scene& scene) {
+  const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
+  CompiledSkeletonLod level{{std::vector<bool>(joints, true), scene.skeleton.rest}, 0.002, 1, 0.0015, joints - 1};
+  level.detail.kept.back() = false;
+  return {level};
+}
+
+constexpr std::size_t kBlocks = 6;  // of full_file
+
 Bytes full_file(std::uint64_t seed) {
   const Scene scene = full_scene(seed);
   const ClipBoxes boxes = boxes_of(scene);
-  return write_asset_file(scene, {.truth = true, .clip_boxes = boxes});
+  const auto lods = lods_of(scene);
+  return write_asset_file(scene, {.truth = true, .clip_boxes = boxes, .skeleton_lods = lods});
 }
 
 TEST(damaged_assets, every_byte_of_every_block_may_be_anything) {
   const Bytes file = full_file(1);
   FixedRandom random(2);
   std::size_t refused = 0, read = 0;
-  for (std::size_t i = kAssetHead + 5 * kAssetEntry; i < file.size(); ++i)
+  for (std::size_t i = kAssetHead + kBlocks * kAssetEntry; i < file.size(); ++i)
     for (const std::uint8_t with : {std::uint8_t{0xff}, static_cast<std::uint8_t>(1 + random.below(255))}) {
       Bytes changed = file;
       changed[i] ^= std::byte{with};
@@ -124,9 +136,34 @@ TEST(damaged_assets, boxes_that_do_not_fit_the_scene_are_refused) {
   }
 }
 
+TEST(damaged_assets, skeleton_lods_that_do_not_fit_the_skeleton_are_refused) {
+  const Scene scene = full_scene(3);
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  void (*const spoil[])(CompiledSkeletonLod & lod) = {
+      [](CompiledSkeletonLod& lod) { lod.detail.kept.pop_back(); },
+      [](CompiledSkeletonLod& lod) { lod.detail.held.push_back({}); },
+      [](CompiledSkeletonLod& lod) { lod.detail.held[1].rotation.w = static_cast<float>(kNaN); },
+      [](CompiledSkeletonLod& lod) { lod.detail.held[0].translation.z = std::numeric_limits<float>::infinity(); },
+      [](CompiledSkeletonLod& lod) { lod.detail.held[0].scale.y = static_cast<float>(kNaN); },
+      [](CompiledSkeletonLod& lod) { lod.left_out = static_cast<std::uint32_t>(lod.detail.kept.size()) + 1; },
+      [](CompiledSkeletonLod& lod) { lod.tolerance_m = -1.0; },
+      [](CompiledSkeletonLod& lod) { lod.measured_m = kNaN; },
+      [](CompiledSkeletonLod& lod) { lod.worst_joint = static_cast<std::uint32_t>(lod.detail.kept.size()); },
+  };
+  for (const auto& one : spoil) {
+    auto lods = lods_of(scene);
+    one(lods[0]);
+    Bytes file = write_asset_file(scene, {.skeleton_lods = lods});
+    const auto read = read_signed(file);
+    ASSERT_FALSE(read) << &one - spoil;
+    EXPECT_EQ(read.error().rule, "asset-value");
+    EXPECT_EQ(read.error().block, "skeleton_lods");
+  }
+}
+
 TEST(damaged_assets, counts_that_no_bytes_stand_behind_take_no_memory) {
   const Bytes file = full_file(1);
-  const std::size_t first = kAssetHead + 5 * kAssetEntry;
+  const std::size_t first = kAssetHead + kBlocks * kAssetEntry;
   for (std::size_t i = first; i + 8 <= file.size(); i += 4) {
     Bytes changed = file;
     put_number(std::span(changed), i, std::uint64_t{0x7fffffff});

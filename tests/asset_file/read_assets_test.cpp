@@ -141,6 +141,34 @@ TEST(read_assets, boxes_of_clips_come_with_model_and_clips_or_not_at_all) {
   EXPECT_EQ(read_clip_boxes(opened(file), other).error().rule, "asset-signature");
 }
 
+TEST(read_assets, skeleton_lods_come_back_and_are_refused_for_another_skeleton) {
+  const Scene scene = full_scene(7);
+  const auto joints = static_cast<std::uint32_t>(scene.skeleton.joint_count());
+  CompiledSkeletonLod level{{std::vector<bool>(joints, true), scene.skeleton.rest}, 0.002, 1, 0.0015, joints - 1};
+  level.detail.kept.back() = false;
+  const std::vector<CompiledSkeletonLod> lods = {level, {}};
+  for (const int zstd_level : {0, 3}) {
+    const Bytes file = write_asset_file(scene, {.skeleton_lods = lods, .zstd_level = zstd_level});
+    const auto again = read_skeleton_lods(opened(file), scene.skeleton);
+    ASSERT_TRUE(again) << describe(again.error());
+    ASSERT_EQ(again->size(), 2u);
+    const CompiledSkeletonLod& read = again->front();
+    EXPECT_EQ(read.detail.kept, level.detail.kept);
+    EXPECT_TRUE(same_bits<Transform>(read.detail.held, level.detail.held));
+    EXPECT_EQ(read.tolerance_m, 0.002);
+    EXPECT_EQ(read.left_out, 1u);
+    EXPECT_EQ(read.measured_m, 0.0015);
+    EXPECT_EQ(read.worst_joint, joints - 1);
+    EXPECT_TRUE((*again)[1].detail.kept.empty());
+    EXPECT_EQ((*again)[1].worst_joint, kNone);
+  }
+  EXPECT_TRUE(read_skeleton_lods(opened(write_asset_file(scene)), scene.skeleton)->empty());
+  Skeleton other = scene.skeleton;
+  other.names.back() += "x";
+  const Bytes file = write_asset_file(scene, {.model = false, .clips = false, .skeleton_lods = lods});
+  EXPECT_EQ(read_skeleton_lods(opened(file), other).error().rule, "asset-signature");
+}
+
 TEST(read_assets, clips_of_another_skeleton_are_refused_and_both_are_named) {
   const Scene scene = arm_scene();
   const Bytes clips = write_asset_file(scene, {.skeleton = false, .model = false});

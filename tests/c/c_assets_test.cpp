@@ -10,6 +10,7 @@
 #include "runtime/c_assets/sinew_assets.h"
 #include "tests/asset_file/played_frames.h"
 #include "tests/scenes/hand_scenes.h"
+#include "tests/scenes/random_scene.h"
 
 namespace sinew::test {
 namespace {
@@ -90,6 +91,40 @@ TEST(c_assets, bad_bytes_and_missing_arguments_are_refused) {
   EXPECT_EQ(sinew_assets_add_clips(nullptr, file.data(), file.size(), nullptr), SINEW_NULL_ARGUMENT);
   EXPECT_FALSE(sinew_looks_like_assets(nullptr, 40));
   EXPECT_FALSE(sinew_looks_like_assets(file.data() + 1, file.size() - 1));
+}
+
+TEST(c_assets, skeleton_lods_of_a_file_serve_plans) {
+  const Scene scene = random_scene(3);
+  const std::vector<CompiledSkeletonLod> lods = {compile_skeleton_lod(scene, 1e-9), compile_skeleton_lod(scene, 1e9)};
+  ASSERT_GT(lods[1].left_out, lods[0].left_out);
+  const std::vector<std::byte> file = write_asset_file(scene, {.skeleton_lods = lods});
+  const sinew_scene in_c{scene};
+  sinew_skeleton_lod* lod = nullptr;
+  ASSERT_EQ(sinew_assets_read_skeleton_lod(file.data(), file.size(), &in_c, 1, &lod, nullptr), SINEW_OK);
+  sinew_skeleton_lod_info info = {};
+  info.struct_size = sizeof info;
+  ASSERT_EQ(sinew_get_skeleton_lod(lod, &info), SINEW_OK);
+  EXPECT_EQ(info.left_out, lods[1].left_out);
+  EXPECT_EQ(info.tolerance_m, 1e9);
+  EXPECT_EQ(info.kept.count, scene.skeleton.joint_count());
+  sinew_needs needs = sinew_default_needs();
+  needs.skeleton_lod = lod;
+  sinew_plan* plan = nullptr;
+  ASSERT_EQ(sinew_plan_create(&in_c, &needs, &plan), SINEW_OK);
+  EXPECT_LT(kept_joints(plan->plan).size(), scene.skeleton.joint_count());
+  sinew_plan_destroy(plan);
+  sinew_skeleton_lod_destroy(lod);
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(file.data(), file.size(), &in_c, 2, &lod, nullptr),
+            SINEW_INDEX_OUT_OF_RANGE);
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(file.data(), file.size(), nullptr, 0, &lod, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(nullptr, 0, &in_c, 0, &lod, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(file.data(), file.size(), &in_c, 0, nullptr, nullptr), SINEW_NULL_ARGUMENT);
+  const sinew_scene other{random_scene(4)};
+  sinew_messages* why = nullptr;
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(file.data(), file.size(), &other, 0, &lod, &why), SINEW_BAD_FILE);
+  EXPECT_NE(std::string(sinew_message(why, 0)).find("asset-signature in block skeleton_lods"), std::string::npos);
+  sinew_messages_destroy(why);
+  EXPECT_EQ(sinew_assets_read_skeleton_lod(file.data(), 12, &in_c, 0, &lod, nullptr), SINEW_BAD_FILE);
 }
 
 }  // namespace

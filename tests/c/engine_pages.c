@@ -29,7 +29,7 @@ static sinew_error load_pages(player* p, const unsigned char* file, uint32_t cli
     uint64_t offset = 0;
     const size_t size = sinew_page_tables_place(p->tables, clip, number, &offset);
     int taken = 0;
-    const sinew_error error = sinew_paged_clip_load_page(p->paged, number, file + offset, size, &taken, NULL);
+    const sinew_error error = sinew_assets_load_page(p->paged, number, file + offset, size, &taken, NULL);
     if (error != SINEW_OK || !taken) return error == SINEW_OK ? SINEW_BUSY : error;
   }
   return SINEW_OK;

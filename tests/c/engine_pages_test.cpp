@@ -3,6 +3,7 @@
 #include "tests/c/engine_pages.h"
 
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <cmath>
 #include <string>
@@ -26,24 +27,26 @@ const unsigned char* begin_of(const std::vector<std::byte>& bytes) {
 }
 
 TEST(c_pages, an_engine_in_c_plays_pages_of_a_file_with_the_bits_of_whole_clips) {
-  const Scene scene = random_scene(3);
-  const std::vector<std::byte> file = write_asset_file(scene, {.page_s = kPage_s});
-  std::size_t missing = 0, most_pages = 0;
-  Numbers paged, whole;
-  ASSERT_EQ(engine_play_pages(begin_of(file), file.size(), 1, kFrame_s, kFrames, 1, &missing, &most_pages, &paged),
-            SINEW_OK);
-  EXPECT_EQ(missing, 0u);
-  EXPECT_EQ(most_pages, 4u);
-  const sinew_scene in_c{scene};
-  for (int i = 0; i < kFrames; ++i) {
-    const sinew_layer layer{i * kFrame_s, 1, SINEW_NONE, 1.0f, SINEW_LAYER_BLEND};
-    sinew_frame_input input = sinew_default_input();
-    input.layers = &layer;
-    input.layer_count = 1;
-    ASSERT_EQ(engine_play(&in_c, nullptr, &input, nullptr, &whole), SINEW_OK);
+  for (const int zstd_level : {0, 5}) {
+    const Scene scene = random_scene(3);
+    const std::vector<std::byte> file = write_asset_file(scene, {.page_s = kPage_s, .zstd_level = zstd_level});
+    std::size_t missing = 0, most_pages = 0;
+    Numbers paged, whole;
+    ASSERT_EQ(engine_play_pages(begin_of(file), file.size(), 1, kFrame_s, kFrames, 1, &missing, &most_pages, &paged),
+              SINEW_OK);
+    EXPECT_EQ(missing, 0u);
+    EXPECT_EQ(most_pages, 4u);
+    const sinew_scene in_c{scene};
+    for (int i = 0; i < kFrames; ++i) {
+      const sinew_layer layer{i * kFrame_s, 1, SINEW_NONE, 1.0f, SINEW_LAYER_BLEND};
+      sinew_frame_input input = sinew_default_input();
+      input.layers = &layer;
+      input.layer_count = 1;
+      ASSERT_EQ(engine_play(&in_c, nullptr, &input, nullptr, &whole), SINEW_OK);
+    }
+    EXPECT_EQ(paged.all().size(), whole.all().size());
+    EXPECT_TRUE(same_bits<float>(paged.all(), whole.all()));
   }
-  EXPECT_EQ(paged.all().size(), whole.all().size());
-  EXPECT_TRUE(same_bits<float>(paged.all(), whole.all()));
 }
 
 TEST(c_pages, without_a_page_the_start_is_shown_and_told) {
@@ -132,6 +135,58 @@ TEST_F(CPages, bytes_are_taken_left_or_refused_in_words) {
   EXPECT_EQ(load(1, bytes[2], nullptr, nullptr), SINEW_BAD_FILE);
   EXPECT_EQ(load(bytes.size(), bytes[0], nullptr, nullptr), SINEW_INDEX_OUT_OF_RANGE);
   EXPECT_EQ(sinew_paged_clip_load_page(paged, 0, nullptr, 4, nullptr, nullptr), SINEW_NULL_ARGUMENT);
+}
+
+TEST_F(CPages, pages_for_a_plan_with_a_skeleton_lod_have_its_joints) {
+  sinew_skeleton_lod* lod = nullptr;
+  ASSERT_EQ(sinew_skeleton_lod_create(&heads, 1e6, nullptr, 0, nullptr, &lod), SINEW_OK);
+  sinew_needs needs = sinew_default_needs();
+  needs.skeleton_lod = lod;
+  sinew_plan* plan = nullptr;
+  ASSERT_EQ(sinew_plan_create(&heads, &needs, &plan), SINEW_OK);
+  sinew_page_window window = sinew_default_page_window();
+  EXPECT_EQ(window.plan, nullptr);
+  window.plan = plan;
+  const sinew_scene other{scene};
+  sinew_paged_clip* reduced = nullptr;
+  EXPECT_EQ(sinew_paged_clip_create(&other, 0, kPage_s, bytes.size(), &window, &reduced), SINEW_SIZE_MISMATCH);
+  ASSERT_EQ(sinew_paged_clip_create(&heads, 0, kPage_s, bytes.size(), &window, &reduced), SINEW_OK);
+  sinew_frame* frame = nullptr;
+  ASSERT_EQ(sinew_frame_create(plan, nullptr, &frame), SINEW_OK);
+  const sinew_layer layer{0.1, 0, SINEW_NONE, 1.0f, SINEW_LAYER_BLEND};
+  const sinew_page* const pages[] = {page};
+  sinew_frame_input input = sinew_default_input();
+  input.layers = &layer;
+  input.layer_count = 1;
+  input.pages = pages;
+  ASSERT_EQ(sinew_paged_clip_at(paged, 0.1, 0, page), SINEW_OK);
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_SIZE_MISMATCH) << "a page of all joints";
+  ASSERT_EQ(sinew_paged_clip_at(reduced, 0.1, 0, page), SINEW_OK);
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_OK) << "the start, while no page is there";
+  ASSERT_EQ(sinew_assets_load_page(reduced, 0, bytes[0].data(), bytes[0].size(), nullptr, nullptr), SINEW_OK);
+  ASSERT_EQ(sinew_paged_clip_at(reduced, 0.1, 0, page), SINEW_OK);
+  EXPECT_EQ(sinew_page_is_missing(page), 0);
+  EXPECT_EQ(sinew_run(frame, &input), SINEW_OK);
+  sinew_frame_destroy(frame);
+  sinew_paged_clip_destroy(reduced);
+  sinew_plan_destroy(plan);
+  sinew_skeleton_lod_destroy(lod);
+}
+
+TEST_F(CPages, a_page_of_a_file_that_does_not_unpack_is_refused_in_words) {
+  std::vector<std::byte> packed(ZSTD_compressBound(bytes[0].size()));
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes[0].data(), bytes[0].size(), 3));
+  ASSERT_EQ(sinew_paged_clip_at(paged, 0.1, 0, page), SINEW_OK);
+  int taken = 0;
+  sinew_messages* why = nullptr;
+  EXPECT_EQ(sinew_assets_load_page(paged, 0, packed.data(), packed.size() - 1, &taken, &why), SINEW_BAD_FILE);
+  ASSERT_EQ(sinew_message_count(why), 1u);
+  EXPECT_NE(std::string(sinew_message(why, 0)).find("asset-size in block page_keys"), std::string::npos);
+  sinew_messages_destroy(why);
+  EXPECT_EQ(sinew_assets_load_page(paged, 0, packed.data(), packed.size(), &taken, nullptr), SINEW_OK);
+  EXPECT_EQ(taken, 1);
+  EXPECT_EQ(sinew_assets_load_page(nullptr, 0, packed.data(), packed.size(), &taken, nullptr), SINEW_NULL_ARGUMENT);
+  EXPECT_EQ(sinew_assets_load_page(paged, 0, nullptr, 0, &taken, nullptr), SINEW_NULL_ARGUMENT);
 }
 
 TEST_F(CPages, held_inputs_keep_the_pages_of_their_layers_and_interpolated_ones_refuse_them) {

@@ -41,10 +41,14 @@ void read_all(Bytes file) {
   require(check(*scene) == ErrorCode::ok, "a scene that was read passes its checks");
   const auto boxes = read_clip_boxes(*opened, *scene);
   if (!boxes) return require(boxes.error().block == "bounds", "an error names its block");
+  const auto lods = read_skeleton_lods(*opened, scene->skeleton);
+  if (!lods) return require(lods.error().block == "skeleton_lods", "an error names its block");
   if (is_small(*scene)) play(*scene, *boxes);
-  const std::vector<std::byte> again = write_asset_file(*scene, {.truth = true, .clip_boxes = *boxes});
+  const std::vector<std::byte> again =
+      write_asset_file(*scene, {.truth = true, .clip_boxes = *boxes, .skeleton_lods = *lods});
   const auto reopened = AssetFile::open(again);
-  require(reopened && read_scene(*reopened) && read_clip_boxes(*reopened, *scene),
+  require(reopened && read_scene(*reopened) && read_clip_boxes(*reopened, *scene) &&
+              read_skeleton_lods(*reopened, scene->skeleton)->size() == lods->size(),
           "what was read can be written and read again");
 }
 

@@ -181,6 +181,29 @@ TEST(compile_command, pages_play_what_whole_clips_play) {
   EXPECT_EQ(run_tool({"compile", model.path(), "-o", paged, "--page", "0"}).status, 2);
 }
 
+TEST(compile_command, levels_of_detail_are_stored_with_what_they_cost) {
+  const ToolModelFile model;
+  const std::string out = model.beside("levels.sinew");
+  const CommandOutcome made =
+      run_tool({"compile", model.path(), "-o", out, "--joint-tolerance", "0", "--joint-tolerance", "100m"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("skeleton LOD within 100 m: "));
+  const std::string bytes = content_of(out);
+  const auto file = AssetFile::open(std::as_bytes(std::span(bytes)));
+  ASSERT_TRUE(file);
+  const auto lods = read_skeleton_lods(*file, *read_skeleton(*file));
+  ASSERT_TRUE(lods);
+  ASSERT_EQ(lods->size(), 2u);
+  EXPECT_EQ((*lods)[0].tolerance_m, 0.0);
+  EXPECT_EQ((*lods)[1].tolerance_m, 100.0);
+  EXPECT_GT((*lods)[1].left_out, (*lods)[0].left_out);
+  EXPECT_THAT(run_tool({"info", out}).out, HasSubstr("skeleton LOD within 100 m: "));
+  EXPECT_THAT(run_tool({"info", out, "--json"}).out, HasSubstr("\"tolerance_m\": 100.0"));
+  const CommandOutcome wrong = run_tool({"compile", model.path(), "-o", out, "--joint-tolerance", "much"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--joint-tolerance"));
+}
+
 TEST(compile_command, the_file_knows_where_meshes_are_while_its_clips_play) {
   const ToolModelFile model;
   const std::string out = model.beside("model.sinew");
@@ -287,7 +310,7 @@ TEST(budgets, may_be_shares_of_the_model) {
     const std::string share = model.beside(std::string("share") + ending),
                       plain = model.beside(std::string("plain") + ending);
     std::vector<std::string> arguments{command, model.path(), "--budget"};
-    const auto run = [&](const std::string& budget, const std::string& out) {
+    const auto run = [&, command = command](const std::string& budget, const std::string& out) {
       std::vector<std::string> all = arguments;
       all.push_back(budget);
       if (std::string_view(command) != "convert") all.push_back("-o");

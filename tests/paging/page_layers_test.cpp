@@ -20,10 +20,10 @@ constexpr double kPage_s = 0.3;
 /// The clips of a scene in pages, all of which are read the moment they are wanted.
 class Pages {
  public:
-  explicit Pages(const Scene& scene) : clips_(scene.clips) {
+  explicit Pages(const Scene& scene, const std::vector<std::uint32_t>& kept_joints = {}) : clips_(scene.clips) {
     for (const Clip& clip : clips_)
-      paged_.push_back(
-          std::make_unique<PagedClip>(first_keys(clip), kPage_s, page_count_of(clip.duration_s(), kPage_s)));
+      paged_.push_back(std::make_unique<PagedClip>(first_keys(clip), kPage_s, page_count_of(clip.duration_s(), kPage_s),
+                                                   PagedClip::Options{.kept_joints = kept_joints}));
   }
 
   std::vector<ClipLayer> of(std::span<const ClipLayer> layers) {
@@ -52,9 +52,8 @@ TEST(page_layers, frames_from_pages_have_the_bits_of_frames_from_whole_clips) {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     const Scene scene = busy_scene(seed);
     const Plan plan = compile_plan(scene, busy_needs(seed, scene));
-    if (!plan.needs().skeleton_lod.kept.empty()) continue;
     FrameBuffer whole(plan), paged(plan);
-    Pages pages(scene);
+    Pages pages(scene, kept_joints(plan));
     RandomInputs inputs(plan);
     for (std::uint32_t step = 0; step < 60; ++step, ++frames) {
       inputs.step(static_cast<std::uint32_t>(seed * 1000 + step));
@@ -69,7 +68,34 @@ TEST(page_layers, frames_from_pages_have_the_bits_of_frames_from_whole_clips) {
       pages.frame_has_run();
     }
   }
-  EXPECT_GE(frames, 120u);
+  EXPECT_GE(frames, 360u);
+}
+
+TEST(page_layers, pages_for_a_plan_with_a_skeleton_lod_have_the_bits_of_its_whole_clips) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const Scene scene = busy_scene(seed);
+    Needs needs;
+    needs.skeleton_lod.kept.resize(scene.skeleton.joint_count());
+    for (std::size_t j = 0; j < needs.skeleton_lod.kept.size(); ++j) needs.skeleton_lod.kept[j] = j % 5 == 1;
+    const Plan plan = compile_plan(scene, needs);
+    ASSERT_LT(kept_joints(plan).size(), scene.skeleton.joint_count()) << seed;
+    FrameBuffer whole(plan), paged(plan);
+    Pages pages(scene, kept_joints(plan));
+    for (double t = 0.0; t < scene.clips[0].duration_s(); t += 0.07) {
+      const ClipLayer layer{.clip = 0, .time_s = t};
+      const std::vector<ClipLayer> layers = pages.of({&layer, 1});
+      ASSERT_EQ(run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, whole), ErrorCode::ok);
+      ASSERT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, paged), ErrorCode::ok);
+      ASSERT_EQ(first_difference(whole.result(), paged.result()), "") << t;
+      pages.frame_has_run();
+    }
+    PagedClip nothing_loaded(first_keys(scene.clips[0]), kPage_s, 9, {.kept_joints = kept_joints(plan)});
+    const PageSample start = nothing_loaded.at(1.0);
+    const ClipLayer from_head{.clip = 0, .time_s = start.time_s, .page = &start.page}, from_clip{.clip = 0};
+    ASSERT_EQ(run_plan(plan, {.layers = {&from_head, 1}, .weights = {}, .root = {}}, paged), ErrorCode::ok);
+    ASSERT_EQ(run_plan(plan, {.layers = {&from_clip, 1}, .weights = {}, .root = {}}, whole), ErrorCode::ok);
+    EXPECT_EQ(first_difference(whole.result(), paged.result()), "") << "the start";
+  }
 }
 
 TEST(page_layers, a_plan_compiled_with_first_keys_plays_all_pages) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // .sinew files whose long clips lie in pages.
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "runtime/asset_file/read_assets.h"
 #include "runtime/asset_file/read_pages.h"
 #include "runtime/asset_file/write_asset_file.h"
+#include "runtime/base/same_bits.h"
 #include "runtime/clip/clip_layout.h"
 #include "runtime/paging/paged_clip.h"
 #include "tests/asset_file/full_scene.h"
@@ -25,6 +27,10 @@ constexpr double kPage_s = 0.4;
 
 Bytes paged_file(const Scene& scene, int zstd_level = 0) {
   return write_asset_file(scene, {.page_s = kPage_s, .zstd_level = zstd_level});
+}
+
+std::span<const std::byte> stored_page(const Bytes& file, const PageTable& table, std::size_t page) {
+  return std::span(file).subspan(table.offsets[page], table.offsets[page + 1] - table.offsets[page]);
 }
 
 Bytes saved(const Clip& clip) {
@@ -57,31 +63,74 @@ TEST(paged_files, readers_of_whole_clips_get_them_bit_for_bit) {
 }
 
 TEST(paged_files, an_engine_plays_the_pages_from_the_bytes_of_the_file) {
-  const Scene scene = full_scene(2);
-  const Bytes file = paged_file(scene);
-  const AssetFile opened = *AssetFile::open(file);
-  const auto heads = read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys);
-  ASSERT_TRUE(heads);
-  const auto tables = read_page_tables(opened);
-  ASSERT_TRUE(tables);
-  ASSERT_EQ(tables->size(), heads->size());
-  for (std::size_t c = 0; c < heads->size(); ++c) {
-    const PageTable& table = (*tables)[c];
-    ASSERT_GT(table.page_count(), 1u) << c;
-    EXPECT_EQ(saved((*heads)[c]), saved(first_keys(scene.clips[c])));
-    PagedClip paged((*heads)[c], table.page_s, table.page_count());
-    for (double t = 0.0; t < scene.clips[c].duration_s(); t += 0.03) {
-      paged.at(t);
-      while (const auto page = paged.next_page()) {
-        const auto taken = paged.load_page(
-            *page, std::span(file).subspan(table.offsets[*page], table.offsets[*page + 1] - table.offsets[*page]));
-        ASSERT_TRUE(taken) << taken.error().detail;
+  for (const int level : {0, 5}) {
+    const Scene scene = full_scene(2);
+    const Bytes file = paged_file(scene, level);
+    const AssetFile opened = *AssetFile::open(file);
+    Bytes unpacked;
+    const auto heads = read_clips(opened, skeleton_signature(scene.skeleton), LongClips::first_keys);
+    ASSERT_TRUE(heads);
+    const auto tables = read_page_tables(opened);
+    ASSERT_TRUE(tables);
+    ASSERT_EQ(tables->size(), heads->size());
+    for (std::size_t c = 0; c < heads->size(); ++c) {
+      const PageTable& table = (*tables)[c];
+      ASSERT_GT(table.page_count(), 1u) << c;
+      EXPECT_EQ(saved((*heads)[c]), saved(first_keys(scene.clips[c])));
+      PagedClip paged((*heads)[c], table.page_s, table.page_count());
+      for (double t = 0.0; t < scene.clips[c].duration_s(); t += 0.03) {
+        paged.at(t);
+        while (const auto page = paged.next_page()) {
+          const auto bytes = unpack_page(stored_page(file, table, *page), unpacked);
+          ASSERT_TRUE(bytes) << describe(bytes.error());
+          const auto taken = paged.load_page(*page, *bytes);
+          ASSERT_TRUE(taken) << taken.error().detail;
+        }
+        const PageSample at = paged.at(t);
+        ASSERT_FALSE(at.is_missing);
+        ASSERT_EQ(numbers_at(at.page, t), numbers_at(scene.clips[c], t)) << t;
       }
-      const PageSample at = paged.at(t);
-      ASSERT_FALSE(at.is_missing);
-      ASSERT_EQ(numbers_at(at.page, t), numbers_at(scene.clips[c], t)) << t;
     }
   }
+}
+
+TEST(paged_files, pages_are_packed_where_they_get_smaller_by_it_each_by_itself) {
+  const Scene scene = full_scene(2);
+  const Bytes raw_file = paged_file(scene), file = paged_file(scene, 5);
+  const auto raw = read_page_tables(*AssetFile::open(raw_file)), tables = read_page_tables(*AssetFile::open(file));
+  ASSERT_TRUE(raw && tables);
+  std::size_t smaller = 0;
+  for (std::size_t c = 0; c < tables->size(); ++c)
+    for (std::size_t p = 0; p < (*tables)[c].page_count(); ++p) {
+      const auto was = stored_page(raw_file, (*raw)[c], p), is = stored_page(file, (*tables)[c], p);
+      EXPECT_LE(is.size(), was.size());
+      smaller += is.size() < was.size();
+      Bytes unpacked;
+      EXPECT_TRUE(same_bits<std::byte>(*unpack_page(is, unpacked), was));
+      EXPECT_EQ(unpacked.empty(), is.size() == was.size()) << "what is not packed is not copied";
+    }
+  EXPECT_GT(smaller, 3u);
+}
+
+TEST(paged_files, a_packed_page_that_is_damaged_or_asks_for_much_memory_is_refused) {
+  const Bytes zeros(100'000);
+  const auto packed = [](const Bytes& bytes) {
+    Bytes out(ZSTD_compressBound(bytes.size()));
+    out.resize(ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), 3));
+    return out;
+  };
+  Bytes unpacked;
+  const auto rule_of = [&](const Bytes& page) {
+    const auto bytes = unpack_page(page, unpacked);
+    return bytes ? std::string() : bytes.error().rule;
+  };
+  EXPECT_EQ(rule_of(packed(zeros)), "asset-memory") << "thousands of times its bytes";
+  EXPECT_TRUE(unpacked.empty());
+  Bytes page = packed(pages_of(full_scene(2).clips[0], kPage_s)[0]);
+  EXPECT_EQ(rule_of(page), "");
+  page.pop_back();
+  EXPECT_EQ(rule_of(page), "asset-size");
+  EXPECT_EQ(rule_of({}), "") << "no packed bytes: load_page says what is wrong with them";
 }
 
 TEST(paged_files, clips_no_longer_than_a_page_stay_whole) {

@@ -9,6 +9,7 @@
 #include "importer/tool/assets/asset_parts.h"
 #include "importer/tool/certificate_table.h"
 #include "importer/tool/info/memory_kinds.h"
+#include "importer/tool/left_out_joints.h"
 #include "importer/tool/messages.h"
 #include "importer/tool/text_table.h"
 #include "runtime/clip/clip_file.h"
@@ -98,6 +99,13 @@ Json json_of_model(const Scene& scene) {
           {"animations", scene.animations.size()}};
 }
 
+Json json_of(const std::vector<CompiledSkeletonLod>& lods) {
+  Json out = Json::array();
+  for (const CompiledSkeletonLod& lod : lods)
+    out.push_back({{"tolerance_m", lod.tolerance_m}, {"measured_m", lod.measured_m}, {"left_out", lod.left_out}});
+  return out;
+}
+
 /// "joints 3, meshes 2, ..."
 std::string line_of(const Json& counts) {
   std::string out;
@@ -123,6 +131,10 @@ Info info_of_assets(const std::string& name, const std::vector<std::byte>& bytes
   if (parts->scene) {
     out.json["model"] = json_of_model(*parts->scene);
     out.tables += line_of(out.json["model"]);
+  }
+  if (!parts->lods.empty()) {
+    out.json["skeleton_lods"] = json_of(parts->lods);
+    out.tables += lod_lines(parts->lods, parts->scene->skeleton.joint_count());
   }
   MemoryCount memory;
   if (parts->scene) memory.add(*parts->scene);

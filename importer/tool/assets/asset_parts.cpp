@@ -9,11 +9,14 @@ tl::expected<AssetParts, AssetFileError> asset_parts(std::span<const std::byte> 
   auto file = AssetFile::open(bytes);
   if (!file) return tl::unexpected(file.error());
   if (const auto sums = file->check_sums(); !sums) return tl::unexpected(sums.error());
-  AssetParts parts{*std::move(file), std::nullopt, {}};
+  AssetParts parts{*std::move(file), std::nullopt, {}, {}};
   if (parts.file.find(AssetKind::skeleton) != nullptr) {
     auto scene = read_scene(parts.file);
     if (!scene) return tl::unexpected(scene.error());
     if (const auto boxes = read_clip_boxes(parts.file, *scene); !boxes) return tl::unexpected(boxes.error());
+    auto lods = read_skeleton_lods(parts.file, scene->skeleton);
+    if (!lods) return tl::unexpected(lods.error());
+    parts.lods = *std::move(lods);
     parts.clips = scene->clips;
     parts.scene = *std::move(scene);
   } else if (const AssetBlock* block = parts.file.find(AssetKind::clips)) {

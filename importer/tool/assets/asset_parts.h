@@ -14,6 +14,7 @@ struct AssetParts {
   AssetFile file;
   std::optional<Scene> scene;  ///< of a file with a skeleton
   std::vector<Clip> clips;
+  std::vector<CompiledSkeletonLod> lods;  ///< of a file with a skeleton
 };
 
 /// Opens and reads all of a file, checksums of unknown blocks among it.
