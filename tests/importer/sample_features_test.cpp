@@ -44,7 +44,7 @@ std::size_t add_sparse(TinyGltf& file, const std::vector<Index>& at, int index_t
 
 TEST(sample_features, G24_key_times_and_values_may_be_sparse) {
   TinyGltf file;
-  file.root["nodes"] = {Json::object()};
+  file.root["nodes"] = Json::array({Json::object()});
   const std::size_t times = add_sparse<std::uint8_t>(file, {1, 2}, 5121, {0.5f, 1.0f}, "SCALAR", 3);
   const std::size_t zeros = file.add_view(std::vector<float>(9, 4.0f));
   const std::size_t values = add_sparse<std::uint32_t>(file, {1}, 5125, {7, 8, 9}, "VEC3", 3, zeros);
@@ -105,7 +105,7 @@ TEST(sample_features, sparse_displacements_must_be_finite_and_the_vertex_is_name
 TEST(sample_features, G17_rotation_keys_of_every_component_type_mean_the_same) {
   const auto turned = [](std::size_t (*add)(TinyGltf&)) {
     TinyGltf file;
-    file.root["nodes"] = {Json::object()};
+    file.root["nodes"] = Json::array({Json::object()});
     const std::size_t times = file.times({0, 1});
     file.animate("rotation", times, add(file));
     const auto result = file.import();
@@ -292,7 +292,7 @@ TEST(sample_features, a_primitive_without_positions_misses_no_coordinates) {
   TinyGltf file;
   Json& primitive = file.add_triangle();
   primitive["material"] = 0;
-  file.root["textures"] = {Json::object()};
+  file.root["textures"] = Json::array({Json::object()});
   file.root["materials"] = Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}});
   EXPECT_TRUE(warns(file.import(), "mesh-texcoord-missing", "/meshes/0/primitives/0/material"));
   Json& same = file.root["meshes"][0]["primitives"][0];
@@ -310,7 +310,7 @@ TEST(sample_features, coordinates_that_only_a_variant_needs_are_missed_too) {
   primitive["extensions"]["KHR_materials_variants"]["mappings"] = Json::array({{{"material", 0}, {"variants", {0}}}});
   file.root["extensionsUsed"] = {"KHR_materials_variants"};
   file.root["extensions"]["KHR_materials_variants"]["variants"] = Json::array({{{"name", "painted"}}});
-  file.root["textures"] = {Json::object()};
+  file.root["textures"] = Json::array({Json::object()});
   file.root["materials"] = Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}});
   EXPECT_TRUE(warns(file.import(), "mesh-texcoord-missing", "/meshes/0/primitives/0/material"));
 }
