@@ -12,9 +12,9 @@
 
 #include "importer/tool/bake/decoded_take.h"
 #include "importer/tool/clip_choice.h"
-#include "importer/tool/cost/filter_group.h"
 #include "importer/tool/cost/make_report.h"
 #include "importer/tool/cost/occlusion_group.h"
+#include "importer/tool/cost/shading_groups.h"
 #include "importer/tool/cost/subject.h"
 #include "importer/tool/cost/write_report.h"
 #include "importer/tool/load_file.h"
@@ -68,9 +68,12 @@ ExitCode report_on(const cost::Scenes& scenes, std::optional<std::uint32_t> clip
   show("ambient occlusion", kDoneBefore);
   const std::uint32_t looked_at = clip ? *clip : cost::busiest_clip(*scenes.moving);
   report.groups.push_back(cost::look_at_occlusion(cost::occlusion_arguments(options.file, looked_at, options.quick)));
-  show("texture filters", kDoneBeforeFilters);
+  show("filters and normals", kDoneBeforeFilters);
   const bool reads_textures = options.file.empty() || !scenes.moving->textures.empty();
-  report.groups.push_back(reads_textures ? cost::look_at_filters(options.quick) : cost::no_filters());
+  const cost::NormalAngles angles = cost::normal_angles(*scenes.moving);
+  const std::string measured = reads_textures || angles.samples > 0 ? cost::measure_shading(options.quick) : "";
+  report.groups.push_back(reads_textures ? cost::filter_group(measured) : cost::no_filters());
+  report.groups.push_back(cost::normal_interpolation_group(angles, measured));
   progress.wipe();
   return finish(std::move(report), subject, options);
 }

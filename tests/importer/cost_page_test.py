@@ -45,7 +45,9 @@ def main():
         page, report = folder / "costs/report.html", json.loads((folder / "costs/report.json").read_text())
         points = sum(len(group["points"]) for group in report["groups"])
         probed = folder / "probed.html"
-        probed.write_text(page.read_text().replace("</body>", PROBE))
+        text, changed = re.subn(r'"spread": *[0-9.e-]+', '"spread":3', page.read_text(), 1)  # a very noisy machine
+        assert changed == 1
+        probed.write_text(text.replace("</body>", PROBE))
         for dark in (False, True):
             seen = probe(folder, probed, *(DARK if dark else []))
             expected = {"charts": sum(bool(g["points"]) for g in report["groups"]), "points": points, "labels": points, "overlaps": 0,

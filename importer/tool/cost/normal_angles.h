@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+
+#include "runtime/math/affine.h"
+#include "runtime/model/scene.h"
+
+namespace sinew::cost {
+
+/// How far a way to interpolate normals leaves the great arc between them, in degrees.
+struct ArcError {
+  double largest = 0.0, mean = 0.0;
+};
+
+/// Both ways of the viewer, over all edges of a scene.
+struct NormalAngles {
+  ArcError linear, quaternion;
+  std::size_t samples = 0;  ///< 0 = no mesh has normals of its own
+};
+
+/// Compares points a quarter, a half and three quarters along every edge whose vertices have normals, seen along each
+/// of the six axes: quaternions depend on where the surface faces, and only what faces the eye counts.
+/// eq   linear: (1 - t) a + t b, normalised;  quaternion: Hast 2005, eqs. 16 and 17 (viewer/shaders/quaternion_normal.glsl)
+/// cost O(triangles)
+NormalAngles normal_angles(const Scene& scene);
+
+}  // namespace sinew::cost
