@@ -375,8 +375,7 @@ TEST_F(CostCommand, json_has_the_agreed_form) {
   }
   EXPECT_EQ(rows_of_csv(), points) << "CSV has a row for every point";
   EXPECT_THAT(names, testing::IsSupersetOf({"rotation", "storage", "influences", "skinning", "normals", "morphing",
-                                            "arithmetic", "retargeting", "geometry_cache", "occlusion"}))
-      << "and those of cost_shading_test.cpp";
+                                            "arithmetic", "retargeting", "geometry_cache", "occlusion"}));
 }
 
 TEST_F(CostCommand, says_what_it_looked_at_and_how_to_look_again) {
