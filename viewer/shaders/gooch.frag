@@ -7,6 +7,7 @@
 //      eq. 2 with eqs. 3 and 4: t = (1 + n.l) / 2, colour = (1 - t) (blue + 0.2 base) + t (yellow + 0.6 base);
 //      highlight as in Akenine-Moeller et al., "Real-Time Rendering", 4th ed. (2018), eq. 5.2:
 //      s = clamp(100 r.v - 97), r = l mirrored about n
+#include "covered_place.glsl"
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -21,9 +22,9 @@ const vec3 kBlue = vec3(0.0, 0.0, 0.4), kYellow = vec3(0.4, 0.4, 0.0);
 const float kBaseInCool = 0.2, kBaseInWarm = 0.6;
 
 layout(location = 0) in vec3 view_position;
-layout(location = 1) in vec3 view_normal;
+layout(location = 1) centroid in vec3 view_normal;
 layout(location = 3) in vec4 texcoords;
-layout(location = 4) in vec4 vertex_color;
+layout(location = 4) centroid in vec4 vertex_color;
 
 layout(location = 0) out vec4 color;   // no light, and coverage
 layout(location = 1) out vec4 unlit;   // premultiplied, as displayed
@@ -40,6 +41,7 @@ vec3 tone(vec3 base, vec3 n, vec3 to_viewer) {
 }
 
 void main() {
+  if (kSeveralSamples) off_centre = covered_place(view_position);
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 shown = clamp(base.rgb, 0.0, 1.0);

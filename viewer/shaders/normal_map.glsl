@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Normals of normal maps. The shader that includes this has the inputs view_position, view_tangent and texcoords.
 
-layout(location = 6) in vec4 frame_by_cosine;
-layout(location = 7) in vec4 frame_by_sine;
-layout(location = 9) in vec4 back_frame_by_cosine;
-layout(location = 10) in vec4 back_frame_by_sine;
+layout(location = 6) centroid in vec4 frame_by_cosine;
+layout(location = 7) centroid in vec4 frame_by_sine;
+layout(location = 9) centroid in vec4 back_frame_by_cosine;
+layout(location = 10) centroid in vec4 back_frame_by_sine;
 layout(location = 11) flat in vec2 sine_is_larger;
 
 // The direction of `along` in the plane perpendicular to n; false if `along` is zero or nearly parallel to n.

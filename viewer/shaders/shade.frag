@@ -5,12 +5,13 @@
 // Textures and dFdx use the neighbours in a quad of pixels. They are read in control flow that all pixels of a draw share,
 // and before any discard: otherwise their values are undefined.
 layout(location = 0) in vec3 view_position;
-layout(location = 1) in vec3 view_normal;
-layout(location = 2) in vec4 view_tangent;
+layout(location = 1) centroid in vec3 view_normal;
+layout(location = 2) centroid in vec4 view_tangent;
 layout(location = 3) in vec4 texcoords;
-layout(location = 4) in vec4 vertex_color;
-layout(location = 5) in float vertex_access;
+layout(location = 4) centroid in vec4 vertex_color;
+layout(location = 5) centroid in float vertex_access;
 
+#include "covered_place.glsl"
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -61,7 +62,7 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
   float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n);
-  if (kVertexAccess) access = clamp(vertex_access, 0.0, 1.0);   // at edges it is interpolated beyond the triangle
+  if (kVertexAccess) access = vertex_access;
   if (kOcclusionSet != 0) {
     float baked = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
     access *= 1.0 + material.occlusion_strength * (baked - 1.0);
@@ -110,6 +111,7 @@ void show_through(vec3 behind, vec3 light, float coverage) {
 }
 
 void main() {
+  if (kSeveralSamples) off_centre = covered_place(view_position);
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 light = base.rgb, behind = vec3(0.0);

@@ -3,7 +3,7 @@
 #include "projection.glsl"
 #include "quaternion_normal.glsl"
 
-layout(location = 8) in vec3 back_half_way;
+layout(location = 8) centroid in vec3 back_half_way;
 
 bool back_side() { return kQuaternions == 2 && !gl_FrontFacing; }
 
