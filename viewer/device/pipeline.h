@@ -8,7 +8,7 @@
 
 namespace sinew::viewer {
 
-inline constexpr std::size_t kShaderConstants = 41;
+inline constexpr std::size_t kShaderConstants = 40;
 inline constexpr std::size_t kMostColors = 3;  ///< attachments of a pass
 
 /// What becomes of a drawn colour s over the stored one d. The second attachment of a frame stores light that is shown

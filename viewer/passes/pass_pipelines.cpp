@@ -53,8 +53,7 @@ enum ConstantId : std::size_t {
   id_wraps = 36,
   id_show_level = 37,
   id_quaternions = 38,
-  id_weighted = 39,  // of screens: the frame has weighted sums
-  id_several_samples = 40
+  id_weighted = 39  // of screens: the frame has weighted sums
 };
 
 bool reads_textures(const MaterialFeatures& material) noexcept {
@@ -174,7 +173,6 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_occluded] = key.frame.occluded;
   shape.constants[id_ao_step] = occlusion_.step;
   shape.constants[id_parallel] = key.frame.parallel;
-  shape.constants[id_several_samples] = shape.samples > 1;
   shape.constants[id_normals] = static_cast<std::uint32_t>(key.surface.normals);
   shape.constants[id_tangents] = key.surface.tangents;
   shape.constants[id_unlit] = key.surface.material.unlit;

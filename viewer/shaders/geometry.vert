@@ -37,7 +37,6 @@ layout(location = 8) out vec3 back_half_way;
 layout(location = 9) out vec4 back_frame_by_cosine;
 layout(location = 10) out vec4 back_frame_by_sine;
 layout(location = 11) flat out vec2 sine_is_larger;   // front and back: above 0 = yes
-layout(location = 12) out vec3 covered_position;      // view_position again, for covered_place.glsl
 
 invariant gl_Position;
 
@@ -63,7 +62,7 @@ void main() {
   vec4 local = vec4(position, 1.0);
   vec3 view = vec3(dot(draw.view_from_mesh[0], local), dot(draw.view_from_mesh[1], local), dot(draw.view_from_mesh[2], local));
   vec4 direction = vec4(tangent.xyz, 0.0);
-  view_position = covered_position = view;
+  view_position = view;
   view_normal = transformed_normal(normal);
   view_tangent = vec4(dot(draw.view_from_mesh[0], direction), dot(draw.view_from_mesh[1], direction),
                       dot(draw.view_from_mesh[2], direction), tangent.w);

@@ -7,7 +7,6 @@
 //      eq. 2 with eqs. 3 and 4: t = (1 + n.l) / 2, colour = (1 - t) (blue + 0.2 base) + t (yellow + 0.6 base);
 //      highlight as in Akenine-Moeller et al., "Real-Time Rendering", 4th ed. (2018), eq. 5.2:
 //      s = clamp(100 r.v - 97), r = l mirrored about n
-#include "covered_place.glsl"
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -41,7 +40,6 @@ vec3 tone(vec3 base, vec3 n, vec3 to_viewer) {
 }
 
 void main() {
-  if (kSeveralSamples) off_centre = covered_place(view_position);
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 shown = clamp(base.rgb, 0.0, 1.0);

@@ -4,6 +4,8 @@
 // Shades opaque and transparent surfaces. Ambient occlusion scales the ambient term only.
 // Textures and dFdx use the neighbours in a quad of pixels. They are read in control flow that all pixels of a draw share,
 // and before any discard: otherwise their values are undefined.
+// Centroid: with several samples the middle of a pixel may lie outside of the triangle, where normals and colours are beyond
+// those of any vertex. Position and texture coordinates are of the middle: their derivatives need a neighbour one pixel away.
 layout(location = 0) in vec3 view_position;
 layout(location = 1) centroid in vec3 view_normal;
 layout(location = 2) centroid in vec4 view_tangent;
@@ -11,7 +13,6 @@ layout(location = 3) in vec4 texcoords;
 layout(location = 4) centroid in vec4 vertex_color;
 layout(location = 5) centroid in float vertex_access;
 
-#include "covered_place.glsl"
 #include "frame_uniforms.glsl"
 #include "geometry.glsl"
 #include "material.glsl"
@@ -111,7 +112,6 @@ void show_through(vec3 behind, vec3 light, float coverage) {
 }
 
 void main() {
-  if (kSeveralSamples) off_centre = covered_place(view_position);
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 light = base.rgb, behind = vec3(0.0);

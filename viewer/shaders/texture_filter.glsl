@@ -3,10 +3,6 @@
 // (viewer/upload/rip_map.h). That is a variant of the shader: its code, at each place that reads a texture, would be most
 // of it. Derivatives need neighbours in a quad of pixels: call these in control flow that all pixels of a draw share.
 
-layout(constant_id = 40) const bool kSeveralSamples = false;   // a pixel
-
-vec2 off_centre = vec2(0.0);   // pixels to the place where textures are read, from the middle of the pixel (covered_place.glsl)
-
 #ifdef RIP_MAPS
 
 layout(constant_id = 36) const uint kWraps = 0;   // MaterialFeatures::wraps
@@ -48,7 +44,6 @@ vec4 rip_map_texel(sampler2D image, vec2 uv, uint wraps) {
   ivec2 size = textureSize(image, 0) / 2;
   vec2 level = rip_level(size, uv), part = fract(level);
   ivec2 fine = ivec2(level), coarse = min(fine + 1, findMSB(size));
-  if (kSeveralSamples) uv += off_centre.x * dFdx(uv) + off_centre.y * dFdy(uv);
   vec2 at = vec2(wrapped_coordinate(uv.x, wraps & 3), wrapped_coordinate(uv.y, wraps >> 2));
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
@@ -69,11 +64,7 @@ vec2 read_level(sampler2D image, vec2 uv) { return rip_level(textureSize(image, 
 
 #else
 
-vec4 filtered_texel(sampler2D image, int place, vec2 uv) {
-  if (!kSeveralSamples) return texture(image, uv);
-  vec2 dx = dFdx(uv), dy = dFdy(uv);
-  return textureGrad(image, uv + off_centre.x * dx + off_centre.y * dy, dx, dy);
-}
+vec4 filtered_texel(sampler2D image, int place, vec2 uv) { return texture(image, uv); }
 
 vec2 read_level(sampler2D image, vec2 uv) { return vec2(textureQueryLod(image, uv).x); }
 
