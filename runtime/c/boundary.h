@@ -11,7 +11,9 @@
 #include "runtime/base/result.h"
 #include "runtime/c/frame.h"
 #include "runtime/c/jobs.h"
+#include "runtime/c/pages.h"
 #include "runtime/c/plan.h"
+#include "runtime/c/skeleton_lod.h"
 #include "runtime/c/types.h"
 
 namespace sinew::c {
@@ -31,6 +33,11 @@ template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_instance_result> = offsetof(sinew_instance_result, from_cache);
 template <>
 inline constexpr std::size_t kFirstVersionBytes<sinew_jobs_options> = offsetof(sinew_jobs_options, own_thread);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_page_window> = offsetof(sinew_page_window, plan);
+template <>
+inline constexpr std::size_t kFirstVersionBytes<sinew_skeleton_lod_info> = offsetof(sinew_skeleton_lod_info,
+                                                                                    tolerance_m);
 
 /// Copies a struct of the caller's version over one of ours; what the caller's version lacks keeps its default in
 /// `out`. Null leaves all defaults.

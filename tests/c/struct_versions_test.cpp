@@ -5,6 +5,9 @@
 
 #include "runtime/base/same_bits.h"
 #include "runtime/c/handles.h"
+#include "runtime/c/page_handle.h"
+#include "runtime/c/pages.h"
+#include "runtime/c/skeleton_lod.h"
 #include "tests/c/engine.h"
 #include "tests/c/numbers.h"
 #include "tests/scenes/random_scene.h"
@@ -38,6 +41,19 @@ struct FirstJobsOptions {
   std::size_t inline_below_bytes = 0, part_bytes = 1;
 };
 
+struct FirstPageWindow {
+  std::size_t struct_size = sizeof(FirstPageWindow);
+  std::size_t pages = 3;
+  std::uint32_t loops = 0;
+};
+
+struct FirstLodInfo {
+  std::size_t struct_size = sizeof(FirstLodInfo);
+  sinew_flags kept = {nullptr, 0};
+  double measured_m = 0.0;
+  std::uint32_t left_out = 0, worst_joint = 0;
+};
+
 /// Of a version to come.
 struct LaterInput {
   LaterInput() { known.struct_size = sizeof(LaterInput); }
@@ -52,6 +68,7 @@ struct LaterOptions {
 };
 
 static_assert(sizeof(FirstInput) < sizeof(sinew_frame_input) && sizeof(LaterInput) > sizeof(sinew_frame_input));
+static_assert(sizeof(FirstPageWindow) < sizeof(sinew_page_window));
 static_assert(sizeof(FirstNeeds) < sizeof(sinew_needs) && sizeof(FirstJobsOptions) < sizeof(sinew_jobs_options));
 
 template <class Known, class Given>
@@ -164,6 +181,34 @@ TEST_F(c_struct_versions, an_older_caller_is_answered_as_much_as_it_knows) {
   EXPECT_EQ(older.input.struct_size, sizeof(FirstInput));
   for (const unsigned char byte : older.behind) EXPECT_EQ(byte, 0xa5);
   sinew_held_input_destroy(held);
+}
+
+TEST_F(StructVersions, skeleton_lods_tell_the_first_version_what_it_knows) {
+  sinew_skeleton_lod* lod = nullptr;
+  ASSERT_EQ(sinew_skeleton_lod_create(&scene, 1e9, nullptr, 0, nullptr, &lod), SINEW_OK);
+  struct {
+    FirstLodInfo info;
+    double behind = -7.0;
+  } engine;
+  ASSERT_EQ(sinew_get_skeleton_lod(lod, reinterpret_cast<sinew_skeleton_lod_info*>(&engine.info)), SINEW_OK);
+  EXPECT_GT(engine.info.left_out, 0u);
+  EXPECT_EQ(engine.behind, -7.0) << "it is not written beyond its end";
+  sinew_skeleton_lod_destroy(lod);
+}
+
+TEST_F(StructVersions, page_windows_of_the_first_version_are_for_all_joints) {
+  struct {
+    FirstPageWindow window;
+    const void* behind = "not a plan";
+  } engine;
+  sinew_paged_clip* paged = nullptr;
+  sinew_page* page = nullptr;
+  ASSERT_EQ(sinew_paged_clip_create(&scene, 0, 0.1, 9, as<sinew_page_window>(engine.window), &paged), SINEW_OK);
+  ASSERT_EQ(sinew_page_create(&page), SINEW_OK);
+  ASSERT_EQ(sinew_paged_clip_at(paged, 0.0, 0, page), SINEW_OK);
+  EXPECT_EQ(page->sample.page.joint_count(), scene.scene.skeleton.joint_count());
+  sinew_page_destroy(page);
+  sinew_paged_clip_destroy(paged);
 }
 
 }  // namespace
