@@ -34,7 +34,7 @@ class Angles {
  public:
   void add_edge(const Vec& a, const Vec& b) {
     const double whole = angle(a, b);
-    if (!(whole > 1e-6) || whole > 0.99 * std::numbers::pi) return;  // no arc, or no shortest one
+    if (!(whole > 1e-6)) return;  // no arc; opposite normals are never seen at once
     for (int view = 0; view < 6; ++view) {
       const Vec from = seen(a, view), to = seen(b, view);
       if (from.z > 0.0 && to.z > 0.0) add(from, to, whole);
