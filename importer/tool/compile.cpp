@@ -30,7 +30,7 @@ struct CompileOptions {
   BatchOptions files;
   std::string out, budget = "0.1mm";
   std::vector<std::string> clips, parts{"skeleton", "model", "clips"};
-  std::vector<std::string> lods;
+  std::vector<std::string> joint_tolerances;
   bool truth = false;
   double page_s = 0.0;
   int zstd_level = 0;
@@ -51,16 +51,22 @@ tl::expected<ClipChoice, std::string> clips_of(const Scene& scene, const std::ve
   return clips;
 }
 
-/// The skeleton LODs that --joint-tolerance asks for, of the clips that are stored.
+/// What --joint-tolerance says.
 /// err   a sentence
-tl::expected<std::vector<CompiledSkeletonLod>, std::string> lods_of(const Scene& scene,
-                                                                    const std::vector<std::string>& tolerances) {
-  std::vector<CompiledSkeletonLod> lods;
-  for (const std::string& text : tolerances) {
+tl::expected<std::vector<Length>, std::string> joint_tolerances(const std::vector<std::string>& texts) {
+  std::vector<Length> tolerances;
+  for (const std::string& text : texts) {
     const auto tolerance = parse_length(text);
     if (!tolerance) return tl::unexpected("--joint-tolerance: " + tolerance.error());
-    lods.push_back(compile_skeleton_lod(scene, metres_of(*tolerance, scene)));
+    tolerances.push_back(*tolerance);
   }
+  return tolerances;
+}
+
+/// A skeleton LOD for each tolerance, of the clips that the scene has.
+std::vector<CompiledSkeletonLod> lods_of(const Scene& scene, const std::vector<Length>& tolerances) {
+  std::vector<CompiledSkeletonLod> lods;
+  for (const Length& tolerance : tolerances) lods.push_back(compile_skeleton_lod(scene, metres_of(tolerance, scene)));
   return lods;
 }
 
@@ -89,6 +95,8 @@ AssetFileOptions blocks_of(const CompileOptions& options) {
 ExitCode compile_file(const CompileOptions& options, const std::string& in, const std::string& out, bool many) {
   const auto budget = parse_length(options.budget);
   if (!budget) return fail_with(ExitCode::wrong_usage, "--budget: " + budget.error());
+  const auto tolerances = joint_tolerances(options.joint_tolerances);
+  if (!tolerances) return fail_with(ExitCode::wrong_usage, tolerances.error());
   ImportOptions import;
   AssetFileOptions blocks = blocks_of(options);
   import.decode_images = false;
@@ -100,9 +108,8 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
   if (!chosen) return fail_with(ExitCode::wrong_usage, chosen.error());
   Scene& scene = file->scene;
   compile_clips_of(scene, blocks.clips ? *chosen : ClipChoice(), metres_of(*budget, scene));
-  const auto lods = lods_of(scene, options.lods);
-  if (!lods) return fail_with(ExitCode::wrong_usage, lods.error());
-  blocks.skeleton_lods = *lods;
+  const std::vector<CompiledSkeletonLod> lods = lods_of(scene, *tolerances);
+  blocks.skeleton_lods = lods;
   const ClipBoxes boxes = blocks.model && blocks.clips ? bound_clips(scene) : ClipBoxes();
   blocks.clip_boxes = boxes;
   const std::vector<std::byte> bytes = write_asset_file(scene, blocks);
@@ -110,7 +117,7 @@ ExitCode compile_file(const CompileOptions& options, const std::string& in, cons
     return fail_with(ExitCode::machine_lacks, out, {Severity::error, "write-file", "", *fault});
   if (!many)
     print_result_text(certificate_table(scene.clips, scene.skeleton.names) +
-                      lod_lines(*lods, scene.skeleton.joint_count()));
+                      lod_lines(lods, scene.skeleton.joint_count()));
   print_result("{}: {}, {}\n", out, counted(scene.clips.size(), "clip"), counted(bytes.size(), "byte"));
   return ExitCode::done;
 }
@@ -150,11 +157,11 @@ void add_compile(CLI::App& program, ExitCode& outcome) {
       ->allow_extra_args(false);
   command->add_flag("--truth", options->truth, "Also store the keys of FILE, in full");
   command
-      ->add_option(
-          "--joint-tolerance", options->lods,
-          fmt::format("Also store which joints can be left out while no vertex moves farther than this, {}; may "
-                      "be given several times, a level each",
-                      kLengthHelp))
+      ->add_option("--joint-tolerance", options->joint_tolerances,
+                   fmt::format("Also store which joints can be left out while no vertex moves farther than this in the "
+                               "clips of OUT, {}; may "
+                               "be given several times, a level each",
+                               kLengthHelp))
       ->type_name("LENGTH")
       ->allow_extra_args(false);
   command

@@ -108,11 +108,13 @@ Read<std::vector<Animation>> decompile(const std::vector<Clip>& clips, const Sce
 }
 
 Read<std::vector<Animation>> animations_of(const AssetFile& file, const std::vector<Clip>& clips, const Scene& scene) {
-  const AssetBlock *stored = file.find(AssetKind::clips), *pages = file.find(AssetKind::page_keys);
-  const std::uint64_t bytes = stored->bytes + (pages != nullptr ? pages->bytes : 0);
-  if (file.find(AssetKind::animations) == nullptr)
+  if (file.find(AssetKind::animations) == nullptr) {
+    std::uint64_t bytes = 0;  // unpacked, also those of packed pages
+    for (const Clip& clip : clips) bytes += clip.byte_size();
     return decompile(clips, scene, kAssetMadeBytes + kAssetMadeTimes * bytes);
-  if (const auto bound = check_signature(file, AssetKind::animations, stored->skeleton_signature); !bound)
+  }
+  const std::uint64_t signature = file.find(AssetKind::clips)->skeleton_signature;
+  if (const auto bound = check_signature(file, AssetKind::animations, signature); !bound)
     return tl::unexpected(bound.error());
   std::vector<Animation> animations;
   const auto read = read_block(file, AssetKind::animations, [&](AssetReader& in) { in.read(animations); });

@@ -17,7 +17,8 @@ extern "C" {
 ///     while (sinew_paged_clip_next_page(paged, &number))               // the engine's loader, on any thread
 ///       sinew_paged_clip_load_page(paged, number, bytes, byte_count, NULL, NULL);
 ///
-/// sinew_assets_read_first_keys (sinew_assets.h) tells where the pages lie in a file. One thread plays; loaders may be
+/// sinew_assets_read_first_keys (sinew_assets.h) tells where the pages lie in a file, and sinew_assets_load_page takes
+/// them as they lie there, packed or not. One thread plays; loaders may be
 /// several, and need not keep up.
 typedef struct sinew_paged_clip sinew_paged_clip;
 

@@ -12,6 +12,9 @@ using Vec = glm::dvec3;
 
 double angle(const Vec& a, const Vec& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
+/// On the chord from a to b.
+Vec between(const Vec& a, const Vec& b, double t) { return (1.0 - t) * a + t * b; }
+
 /// On the great arc from a to b, which are `whole` apart.
 Vec slerp(const Vec& a, const Vec& b, double whole, double t) {
   return (a * std::sin((1.0 - t) * whole) + b * std::sin(t * whole)) / std::sin(whole);
@@ -55,8 +58,8 @@ class Angles {
   void add(const Vec& a, const Vec& b, double whole) {
     for (const double t : {0.25, 0.5, 0.75}) {
       const Vec exact = slerp(a, b, whole, t);
-      add(sum_.linear, angle(exact, glm::mix(a, b, t)));
-      add(sum_.quaternion, angle(exact, normal_of(glm::mix(half_way(a), half_way(b), t))));
+      add(sum_.linear, angle(exact, between(a, b, t)));
+      add(sum_.quaternion, angle(exact, normal_of(between(half_way(a), half_way(b), t))));
       ++sum_.samples;
     }
   }

@@ -9,6 +9,7 @@
 
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/run_beside.h"
+#include "importer/tool/cost/timed_trial.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/base/index.h"
 
@@ -20,28 +21,20 @@ using Json = nlohmann::json;
 constexpr double kHardlyBetter = 1.05;  // times the least error; variants within it count as equally good
 
 Group empty_group() {
-  Group group;
-  group.name = "occlusion";
-  group.title = "Ambient occlusion";
-  group.question = "How many samples of ambient occlusion are worth it?";
-  group.error_name = "root mean square off ray casting";
-  group.error_unit = "% of full light";
-  group.item = "pixel";
-  return group;
+  return {.name = "occlusion",
+          .title = "Ambient occlusion",
+          .question = "How many samples of ambient occlusion are worth it?",
+          .error_name = "root mean square off ray casting",
+          .error_unit = "% of full light",
+          .item = "pixel"};
 }
 
 Point point_of(const Json& trial, double pixels) {
-  std::vector<double> ms = trial.at("milliseconds").get<std::vector<double>>();
-  const Middle middle = middle_of(ms);
-  Point point;
-  point.name = trial.at("name");
+  Point point = timed_point(trial, "milliseconds", pixels);
   point.note = trial.at("note");
   point.is_default = trial.at("default");
   point.error = 100.0 * trial.at("error").get<double>();
-  point.time_ns = 1e6 * middle.median / pixels;
-  point.spread = middle.spread;
-  point.noisy = middle.spread > kNoisySpread;
-  point.values = {{"whole picture", middle.median, "ms"}};
+  point.values = {{"whole picture", 1e-6 * point.time_ns * pixels, "ms"}};
   return point;
 }
 

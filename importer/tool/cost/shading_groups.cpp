@@ -8,6 +8,7 @@
 
 #include "importer/tool/cost/measure.h"
 #include "importer/tool/cost/run_beside.h"
+#include "importer/tool/cost/timed_trial.h"
 #include "importer/tool/cost/words.h"
 
 namespace sinew::cost {
@@ -18,36 +19,21 @@ using Json = nlohmann::json;
 constexpr const char* kUsual = "anisotropic=8";  // what the viewer does where a file asks for mip levels
 
 Group group_of_filters() {
-  Group group;
-  group.name = "filters";
-  group.title = "Texture filters";
-  group.question = "How should a texture be read at a slant?";
-  group.error_name = "root mean square off supersampling";
-  group.error_unit = "% of full light";
-  group.item = "pixel";
-  return group;
+  return {.name = "filters",
+          .title = "Texture filters",
+          .question = "How should a texture be read at a slant?",
+          .error_name = "root mean square off supersampling",
+          .error_unit = "% of full light",
+          .item = "pixel"};
 }
 
 Group group_of_normals() {
-  Group group;
-  group.name = "normal_interpolation";
-  group.title = "Normals between vertices";
-  group.question = "How should normals be interpolated?";
-  group.error_name = "largest angle off the great arc";
-  group.error_unit = "degrees";
-  group.item = "pixel";
-  return group;
-}
-
-Point timed_point(const Json& trial, const char* key, double pixels) {
-  std::vector<double> ms = trial.at(key).get<std::vector<double>>();
-  const Middle middle = middle_of(ms);
-  Point point;
-  point.name = trial.at("name");
-  point.time_ns = 1e6 * middle.median / pixels;
-  point.spread = middle.spread;
-  point.noisy = middle.spread > kNoisySpread;
-  return point;
+  return {.name = "normal_interpolation",
+          .title = "Normals between vertices",
+          .question = "How should normals be interpolated?",
+          .error_name = "largest angle off the great arc",
+          .error_unit = "degrees",
+          .item = "pixel"};
 }
 
 Point point_of(const Json& trial, double pixels) {
