@@ -102,6 +102,10 @@ void sinew_frame_prefetch(const sinew_frame* frame) {
   if (frame != nullptr) frame->buffer.prefetch();
 }
 
+void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches) {
+  if (frame != nullptr) frame->buffer.write_past_caches(past_caches != 0);
+}
+
 const sinew_result* sinew_frame_result(const sinew_frame* frame) {
   if (frame == nullptr) return nullptr;
   return reinterpret_cast<const sinew_result*>(&frame->buffer.result());

@@ -90,6 +90,10 @@ sinew_error sinew_run(sinew_frame* frame, const sinew_frame_input* input);
 /// crowd before the one at hand runs.
 void sinew_frame_prefetch(const sinew_frame* frame);
 
+/// 1 = runs write vertices past the caches: for results that no code reads soon, as those of a crowd larger than the
+/// caches, or in memory that the GPU reads. The bits are the same.
+void sinew_frame_write_past_caches(sinew_frame* frame, int past_caches);
+
 /// What a frame gave. Belongs to the frame, or to the jobs, it was asked from; its spans are valid until that runs
 /// again.
 typedef struct sinew_result sinew_result;

@@ -225,7 +225,7 @@ struct SkinRow {
 
 void skin_linear(const SkinLinearJob& job) {
   const AttributesPresent wanted = present(job.vertices, job.out);
-  const NonTemporalStores streamed(job.out, wanted);
+  const NonTemporalStores streamed(job.out, wanted, job.past_caches);
   const auto skin = [&](auto normals, auto tangents, auto cofactor) {
     for_each_group(job.influences, [&](const InfluenceGroup& group, auto count) {
       for_each_row<count>(job.influences, group, job.vertices, job.out,

@@ -21,8 +21,9 @@ enum class NormalRule : unsigned char { linear, cofactor };
 /// out  vertices    must not overlap the input; in world space when the palette is. A normal that collapses to zero
 ///      keeps its input value (N22).
 /// err  size_mismatch, index_out_of_range, unsupported (InfluenceStreams::kMostWidened)
-/// cost O(V * influences), no allocation. Outputs of 8 MiB and more are written with non-temporal stores where all
-///      attributes are aligned to 64 bytes at the same vertices. Slower where input and output have nearly the same
+/// cost O(V * influences), no allocation. Outputs of 8 MiB and more, and those with `past_caches` where vectors have 8
+///      lanes, are written with non-temporal stores where all attributes are aligned to 64 bytes at the same vertices.
+///      Slower where input and output have nearly the same
 ///      address modulo 4096: loads then wait for stores. With `cofactor`, vertices whose matrix is nearly flat take
 ///      the scalar path, which is many times slower.
 struct SkinLinearJob {
@@ -31,6 +32,7 @@ struct SkinLinearJob {
   VertexInput vertices;
   VertexOutput out;
   NormalRule normal_rule = NormalRule::linear;
+  bool past_caches = false;  ///< nothing on this processor reads the output soon
 };
 
 ErrorCode check(const SkinLinearJob& job) noexcept;

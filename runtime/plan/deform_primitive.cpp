@@ -61,11 +61,12 @@ struct Deformation {
     work.spent_on(Stage::morph);
   }
 
-  void skin(bool uneven_root) noexcept {
+  void skin(bool uneven_root, bool past_caches) noexcept {
     const VertexOutput out = output_at(memory, planned.skin, at, primitive.vertex_count());
     switch (planned.skinning) {
       case Skinning::linear:
-        skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor));
+        skin_linear(out, planned.cofactors || (uneven_root && plan.needs.normal_rule == NormalRule::cofactor),
+                    past_caches);
         break;
       case Skinning::dual_quaternion: skin_dual_quaternion(out); break;
       case Skinning::center_of_rotation: skin_center_of_rotation(out); break;
@@ -94,14 +95,15 @@ struct Deformation {
     work.spent_on(stage);
   }
 
-  void skin_linear(const VertexOutput& out, bool cofactors) noexcept {
+  void skin_linear(const VertexOutput& out, bool cofactors, bool past_caches) noexcept {
     const bool combined = skinning.combined != kNone;
     const SkinLinearJob job{
         .influences = combined ? &plan.combined[skin_index()][skinning.combined].vertices : &primitive.influences,
         .palette = palette(),
         .vertices = now,
         .out = out,
-        .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear};
+        .normal_rule = cofactors ? NormalRule::cofactor : NormalRule::linear,
+        .past_caches = past_caches};
     if (cofactors && !out.normals.empty()) work.normals_by_cofactors += primitive.vertex_count();
     run_checked(job, work.vertices_skinned_linear, Stage::skin_linear);
   }
@@ -186,7 +188,7 @@ DeformedPrimitive deform_primitive(const CompiledPlan& plan, std::size_t p, cons
   const ActiveDeltas active = active_deltas(primitive.morphs, pose.weights, planned);
   work.morph_deltas += active.shape + active.colors;
   if (active.shape > 0) stages.morph(pose.weights);
-  if (skins) stages.skin(pose.uneven_root);
+  if (skins) stages.skin(pose.uneven_root, pose.past_caches && flattens && !planned.flat_normals);
   if (flattens && planned.flat_normals && (active.shape > 0 || skins))
     stages.now.normals = flatten_primitive(plan, p, stages.now.positions, pose.mirrored && skins, memory, work);
 

@@ -13,6 +13,7 @@ struct InstancePose {
   std::span<const float> weights;  ///< [T]
   bool mirrored = false;           ///< as in InstanceResult
   bool uneven_root = false;        ///< FrameInput::root scales unevenly
+  bool past_caches = false;        ///< no stage but those of deform_primitive reads its vertices
 };
 
 /// Stages morph, skin and flat normals for one primitive of one mesh instance.

@@ -53,6 +53,10 @@ class FrameBuffer {
   /// character while this one runs. Worth it where all buffers together exceed the caches.
   void prefetch() const noexcept;
 
+  /// Whether runs write vertices past the caches (SkinLinearJob::past_caches): for results that no code reads soon, as
+  /// those of a crowd larger than the caches, or in memory that the GPU reads. The bits are the same.
+  void write_past_caches(bool past_caches) noexcept { past_caches_ = past_caches; }
+
   /// The next run gives frame `last_frame` + 1. Frames of one character must count up.
   void count_from(std::uint64_t last_frame) noexcept { result_.frame = last_frame; }
 
@@ -75,6 +79,7 @@ class FrameBuffer {
   std::shared_ptr<const CompiledPlan> plan_;  // null: moved from
   std::unique_ptr<std::byte, GiveBack> block_;
   const FrameBuffer* before_ = nullptr;
+  bool past_caches_ = false;
   LastInput last_;
   FrameResult result_;
 };

@@ -32,6 +32,7 @@ struct FrameStep {
   const FrameTables& tables_before;
   std::uint64_t number = 0;  ///< FrameResult::frame
   FrameChanges changes;
+  bool past_caches = false;  ///< FrameBuffer::write_past_caches
 };
 
 /// The last run into some memory: its input, and what else is known of it.

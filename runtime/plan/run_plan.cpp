@@ -240,7 +240,8 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameTables tables(*compiled, memory);
   const FrameTables tables_before = &before == &frame ? tables : FrameTables(*compiled, memory_before);
   const FrameChanges changes = find_changes(*compiled, input, {frame.last_, tables}, {before.last_, tables_before});
-  const FrameStep step{memory, tables, memory_before, tables_before, frame.result_.frame + 1, changes};
+  const FrameStep step{
+      memory, tables, memory_before, tables_before, frame.result_.frame + 1, changes, frame.past_caches_};
   frame.result_.since_frame = changes.nothing_since_before ? before.result_.since_frame : step.number;
   frame.result_.frame = step.number;
 

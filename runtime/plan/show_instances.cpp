@@ -158,7 +158,8 @@ void show_instance(const CompiledPlan& plan, std::size_t i, const EvaluatedPose&
   SeenInstance seen{.i = i, .placed = place_instance(plan, i, pose.model, root, work), .pose = {}};
   seen.placed.visible = !pose.visibility.is_hidden(plan, i) && !pose.visibility.is_out_of_view(i);
   const std::uint32_t first = plan.scene->first_weight[i], end = plan.scene->first_weight[i + 1];
-  seen.pose = {pose.weights.subspan(first, end - first), seen.placed.mirrored, root.uneven};
+  seen.pose = {pose.weights.subspan(first, end - first), seen.placed.mirrored, root.uneven,
+               step.past_caches && !plan.bounds};
   const bool is_deformed = pose.visibility.is_deformed(plan, i);
   if (is_deformed) play(plan, pose, root, seen, step);
   number_changes(plan, i, seen.pose.weights, seen.placed, step);

@@ -10,6 +10,7 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t kLooksAhead = 4;  // characters, whose state arrives while as many inputs are looked at
+constexpr std::size_t kPastCachesBytes = std::size_t{16} << 20;  // frames of all characters that no caches hold
 
 }  // namespace
 
@@ -116,6 +117,7 @@ void Crowd::run_character(std::size_t c, std::uint64_t number) noexcept {
   Character& character = *characters_[c];
   FrameBuffer& buffer = character.to_write();
   buffer.count_from(number - 1);
+  buffer.write_past_caches(bytes_ >= kPastCachesBytes);
   if (character.last_good != nullptr) buffer.follow(*character.last_good);
   character.error = run_plan(character.plan, running_[c].view(), buffer);
   if (character.error == ErrorCode::ok) character.last_good = &buffer;

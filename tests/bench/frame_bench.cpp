@@ -155,6 +155,43 @@ void add_case(const std::shared_ptr<const Scene>& scene, const Needs& needs, std
   add("frame/glm/" + tail, 1, [scene, plain, layer_count] { plain->next(layer_count); });
 }
 
+/// Characters whose vertices no caches hold, one frame of each in turn.
+struct FrameCrowd {
+  static constexpr std::size_t kCount = 512;
+  const Plan plan;
+  const double duration_s;
+  std::vector<FrameBuffer> frames;
+  std::vector<PlainFrames> plain;
+  double time_s = 0.0;
+
+  FrameCrowd(const Scene& scene, const Needs& needs)
+      : plan(compile_plan(scene, needs)),
+        duration_s(scene.animations[0].duration_s),
+        plain(kCount, PlainFrames(scene, needs)) {
+    for (std::size_t c = 0; c < kCount; ++c) frames.emplace_back(plan);
+  }
+
+  void next(bool past_caches) {
+    time_s += kStepS;
+    for (std::size_t c = 0; c < kCount; ++c) {
+      if (c + 1 < kCount) frames[c + 1].prefetch();
+      frames[c].write_past_caches(past_caches);
+      const ClipLayer layer{0, std::fmod(time_s + 0.013 * static_cast<double>(c), duration_s)};
+      if (run_plan(plan, {.layers = {&layer, 1}, .weights = {}, .root = {}}, frames[c]) != ErrorCode::ok) std::abort();
+    }
+  }
+  void next_plain() {
+    for (PlainFrames& character : plain) character.next(1);
+  }
+};
+
+void add_crowd_of_frames(const std::shared_ptr<const Scene>& scene, const Needs& needs, const std::string& tail) {
+  const auto crowd = std::make_shared<FrameCrowd>(*scene, needs);
+  add("frame/sinew/" + tail, FrameCrowd::kCount, [scene, crowd] { crowd->next(true); });
+  add("frame/through_caches/" + tail, FrameCrowd::kCount, [scene, crowd] { crowd->next(false); });
+  add("frame/glm/" + tail, FrameCrowd::kCount, [scene, crowd] { crowd->next_plain(); });
+}
+
 /// Poses and palettes for consumers that skin elsewhere: with all joints, with a skeleton LOD without the deeper half,
 /// and interpolated between two poses that were sampled before.
 void add_levels(const std::shared_ptr<const Scene>& scene, const std::string& name) {
@@ -207,8 +244,10 @@ void add_frame(std::size_t most_vertices) {
   add_case(biped, needs, 1, "biped/1layer/PN/4/3k");
   add_case(biped, needs, 2, "biped/2layers/PN/4/3k");
   add_levels(biped, "biped");
-  if (most_vertices >= 100'000)
+  if (most_vertices >= 100'000) {
     add_case(std::make_shared<const Scene>(character(scenes::biped(), 100'000)), needs, 1, "biped/1layer/PN/4/100k");
+    add_crowd_of_frames(biped, needs, "biped/512characters/PN/4/3k");
+  }
   for (const NamedScene& model : corpus_scenes()) {
     if (morphs(*model.scene)) continue;
     Needs file_needs = needs;

@@ -67,6 +67,7 @@ TEST(c_bad_calls, null_frames_jobs_and_results_answer_codes) {
   sinew_task_run(nullptr);
   sinew_task_run(&no_task);
   sinew_frame_prefetch(nullptr);
+  sinew_frame_write_past_caches(nullptr, 1);
   sinew_interpolated_input_restart(nullptr);
   sinew_frame_input input{.struct_size = sizeof(input)};
   EXPECT_EQ(sinew_held_input_create(nullptr, nullptr), SINEW_NULL_ARGUMENT);

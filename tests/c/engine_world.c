@@ -49,6 +49,7 @@ sinew_error engine_play_lod(const sinew_scene* scene, double tolerance_m, const 
   if (error == SINEW_OK) error = sinew_plan_create(scene, &needs, &plan);
   if (error == SINEW_OK) error = sinew_frame_create(plan, NULL, &frame);
   sinew_frame_prefetch(frame);
+  sinew_frame_write_past_caches(frame, 1);
   if (error == SINEW_OK) error = sinew_run(frame, input);
   if (error == SINEW_OK) error = read_sockets(scene, plan, sinew_frame_result(frame), offset, out);
   if (error == SINEW_OK) error = sinew_get_skeleton_lod(lod, &info);

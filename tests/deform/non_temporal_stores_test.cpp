@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Large outputs are written past the caches where they are aligned; that must not show.
+/// Large outputs, and others on demand, are written past the caches where they are aligned; that must not show.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,8 @@ struct PlacedOutput {
   PlacedValues<glm::vec4> tangents;
 
   /// Vertex `first` begins a cache line in all three, unless normals are `off` bytes behind.
-  PlacedOutput(const test::SkinnedVertices& s, std::size_t first, std::size_t off, std::int64_t target)
+  PlacedOutput(const test::SkinnedVertices& s, std::size_t first, std::size_t off, std::int64_t target,
+               bool past_caches = false)
       : positions(s.positions.size(), first, 0),
         normals(s.positions.size(), first, off),
         tangents(s.positions.size(), first, 0) {
@@ -58,7 +59,8 @@ struct PlacedOutput {
     run(SkinLinearJob{.influences = &s.influences,
                       .palette = s.palette,
                       .vertices = s.in(),
-                      .out = {positions.span(), normals.span(), tangents.span()}});
+                      .out = {positions.span(), normals.span(), tangents.span()},
+                      .past_caches = past_caches});
   }
   bool same_bits(const PlacedOutput& other) const {
     const auto same = [](const auto& a, const auto& b) {
@@ -83,6 +85,19 @@ TEST(non_temporal_stores, has_the_bits_of_output_that_is_not_wherever_it_is_alig
       EXPECT_TRUE(streamed.same_bits(never)) << test::simd_name(target) << ' ' << first;
       EXPECT_TRUE(streamed.is_untouched_around()) << test::simd_name(target) << ' ' << first;
     }
+  }
+}
+
+TEST(non_temporal_stores, on_demand_have_the_bits_of_others_for_any_number_of_vertices) {
+  test::FixedRandom random(42);
+  for (const std::uint32_t group_size : {1, 7, 16, 33, 100}) {
+    const auto s = test::random_skinned_vertices(random, kCounts, group_size, 24, true);
+    for (const std::int64_t target : test::simd_targets())
+      for (const std::size_t first : {0, 3, 13}) {
+        const PlacedOutput cached(s, first, 0, target), streamed(s, first, 0, target, true);
+        EXPECT_TRUE(streamed.same_bits(cached)) << test::simd_name(target) << ' ' << group_size << ' ' << first;
+        EXPECT_TRUE(streamed.is_untouched_around()) << test::simd_name(target) << ' ' << group_size << ' ' << first;
+      }
   }
 }
 

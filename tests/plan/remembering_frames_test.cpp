@@ -140,6 +140,7 @@ class Character {
 
   void run(std::size_t next) {
     FrameBuffer& frame = buffers_[next];
+    frame.write_past_caches(number_ % 3 == 0);
     frame.count_from(number_++);
     if (has_run_ && next != at_) frame.follow(buffers_[at_]);
     has_run_ = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decides which stores are non-temporal: output that exceeds the caches would be read into them for nothing.
+// Decides which stores are non-temporal: output that exceeds the caches, or that nobody reads soon, would be read into
+// them for nothing.
 #if defined(SINEW_NON_TEMPORAL_STORES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_NON_TEMPORAL_STORES_INL_H_
 #undef SINEW_NON_TEMPORAL_STORES_INL_H_
@@ -25,9 +26,11 @@ constexpr std::size_t kStreamedBytes = std::size_t{8} << 20;  ///< more than one
 class NonTemporalStores {
  public:
   NonTemporalStores() = default;
-  NonTemporalStores(const VertexOutput& out, AttributesPresent wanted) {
+  NonTemporalStores(const VertexOutput& out, AttributesPresent wanted, bool asked) {
     const std::size_t bytes = sizeof(glm::vec3) * (1 + wanted.normals) + sizeof(glm::vec4) * wanted.tangents;
-    if (kTileSize == 1 || out.positions.size() * bytes < kStreamedBytes) return;
+    // With four lanes arithmetic takes longer than memory, and each group of vertices has one more tile.
+    const bool pays = (asked && kTileSize >= 8) || out.positions.size() * bytes >= kStreamedBytes;
+    if (kTileSize == 1 || !pays) return;
     for (std::size_t first = 0; first < kTileSize && !first_; ++first)
       if (is_aligned(&out.positions[first]) && (!wanted.normals || is_aligned(&out.normals[first])) &&
           (!wanted.tangents || is_aligned(&out.tangents[first])))
