@@ -58,6 +58,9 @@ struct InfluencesOf {
       : joints(std::span(merged.joints).subspan(merged.first[vertex], count_of(merged, vertex))),
         weights(std::span(merged.weights).subspan(merged.first[vertex], count_of(merged, vertex))) {}
 
+  /// The same joints alone.
+  InfluencesOf without_weights() const { return InfluencesOf(joints); }
+
   std::uint64_t hash() const {
     BitHash hash;
     for (const std::uint16_t joint : joints) hash.add(std::span<const std::uint32_t, 1>({joint}));
@@ -66,47 +69,87 @@ struct InfluencesOf {
   friend bool operator==(const InfluencesOf& a, const InfluencesOf& b) {
     return same_bits(a.joints, b.joints) && same_bits(a.weights, b.weights);
   }
-};
-
-/// Numbers the influences of vertices in the order in which they come: the same ones have the same number.
-class InfluenceNumbers {
- public:
-  InfluenceNumbers(const MergedInfluences& merged, std::size_t most)
-      : merged_(merged), slots_(std::bit_ceil(2 * most + 1), kNone) {}
-
-  std::uint32_t of(std::uint32_t vertex) {
-    const InfluencesOf own(merged_, vertex);
-    const std::uint64_t hash = own.hash();
-    for (std::size_t at = hash ^ hash >> 32;; ++at) {
-      std::uint32_t& number = slots_[at & (slots_.size() - 1)];
-      if (number == kNone) {
-        number = static_cast<std::uint32_t>(first_vertex_.size());
-        first_vertex_.push_back(vertex);
-        return number;
-      }
-      if (InfluencesOf(merged_, first_vertex_[number]) == own) return number;
-    }
-  }
-  std::size_t count() const { return first_vertex_.size(); }
 
  private:
-  const MergedInfluences& merged_;
-  std::vector<std::uint32_t> slots_;         ///< an open hash table of numbers
-  std::vector<std::uint32_t> first_vertex_;  ///< of each number
+  explicit InfluencesOf(std::span<const std::uint16_t> only) : joints(only) {}
 };
 
-/// Brings vertices with the same influences together, at the place of the first of them, by a stable counting sort.
-void gather_equal(const MergedInfluences& merged, std::span<std::uint32_t> vertices) {
-  InfluenceNumbers numbers(merged, vertices.size());
-  std::vector<std::uint32_t> number_of;
-  number_of.reserve(vertices.size());
-  for (const std::uint32_t v : vertices) number_of.push_back(numbers.of(v));
-  if (numbers.count() == vertices.size()) return;
-  std::vector<std::uint32_t> next(numbers.count() + 1, 0);  // per number: where its next vertex goes
-  for (const std::uint32_t number : number_of) ++next[number + 1];
-  for (std::size_t n = 1; n < next.size(); ++n) next[n] += next[n - 1];
+/// Numbers what vertices have, `of(vertex)`, in the order in which it comes: the same has the same number.
+template <class Of>
+std::vector<std::uint32_t> number_equal(std::span<const std::uint32_t> vertices, const Of& of, std::size_t& count) {
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * vertices.size() + 1), kNone);  // an open hash table of numbers
+  std::vector<std::uint32_t> first_vertex, numbers;                                 // of each number; of each vertex
+  numbers.reserve(vertices.size());
+  for (const std::uint32_t vertex : vertices) {
+    const InfluencesOf own = of(vertex);
+    const std::uint64_t hash = own.hash();
+    for (std::size_t at = hash ^ hash >> 32;; ++at) {
+      std::uint32_t& number = slots[at & (slots.size() - 1)];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(first_vertex.size());
+        first_vertex.push_back(vertex);
+      } else if (of(first_vertex[number]) != own) {
+        continue;
+      }
+      numbers.push_back(number);
+      break;
+    }
+  }
+  count = first_vertex.size();
+  return numbers;
+}
+
+/// Vertices of which something is the same.
+struct Run {
+  std::uint32_t begin, end;
+
+  /// The largest of the multiples that it has whole.
+  std::uint32_t level() const {
+    return *std::find_if(std::begin(kMultiples), std::end(kMultiples), [&](auto m) { return m <= end - begin; });
+  }
+  static constexpr std::uint32_t kMultiples[] = {16, 8, 4, 1};
+};
+
+/// Brings vertices of which `of` is the same together, at the place of the first of them, by a stable counting sort.
+template <class Of>
+std::vector<Run> gather_equal(std::span<std::uint32_t> vertices, const Of& of) {
+  std::size_t count = 0;
+  const std::vector<std::uint32_t> numbers = number_equal(vertices, of, count);
+  std::vector<Run> runs(count);
+  for (const std::uint32_t number : numbers) ++runs[number].end;
+  std::uint32_t begin = 0;
+  for (Run& run : runs) {
+    run = {begin, begin + run.end};
+    begin = run.end;
+  }
+  std::vector<std::uint32_t> next;
+  for (const Run& run : runs) next.push_back(run.begin);
   const std::vector<std::uint32_t> before(vertices.begin(), vertices.end());
-  for (std::size_t i = 0; i < before.size(); ++i) vertices[next[number_of[i]]++] = before[i];
+  for (std::size_t i = 0; i < before.size(); ++i) vertices[next[numbers[i]]++] = before[i];
+  return runs;
+}
+
+/// Brings the whole multiples of 16 vertices of every run to the front, then those of 8 and of 4 of what is left, so
+/// that each begins at such a multiple. Long runs come before short ones, or vertices that are in this order already
+/// would get another one.
+void align_runs(std::vector<Run> runs, std::span<std::uint32_t> vertices) {
+  const std::vector<std::uint32_t> before(vertices.begin(), vertices.end());
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.level() > b.level(); });
+  auto out = vertices.begin();
+  for (const std::uint32_t multiple : Run::kMultiples)
+    for (Run& run : runs) {
+      const std::uint32_t count = (run.end - run.begin) / multiple * multiple;
+      out = std::copy_n(before.begin() + run.begin, count, out);
+      run.begin += count;
+    }
+}
+
+/// Orders the vertices of a group.
+void order_group(const MergedInfluences& merged, std::span<std::uint32_t> vertices) {
+  if (vertices.empty()) return;
+  gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v); });
+  align_runs(gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v).without_weights(); }),
+             vertices);
 }
 
 /// Sorts vertices by their number of influences with a stable counting sort.
@@ -121,7 +164,7 @@ std::vector<std::uint32_t> sorted_by_count(const MergedInfluences& merged, std::
   std::vector<std::uint32_t> source(vertex_count);
   for (std::uint32_t v = 0; v < vertex_count; ++v) source[end[count_of(merged, v)]++] = v;
   for (std::size_t c = 1; c < end.size(); ++c)
-    gather_equal(merged, std::span(source).subspan(end[c - 1], end[c] - end[c - 1]));
+    order_group(merged, std::span(source).subspan(end[c - 1], end[c] - end[c - 1]));
   return source;
 }
 

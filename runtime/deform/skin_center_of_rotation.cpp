@@ -9,8 +9,8 @@
 #include "runtime/deform/scalar_blend.h"
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/kept_splits-inl.h"
-#include "runtime/deform/simd/lane_matrix-inl.h"
 #include "runtime/deform/simd/rotate_directions-inl.h"
+#include "runtime/deform/simd/shared_matrices-inl.h"
 #include "runtime/deform/skin_single_influences.h"
 #include "runtime/deform/vertex_checks.h"
 
@@ -47,10 +47,15 @@ namespace {
 /// eq   M c of a tile, M the blended matrices
 template <int kCount>
 HWY_INLINE Lanes3 moved_centers(const JointMatrix* palette, const TileInfluences<kCount>& joints,
-                                const glm::vec3* centers) {
+                                [[maybe_unused]] bool share_joints, const glm::vec3* centers) {
 #if HWY_TARGET == HWY_SCALAR
   return transform_points(blend_lane_matrix(PaletteBases(palette), joints), load3(centers));
 #else
+  if constexpr (kMayShareJoints<kCount>)
+    if (share_joints) {
+      const SharedMatrices<kCount> shared(palette, joints.first.joints);
+      return transform_points(shared.blend(weight_lanes(joints)), load3(centers));
+    }
   Wide quarters[4];
   for_each_quarter([&](auto q) HWY_ATTR {
     quarters[q] = transform_points(blend_columns(PaletteBases(palette), joints, q), load_spread<q>(centers));
@@ -97,7 +102,7 @@ struct SkinRow {
   /// Returns the vertices that are done.
   HWY_INLINE hn::Mask<TileTag> skin_tile(const KeptSplits<kStretch>& kept, const Row& row, std::size_t t,
                                          const glm::vec3* centers) const {
-    const Lanes3 moved = moved_centers(job.palette.data(), row.joints(t), centers);
+    const Lanes3 moved = moved_centers(job.palette.data(), row.joints(t), kept.share_joints(), centers);
     const DualQuatLanes motion = kept.template motion<kCount>();
     StretchLanes stretch{};
     if constexpr (kStretch) stretch = kept.stretch();

@@ -7,6 +7,7 @@
 
 #include "runtime/deform/simd/blend_columns-inl.h"
 #include "runtime/deform/simd/lane_matrix-inl.h"
+#include "runtime/deform/simd/shared_matrices-inl.h"
 #include "runtime/deform/simd/triples-inl.h"
 #include "runtime/deform/vertex_checks.h"
 #include "runtime/math/normal_transform.h"
@@ -75,6 +76,13 @@ struct SkinRow {
           continue;
         }
       }
+      if constexpr (kMayShareJoints<kCount>) {
+        if (shares_joints(row, t)) {
+          t = end_of_shared(row, t);
+          follow_shared_joints(Row(row), begin, t);
+          continue;
+        }
+      }
       t = end_of_others(row, t);
       skin_tiles(row, begin, t);
     }
@@ -88,6 +96,28 @@ struct SkinRow {
   /// not worth twelve broadcasts and a branch that is mispredicted.
   static constexpr std::size_t kFewestFollowers = 16;
 
+  /// Tiles in lanes write tangents, and four lanes anything, through the caches.
+  static HWY_INLINE bool may_run_in_lanes(const Row& row) { return (kInTriples && !kTangents) || !row.past_caches; }
+
+  static HWY_INLINE bool shares_joints(const Row& row, std::size_t t) {
+    if constexpr (kMayShareJoints<kCount>) {
+      constexpr std::size_t kFewest = SharedMatrices<kCount>::kFewestTiles;
+      return may_run_in_lanes(row) && row.place.whole && row.tile_count - t >= kFewest &&
+             share_joints<kCount, kFewest * kTileSize>(row.joints(t).first.joints);
+    } else {
+      return false;
+    }
+  }
+  /// The end of the tiles from `t` on that share joints, with those of the first tile.
+  static HWY_INLINE std::size_t end_of_shared(const Row& row, std::size_t t) {
+    const std::uint16_t* first = row.joints(t).first.joints;
+    for (t += SharedMatrices<kCount>::kFewestTiles; t < row.tile_count; ++t) {
+      const std::uint16_t* joints = row.joints(t).first.joints;
+      if (!std::equal(first, first + kCount, joints) || !share_joints<kCount>(joints)) break;
+    }
+    return t;
+  }
+
   static HWY_INLINE bool have_one_joint(const std::uint16_t* joints, std::size_t count) {
     const hn::CappedTag<std::uint16_t, kTileSize> d;
     auto same = hn::Eq(hn::LoadU(d, joints), hn::Set(d, *joints));
@@ -97,7 +127,7 @@ struct SkinRow {
   }
   static HWY_INLINE bool begins_run(const Row& row, std::size_t t) {
     constexpr bool kPays = kCount == 1 && (kTileSize > 4 || kNormals);  // positions alone take 19 instructions for 17
-    if (!kPays || row.past_caches || row.tile_count - t < kFewestFollowers / kTileSize) return false;
+    if (!kPays || !may_run_in_lanes(row) || row.tile_count - t < kFewestFollowers / kTileSize) return false;
     const std::uint16_t* joints = row.joints(t).first.joints;
     return joints[0] == joints[kFewestFollowers - 1] && have_one_joint(joints, kFewestFollowers);
   }
@@ -113,7 +143,7 @@ struct SkinRow {
   /// The end of the tiles from `t` on, one at least, that begin no run; at most those that are kept.
   static HWY_INLINE std::size_t end_of_others(const Row& row, std::size_t t) {
     const std::size_t most = std::min(row.tile_count, t + kKept);
-    for (++t; t < most && !begins_run(row, t);) ++t;
+    for (++t; t < most && !begins_run(row, t) && !shares_joints(row, t);) ++t;
     return t;
   }
 
@@ -122,11 +152,11 @@ struct SkinRow {
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t v = t * kTileSize;
       const Lanes3 p = lanes_of(load_triples(row.all_in.positions + v));
-      store_triples(triples_of(transform_points(m, p)), row.all_out.positions + v);
+      store_triples(triples_of(transform_points(m, p)), row.all_out.positions + v, row.past_caches);
       if constexpr (kNormals) {
         Lanes3 n = moved_normals(m, lanes_of(load_triples(row.normals_in(t))), kCofactor);
         const auto sound = normalise(n);
-        store_triples(triples_of(n), row.normals_out(t));
+        store_triples(triples_of(n), row.normals_out(t), row.past_caches);
         for_each_lane_not_in(sound,
                              [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_triple_lane(lane)); });
       }
@@ -136,6 +166,54 @@ struct SkinRow {
         const auto sound = normalise(moved);
         store4({moved.x, moved.y, moved.z, tangent.w}, row.tangents_out(t));
         for_each_lane_not_in(sound, [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_lane(lane)); });
+      }
+    }
+  }
+
+  /// Blends column by column, so that all fits into sixteen registers.
+  HWY_NOINLINE void follow_shared_joints(const Row& row, std::size_t begin, std::size_t end) const
+      requires(kMayShareJoints<kCount>) {
+    const SharedMatrices<kCount> shared(palette.palette, row.joints(begin).first.joints);
+    for (std::size_t t = begin; t < end; ++t) {
+      const WeightLanes<kCount> w = shared_weight_lanes(row.joints(t));
+      const Lanes3 p = load_shared(row.all_in.positions + t * kTileSize);
+      Lanes3 n{}, tangent{}, moved_n{}, moved_tangent{};
+      Wide handedness{};
+      if constexpr (kNormals) n = load_shared(row.normals_in(t));
+      if constexpr (kTangents) {
+        const Lanes4 in = load4(row.tangents_in(t));
+        tangent = {shared_from_lanes(in.x), shared_from_lanes(in.y), shared_from_lanes(in.z)};
+        handedness = in.w;
+      }
+      LaneMatrix m;
+      m.c0 = shared.column(0, w);
+      Lanes3 moved = plus_product(shared.column(3, w), m.c0, p.x);
+      if constexpr (kNormals && !kCofactor) moved_n = times(m.c0, n.x);
+      if constexpr (kTangents) moved_tangent = times(m.c0, tangent.x);
+      m.c1 = shared.column(1, w);
+      moved = plus_product(moved, m.c1, p.y);
+      if constexpr (kNormals && !kCofactor) moved_n = plus_product(moved_n, m.c1, n.y);
+      if constexpr (kTangents) moved_tangent = plus_product(moved_tangent, m.c1, tangent.y);
+      m.c2 = shared.column(2, w);
+      store_shared(plus_product(moved, m.c2, p.z), row.all_out.positions + t * kTileSize, row.past_caches);
+      if constexpr (kNormals) {
+        if constexpr (kCofactor)
+          moved_n = moved_normals(m, n, true);
+        else
+          moved_n = plus_product(moved_n, m.c2, n.z);
+        const auto sound = normalise(moved_n);
+        store_shared(moved_n, row.normals_out(t), row.past_caches);
+        for_each_lane_not_in(sound,
+                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_shared_lane(lane)); });
+      }
+      if constexpr (kTangents) {
+        moved_tangent = plus_product(moved_tangent, m.c2, tangent.z);
+        const auto sound = normalise(moved_tangent);
+        store4({lanes_from_shared(moved_tangent.x), lanes_from_shared(moved_tangent.y),
+                lanes_from_shared(moved_tangent.z), handedness},
+               row.tangents_out(t));
+        for_each_lane_not_in(sound,
+                             [&](std::size_t lane) { write_careful_tangent(row, t, vertex_of_shared_lane(lane)); });
       }
     }
   }

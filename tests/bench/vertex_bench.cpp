@@ -45,11 +45,13 @@ struct Surface {
   std::vector<glm::mat4> glm_palette;
   std::vector<glm_skin::Rigid> glm_rigid;
 
-  Surface(std::uint32_t vertex_count, std::uint32_t influence_count) : out(vertex_count) {
+  Surface(std::uint32_t vertex_count, std::uint32_t influence_count,
+          scenes::VertexOrder order = scenes::VertexOrder::by_joints)
+      : out(vertex_count) {
     const Skeleton skeleton = scenes::biped();
     const Clip clip = test::clip_of(scenes::swinging(skeleton, 60), skeleton);
     const Skin skin = scenes::skin_of_all_joints(skeleton);
-    primitive = scenes::skinned_surface(skeleton, vertex_count, influence_count);
+    primitive = scenes::skinned_surface(skeleton, vertex_count, influence_count, order);
     test::PoseBuffer pose(skeleton.joint_count());
     std::vector<Affine> model(skeleton.joint_count());
     run(SampleClipJob{.clip = &clip, .time_s = 0.77, .pose = pose.span(), .weights = {}});
@@ -259,6 +261,9 @@ void add_skin(std::size_t most_vertices) {
     for (const Kind& kind : kinds)
       add_skin_case(surface, kind, std::string(kind.name) + "/" + std::to_string(influences) + "/10k");
   }
+  const auto mixed = std::make_shared<Surface>(10'000, 4u, scenes::VertexOrder::in_turns);
+  add_skin_case(mixed, kinds[1], "PN/4/10k/mixed");
+  add_center_of_rotation_case(mixed, "PN/4/10k/mixed");
   // Sizes from the nearest cache up to memory.
   for (const auto& [label, count] : {std::pair{"300", 300u}, {"1k", 1'000u}, {"100k", 100'000u}, {"1M", 1'000'000u}}) {
     if (count > most_vertices) continue;

@@ -105,7 +105,7 @@ Primitive grouped(std::vector<std::vector<std::pair<std::uint16_t, float>>> infl
   return primitive;
 }
 
-TEST(build_meshes, vertices_with_the_same_influences_come_together_where_the_first_of_them_is) {
+TEST(build_meshes, vertices_of_the_same_joints_and_then_of_the_same_weights_come_together) {
   const Primitive p = grouped({{{3, 1.0f}},
                                {{1, .75f}, {2, .25f}},
                                {{0, 1.0f}},
@@ -115,11 +115,50 @@ TEST(build_meshes, vertices_with_the_same_influences_come_together_where_the_fir
                                {{0, 1.0f}},
                                {{1, .75f}, {2, .25f}},
                                {{3, 1.0f}}});
-  EXPECT_THAT(p.source_vertex, ElementsAre(0, 4, 8, 2, 6, 1, 7, 3, 5));
-  EXPECT_THAT(p.influences.joints, ElementsAre(3, 3, 3, 0, 0, 1, 2, 1, 2, 2, 1, 1, 2));
-  EXPECT_THAT(p.influences.weights, ElementsAre(1, 1, 1, 1, 1, .75f, .25f, .75f, .25f, .75f, .25f, .5f, .5f));
+  EXPECT_THAT(p.source_vertex, ElementsAre(0, 4, 8, 2, 6, 1, 7, 5, 3));
+  EXPECT_THAT(p.influences.joints, ElementsAre(3, 3, 3, 0, 0, 1, 2, 1, 2, 1, 2, 2, 1));
+  EXPECT_THAT(p.influences.weights, ElementsAre(1, 1, 1, 1, 1, .75f, .25f, .75f, .25f, .5f, .5f, .75f, .25f));
   ASSERT_THAT(p.influences.groups, SizeIs(2));
   EXPECT_EQ(p.influences.groups[1].first_vertex, 5u);
+}
+
+/// Vertices in turns: 3 of joints (0, 1), 5 of (1, 0), 13 of (1, 2), 39 of (2, 3), each by weights of its own.
+std::vector<std::vector<std::pair<std::uint16_t, float>>> runs_in_turns() {
+  std::vector<std::vector<std::pair<std::uint16_t, float>>> influences;
+  const auto add = [&](std::uint16_t a, std::uint16_t b, float w) { influences.push_back({{a, 1 - w}, {b, w}}); };
+  for (int v = 0; v < 39; ++v) {
+    const float w = 0.01f * static_cast<float>(v + 1);
+    if (v < 3) add(0, 1, w);
+    if (v < 5) add(1, 0, w);
+    if (v < 13) add(1, 2, w);
+    add(2, 3, w);
+  }
+  return influences;
+}
+
+TEST(build_meshes, whole_vectors_of_vertices_of_the_same_joints_begin_where_vectors_do) {
+  const Primitive p = grouped(runs_in_turns());
+  std::vector<std::pair<std::uint16_t, int>> runs;  // heavier joint, times it comes in a row
+  for (std::size_t v = 0; v < p.vertex_count(); ++v) {
+    const std::uint16_t joint = p.influences.joints[2 * v];
+    if (runs.empty() || runs.back().first != joint || p.influences.joints[2 * v + 1] != p.influences.joints[2 * v - 1])
+      runs.emplace_back(joint, 0);
+    ++runs.back().second;
+  }
+  using Runs = std::vector<std::pair<std::uint16_t, int>>;
+  // 32 | 8 | 4 4 4 | 3 1 1 3
+  EXPECT_EQ(runs, (Runs{{2, 32}, {1, 8}, {2, 4}, {1, 4}, {1, 4}, {2, 3}, {1, 1}, {1, 1}, {0, 3}}));
+  std::vector<std::uint32_t> of_long_run;
+  for (std::size_t v = 0; v < 32; ++v) of_long_run.push_back(p.source_vertex[v]);
+  EXPECT_TRUE(std::is_sorted(of_long_run.begin(), of_long_run.end()));
+}
+
+TEST(build_meshes, vertices_in_the_order_of_groups_keep_it) {
+  const auto influences = runs_in_turns();
+  const Primitive once = grouped(influences);
+  std::vector<std::vector<std::pair<std::uint16_t, float>>> ordered;
+  for (const std::uint32_t v : once.source_vertex) ordered.push_back(influences[v]);
+  EXPECT_TRUE(grouped(ordered).source_vertex.empty());
 }
 
 TEST(build_meshes, vertices_that_are_together_already_keep_the_order_of_the_file) {

@@ -33,16 +33,21 @@ inline Skin skin_of_all_joints(const Skeleton& skeleton) {
   return skin;
 }
 
-/// `vertex_count` vertices around the joints, each moved by `influence_count` neighbouring joints. Neighbouring
-/// vertices share their joints, as in a real mesh that was sorted for locality.
-inline Primitive skinned_surface(const Skeleton& skeleton, std::uint32_t vertex_count, std::uint32_t influence_count) {
+/// The order of vertices: those of the same joints in a row, as the importer has them, or in turns.
+enum class VertexOrder : unsigned char { by_joints, in_turns };
+
+/// `vertex_count` vertices around the joints, each moved by `influence_count` neighbouring joints.
+inline Primitive skinned_surface(const Skeleton& skeleton, std::uint32_t vertex_count, std::uint32_t influence_count,
+                                 VertexOrder order = VertexOrder::by_joints) {
   test::FixedRandom random(vertex_count + influence_count);
   const auto rest = rest_matrices(skeleton);
   const auto joints = static_cast<std::uint32_t>(rest.size());
   Primitive p;
   p.influences.groups = {{0, vertex_count, influence_count, 0}};
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    const auto center = static_cast<std::uint32_t>(std::uint64_t{v} * joints / vertex_count);
+    const auto center = order == VertexOrder::in_turns
+                            ? v % joints
+                            : static_cast<std::uint32_t>(std::uint64_t{v} * joints / vertex_count);
     const glm::vec3 n = random.direction();
     p.positions.push_back(translation_of(rest[center]) + n * 0.05f);
     p.normals.push_back(n);

@@ -60,10 +60,9 @@ struct DualQuatLanes {
 };
 
 template <int kCount>
-HWY_INLINE DualQuatLanes dual_quat_lanes(const Float8 (&sums)[kTileSize]) {
+HWY_INLINE DualQuatLanes dual_quat_lanes(const Lanes8& sum) {
   const TileTag d;
   const Wide two = hn::Set(d, 2.0f);
-  const Lanes8 sum = lanes_of(sums);
   // One by one: compilers keep copies of structs of four in memory.
   const Wide x = sum.low.x, y = sum.low.y, z = sum.low.z, w = sum.low.w;
   const Wide dx = sum.high.x, dy = sum.high.y, dz = sum.high.z, dw = sum.high.w;

@@ -34,8 +34,7 @@ HWY_INLINE Float8 blend_stretch_float8(const RigidStretch* split, const TileInfl
   return sum;
 }
 
-HWY_INLINE StretchLanes stretch_lanes(const Float8 (&stretches)[kTileSize]) {
-  const Lanes8 s = lanes_of(stretches);
+HWY_INLINE StretchLanes stretch_lanes(const Lanes8& s) {
   return {s.low.x, s.low.y, s.low.z, s.low.w, s.high.x, s.high.y};
 }
 

@@ -45,6 +45,12 @@ struct Lanes8 {
   Lanes4 low, high;
 };
 
+/// Eight vectors, as they were stored one after the other.
+HWY_INLINE Lanes8 load_lanes8(const float* from) {
+  const auto of = [&](std::size_t i) HWY_ATTR { return hn::Load(TileTag(), from + i * kTileSize); };
+  return {{of(0), of(1), of(2), of(3)}, {of(4), of(5), of(6), of(7)}};
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 /// A tile of one vertex needs no transposition.

@@ -10,6 +10,7 @@
 
 #include "runtime/deform/simd/blend_dual_quaternions-inl.h"
 #include "runtime/deform/simd/blend_stretch_lanes-inl.h"
+#include "runtime/deform/simd/shared_splits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
@@ -21,6 +22,11 @@ class KeptSplits {
   /// in   one_side  all signs are known to be +: dual quaternion and stretch are then blended as one
   template <int kCount>
   HWY_INLINE void keep(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+    share_joints_ = false;
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (kMayShareJoints<kCount>)
+      if (HWY_NAMESPACE::share_joints<kCount>(tile.first.joints)) return keep_shared(split, tile, one_side);
+#endif
     if constexpr (kStretch) {
       if (kCount != 1 && one_side) return keep_whole(split, tile);
       for_each_of_tile([&](std::size_t k)
@@ -30,21 +36,21 @@ class KeptSplits {
                              [&](std::size_t k, const Float8& sum) HWY_ATTR { store_float8(sum, floats_[k]); });
   }
 
+  /// The vertices of the tile share their joints.
+  HWY_INLINE bool share_joints() const { return share_joints_; }
+
   template <int kCount>
   HWY_INLINE DualQuatLanes motion() const {
-    Float8 sums[kTileSize];
-    load(sums, 0);
-    return dual_quat_lanes<kCount>(sums);
+    return dual_quat_lanes<kCount>(lanes_from(0));
   }
   HWY_INLINE StretchLanes stretch() const {
     static_assert(kStretch);
-    Float8 sums[kTileSize];
-    load(sums, 8);
-    return stretch_lanes(sums);
+    return stretch_lanes(lanes_from(8));
   }
 
  private:
   static constexpr std::size_t kFloats = kStretch ? 16 : 8, kParts = 16 / kTileSize;
+  bool share_joints_ = false;  ///< floats_ are kFloats vectors of one vertex a lane, else kFloats of each vertex
   HWY_ALIGN float floats_[kTileSize][kFloats];
 
   /// Both halves of an entry at once: one address and one weight for both.
@@ -66,8 +72,21 @@ class KeptSplits {
       for (std::size_t p = 0; p < kParts; ++p) hn::Store(sum[p], d, floats_[k] + p * kTileSize);
     });
   }
-  HWY_INLINE void load(Float8 (&sums)[kTileSize], std::size_t first) const {
+#if HWY_TARGET != HWY_SCALAR
+  template <int kCount>
+  HWY_INLINE void keep_shared(const RigidStretch* split, const TileInfluences<kCount>& tile, bool one_side) {
+    share_joints_ = true;
+    const SharedSplits<kCount> shared(split, tile.first.joints, one_side);
+    WeightLanes<kCount> weights = weight_lanes(tile);
+    if constexpr (kStretch) shared.blend_stretches(weights, &floats_[0][0] + 8 * kTileSize);
+    shared.blend_dual_quaternions(weights, &floats_[0][0]);
+  }
+#endif
+  HWY_INLINE Lanes8 lanes_from(std::size_t first) const {
+    if (share_joints_) return load_lanes8(&floats_[0][0] + first * kTileSize);
+    Float8 sums[kTileSize];
     for (std::size_t k = 0; k < kTileSize; ++k) sums[k] = load_float8(floats_[k] + first);
+    return lanes_of(sums);
   }
 };
 

@@ -12,6 +12,8 @@
 #define SINEW_TRIPLES_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
+
 #include <utility>
 
 #include "runtime/deform/simd/lanes-inl.h"
@@ -131,10 +133,15 @@ HWY_INLINE Triples minus(const Triples& a, const Triples& b) {
   return {{hn::Sub(a.thirds[0], b.thirds[0]), hn::Sub(a.thirds[1], b.thirds[1]), hn::Sub(a.thirds[2], b.thirds[2])}};
 }
 
-HWY_INLINE void store_triples(const Triples& t, glm::vec3* tile) {
+/// With non-temporal stores only where `tile` is aligned to vectors.
+HWY_INLINE void store_triples(const Triples& t, glm::vec3* tile, bool past_caches = false) {
   const TileTag d;
   float* to = &tile->x;
-  for (std::size_t i = 0; i < 3; ++i) hn::StoreU(t.thirds[i], d, to + i * kTileSize);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (past_caches)
+      hn::Stream(t.thirds[i], d, to + i * kTileSize);
+    else
+      hn::StoreU(t.thirds[i], d, to + i * kTileSize);
 }
 
 }  // namespace sinew::HWY_NAMESPACE
