@@ -146,7 +146,6 @@ void align_runs(std::vector<Run> runs, std::span<std::uint32_t> vertices) {
 
 /// Orders the vertices of a group.
 void order_group(const MergedInfluences& merged, std::span<std::uint32_t> vertices) {
-  if (vertices.empty()) return;
   gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v); });
   align_runs(gather_equal(vertices, [&](std::uint32_t v) { return InfluencesOf(merged, v).without_weights(); }),
              vertices);

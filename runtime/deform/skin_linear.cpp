@@ -151,14 +151,14 @@ struct SkinRow {
     const LaneMatrix m = lane_matrix(palette.palette[*row.joints(begin).first.joints]);
     for (std::size_t t = begin; t < end; ++t) {
       const std::size_t v = t * kTileSize;
-      const Lanes3 p = lanes_of(load_triples(row.all_in.positions + v));
-      store_triples(triples_of(transform_points(m, p)), row.all_out.positions + v, row.past_caches);
+      const Lanes3 p = load_shared(row.all_in.positions + v);
+      store_shared(transform_points(m, p), row.all_out.positions + v, row.past_caches);
       if constexpr (kNormals) {
-        Lanes3 n = moved_normals(m, lanes_of(load_triples(row.normals_in(t))), kCofactor);
+        Lanes3 n = moved_normals(m, load_shared(row.normals_in(t)), kCofactor);
         const auto sound = normalise(n);
-        store_triples(triples_of(n), row.normals_out(t), row.past_caches);
+        store_shared(n, row.normals_out(t), row.past_caches);
         for_each_lane_not_in(sound,
-                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_triple_lane(lane)); });
+                             [&](std::size_t lane) { write_careful_normal(row, t, vertex_of_shared_lane(lane)); });
       }
       if constexpr (kTangents) {
         const Lanes4 tangent = load4(row.tangents_in(t));
