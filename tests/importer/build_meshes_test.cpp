@@ -302,6 +302,20 @@ TEST(build_meshes, G59_quantised_attributes_are_read_and_need_their_extension) {
   EXPECT_EQ(only(result).bounds.upper, glm::vec3(100, 65535, 0));
 }
 
+TEST(build_meshes, handedness_is_plus_or_minus_one_with_the_sign_of_the_file) {
+  for (const auto& [given, kept] :
+       {std::pair(glm::vec3(.5f, -1, 1), glm::vec3(1, -1, 1)), std::pair(glm::vec3(1, -3, -1), glm::vec3(1, -1, -1))}) {
+    TinyGltf file;
+    Json& primitive = file.add_triangle();
+    primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    primitive["attributes"]["TANGENT"] = file.vec4({1, 0, 0, given.x, 1, 0, 0, given.y, 1, 0, 0, given.z});
+    const auto result = file.import();
+    for (int v = 0; v < 3; ++v) EXPECT_EQ(only(result).tangents[static_cast<std::size_t>(v)].w, kept[v]);
+    ASSERT_THAT(result->warnings, SizeIs(1));
+    EXPECT_TRUE(result->warnings[0].detail.starts_with("1 handedness")) << result->warnings[0].detail;
+  }
+}
+
 TEST(build_meshes, odd_normals_tangents_and_texcoords_are_repaired_and_named) {
   TinyGltf file;
   Json& primitive = file.add_triangle();

@@ -46,6 +46,12 @@ TEST(glb_container, G67_every_truncation_is_refused) {
   for (std::size_t size = 0; size < file.size(); ++size) EXPECT_EQ(rule_of(file.substr(0, size)), "glb-header") << size;
 }
 
+TEST(glb_container, a_file_without_room_for_a_header_is_told_its_size) {
+  IssueLog log;
+  EXPECT_FALSE(open_glb(bytes_of("glTF\2"), log));
+  EXPECT_EQ(log.take_error("x").issue.detail, "the file has 5 bytes, a header needs 12");
+}
+
 TEST(glb_container, refuses_bad_headers) {
   const std::string chunks = chunk("JSON", "{}  ");
   EXPECT_EQ(rule_of(glb(chunks, 1)), "glb-header");

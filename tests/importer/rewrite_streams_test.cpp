@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "tests/importer/rewritten.h"
 #include "tests/support/corpus.h"
@@ -193,6 +195,60 @@ TinyGltf grid_without_sparse() {
   TinyGltf gltf = grid();
   gltf.root["meshes"][0]["primitives"][0]["targets"].erase(1);
   return gltf;
+}
+
+/// The grid with tangents, and with bounds where they need not be.
+TinyGltf bounded_grid() {
+  TinyGltf gltf = grid();
+  Json& attributes = gltf.root["meshes"][0]["primitives"][0]["attributes"];
+  std::vector<float> tangents;
+  for (std::size_t v = 0; v < gltf.root["accessors"][0]["count"]; ++v)
+    tangents.insert(tangents.end(), {0.6f, 0.0f, -0.8f, v % 2 == 0 ? 1.0f : -1.0f});
+  attributes["TANGENT"] = gltf.vec4(tangents);
+  Json& normals = gltf.root["accessors"][attributes["NORMAL"].get<std::size_t>()];
+  normals["min"] = {-1, -1, -1};
+  normals["max"] = {1, 1, 1};
+  return gltf;
+}
+
+/// What a stream became: its component type, whether it is normalised, whether it has bounds, and its filter.
+std::string stored_as(const Json& json, const Json& accessor_index) {
+  const Json& accessor = json["accessors"][accessor_index.get<std::size_t>()];
+  const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  std::string out = std::to_string(accessor["componentType"].get<int>());
+  if (accessor.value("normalized", false)) out += " normalized";
+  if (accessor.contains("min") && accessor.contains("max")) out += " bounds";
+  if (view.contains("extensions"))
+    out += " " + view["extensions"]["EXT_meshopt_compression"].value("filter", std::string("NONE"));
+  return out;
+}
+
+TEST(rewrite_streams, each_stream_takes_the_small_integers_and_the_filter_that_are_made_for_it) {
+  const std::map<std::string, std::string> plain = {
+      {"POSITION", "5126 bounds"},       {"NORMAL", "5120 normalized bounds"}, {"TANGENT", "5120 normalized"},
+      {"TEXCOORD_0", "5123 normalized"}, {"COLOR_0", "5121 normalized"},       {"JOINTS_0", "5121"},
+      {"WEIGHTS_0", "5121 normalized"},  {"rotation", "5122 normalized"},      {"translation", "5126"}};
+  const std::map<std::string, std::string> compressed = {
+      {"POSITION", "5126 bounds EXPONENTIAL"},   {"NORMAL", "5120 normalized OCTAHEDRAL"},
+      {"TANGENT", "5120 normalized OCTAHEDRAL"}, {"TEXCOORD_0", "5123 normalized NONE"},
+      {"COLOR_0", "5121 normalized NONE"},       {"JOINTS_0", "5121 NONE"},
+      {"WEIGHTS_0", "5121 normalized NONE"},     {"rotation", "5122 normalized QUATERNION"},
+      {"translation", "5126 EXPONENTIAL"}};
+  for (const bool meshopt : {false, true}) {
+    const Both out = recoded(bounded_grid(), how(true, meshopt));
+    const Json& json = out.parts.json;
+    std::map<std::string, std::string> stored;
+    for (const auto& [name, accessor] : json["meshes"][0]["primitives"][0]["attributes"].items())
+      stored[name] = stored_as(json, accessor);
+    for (const Json& channel : json["animations"][0]["channels"])
+      stored[channel["target"]["path"]] =
+          stored_as(json, json["animations"][0]["samplers"][channel["sampler"].get<std::size_t>()]["output"]);
+    EXPECT_EQ(stored, meshopt ? compressed : plain);
+    for (const glm::vec4& tangent : first(out.after).tangents) {
+      EXPECT_LE(angle(glm::vec3(tangent), {0.6f, 0.0f, -0.8f}), 0.02f);
+      EXPECT_EQ(std::abs(tangent.w), 1.0f);
+    }
+  }
 }
 
 TEST(rewrite_streams, quantised_vertices_that_are_equal_become_one_and_triangles_keep_their_order) {

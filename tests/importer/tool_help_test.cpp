@@ -11,12 +11,14 @@
 #include <map>
 #include <sstream>
 
+#include "importer/tool/help/help_formatter.h"
 #include "importer/tool/help/wrapped_text.h"
 #include "tests/importer/tool_model.h"
 
 namespace sinew::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -78,6 +80,36 @@ TEST(help, no_line_is_wider_than_100_columns_and_none_ends_in_spaces) {
       EXPECT_FALSE(line.ends_with(' ')) << arguments[0] << ": " << line;
     }
   }
+}
+
+TEST(help, has_columns_as_wide_as_the_widest_name_that_is_not_too_wide) {
+  CLI::App app("Does a thing.", "thing");
+  app.formatter(std::make_shared<tool::HelpFormatter>());
+  std::string value;
+  app.set_help_flag();
+  app.add_option("FILE", value, "Which one.");
+  app.add_option("-o,--output", value, "Where it goes.")->type_name("OUT");
+  app.add_option("--with-a-name-of-27-letters", value, "Too wide.")->type_name("");
+  app.add_option("--with-a-name-of-26-letter", value, "Just wide enough.")->type_name("");
+  const std::string text = app.help();
+  EXPECT_THAT(lines_of(text), Contains("  FILE  Which one."));
+  EXPECT_THAT(lines_of(text), Contains("  -o,--output OUT             Where it goes."));
+  EXPECT_THAT(lines_of(text), Contains("  --with-a-name-of-26-letter  Just wide enough."));
+  EXPECT_THAT(lines_of(text), Contains("  --with-a-name-of-27-letters"));
+  EXPECT_THAT(lines_of(text), Contains("                              Too wide."));
+}
+
+TEST(help, begins_with_lines_that_use_the_whole_width) {
+  const std::string line = "a hundred letters " + std::string(82, 'x');
+  CLI::App app(line + " and more\n" + line + " and details", "thing");
+  app.formatter(std::make_shared<tool::HelpFormatter>());
+  EXPECT_EQ(lines_of(app.help()).at(0), line);
+  EXPECT_EQ(lines_of(app.help()).at(1), "and more");
+  EXPECT_EQ(lines_of(app.help()).at(3), line);
+  EXPECT_EQ(lines_of(app.help()).at(4), "and details");
+  app.footer(line + " and an ending");
+  EXPECT_THAT(lines_of(app.help()), Contains(line).Times(3));
+  EXPECT_EQ(lines_of(app.help()).back(), "and an ending");
 }
 
 TEST(help, has_a_line_for_each_command_and_everything_about_one_in_its_own) {
