@@ -51,7 +51,8 @@ TEST(side_names, a_number_at_the_end_may_differ_where_the_rest_is_unique) {
 }
 
 TEST(side_names, words_that_only_contain_a_letter_say_nothing) {
-  for (const char* name : {"", "Root", "spine", "tail_3", "Roll", "3", "clavicle", "_", "Spine1", "toe.001"})
+  for (const char* name :
+       {"", "Root", "spine", "tail_3", "Roll", "3", "clavicle", "_", "Spine1", "toe.001", "bolt0l", "bolt9r"})
     EXPECT_EQ(side_of(name), Side::none) << name;
 }
 

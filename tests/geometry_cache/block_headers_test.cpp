@@ -63,6 +63,17 @@ TEST(block_headers, sections_of_another_size_are_refused) {
   EXPECT_FALSE(read_block_headers(bytes.coarse, bytes.fine, FramePlace::later, read));
 }
 
+TEST(block_headers, bits_of_kinds_that_mean_nothing_are_refused) {
+  BlockMotion motion{.base = BlockBase::last};
+  const BlockHeaderBytes good = write_block_headers(std::span(&motion, 1));
+  EXPECT_TRUE(read_block_headers(good.coarse, good.fine, FramePlace::later, std::span(&motion, 1)));
+  for (const int bit : {16, 32, 64, 128}) {
+    BlockHeaderBytes bytes = good;
+    bytes.coarse[0] = static_cast<std::uint8_t>(bytes.coarse[0] | bit);  // kinds come first
+    EXPECT_FALSE(read_block_headers(bytes.coarse, bytes.fine, FramePlace::later, std::span(&motion, 1))) << bit;
+  }
+}
+
 TEST(block_headers, kinds_that_a_frame_cannot_have_are_refused) {
   const auto reads = [](BlockMotion motion, FramePlace place) {
     const BlockHeaderBytes bytes = write_block_headers(std::span(&motion, 1));
