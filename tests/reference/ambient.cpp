@@ -90,7 +90,7 @@ glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm
 
 }  // namespace
 
-glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, double access) {
+glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, const Openness& open) {
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);
   const glm::dvec2 sums = reflected_once(n_v, s.roughness);
   const Layer metal = layer(s.base_color, 1.0, sums), coat = layer(s.dielectric_f0, s.dielectric_f90, sums);
@@ -99,8 +99,11 @@ glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, double ac
       s.base_color * (1.0 - std::max({returned.r, returned.g, returned.b})) * (1.0 - s.transmission);
   const glm::dvec3 scattered = (coat.again + ground) * (1.0 - s.metallic) + metal.again * s.metallic;
   const glm::dvec3 reflected = coat.once * (1.0 - s.metallic) + metal.once * s.metallic;
-  return from(light, s.normal, 2.0 / 3.0) * scattered * scattered_access(access, s.base_color * (1.0 - s.metallic)) +
-         mirrored(light, s.normal, s.to_viewer, s.roughness) * reflected * access;
+  const glm::dvec3 half_sphere = from(light, s.normal, 2.0 / 3.0);
+  const double around = mirrored_access(open, s.normal, s.to_viewer, s.roughness);
+  return half_sphere * scattered * scattered_access(open.access * open.baked, s.base_color * (1.0 - s.metallic)) +
+         reflected * (mirrored(light, s.normal, s.to_viewer, s.roughness) * around +
+                      half_sphere * mirrored_surroundings(open, around, s.base_color));
 }
 
 glm::dvec3 passed_through(const ShadedPoint& s) {
@@ -114,11 +117,14 @@ glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal)
   return from(light, normal, 2.0 / 3.0);
 }
 
-glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light) {
+glm::dvec3 ambient(const Coat& coat, const glm::dvec3& below, const glm::dvec3& to_viewer, const AmbientGradient& light,
+                   const Openness& open) {
   const glm::dvec2 sums = reflected_once(std::clamp(glm::dot(coat.normal, to_viewer), 0.0, 1.0), coat.roughness);
   const double once = sums.x + sums.y;
-  return mirrored(light, coat.normal, to_viewer, coat.roughness) * once +
-         from(light, coat.normal, 2.0 / 3.0) * (1.0 - once);
+  const glm::dvec3 half_sphere = from(light, coat.normal, 2.0 / 3.0);
+  const double around = mirrored_access(open, coat.normal, to_viewer, coat.roughness);
+  return (mirrored(light, coat.normal, to_viewer, coat.roughness) * once + half_sphere * (1.0 - once)) * around +
+         half_sphere * mirrored_surroundings(open, around, below);
 }
 
 }  // namespace sinew::reference

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/vec2.hpp>
 
+#include "tests/reference/mirrored_access.h"
 #include "tests/reference/shade.h"
 
 namespace sinew::reference {
@@ -25,10 +26,10 @@ struct AmbientGradient {
 ///      m = f0 + (f90 - f0) / 21, again = once m rest / (1 - m rest); the metal is such a layer of its base colour and
 ///      f90 = 1, the dielectric one of its own over a matte ground, which gets 1 - max(once + again), without the
 ///      transmission.
-///      The light of `once` is that around the mirror direction, times `access`; of the others that of the half sphere,
-///      times scattered_access() of the base colour, which is black for metals
-/// in   access  share of the ambient light that other surfaces let through
-glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, double access = 1.0);
+///      The light of `once` is that around the mirror direction, times mirrored_access(), and that of the half sphere,
+///      times mirrored_surroundings() of the base colour; of the others that of the half sphere, times
+///      scattered_access() of access * baked and the base colour, which is black for metals
+glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, const Openness& open = {});
 
 /// Share of the light behind a thin surface that passes through.
 /// eq   KHR_materials_transmission: transmission of what the dielectric's layer leaves, 1 - max(once + again), in the
@@ -38,7 +39,10 @@ glm::dvec3 passed_through(const ShadedPoint& point);
 /// Mean light of the half sphere about a normal, weighted with the cosine.
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);
 
-/// The same from a clear layer, before its share: such a layer of f0 = f90 = 1.
-glm::dvec3 ambient(const Coat& coat, const glm::dvec3& to_viewer, const AmbientGradient& light);
+/// The same from a clear layer, before its share: such a layer of f0 = f90 = 1, all of whose light has
+/// mirrored_access().
+/// in   below  base colour of what is below
+glm::dvec3 ambient(const Coat& coat, const glm::dvec3& below, const glm::dvec3& to_viewer, const AmbientGradient& light,
+                   const Openness& open = {});
 
 }  // namespace sinew::reference

@@ -39,22 +39,30 @@ double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int
   return least;
 }
 
-/// Light of a slice between two angles, weighted by the cosine to the normal: the midpoint rule over the half circle.
-double light_between(double from, double to, double normal_angle) {
+/// Light, and the sum of its directions.
+struct Light {
+  double amount = 0.0;
+  glm::dvec3 directed{0.0};
+};
+
+/// Adds the light of a slice between two angles, weighted by the cosine to the normal: the midpoint rule.
+void add_light(const Slice& slice, double from, double to, double normal_angle, double weight, Light& light) {
   constexpr int kParts = 2000;
-  double sum = 0.0;
   for (int i = 0; i < kParts; ++i) {
     const double h = from + (to - from) * (i + 0.5) / kParts;
-    sum += std::max(std::cos(h - normal_angle), 0.0) * std::abs(std::sin(h)) * (to - from) / kParts;
+    const double part =
+        weight * std::max(std::cos(h - normal_angle), 0.0) * std::abs(std::sin(h)) * (to - from) / kParts;
+    light.amount += part;
+    light.directed += part * (std::cos(h) * slice.to_viewer + std::sin(h) * slice.aside);
   }
-  return sum;
 }
 
-double occlusion_at(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, double turn, double jitter) {
+/// What horizons hide.
+Light hidden_at(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, double turn, double jitter) {
   const glm::dvec3 p = image.point(x, y), n = image.normals[static_cast<std::size_t>(y * image.width + x)];
   const double radius_pixels = s.radius * 0.5 * image.cot_y * image.height / -p.z;
   const glm::dvec3 v = glm::normalize(-p);
-  double sum = 0.0;
+  Light hidden;
   for (int i = 0; i < s.slices; ++i) {
     const double angle = (i + turn) * kPi / s.slices;
     const glm::dvec2 along(std::cos(angle), std::sin(angle));  // pixels, y down
@@ -64,25 +72,30 @@ double occlusion_at(const DepthAndNormals& image, const HorizonSettings& s, int 
     const double g = slice.angle_of(m);
     const double ahead = horizon_angle(image, s, x, y, along * radius_pixels, jitter, v),
                  behind = horizon_angle(image, s, x, y, -along * radius_pixels, jitter, v);
-    sum += glm::length(m) * (light_between(ahead, kPi, g) + light_between(-kPi, -behind, g));
+    const double weight = glm::length(m) / s.slices;
+    add_light(slice, ahead, kPi, g, weight, hidden);
+    add_light(slice, -kPi, -behind, g, weight, hidden);
   }
-  return sum / s.slices;
+  return hidden;
 }
 
 }  // namespace
 
 HalfAccess horizon_access(const DepthAndNormals& image, const HorizonSettings& s) {
-  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}};
+  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const int full_x = std::min(s.step * x, image.width - 1), full_y = std::min(s.step * y, image.height - 1);
       const auto i = static_cast<std::size_t>(full_y * image.width + full_x);
       half.access.push_back(1.0);
+      half.bend.emplace_back(0.0);
       if (image.distance[i] == 0.0 || image.normals[i] == glm::dvec3(0.0)) continue;
       const double resolved =
           std::clamp(s.radius * 0.5 * image.cot_y * image.height / image.distance[i] - 2.0, 0.0, 1.0);
       const double turn = ((x + y) % 4 * 4 + x % 4) / 16.0, jitter = ((y - x + 1024) % 4 + 0.5) / 4.0;
-      half.access.back() = std::clamp(1.0 - resolved * occlusion_at(image, s, full_x, full_y, turn, jitter), 0.0, 1.0);
+      const Light hidden = hidden_at(image, s, full_x, full_y, turn, jitter);
+      half.access.back() = std::clamp(1.0 - resolved * hidden.amount, 0.0, 1.0);
+      half.bend.back() = glm::normalize(image.normals[i] - 1.5 * resolved * hidden.directed) - image.normals[i];
     }
   return half;
 }

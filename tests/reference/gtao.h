@@ -16,7 +16,8 @@ struct HorizonSettings {
 ///      that the horizons cover, by the midpoint rule; m = normal projected to the slice, g = its angle to the line of
 ///      sight. A horizon is the highest of the surfaces nearer than the radius and more than 0.02 of their distance
 ///      above the tangent plane, looked up at ((k + jitter) / steps)^1.5
-///      of the radius and one pixel farther
+///      of the radius and one pixel farther.
+///      The bent normal is the direction of 2/3 n - the same mean of the same integral, times the unit direction at h
 HalfAccess horizon_access(const DepthAndNormals& image, const HorizonSettings& settings);
 
 }  // namespace sinew::reference

@@ -83,12 +83,14 @@ ShadedPoint shaded_point(const Scene& scene, const SurfacePoint& point) {
 glm::dvec3 reflected(const Scene& scene, const SurfacePoint& point, const Surroundings& around) {
   const ShadedPoint shaded = shaded_point(scene, point);
   const Coat coat = coat_at(scene, point);
-  const double share = coat_share(coat, point.to_viewer), access = around.access * baked_access(scene, point);
+  const double share = coat_share(coat, point.to_viewer);
+  Openness open = around.open;
+  open.baked = baked_access(scene, point);
   const SheenLayer sheen = sheen_at(scene, point);
   const SheenShare fibres = sheen_of_ambient(sheen, shaded.normal, point.to_viewer);
-  glm::dvec3 below = ambient(shaded, around.ambient, access) * fibres.left +
-                     fibres.added * diffuse_light(around.ambient, shaded.normal) * access;
-  glm::dvec3 above = ambient(coat, point.to_viewer, around.ambient) * access;
+  glm::dvec3 below = ambient(shaded, around.ambient, open) * fibres.left +
+                     fibres.added * diffuse_light(around.ambient, shaded.normal) * open.access * open.baked;
+  glm::dvec3 above = ambient(coat, shaded.base_color, point.to_viewer, around.ambient, open);
   for (const ArrivingLight& light : around.lights) {
     const SheenShare own = sheen_of_light(sheen, shaded.normal, point.to_viewer, light.to_light);
     below += direct(shaded, light.to_light, light.irradiance) * own.left + own.added * light.irradiance;

@@ -12,7 +12,7 @@ namespace sinew::reference {
 struct Surroundings {
   std::span<const ArrivingLight> lights;  ///< at the point
   AmbientGradient ambient;
-  double access = 1.0;  ///< share of the ambient light that other surfaces let through
+  Openness open;
 };
 
 /// Base colour and alpha: factor * texture * vertex colour.   (glTF 2.0, 3.9.2)

@@ -68,10 +68,13 @@ std::vector<ArrivingLight> lights_at(const PictureOf& picture, const glm::dvec3&
   return {{lighting.key_follows_camera ? into_world(picture.view, to_key) : to_key, glm::dvec3(lighting.key)}};
 }
 
-double access_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
-  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend || transmits(point)) return 1.0;
-  return picture
-      .access[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)];
+Openness openness_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
+  if (picture.access.empty() || point.material.alpha_mode == AlphaMode::blend || transmits(point)) return {};
+  const std::size_t i =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+  Openness open{.access = picture.access[i]};
+  if (!picture.bend.empty()) open.bend = into_world(picture.view, picture.bend[i]);
+  return open;
 }
 
 glm::dvec3 radiance_of(const PictureOf& picture, const SurfacePoint& point, double x, double y) {
@@ -82,7 +85,7 @@ glm::dvec3 radiance_of(const PictureOf& picture, const SurfacePoint& point, doub
       picture.scene, point,
       {lights,
        {{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky) * ambient, glm::dvec3(picture.ambient.ground) * ambient},
-       access_of(picture, point, x, y)});
+       openness_of(picture, point, x, y)});
 }
 
 template <class Function>
@@ -253,7 +256,7 @@ glm::dvec3 shown_buffer(const PictureOf& picture, const DepthAndNormal& nearest,
                    far_m = static_cast<double>(picture.options.depth_range.farthest_m);
       return glm::dvec3(covered ? 1.0 - std::clamp((nearest.distance_m - near_m) / (far_m - near_m), 0.0, 1.0) : 0.0);
     }
-    default: return glm::dvec3(covered ? access_of(picture, {}, x, y) : 1.0);
+    default: return glm::dvec3(covered ? openness_of(picture, {}, x, y).access : 1.0);
   }
 }
 

@@ -17,8 +17,9 @@ struct PictureOf {
   viewer::View view;
   viewer::RenderOptions options;
   int width = 0, height = 0;
-  viewer::Gradient ambient;             ///< what the environment of the options is made of
-  std::span<const double> access = {};  ///< [width * height] ambient access of opaque surfaces; empty = 1
+  viewer::Gradient ambient;               ///< what the environment of the options is made of
+  std::span<const double> access = {};    ///< [width * height] ambient access of opaque surfaces; empty = 1
+  std::span<const glm::dvec3> bend = {};  ///< [width * height] of Openness, in view space; empty = none
 };
 
 /// The picture at a point, in pixels from the upper left corner; (x + 0.5, y + 0.5) is the middle of a pixel. sRGB as

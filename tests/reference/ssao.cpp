@@ -55,7 +55,7 @@ glm::dvec3 DepthAndNormals::point(int x, int y) const {
 }
 
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
-  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}};
+  HalfAccess half{(image.width + s.step - 1) / s.step, (image.height + s.step - 1) / s.step, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const Texel texel = texel_at(image, s.step, x, y);
@@ -75,11 +75,12 @@ HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& s) {
 }
 
 HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const HalfAccess& half, bool vertical) {
-  HalfAccess out{half.width, half.height, {}};
+  HalfAccess out{half.width, half.height, {}, {}};
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x) {
       const Texel middle = texel_at(image, s.step, x, y);
       double sum = 0.0, weights = 0.0;
+      glm::dvec3 bend(0.0);
       for (int k = -s.reach; k <= s.reach; ++k) {
         const int at_x = vertical ? x : x + k, at_y = vertical ? y + k : y;
         if (at_x < 0 || at_y < 0 || at_x >= half.width || at_y >= half.height) continue;
@@ -91,37 +92,46 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
         if (k != 0 && !joins) continue;
         const double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
         sum += weight * half.access[index(half.width, at_x, at_y)];
+        if (!half.bend.empty()) bend += weight * half.bend[index(half.width, at_x, at_y)];
         weights += weight;
       }
       out.access.push_back(sum / weights);
+      if (!half.bend.empty())
+        out.bend.push_back(middle.usable ? glm::normalize(middle.normal + bend / weights) - middle.normal
+                                         : glm::dvec3(0.0));
     }
   return out;
 }
 
-std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& s, const HalfAccess& half) {
-  std::vector<double> full;
+PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& s, const HalfAccess& half) {
+  PixelAccess full;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::size_t i = index(image.width, x, y);
       const glm::dvec3 p = image.point(x, y), n = image.normals[i];
       double sum = 0.0, weights = 0.0, nearest = 1.0, nearest_m = 1e300;
+      glm::dvec3 bend(0.0), nearest_bend(0.0);
       for (int dy = 0; dy <= y % s.step; ++dy)
         for (int dx = 0; dx <= x % s.step; ++dx) {
           const int at_x = std::min(x / s.step + dx, half.width - 1), at_y = std::min(y / s.step + dy, half.height - 1);
           const Texel other = texel_at(image, s.step, at_x, at_y);
           if (other.distance == 0.0) continue;
-          const double access = half.access[index(half.width, at_x, at_y)];
+          const std::size_t at = index(half.width, at_x, at_y);
+          const glm::dvec3 bent = half.bend.empty() ? glm::dvec3(0.0) : half.bend[at];
           const double away = glm::length(other.point - p);
           if (away < nearest_m) {
             nearest_m = away;
-            nearest = access;
+            nearest = half.access[at];
+            nearest_bend = bent;
           }
           if (!same_surface(s, p, n, other.point, other.normal, image.distance[i] / pixels_per_metre(image))) continue;
-          sum += access;
+          sum += half.access[at];
+          bend += bent;
           weights += 1.0;
         }
       const bool drawn = image.distance[i] > 0.0 && n != glm::dvec3(0.0);
-      full.push_back(!drawn ? 1.0 : weights > 0.0 ? sum / weights : nearest);
+      full.access.push_back(!drawn ? 1.0 : weights > 0.0 ? sum / weights : nearest);
+      full.bend.push_back(!drawn ? glm::dvec3(0.0) : weights > 0.0 ? bend / weights : nearest_bend);
     }
   return full;
 }

@@ -33,6 +33,13 @@ struct SsaoSettings {
 struct HalfAccess {
   int width = 0, height = 0;
   std::vector<double> access;
+  std::vector<glm::dvec3> bend;  ///< from the normal to the bent normal; empty = unknown
+};
+
+/// The same of every pixel.
+struct PixelAccess {
+  std::vector<double> access;
+  std::vector<glm::dvec3> bend;
 };
 
 /// eq   (1 - sum of fade(nearer by) * max(n . normalise(r - p), 0) / samples)^power
@@ -41,10 +48,12 @@ struct HalfAccess {
 ///      and flipped into the hemisphere of n
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);
 
-/// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, over texels of the same surface.
+/// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, over texels of the same surface. The
+/// mean bend is that of a unit bent normal again.
 HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half, bool vertical);
 
-/// Access of every pixel, from the half-size texels around it that lie on its surface; 1 where nothing was drawn.
-std::vector<double> full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
+/// Access and bend of every pixel, from the half-size texels around it that lie on its surface; 1 and 0 where nothing
+/// was drawn.
+PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
 
 }  // namespace sinew::reference

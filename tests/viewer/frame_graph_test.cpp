@@ -34,6 +34,21 @@ TEST(frame_graph, P17_has_no_occlusion_passes_or_images_when_occlusion_is_off_or
   }
 }
 
+TEST(frame_graph, has_bent_normals_only_where_horizons_are_found_and_a_picture_reflects_ambient_light) {
+  const FrameNeeds lit{.opaque = true, .horizons = true};
+  EXPECT_TRUE(FrameGraph(lit).bent_normals);
+  for (const FrameNeeds& needs :
+       {FrameNeeds{.opaque = true}, FrameNeeds{.opaque = true, .ambient = false, .horizons = true},
+        FrameNeeds{.opaque = true, .occlusion = false, .horizons = true}, FrameNeeds{.blended = true, .horizons = true},
+        FrameNeeds{.opaque = true, .horizons = true, .show = Show::ao}})
+    EXPECT_FALSE(FrameGraph(needs).bent_normals);
+  const auto reason_of = [](const FrameNeeds& needs) {
+    return describe_passes(needs, {})[static_cast<std::size_t>(Pass::ssao)].reason;
+  };
+  EXPECT_EQ(reason_of(lit), "ambient occlusion is on; reflections read bent normals");
+  EXPECT_EQ(reason_of({.opaque = true}), "ambient occlusion is on");
+}
+
 TEST(frame_graph, has_no_occlusion_without_opaque_surfaces) {
   EXPECT_THAT(passes({.opaque = false, .blended = true}), ElementsAre(Pass::opaque, Pass::transparent, Pass::tonemap));
 }

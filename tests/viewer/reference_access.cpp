@@ -24,8 +24,8 @@ reference::SsaoSettings settings_of(const RenderOptions& options, const SsaoKern
 
 }  // namespace
 
-std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
-                                     const OcclusionShape& shape) {
+reference::PixelAccess reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                        const OcclusionShape& shape) {
   const SsaoKernel kernel = make_ssao_kernel(shape.samples);
   const reference::SsaoSettings settings = settings_of(options, kernel, shape);
   reference::HalfAccess half = options.ao.method == OcclusionMethod::ssao

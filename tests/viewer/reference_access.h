@@ -8,8 +8,8 @@
 
 namespace sinew::viewer {
 
-/// Ambient access of every pixel by the plain reference, with the offsets and the noise of the viewer.
-std::vector<double> reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
-                                     const OcclusionShape& shape = {});
+/// Ambient access and bend of every pixel by the plain reference, with the offsets and the noise of the viewer.
+reference::PixelAccess reference_access(const reference::DepthAndNormals& image, const RenderOptions& options,
+                                        const OcclusionShape& shape = {});
 
 }  // namespace sinew::viewer

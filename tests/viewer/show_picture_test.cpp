@@ -99,7 +99,7 @@ void expect_reference_access(const BuiltScene& built, double bound) {
       image.distance.push_back(at.distance_m);
       image.normals.push_back(at.normal);
     }
-  const std::vector<double> access = reference_access(image, options);
+  const std::vector<double> access = reference_access(image, options).access;
   const FloatPicture drawn = render_float(built, kWidth, kHeight, the_view(), options);
   double mean = 0.0, occluded = 0.0;
   for (std::size_t i = 0; i < access.size(); ++i) {

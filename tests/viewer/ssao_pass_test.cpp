@@ -61,8 +61,8 @@ TEST_F(ssao_pass, agrees_with_the_reference_before_and_after_the_blur) {
     RenderOptions options = options_with(0.6f);
     options.ao.blur = blur;
     const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
-    const Difference d =
-        compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
+    const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options),
+                                 reference_access(image, options).access);
     EXPECT_GT(d.spread, 0.3) << "nothing is occluded: the comparison is empty";
     // In float, a sample on the border of two pixels may fall to either side: rarely, and for one of 14 samples.
     EXPECT_LT(d.mean, 5e-4) << "blur " << blur;
@@ -78,8 +78,8 @@ TEST_F(ssao_pass, agrees_with_the_reference_for_other_radii_fades_and_powers) {
     options.ao.fade_end_m = radius;
     options.ao.surface_epsilon_m = 0.1f * radius;
     const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
-    const Difference d =
-        compare(render_float(built, kWidth, kHeight, view_of_floor(), options), reference_access(image, options));
+    const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options),
+                                 reference_access(image, options).access);
     EXPECT_GT(d.spread, 0.05);
     EXPECT_LT(d.mean, 1e-3) << radius;
   }
@@ -89,12 +89,12 @@ TEST_F(ssao_pass, agrees_with_the_reference_whatever_the_samples_the_size_and_th
   const BuiltScene built = box_and_sphere_on_floor();
   const RenderOptions options = options_with(0.6f);
   const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view_of_floor(), options);
-  std::vector<double> before = reference_access(image, options);
+  std::vector<double> before = reference_access(image, options).access;
   for (const OcclusionShape& shape :
        {OcclusionShape{.samples = 4}, OcclusionShape{.samples = 64}, OcclusionShape{.step = 1},
         OcclusionShape{.blur_reach = 4}, OcclusionShape{.keep_edges = false},
         OcclusionShape{.samples = 32, .step = 1, .blur_reach = 4, .keep_edges = false}}) {
-    const std::vector<double> expected = reference_access(image, options, shape);
+    const std::vector<double> expected = reference_access(image, options, shape).access;
     EXPECT_GT(compare(FloatPicture{kWidth, kHeight, greys(before)}, expected).mean, 1e-3)
         << "the shapes give different pictures";
     const Difference d = compare(render_float(built, kWidth, kHeight, view_of_floor(), options, {}, shape), expected);

@@ -50,6 +50,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   unlit_image = picture && needs.unlit;
   shadow_maps = needs.shadowed() ? needs.shadows : 0;
   ao_image = occlusion;
+  bent_normals = needs.bent();
   half_blurred_ao = occlusion && needs.blur;
 }
 

@@ -40,6 +40,7 @@ struct FrameNeeds {
   std::uint32_t shadows = 0;  ///< lights that cast them
   bool ambient = true;        ///< there is ambient light
   bool occlusion = true;      ///< ambient occlusion is switched on, not of strength 0, and looked for in screen space
+  bool horizons = false;      ///< and by horizons, which know where the light comes from
   bool baked = false;         ///< ambient access comes with the vertices; then `occlusion` is false
   bool blur = true;
   bool auto_exposure = false;
@@ -59,6 +60,9 @@ struct FrameNeeds {
   bool occluded() const noexcept {
     return opaque && occlusion && (show == Show::ao || (show == Show::color && ambient));
   }
+
+  /// Some pass reads bent normals: reflections of the ambient light.
+  bool bent() const noexcept { return occluded() && horizons && show == Show::color; }
 
   /// Some pass reads ambient access of the vertices.
   bool reads_baked() const noexcept {
@@ -84,6 +88,7 @@ class FrameGraph {
   bool vertex_access = false;    ///< vertices bring their ambient access
   bool ground_occluded = false;  ///< the prepass draws the ground, too, since ambient access is asked for there
   bool sampled = false;          ///< colour and depth of 4 samples a pixel, averaged into the colour image
+  bool bent_normals = false;     ///< the image of ambient access has bent normals, too
   bool ao_image = false,
        half_blurred_ao = false;  ///< ambient access: the result, and after the first of two blur passes
 

@@ -118,6 +118,7 @@ bool reads_environment(const FrameInputs& inputs) {
 FrameFeatures features_of(const FrameInputs& inputs, const FrameGraph& graph, std::span<const PlacedLight> lights,
                           const ShadowLights& shadows) {
   return {.occluded = graph.ao_image,
+          .bent = graph.bent_normals,
           .vertex_access = graph.vertex_access,
           .parallel = inputs.view.parallel(),
           .transparent_background = inputs.options.transparent_background,
@@ -154,6 +155,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .shadows = draws.casters().empty() ? 0 : shadows.count(),
           .ambient = inputs.options.lighting.ambient() && !gooch,
           .occlusion = inputs.options.ao.in_screen_space(),
+          .horizons = inputs.options.ao.method == OcclusionMethod::gtao,
           .baked = inputs.options.ao.at_vertices(),
           .blur = inputs.options.ao.blur,
           .auto_exposure = inputs.options.lighting.auto_exposure && !gooch,

@@ -45,6 +45,7 @@ enum ConstantId : std::size_t {
   id_unlit_image = 18,
   id_auto_exposure = 19,
   id_vertex_access = 20,
+  id_bent = 23,
   id_specular = 24,
   id_clearcoat = 25,
   id_sheen = 26,
@@ -84,7 +85,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   const bool shades = key.pass != Pass::normal_depth && !key.depth_only;
   key.frame.weighted = false;
   if (key.pass == Pass::transparent || key.pass == Pass::weighted)
-    key.frame.occluded = false;  // ambient access is that of opaque surfaces
+    key.frame.occluded = key.frame.bent = false;  // ambient access is that of opaque surfaces
   const bool shows_level = key.pass == Pass::normal_depth && !key.depth_only && key.frame.shows_level;
   key.frame.shows_level = shows_level;
   if (key.depth_only || shows_level) surface.normals = NormalSource::none;
@@ -92,7 +93,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
   const bool shows_access = key.pass == Pass::normal_depth && !key.depth_only;
   if ((!shades && !shows_access) || surface.normals == NormalSource::none) key.frame.vertex_access = false;
   if (!shades || surface.normals == NormalSource::none) {
-    key.frame.occluded = key.frame.ambient = false;
+    key.frame.occluded = key.frame.bent = key.frame.ambient = false;
     key.frame.light_count = 0;
     key.frame.shadow_lights = 0;
     sets[1] = sets[3] = 0;
@@ -171,6 +172,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_weighted] = weighted;
   shape.constants[id_through] = static_cast<std::uint32_t>(key.through);
   shape.constants[id_occluded] = key.frame.occluded;
+  shape.constants[id_bent] = key.frame.bent;
   shape.constants[id_ao_step] = occlusion_.step;
   shape.constants[id_parallel] = key.frame.parallel;
   shape.constants[id_normals] = static_cast<std::uint32_t>(key.surface.normals);
@@ -239,6 +241,7 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[0] = !encodes_in_hardware(target_format_);  // kEncode
   shape.constants[1] = static_cast<std::uint32_t>(key.show);  // kShow
   shape.constants[id_occluded] = key.frame.occluded;
+  shape.constants[id_bent] = key.frame.bent;
   shape.constants[id_ao_step] = occlusion_.step;
   shape.constants[id_parallel] = key.frame.parallel;
   shape.constants[id_tone_curve] = static_cast<std::uint32_t>(key.frame.tone_curve);

@@ -67,9 +67,9 @@ class FrameSet {
 /// specialisation constants. They are no uniforms, because drivers that run on the CPU compile a shader again for each
 /// value of a uniform that it branches on.
 struct FrameFeatures {
-  bool occluded = false;       ///< there is an ambient access image
-  bool vertex_access = false;  ///< vertices bring their ambient access
-  bool parallel = false;       ///< parallel projection
+  bool occluded = false, bent = false;  ///< there is an ambient access image; it has bent normals, too
+  bool vertex_access = false;           ///< vertices bring their ambient access
+  bool parallel = false;                ///< parallel projection
   bool transparent_background = false;
   bool ambient = false;             ///< there is an environment
   std::uint32_t shadow_lights = 0;  ///< bit i is set: light i casts shadows

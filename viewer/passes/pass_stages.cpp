@@ -46,7 +46,9 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
   switch (pass) {
     case Pass::shadow: return why_shadow(needs);
     case Pass::normal_depth: return why_normal_depth(needs, runs);
-    case Pass::ssao: return runs ? "ambient occlusion is on" : why_not_occluded(needs);
+    case Pass::ssao:
+      if (needs.bent()) return "ambient occlusion is on; reflections read bent normals";
+      return runs ? "ambient occlusion is on" : why_not_occluded(needs);
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return why_blur(needs);
     case Pass::outline: return why_outline(needs);

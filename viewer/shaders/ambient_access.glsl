@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Ambient access of a full-size pixel: the fraction of ambient light that arrives, from the half-size image. The mean of
 // the neighbouring texels on the same surface; if there is none, the texel nearest in space.
+#include "access_texel.glsl"
 
 layout(constant_id = 2) const bool kOccluded = false;   // there is an ambient access image
 
-float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
+// out  bend  of bent_normal(); 0 where nothing is in the way, and without bent normals
+float ambient_access(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
+  bend = vec2(0.0);
   if (!kOccluded || n == vec3(0.0)) return 1.0;
   ivec2 last = textureSize(ao_image, 0) - 1;
   float metres_per_pixel = 1.0 / pixels_per_metre(-p.z);
   float sum = 0.0, weight_sum = 0.0, nearest = 1.0, nearest_squared = 3.4e38;
+  vec2 bend_sum = vec2(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 offset = ivec2(i & 1, i >> 1);
     if (any(greaterThan(offset, pixel % kAoStep))) continue;   // on this axis, the pixel has a texel of its own
@@ -20,10 +24,19 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
     if (squared < nearest_squared) {
       nearest_squared = squared;
       nearest = stored.r;
+      bend = bend_of(stored);
     }
-    if (!same_surface(p, n, other, unpack_normal(stored.ba), metres_per_pixel)) continue;
+    if (!same_surface(p, n, other, normal_of(stored), metres_per_pixel)) continue;
     sum += stored.r;
+    bend_sum += bend_of(stored);
     weight_sum += 1.0;
   }
-  return weight_sum > 0.0 ? sum / weight_sum : nearest;
+  if (weight_sum == 0.0) return nearest;
+  bend = bend_sum / weight_sum;
+  return sum / weight_sum;
+}
+
+float ambient_access(ivec2 pixel, vec3 p, vec3 n) {
+  vec2 bend;
+  return ambient_access(pixel, p, n, bend);
 }

@@ -50,7 +50,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
 
 layout(set = 0, binding = 1) uniform sampler2D depth_image;    // near / distance, 0 = nothing
 layout(set = 0, binding = 2) uniform sampler2D normal_image;   // view space, zero = surface without normal
-layout(set = 0, binding = 3) uniform sampler2D ao_image;       // half size: ambient access, distance, packed normal
+layout(set = 0, binding = 3) uniform sampler2D ao_image;       // half size: ambient access, distance, packed normals (access_texel.glsl)
 layout(set = 0, binding = 4) uniform sampler2D color_image;    // linear, premultiplied
 layout(set = 0, binding = 5) uniform samplerCube environment_image;   // radiance; level i filtered for roughness i / last
 layout(set = 0, binding = 6) uniform sampler2D split_sum_image;       // (viewer/light/split_sum.h)

@@ -8,9 +8,12 @@
 //      arc(h) = (cos g + 2 h sin g - cos(2 h - g)) / 4;   m = normal projected to the slice, g = its angle to the line of
 //      sight, h = horizon angle. cos g + g sin g is the sum for free horizons: without anything in the way, access is 1 in
 //      each slice, not only on average
+//      bent normal = direction of 2/3 n - mean over slices of |m| * the part of it that horizons hide: likewise n itself
+//      without anything in the way
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
+#include "access_texel.glsl"
 
 layout(constant_id = 0) const int kSlices = 2;   // OcclusionShape::slices
 layout(constant_id = 1) const int kSteps = 6;    // OcclusionShape::steps
@@ -44,7 +47,15 @@ float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float
 
 float arc(float h, float g) { return 0.25 * (cos(g) + 2.0 * h * sin(g) - cos(2.0 * h - g)); }
 
-float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels, vec3 p, vec3 n, vec3 v) {
+// Light of a slice between the line of sight and a horizon, as a vector: along the slice, and towards the viewer.
+// eq   integral of cos(t - g) sin t (sin t, cos t) over t from 0 to h, without what does not depend on h
+vec2 light_up_to(float cos_h, float cos_g, float sin_g) {
+  float cube = cos_h * cos_h * cos_h / 3.0, sine2 = 1.0 - cos_h * cos_h, sine3 = sine2 * sqrt(max(sine2, 0.0)) / 3.0;
+  return vec2(cos_g * sine3 + sin_g * (cube - cos_h), sin_g * sine3 - cos_g * cube);
+}
+
+// in,out  hidden  gets the light that horizons hide, as a vector
+float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels, vec3 p, vec3 n, vec3 v, inout vec3 hidden) {
   vec2 along = vec2(cos(turn), sin(turn));
   vec3 direction = vec3(along.x, -along.y, 0.0);
   vec3 axis = normalize(cross(direction, v));
@@ -52,8 +63,16 @@ float slice_occlusion(ivec2 pixel, float turn, float jitter, float radius_pixels
   vec3 m = n - axis * dot(n, axis);
   float size = length(m);
   float g = sign(dot(aside, m)) * acos(clamp(dot(m, v) / max(size, 1e-6), -1.0, 1.0));
-  float ahead = acos(clamp(horizon(pixel, along * radius_pixels, jitter, p, n, v, cos(g + 0.5 * kPi)), -1.0, 1.0));
-  float behind = acos(clamp(horizon(pixel, -along * radius_pixels, jitter, p, n, v, cos(g - 0.5 * kPi)), -1.0, 1.0));
+  float free_ahead = cos(g + 0.5 * kPi), free_behind = cos(g - 0.5 * kPi);
+  float cos_ahead = clamp(horizon(pixel, along * radius_pixels, jitter, p, n, v, free_ahead), -1.0, 1.0);
+  float cos_behind = clamp(horizon(pixel, -along * radius_pixels, jitter, p, n, v, free_behind), -1.0, 1.0);
+  if (kBent) {
+    float c = cos(g), s = sin(g);
+    vec2 off_ahead = light_up_to(free_ahead, c, s) - light_up_to(cos_ahead, c, s);
+    vec2 off_behind = light_up_to(free_behind, c, -s) - light_up_to(cos_behind, c, -s);
+    hidden += size * (normalize(aside) * (off_ahead.x - off_behind.x) + v * (off_ahead.y + off_behind.y));
+  }
+  float ahead = acos(cos_ahead), behind = acos(cos_behind);
   return size * (cos(g) + g * sin(g) - arc(ahead, g) - arc(-behind, g));
 }
 
@@ -62,7 +81,7 @@ void main() {
   ivec2 pixel = full_pixel(texel);
   float far_p = distance_at(pixel);
   vec3 n = texelFetch(normal_image, pixel, 0).xyz;
-  access_distance_normal = vec4(1.0, far_p, pack_normal(n));
+  access_distance_normal = access_texel(1.0, far_p, n, n);
   if (far_p == 0.0 || n == vec3(0.0)) return;
   n = normalize(n);
   float radius_pixels = frame.occlusion_radius_m * pixels_per_metre(far_p);
@@ -74,7 +93,11 @@ void main() {
   float turn = float((((texel.x + texel.y) & 3) << 2) + (texel.x & 3)) / 16.0;
   float jitter = (float((texel.y - texel.x) & 3) + 0.5) / 4.0;
   float sum = 0.0;
+  vec3 hidden = vec3(0.0);
   for (int i = 0; i < kSlices; ++i)
-    sum += slice_occlusion(pixel, (float(i) + turn) * kPi / float(kSlices), jitter, radius_pixels, p, n, v);
-  access_distance_normal.r = pow(clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), frame.occlusion_power);
+    sum += slice_occlusion(pixel, (float(i) + turn) * kPi / float(kSlices), jitter, radius_pixels, p, n, v, hidden);
+  float open = clamp(1.0 - resolved * sum / float(kSlices), 0.0, 1.0), access = pow(open, frame.occlusion_power);
+  float contrast = (1.0 - access) / max(1.0 - open, 1e-6);
+  vec3 bent = n - 1.5 * contrast * resolved / float(kSlices) * hidden;
+  access_distance_normal = access_texel(access, far_p, n, dot(bent, bent) > 1e-6 ? normalize(bent) : n);
 }

@@ -112,12 +112,13 @@ vec3 coated(Coat coat, vec3 below, vec3 to_viewer, vec3 to_light, vec3 irradianc
 
 // Ambient light on the layer and on what is below. Fresnel is in the share, so the lobe reflects all light.
 // in   access  share of the light that arrives at the layer; `below` has its own
-vec3 coated(Coat coat, vec3 below, vec3 to_viewer, float access) {
+//      surroundings  light of the half sphere that is reflected instead of the rest
+vec3 coated(Coat coat, vec3 below, vec3 to_viewer, float access, vec3 surroundings) {
   if (!kClearcoat) return below;
   vec2 sums = split_sums(clamp(dot(coat.n, to_viewer), 0.0, 1.0), coat.roughness);
   float once = sums.x + sums.y;
   vec3 direction = frame.environment_from_view * reflect(-to_viewer, coat.n);
-  vec3 lobe = mirrored_light(direction, coat.roughness) * once +
-              diffuse_light(frame.environment_from_view * coat.n) * (1.0 - once);
-  return mix(below, lobe * access, coat.share);
+  vec3 around = diffuse_light(frame.environment_from_view * coat.n);
+  vec3 lobe = mirrored_light(direction, coat.roughness) * once + around * (1.0 - once);
+  return mix(below, lobe * access + around * surroundings, coat.share);
 }

@@ -104,15 +104,17 @@ vec3 scattered_access(float access, vec3 albedo) {
 // Ambient light. What the layer of a dielectric does not reflect is scattered below it, so a white surface in white
 // light returns all of it.
 // in   scattered, mirrored  shares of the light of the half sphere, and of that around the mirror direction, that arrive
-vec3 ambient(Surface s, vec3 scattered, float mirrored) {
+//      surroundings  light of the half sphere that is reflected instead of what is hidden around the mirror direction
+vec3 ambient(Surface s, vec3 scattered, float mirrored, vec3 surroundings) {
   vec2 sums = split_sums(clamp(dot(s.n, s.to_viewer), 0.0, 1.0), s.roughness);
   vec3 metal_once, metal_again, once, again;
   layer(s.base_color, 1.0, sums, metal_once, metal_again);
   layer(s.dielectric_f0, s.dielectric_f90, sums, once, again);
   vec3 below = s.base_color * (1.0 - greatest(once + again)) * (1.0 - s.transmission);
   vec3 direction = frame.environment_from_view * reflect(-s.to_viewer, s.n);
-  return diffuse_light(frame.environment_from_view * s.n) * mix(again + below, metal_again, s.metallic) * scattered +
-         mirrored_light(direction, s.roughness) * mix(once, metal_once, s.metallic) * mirrored;
+  vec3 around = diffuse_light(frame.environment_from_view * s.n), reflectance = mix(once, metal_once, s.metallic);
+  return around * mix(again + below, metal_again, s.metallic) * scattered +
+         mirrored_light(direction, s.roughness) * reflectance * mirrored + around * reflectance * surroundings;
 }
 
 // Share of the light behind a thin surface that passes through, in the direction that it has.

@@ -22,6 +22,7 @@ layout(location = 5) centroid in float vertex_access;
 #include "same_surface.glsl"
 #include "ambient_access.glsl"
 #include "lighting.glsl"
+#include "mirrored_access.glsl"
 #include "shadow.glsl"
 #include "normal_map.glsl"
 
@@ -62,12 +63,15 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   set_transmission(s);
   s.n = with_normal_map(geometry_normal);
   s.to_viewer = towards_viewer(view_position);
-  float access = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n);
-  if (kVertexAccess) access = vertex_access;
+  vec2 bend;
+  float open = ambient_access(ivec2(gl_FragCoord.xy), view_position, s.n, bend);
+  if (kVertexAccess) open = vertex_access;
+  float baked = 1.0;
   if (kOcclusionSet != 0) {
-    float baked = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
-    access *= 1.0 + material.occlusion_strength * (baked - 1.0);
+    float texel = filtered_texel(occlusion_texture, 3, transformed_uv(3, kOcclusionSet, texcoords)).r;
+    baked += material.occlusion_strength * (texel - 1.0);
   }
+  float access = open * baked;
   Sheen sheen = sheen_at(s);
   Coat coat = coat_at(geometry_normal, s.to_viewer);
   through = 1.0 - coat.share;
@@ -79,8 +83,12 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   }
   if (kAmbient) {
     vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
-    vec3 below = under_sheen(sheen, s, ambient(s, scattered, access), access);
-    sum += coated(coat, below, s.to_viewer, access);
+    float mirrored = mirrored_access(open, bend, s.n, s.to_viewer, s.roughness);
+    vec3 surroundings = mirrored_surroundings(access, mirrored, s.base_color);
+    vec3 below = under_sheen(sheen, s, ambient(s, scattered, mirrored * baked, surroundings), access);
+    float on_coat = kClearcoat ? mirrored_access(open, bend, coat.n, s.to_viewer, coat.roughness) : 1.0;
+    surroundings = mirrored_surroundings(access, on_coat, s.base_color);
+    sum += coated(coat, below, s.to_viewer, on_coat * baked, surroundings);
   }
   for (int i = 0; i < kLightCount; ++i) {
     vec3 to_light, irradiance = arriving(frame.lights[i], view_position, to_light);

@@ -6,6 +6,7 @@
 #include "frame_uniforms.glsl"
 #include "view_position.glsl"
 #include "octahedral.glsl"
+#include "access_texel.glsl"
 #include "same_surface.glsl"
 
 layout(constant_id = 0) const bool kVertical = false;
@@ -18,24 +19,27 @@ void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 middle = texelFetch(ao_image, texel, 0);
   access_distance_normal = middle;
-  if (middle.g == 0.0 || middle.b > 1.5) return;
-  vec3 n = unpack_normal(middle.ba);
+  if (middle.g == 0.0 || !has_normal(middle)) return;
+  vec3 n = normal_of(middle);
   vec3 p = view_point(full_pixel(texel), middle.g);
   ivec2 last = textureSize(ao_image, 0) - 1;
   // Two scalar choices instead of one between vectors: Mesa 22.3 folds the latter wrongly to (0, 0).
   ivec2 direction = ivec2(kVertical ? 0 : 1, kVertical ? 1 : 0);
   float metres_per_texel = float(kAoStep) / pixels_per_metre(middle.g);
   float sum = middle.r, weight_sum = 1.0;
+  vec2 bend = bend_of(middle);
   for (int k = -kReach; k <= kReach; ++k) {
     ivec2 at = texel + k * direction;
     if (k == 0 || any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
     vec4 other = texelFetch(ao_image, at, 0);
-    if (other.g == 0.0 || other.b > 1.5) continue;
+    if (other.g == 0.0 || !has_normal(other)) continue;
     vec3 q = view_point(full_pixel(at), other.g);
-    if (kKeepEdges && !same_surface(p, n, q, unpack_normal(other.ba), float(abs(k)) * metres_per_texel)) continue;
+    if (kKeepEdges && !same_surface(p, n, q, normal_of(other), float(abs(k)) * metres_per_texel)) continue;
     float weight = abs(k) == kReach ? 0.5 : 1.0;
     sum += weight * other.r;
+    if (kBent) bend += weight * bend_of(other);
     weight_sum += weight;
   }
+  if (kBent) access_distance_normal = with_bend(middle, bend / weight_sum);
   access_distance_normal.r = sum / weight_sum;
 }
