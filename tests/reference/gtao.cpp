@@ -21,8 +21,9 @@ struct Slice {
 };
 
 /// Greatest share of the half circle on one side that is covered: the angle of its horizon from the line of sight.
+/// in   free  the angle without anything in the way
 double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, const glm::dvec2& way,
-                     double jitter, const glm::dvec3& to_viewer) {
+                     double jitter, const glm::dvec3& to_viewer, double free) {
   const glm::dvec3 p = image.point(x, y), n = image.normals[static_cast<std::size_t>(y * image.width + x)];
   double least = kPi;
   for (int k = 0; k < s.steps; ++k) {
@@ -33,8 +34,10 @@ double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int
     const auto i = static_cast<std::size_t>(there_y * image.width + there_x);
     const glm::dvec3 to_r = image.point(there_x, there_y) - p;
     const double away = glm::length(to_r);
-    if (image.distance[i] == 0.0 || away == 0.0 || away >= s.radius || glm::dot(to_r, n) <= 0.02 * away) continue;
-    least = std::min(least, std::acos(std::clamp(glm::dot(to_r, to_viewer) / away, -1.0, 1.0)));
+    if (image.distance[i] == 0.0 || away == 0.0 || away >= 1.3 * s.radius || glm::dot(to_r, n) <= 0.02 * away) continue;
+    const double counts = std::clamp((1.3 - away / s.radius) / 0.35, 0.0, 1.0);
+    const double cosine = counts * glm::dot(to_r, to_viewer) / away + (1.0 - counts) * std::cos(free);
+    least = std::min(least, std::acos(std::clamp(cosine, -1.0, 1.0)));
   }
   return least;
 }
@@ -70,8 +73,8 @@ Light hidden_at(const DepthAndNormals& image, const HorizonSettings& s, int x, i
     const Slice slice{v, glm::normalize(direction - v * glm::dot(direction, v))};
     const glm::dvec3 axis = glm::cross(slice.aside, v), m = n - axis * glm::dot(n, axis);
     const double g = slice.angle_of(m);
-    const double ahead = horizon_angle(image, s, x, y, along * radius_pixels, jitter, v),
-                 behind = horizon_angle(image, s, x, y, -along * radius_pixels, jitter, v);
+    const double ahead = horizon_angle(image, s, x, y, along * radius_pixels, jitter, v, 0.5 * kPi + g),
+                 behind = horizon_angle(image, s, x, y, -along * radius_pixels, jitter, v, 0.5 * kPi - g);
     const double weight = glm::length(m) / s.slices;
     add_light(slice, ahead, kPi, g, weight, hidden);
     add_light(slice, -kPi, -behind, g, weight, hidden);

@@ -22,6 +22,9 @@ const float kPi = 3.14159265358979;
 // Least sine of the height of a surface above the tangent plane. Points at the middles of pixels lie beside the slice, so
 // without it a steep plane would rise above its own horizon. What is lower hides less than its square of the light.
 const float kLevel = 0.02;
+// Parts of the radius between which surfaces count less and less. A surface that leaves the radius does so between two
+// look-ups; with a sharp end, the one nearer by often misses it, and the pattern of the look-ups shows as stripes.
+const float kFadeStart = 0.95, kFadeEnd = 1.3;
 
 layout(location = 0) out vec4 access_distance_normal;
 
@@ -29,18 +32,22 @@ layout(location = 0) out vec4 access_distance_normal;
 // in   way  pixels to the radius;   lowest  cosine for a free horizon
 float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float lowest) {
   ivec2 last = textureSize(depth_image, 0) - 1;
-  float highest = lowest;
+  float highest = lowest, scale = 1.0 / (kFadeEnd - kFadeStart);
+  // view_point() without its divisions
+  vec2 half_size = 0.5 * vec2(last + 1), slope = vec2(1.0, -1.0) / (half_size * frame.projection.xy);
   for (int i = 0; i < kSteps; ++i) {
     float part = (float(i) + jitter) / float(kSteps);
     vec2 at = way * part * sqrt(part);
     ivec2 there = pixel + ivec2(round(at + normalize(way)));
     if (any(lessThan(there, ivec2(0))) || any(greaterThan(there, last))) continue;
     float far_r = distance_at(there);
-    vec3 to_r = view_point(there, far_r) - p;
-    float squared = dot(to_r, to_r), radius = frame.occlusion_radius_m;
-    if (far_r == 0.0 || squared == 0.0 || squared >= radius * radius) continue;
-    vec3 direction = to_r * inversesqrt(squared);
-    if (dot(direction, n) > kLevel) highest = max(highest, dot(direction, v));
+    vec2 aside = (vec2(there) + 0.5 - half_size) * slope;
+    vec3 to_r = vec3(kParallel ? aside : aside * far_r, -far_r) - p;
+    float squared = dot(to_r, to_r), inverse = inversesqrt(max(squared, 1e-30));
+    float counts = min(kFadeEnd * scale - squared * inverse * (scale / frame.occlusion_radius_m), 1.0);
+    if (far_r == 0.0 || counts <= 0.0) continue;
+    vec3 direction = to_r * inverse;
+    if (dot(direction, n) > kLevel) highest = max(highest, mix(lowest, dot(direction, v), counts));
   }
   return highest;
 }
