@@ -127,6 +127,19 @@ TEST_F(filter_picture, the_level_is_that_of_the_larger_side_of_the_footprint_or_
   EXPECT_TRUE(test_device()->max_anisotropy() < 16.0f || many < sides.y - 1.0) << many;
 }
 
+TEST_F(filter_picture, samplers_of_files_are_anisotropic_on_graphics_cards_alone) {
+  const BuiltScene built = noisy_wall(64, 64, Wrap::repeat, Wrap::repeat);
+  const auto drawn = [&](const TextureFilter& filter) {
+    return render_float(built, kWidth, kHeight, view_from({0.1, 2.0, 0.3}), options_of(Show::color), {}, {}, nullptr,
+                        {}, filter)
+        .pixels;
+  };
+  const bool software = test_device()->is_software();
+  EXPECT_EQ(drawn({}),
+            drawn(software ? TextureFilter{FilterKind::trilinear} : TextureFilter{FilterKind::anisotropic, 8}));
+  EXPECT_TRUE(!software || drawn({}) != drawn({FilterKind::anisotropic, 8}));
+}
+
 TEST_F(filter_picture, the_level_is_blue_where_there_is_no_texture_and_grey_beside_the_scene) {
   BuiltScene built;
   built.add(wall(), built.add_material(plain()));

@@ -43,12 +43,14 @@ TEST(texture_filter, replaces_filters_and_levels_and_keeps_wrapping) {
 }
 
 TEST(texture_filter, anisotropy_is_8_for_files_else_as_asked_within_what_the_device_has) {
-  EXPECT_EQ(anisotropy_of({}, 16.0f), 8.0f);
-  EXPECT_EQ(anisotropy_of({}, 4.0f), 4.0f);
-  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 16}, 16.0f), 16.0f);
-  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 3}, 16.0f), 3.0f);
-  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 16}, 2.0f), 2.0f);
-  EXPECT_EQ(anisotropy_of({FilterKind::trilinear, 16}, 16.0f), 1.0f);
+  EXPECT_EQ(anisotropy_of({}, 16.0f, false), 8.0f);
+  EXPECT_EQ(anisotropy_of({}, 4.0f, false), 4.0f);
+  EXPECT_EQ(anisotropy_of({}, 16.0f, true), 1.0f);
+  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 16}, 16.0f, true), 16.0f);
+  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 16}, 16.0f, false), 16.0f);
+  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 3}, 16.0f, false), 3.0f);
+  EXPECT_EQ(anisotropy_of({FilterKind::anisotropic, 16}, 2.0f, false), 2.0f);
+  EXPECT_EQ(anisotropy_of({FilterKind::trilinear, 16}, 16.0f, false), 1.0f);
 }
 
 TEST(texture_filter, says_what_the_device_lacks) {

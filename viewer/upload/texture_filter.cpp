@@ -15,9 +15,9 @@ Sampler filtered(const Sampler& sampler, const TextureFilter& filter) noexcept {
   return out;
 }
 
-float anisotropy_of(const TextureFilter& filter, float device_most) noexcept {
+float anisotropy_of(const TextureFilter& filter, float device_most, bool software) noexcept {
   constexpr float kMostOfFiles = 8.0f;
-  if (filter.kind == FilterKind::file) return std::min(kMostOfFiles, device_most);
+  if (filter.kind == FilterKind::file) return software ? 1.0f : std::min(kMostOfFiles, device_most);
   return filter.kind == FilterKind::anisotropic ? std::min(static_cast<float>(filter.anisotropy), device_most) : 1.0f;
 }
 

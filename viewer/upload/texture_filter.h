@@ -27,9 +27,11 @@ struct TextureFilter {
 /// The sampler that reads a texture of this sampler with the filter. Shaders fetch the texels of rip maps themselves.
 Sampler filtered(const Sampler& sampler, const TextureFilter& filter) noexcept;
 
-/// Most places along a footprint: of the files' samplers 8, else what the filter says and the device can.
+/// Most places along a footprint: of the files' samplers 8, and 1 where a software driver reads them (it takes 9 times
+/// as long there, for any number of places), else what the filter says and the device can.
 /// in   device_most  of the device, 1 = it has no anisotropic filter
-float anisotropy_of(const TextureFilter& filter, float device_most) noexcept;
+///      software     the driver draws on the CPU
+float anisotropy_of(const TextureFilter& filter, float device_most, bool software) noexcept;
 
 /// What the device cannot do of the filter, and what is done instead, in one sentence; empty = it can.
 std::string describe_missing_filter(const TextureFilter& filter, float device_most);

@@ -79,8 +79,8 @@ TextureSet::~TextureSet() {
 VkSampler TextureSet::sampler(const Sampler& wanted) {
   VkSampler& sampler = samplers_[key_of(wanted)];
   if (!sampler) {
-    const VkSamplerCreateInfo info =
-        sampler_info(filtered(wanted, filter_), anisotropy_of(filter_, device_.max_anisotropy()));
+    const VkSamplerCreateInfo info = sampler_info(
+        filtered(wanted, filter_), anisotropy_of(filter_, device_.max_anisotropy(), device_.is_software()));
     must(vkCreateSampler(device_.handle(), &info, nullptr, &sampler), "vkCreateSampler");
   }
   return sampler;
