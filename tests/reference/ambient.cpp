@@ -82,13 +82,17 @@ glm::dvec3 from(const AmbientGradient& light, const glm::dvec3& d, double left) 
 
 /// Light around the mirror direction.
 glm::dvec3 mirrored(const AmbientGradient& light, const glm::dvec3& n, const glm::dvec3& v, double roughness) {
-  static std::map<double, double> cosines;  // by roughness: most pictures have few
-  const auto [known, is_new] = cosines.try_emplace(roughness, 0.0);
-  if (is_new) known->second = reflected_cosine(roughness);
-  return from(light, 2.0 * glm::dot(n, v) * n - v, known->second);
+  return light_around(light, 2.0 * glm::dot(n, v) * n - v, roughness);
 }
 
 }  // namespace
+
+glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& direction, double roughness) {
+  static std::map<double, double> cosines;  // by roughness: most pictures have few
+  const auto [known, is_new] = cosines.try_emplace(roughness, 0.0);
+  if (is_new) known->second = reflected_cosine(roughness);
+  return from(light, direction, known->second);
+}
 
 glm::dvec3 ambient(const ShadedPoint& s, const AmbientGradient& light, const Openness& open) {
   const double n_v = std::clamp(glm::dot(s.normal, s.to_viewer), 0.0, 1.0);

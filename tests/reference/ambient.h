@@ -36,6 +36,9 @@ glm::dvec3 ambient(const ShadedPoint& point, const AmbientGradient& light, const
 ///      base colour
 glm::dvec3 passed_through(const ShadedPoint& point);
 
+/// Light around a direction, as far around it as a surface is rough.
+glm::dvec3 light_around(const AmbientGradient& light, const glm::dvec3& direction, double roughness);
+
 /// Mean light of the half sphere about a normal, weighted with the cosine.
 glm::dvec3 diffuse_light(const AmbientGradient& light, const glm::dvec3& normal);
 

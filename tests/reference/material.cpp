@@ -125,6 +125,12 @@ glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroun
 
 bool transmits(const SurfacePoint& point) { return !point.material.unlit && point.material.transmission.factor > 0.0f; }
 
+double roughness_at(const Scene& scene, const SurfacePoint& point) {
+  const Material& material = point.material;
+  const double texel = looked_up(scene, point, material.metallic_roughness_texture, false).g;
+  return std::clamp(static_cast<double>(material.roughness) * texel, 0.0, 1.0);
+}
+
 glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point) {
   if (!transmits(point) || point.normal == glm::dvec3(0.0)) return glm::dvec3(0.0);
   const ShadedPoint shaded = shaded_point(scene, point);

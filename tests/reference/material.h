@@ -37,6 +37,9 @@ glm::dvec3 radiance(const Scene& scene, const SurfacePoint& point, const Surroun
 /// Light passes through the surface of this material.
 bool transmits(const SurfacePoint& point);
 
+/// Of the material and its texture, 0 to 1.
+double roughness_at(const Scene& scene, const SurfacePoint& point);
+
 /// Share of the light behind the surface that reaches the viewer: below sheen and coat.
 glm::dvec3 transmitted(const Scene& scene, const SurfacePoint& point);
 

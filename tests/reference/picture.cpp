@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "tests/reference/ambient.h"
 #include "tests/reference/gooch.h"
 #include "tests/reference/material.h"
 #include "tests/reference/shade.h"
@@ -138,12 +140,6 @@ double outline_at(const PictureOf& picture, double x, double y) {
   return line;
 }
 
-/// The layers of a pixel over each other: light and unlit colours, and how much of the pixel they cover.
-struct Layered {
-  glm::dvec3 light{0.0}, unlit{0.0};
-  double coverage = 0.0, lit = 0.0;
-};
-
 /// Puts the colour of a thin surface before what is behind it. Before an environment it covers what it is seen before;
 /// before anything else it covers what it keeps back in every colour.
 void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, double x, double y, Layered& behind) {
@@ -158,6 +154,25 @@ void filter(const PictureOf& picture, const glm::dvec3& passed, double alpha, do
     behind.coverage = 1.0 - most * (1.0 - behind.coverage);
   }
   behind.lit = behind.coverage - unlit;
+}
+
+/// Puts what a rough surface shows of the opaque surfaces behind it over all that is behind it.
+/// in   passed  share of the light behind
+void frost(const PictureOf& picture, const SurfacePoint& point, const glm::dvec3& passed, double alpha, double x,
+           double y, Layered& behind) {
+  const double roughness = roughness_at(picture.scene, point), most = std::max({passed.r, passed.g, passed.b});
+  Layered seen = picture.blurred->at(x, y, roughness);
+  const double unlit_share = most * seen.unlit_share();
+  if (picture.options.backdrop == viewer::Backdrop::sharp && !picture.options.transparent_background) {
+    const AmbientGradient around{{0.0, 1.0, 0.0}, glm::dvec3(picture.ambient.sky), glm::dvec3(picture.ambient.ground)};
+    const glm::dvec3 direction = glm::normalize(sight_line(picture, x, y).direction);
+    seen.light += (1.0 - seen.coverage) * static_cast<double>(picture.options.lighting.environment_intensity) *
+                  light_around(around, direction, roughness);
+    seen.coverage = 1.0;
+  }
+  const double coverage = 1.0 - most * (1.0 - seen.coverage);
+  behind = alpha * Layered{passed * seen.light, passed * seen.unlit, coverage, coverage - unlit_share} +
+           (1.0 - alpha) * behind;
 }
 
 /// Whether a surface blends in any order.
@@ -222,7 +237,11 @@ Layered layered(const PictureOf& picture, double x, double y) {
     const bool blended = point->material.alpha_mode == AlphaMode::blend;
     const double alpha = blended ? std::clamp(base_color(picture.scene, *point).a, 0.0, 1.0) : 1.0;
     if (transmits(*point) && picture.options.shading != viewer::Shading::gooch) {
-      filter(picture, transmitted(picture.scene, *point), alpha, x, y, sum);
+      const glm::dvec3 passed = transmitted(picture.scene, *point);
+      if (point->material.roughness > 0.0f)
+        frost(picture, *point, passed, alpha, x, y, sum);
+      else
+        filter(picture, passed, alpha, x, y, sum);
       sum.light += radiance_of(picture, *point, x, y) * alpha;
       continue;
     }
@@ -261,6 +280,19 @@ glm::dvec3 shown_buffer(const PictureOf& picture, const DepthAndNormal& nearest,
 }
 
 }  // namespace
+
+Blurred blurred_opaque(const PictureOf& picture) {
+  std::vector<Layered> pixels;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const std::vector<SurfacePoint> seen = layers(picture, x + 0.5, y + 0.5);
+      const bool opaque =
+          !seen.empty() && seen.back().material.alpha_mode != AlphaMode::blend && !transmits(seen.back());
+      pixels.emplace_back();
+      if (opaque) add_surface(picture, seen.back(), 1.0, x + 0.5, y + 0.5, pixels.back());
+    }
+  return {picture.width, picture.height, std::move(pixels)};
+}
 
 double automatic_exposure(const PictureOf& picture) {
   double sum = 0.0, weight = 0.0;

@@ -4,6 +4,7 @@
 
 #include "runtime/model/scene.h"
 #include "runtime/plan/frame_result.h"
+#include "tests/reference/blurred.h"
 #include "tests/reference/surface_point.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
@@ -20,6 +21,7 @@ struct PictureOf {
   viewer::Gradient ambient;               ///< what the environment of the options is made of
   std::span<const double> access = {};    ///< [width * height] ambient access of opaque surfaces; empty = 1
   std::span<const glm::dvec3> bend = {};  ///< [width * height] of Openness, in view space; empty = none
+  const Blurred* blurred = nullptr;       ///< blurred_opaque() of this; null = no surface of the scene needs it
 };
 
 /// The picture at a point, in pixels from the upper left corner; (x + 0.5, y + 0.5) is the middle of a pixel. sRGB as
@@ -27,11 +29,15 @@ struct PictureOf {
 /// eq   layers over each other from far to near, light * alpha + below * (1 - alpha), in linear light;
 ///      displayed = sRGB(mix(background, (lit * tone curve(exposure * light / lit) + unlit colours) / coverage,
 ///      coverage)) lit = the share of surfaces that are not KHR_materials_unlit, whose light alone is exposed
-///      KHR_materials_transmission: light + below * its share that passes through, instead of below * (1 - alpha)
+///      KHR_materials_transmission: light + below * its share that passes through, instead of below * (1 - alpha);
+///      where the surface is rough, what is opaque behind it is below, blurred
 ///      Transparency::weighted: surfaces that blend lie over all others as a weighted mean (eq in picture.cpp)
 ///      Gooch shading: tones (tests/reference/gooch.h) and outlines on opaque surfaces instead of light
 /// in   picture.options.show  normals: view space, n / 2 + 1/2;  depth: bright = near;  ao: `access`
 glm::dvec4 color_at(const PictureOf& picture, double x, double y);
+
+/// What is opaque, as rough surfaces of the picture show it that let light through.
+Blurred blurred_opaque(const PictureOf& picture);
 
 /// What makes the log average of light middle grey; 1 where there is none. Unlit surfaces, what is behind the scene,
 /// and what is black do not count.

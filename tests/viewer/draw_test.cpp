@@ -371,6 +371,8 @@ TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {
   glass.sheen = {.color = {0.3f, 0.2f, 0.1f}, .roughness = 0.5f};
   glass.clearcoat.factor = 0.5f;
   built.add(showcase::sphere({1, 1.2f, 0}, 0.4f), built.add_material(glass));
+  glass.roughness = 0.0f;
+  built.add(showcase::sphere({1, 0.2f, 0}, 0.2f), built.add_material(glass));
   built.add(showcase::sphere({-1, 1.2f, 0}, 0.2f), built.add_material(unlit({0, 1, 0, 1})));
   for (const Show show : {Show::color, Show::ao, Show::normals, Show::depth, Show::level})
     for (const bool occlusion : {true, false})

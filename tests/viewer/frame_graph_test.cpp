@@ -49,6 +49,22 @@ TEST(frame_graph, has_bent_normals_only_where_horizons_are_found_and_a_picture_r
   EXPECT_EQ(reason_of({.opaque = true}), "ambient occlusion is on");
 }
 
+TEST(frame_graph, copies_what_is_opaque_only_for_rough_surfaces_that_let_light_through) {
+  const FrameNeeds frosted{.opaque = true, .blended = true, .frosted = true, .occlusion = false, .ground = true};
+  EXPECT_THAT(passes(frosted), ElementsAre(Pass::opaque, Pass::ground, Pass::behind, Pass::transparent, Pass::tonemap));
+  EXPECT_TRUE(FrameGraph(frosted).behind_image);
+  const auto reason_of = [](const FrameNeeds& needs) {
+    EXPECT_EQ(FrameGraph(needs).behind_image, FrameGraph(needs).has(Pass::behind));
+    return describe_passes(needs, {})[static_cast<std::size_t>(Pass::behind)].reason;
+  };
+  EXPECT_EQ(reason_of(frosted), "rough surfaces blur what is behind them");
+  EXPECT_EQ(reason_of({.opaque = true, .blended = true}), "nothing rough is in view that lets light through");
+  EXPECT_EQ(reason_of({.blended = true, .frosted = true, .gooch = true}), "Gooch shading lets no light through");
+  EXPECT_EQ(reason_of({.blended = true, .frosted = true, .show = Show::depth}), "the picture shows a buffer instead");
+  EXPECT_FALSE(FrameGraph({.blended = true, .frosted = true, .gooch = true}).behind_image);
+  EXPECT_FALSE(FrameGraph({.blended = true, .frosted = true, .show = Show::depth}).behind_image);
+}
+
 TEST(frame_graph, has_no_occlusion_without_opaque_surfaces) {
   EXPECT_THAT(passes({.opaque = false, .blended = true}), ElementsAre(Pass::opaque, Pass::transparent, Pass::tonemap));
 }

@@ -183,7 +183,7 @@ TEST_F(pass_pipelines, the_prepass_knows_neither_light_nor_colours_unless_it_cut
 }
 
 TEST_F(pass_pipelines, what_filters_the_light_behind_knows_no_light_of_its_own) {
-  for (const Through step : {Through::filter, Through::filter_drawn, Through::blurred_backdrop}) {
+  for (const Through step : {Through::filter, Through::filter_drawn, Through::blurred_backdrop, Through::erase}) {
     MeshPipelineKey key = full_key(Pass::transparent);
     key.through = step;
     EXPECT_TRUE(shared(key, [](auto& k) { k.frame.light_count = 1; }));
@@ -207,6 +207,10 @@ TEST_F(pass_pipelines, shading_uses_all_of_a_surface) {
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.clearcoat = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.sheen = true; }));
   EXPECT_FALSE(shared(full_key(Pass::transparent), [](auto& k) { k.through = Through::light; }));
+  MeshPipelineKey frosted = full_key(Pass::transparent);
+  frosted.through = Through::frosted_sharp;
+  EXPECT_FALSE(shared(frosted, [](auto& k) { k.frame.light_count = 0; })) << "its light is drawn in the same step";
+  EXPECT_FALSE(shared(frosted, [](auto& k) { k.through = Through::frosted_blurred; }));
   EXPECT_FALSE(shared(full_key(Pass::transparent), [](auto& k) { k.covers = true; }));
   EXPECT_FALSE(shared(key, [](auto& k) { k.surface.material.layers.textures[1] = 0; }));
   EXPECT_TRUE(shared(full_key(Pass::transparent), [](auto& k) { k.frame.occluded = false; }))

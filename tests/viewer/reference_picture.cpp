@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -29,6 +30,8 @@ PixelRange range_at(const reference::PictureOf& picture, int x, int y) {
   return range;
 }
 
+bool blurs_behind(const Material& material) { return material.transmission.factor > 0.0f && material.roughness > 0.0f; }
+
 double greatest(const glm::dvec4& v) { return std::max({v.x, v.y, v.z, v.w}); }
 
 }  // namespace
@@ -37,7 +40,10 @@ void expect_reference_picture(const BuiltScene& built, const View& view, const R
                               const PictureBounds& bounds, std::span<const double> access, const Gradient& ambient) {
   const FloatPicture drawn = render_float(built, bounds.width, bounds.height, view, options);
   const FrameResult frame = built.frame();
-  const reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, ambient, access};
+  reference::PictureOf picture{built.scene, frame, view, options, bounds.width, bounds.height, ambient, access};
+  std::optional<reference::Blurred> blurred;
+  if (std::ranges::any_of(built.scene.materials, blurs_behind)) blurred = reference::blurred_opaque(picture);
+  if (blurred) picture.blurred = &*blurred;
   int sharp = 0, wrong = 0;
   double brightest = 0.0;
   for (int y = 0; y < bounds.height; ++y)

@@ -60,7 +60,7 @@ void GpuImage::reset() noexcept {
 }
 
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& before,
-             const ImageUse& after) {
+             const ImageUse& after, const MipRange& levels) {
   VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   change.srcStageMask = before.stage;
   change.srcAccessMask = before.access;
@@ -71,7 +71,7 @@ void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
   change.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   change.image = image;
-  change.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  change.subresourceRange = {aspect, levels.first, levels.count, 0, VK_REMAINING_ARRAY_LAYERS};
   VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   dependency.imageMemoryBarrierCount = 1;
   dependency.pImageMemoryBarriers = &change;

@@ -46,10 +46,14 @@ struct ImageUse {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
+struct MipRange {
+  std::uint32_t first = 0, count = VK_REMAINING_MIP_LEVELS;
+};
+
 /// Makes writes of `before` visible to `after` and changes the layout. Layout UNDEFINED in `before` discards the
 /// contents.
 void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, const ImageUse& before,
-             const ImageUse& after);
+             const ImageUse& after, const MipRange& levels = {});
 
 /// Copies a whole image in layout TRANSFER_SRC_OPTIMAL to a buffer: tight rows, the top row first. The CPU may read the
 /// buffer once the commands are done.

@@ -16,6 +16,7 @@ Factors factors_of(Blending blending) noexcept {
     case Blending::straight: return {VK_BLEND_FACTOR_SRC_ALPHA, rest, one, rest};
     case Blending::filter: return {zero, VK_BLEND_FACTOR_SRC_COLOR, one, rest};
     case Blending::uncovered: return {uncovered, one, uncovered, one};
+    case Blending::erase: return {zero, rest, zero, rest};
     case Blending::add:
     case Blending::weighted: return {one, one, one, one};
     default: return {one, rest, one, rest};

@@ -19,6 +19,7 @@ enum class Blending : std::uint8_t {
   filter,     ///< d s, coverage s.a + d.a (1 - s.a);   second: d s, share d.a (1 - s.a)
   uncovered,  ///< d + s (1 - d.a), coverage too: behind what is drawn; shaders give the second no colour
   add,        ///< d + s; the same
+  erase,      ///< d (1 - s.a), coverage too; the same
   weighted    ///< sums, d + s;   second: coverage, s + d (1 - s);   third: sums, too
 };
 

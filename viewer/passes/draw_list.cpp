@@ -135,6 +135,7 @@ void DrawList::add(const Frame& frame, const DrawnScene& drawn, std::size_t inst
     draw.distance = -transform_point(view_from_mesh, deformed.centre).z;
     draw.blended = alpha == AlphaMode::blend;
     draw.transmits = draw.surface.material.layers.transmission && draw.surface.normals != NormalSource::none;
+    draw.frosted = draw.transmits && material && material->roughness > 0.0f;
     const bool sorted = material && shows_behind(*material);
     if (frame.casters && !sorted && primitive.topology == Topology::triangles) casters_.push_back(draw);
     unlit_ = unlit_ || (!out_of_view && draw.surface.material.unlit);

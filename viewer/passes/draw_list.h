@@ -53,6 +53,7 @@ struct Draw {
   bool masked = false, mirrored = false;
   bool blended = false;    ///< alpha is coverage
   bool transmits = false;  ///< light passes through, also where alpha covers all
+  bool frosted = false;    ///< and what is behind is blurred by roughness
   float distance = 0.0f;   ///< from the eye plane to the centre of the primitive, metres
 };
 

@@ -7,8 +7,8 @@ namespace sinew::viewer {
 
 std::string_view name_of(Pass pass) noexcept {
   constexpr std::array<std::string_view, kPassCount> names = {
-      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque", "outline",
-      "ground", "transparent",  "weighted", "exposure",        "tonemap",       "show",   "overlay"};
+      "shadow", "normal_depth", "ssao",     "blur_horizontal", "blur_vertical", "opaque", "outline", "ground",
+      "behind", "transparent",  "weighted", "exposure",        "tonemap",       "show",   "overlay"};
   return names[static_cast<std::size_t>(pass)];
 }
 
@@ -30,6 +30,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
     add(Pass::opaque);
     if (outlined) add(Pass::outline);
     if (needs.ground) add(Pass::ground);
+    if (needs.blurs_behind()) add(Pass::behind);
     if (needs.blended) add(Pass::transparent);
     if (needs.weighted) add(Pass::weighted);
     if (needs.auto_exposure && (needs.opaque || needs.blended || needs.weighted)) add(Pass::exposure);
@@ -45,6 +46,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   normal_image = occlusion || outlined || needs.show == Show::normals || needs.show == Show::level ||
                  (vertex_access && needs.show == Show::ao);
   color_image = picture;
+  behind_image = has(Pass::behind);
   weighted_images = has(Pass::weighted);
   exposure_image = has(Pass::exposure);
   unlit_image = picture && needs.unlit;

@@ -18,6 +18,7 @@ enum class Pass : std::uint8_t {
   opaque,
   outline,  ///< of Gooch shading: lines at silhouettes and creases
   ground,   ///< shadows and contact on a level ground, and its grid
+  behind,   ///< what is drawn so far in ever smaller copies, for rough surfaces that let light through
   transparent,
   weighted,  ///< weighted sums of blended surfaces, which lie over the picture where that is read
   exposure,  ///< automatic: from the light of the picture
@@ -25,7 +26,7 @@ enum class Pass : std::uint8_t {
   show,    ///< one of the buffers instead of the picture
   overlay  ///< lines and the panel
 };
-inline constexpr std::size_t kPassCount = 14;
+inline constexpr std::size_t kPassCount = 15;
 
 std::string_view name_of(Pass pass) noexcept;
 
@@ -33,6 +34,7 @@ std::string_view name_of(Pass pass) noexcept;
 struct FrameNeeds {
   bool opaque = false;    ///< something opaque or masked is visible
   bool blended = false;   ///< something is visible that is drawn from far to near
+  bool frosted = false;   ///< some of it is rough and lets light through
   bool weighted = false;  ///< something is visible that blends in any order
   bool overlay = false;   ///< lines or a panel
   bool unlit = false;  ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
@@ -52,6 +54,9 @@ struct FrameNeeds {
   bool shadowed() const noexcept {
     return shadows > 0 && show == Show::color && (opaque || blended || weighted || ground);
   }
+
+  /// Some surface shows what is behind it, blurred.
+  bool blurs_behind() const noexcept { return frosted && !gooch && show == Show::color; }
 
   /// Some pass reads normals and depth to draw lines.
   bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
@@ -83,6 +88,7 @@ class FrameGraph {
   bool depth_image = false, normal_image = false, color_image = false;
   std::uint32_t shadow_maps = 0;
   bool exposure_image = false;
+  bool behind_image = false;     ///< with an unlit image one of unlit colours, too
   bool weighted_images = false;  ///< sums of colours and weights, and coverage; with an unlit image unlit sums, too
   bool unlit_image = false;      ///< colours that no tone curve changes, beside the colour image
   bool vertex_access = false;    ///< vertices bring their ambient access

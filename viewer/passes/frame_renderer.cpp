@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/frame_renderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 
@@ -148,6 +149,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
   const bool ground = !gooch || inputs.options.ground.look == GroundLook::grid;
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
+          .frosted = std::ranges::any_of(draws.blended(), &Draw::frosted),
           .weighted = !draws.weighted().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
           .unlit = draws.unlit() || (gooch && visible),

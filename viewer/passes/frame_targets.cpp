@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/passes/frame_targets.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "viewer/passes/shadow_view.h"
 
 namespace sinew::viewer {
 
 namespace {
+
+/// Down to one texel.
+std::uint32_t mip_levels(VkExtent2D extent) noexcept {
+  return static_cast<std::uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
+}
 
 ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access, const ShadowTiles& shadows) {
   constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -29,7 +37,11 @@ ImageShape shape_of(Target target, VkExtent2D full, VkExtent2D access, const Sha
     case Target::exposure: return {kExposureFormat, {1, 1}, 1, color};
     case Target::normals: return {kNormalFormat, full, 1, color};
     case Target::color:
-    case Target::unlit:
+    case Target::unlit: return {kColorFormat, full, 1, color | VK_IMAGE_USAGE_TRANSFER_SRC_BIT};
+    case Target::behind:
+    case Target::behind_unlit:
+      return {kColorFormat, full, mip_levels(full),
+              VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT};
     case Target::weighted_sums:
     case Target::weighted_coverage:
     case Target::weighted_unlit: return {kColorFormat, full, 1, color};
@@ -69,6 +81,8 @@ void FrameTargets::fit(const FrameGraph& graph, VkExtent2D extent) {
                                                  graph.unlit_image && graph.sampled,
                                                  graph.exposure_image,
                                                  graph.exposure_image,
+                                                 graph.behind_image,
+                                                 graph.behind_image && graph.unlit_image,
                                                  weighted,
                                                  weighted,
                                                  weighted_unlit,
@@ -98,6 +112,27 @@ void FrameTargets::next_use(VkCommandBuffer commands, Target target, const Image
   if (!keep) before.layout = VK_IMAGE_LAYOUT_UNDEFINED;
   barrier(commands, used.image.handle(), aspect_of(used.image.shape().format), before, use);
   used.last = use;
+}
+
+void FrameTargets::copy_into_levels(VkCommandBuffer commands, Target from, Target to) {
+  next_use(commands, from, kCopyFrom);
+  next_use(commands, to, kCopyTo, false);
+  const VkImage levels = slot(to).image.handle();
+  VkOffset3D larger{static_cast<std::int32_t>(extent_.width), static_cast<std::int32_t>(extent_.height), 1},
+      size = larger;
+  for (std::uint32_t level = 0; level < slot(to).image.shape().mip_count; ++level) {
+    VkImageBlit blit{};
+    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level > 0 ? level - 1 : 0, 0, 1};
+    blit.srcOffsets[1] = larger;
+    blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, 1};
+    blit.dstOffsets[1] = size;
+    vkCmdBlitImage(commands, level > 0 ? levels : slot(from).image.handle(), kCopyFrom.layout, levels, kCopyTo.layout,
+                   1, &blit, VK_FILTER_LINEAR);
+    barrier(commands, levels, VK_IMAGE_ASPECT_COLOR_BIT, kCopyTo, kCopyFrom, {level, 1});
+    larger = size;
+    size = {std::max(size.x / 2, 1), std::max(size.y / 2, 1), 1};
+  }
+  slot(to).last = kCopyFrom;
 }
 
 }  // namespace sinew::viewer

@@ -21,6 +21,8 @@ enum class Target : std::uint8_t {
   unlit_samples,
   light_sums,  ///< of the automatic exposure
   exposure,
+  behind,  ///< colour and coverage of what is opaque, with mip levels; then unlit colours
+  behind_unlit,
   weighted_sums,  ///< colours of blended surfaces times coverage and weight; alpha: the weights
   weighted_coverage,
   weighted_unlit,  ///< as the sums, of unlit surfaces alone
@@ -28,7 +30,7 @@ enum class Target : std::uint8_t {
   weighted_coverage_samples,
   weighted_unlit_samples
 };
-inline constexpr std::size_t kTargetCount = 18;
+inline constexpr std::size_t kTargetCount = 20;
 
 inline constexpr std::uint32_t kSmoothSamples = 4;  ///< a pixel, of color_samples and depth_samples
 
@@ -54,6 +56,10 @@ inline constexpr ImageUse kReadDepth{
         VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
     VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+inline constexpr ImageUse kCopyFrom{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+inline constexpr ImageUse kCopyTo{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 inline constexpr ImageUse kReadInShader{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
                                         VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
 
@@ -69,6 +75,10 @@ class FrameTargets {
   /// Inserts the barrier between the last use of an image and the next one.
   /// in   keep  false = the contents are discarded
   void next_use(VkCommandBuffer commands, Target target, const ImageUse& use, bool keep = true);
+
+  /// Copies an image into the first mip level of another of its size, and each level into the next. What the other held
+  /// is discarded.
+  void copy_into_levels(VkCommandBuffer commands, Target from, Target to);
 
   bool exists(Target target) const noexcept { return static_cast<bool>(slot(target).image); }
   /// View of the image; of a single black texel if the image does not exist.

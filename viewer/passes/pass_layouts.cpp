@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::uint32_t kTargetBindings = 4;  // depth, normals, access, colour
 constexpr std::uint32_t kFrameBindings =
-    1 + kTargetBindings +
-    8;  // uniforms before; environment, split sum, shadow map, unlit colours, exposure, three of weighted sums behind
+    1 + kTargetBindings + 10;  // uniforms before; environment, split sum, shadow map, unlit colours, exposure, three of
+                               // weighted sums, two of what is behind surfaces
+
+constexpr std::uint32_t kSets = 3;  // FrameSet::set() and those that differ from it
 
 }  // namespace
 
@@ -21,6 +23,9 @@ PassLayouts::PassLayouts(const Device& device) : device_(device) {
   VkSamplerCreateInfo sampler{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
   sampler.addressModeU = sampler.addressModeV = sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   must(vkCreateSampler(device.handle(), &sampler, nullptr, &nearest_), "vkCreateSampler");
+  sampler.magFilter = sampler.minFilter = VK_FILTER_LINEAR;
+  sampler.maxLod = VK_LOD_CLAMP_NONE;
+  must(vkCreateSampler(device.handle(), &sampler, nullptr, &linear_), "vkCreateSampler");
   std::array<VkDescriptorSetLayoutBinding, kFrameBindings> bindings{};
   for (std::uint32_t i = 0; i < kFrameBindings; ++i) {
     bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
@@ -48,23 +53,26 @@ PassLayouts::~PassLayouts() {
   vkDestroyDescriptorSetLayout(device_.handle(), material_, nullptr);
   vkDestroyDescriptorSetLayout(device_.handle(), frame_, nullptr);
   vkDestroySampler(device_.handle(), nearest_, nullptr);
+  vkDestroySampler(device_.handle(), linear_, nullptr);
 }
 
 FrameSet::FrameSet(const Device& device, const PassLayouts& layouts)
     : device_(device),
       nearest_(layouts.nearest()),
+      linear_(layouts.linear()),
       uniforms_(device, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, MemoryUse::upload) {
   const std::array<VkDescriptorPoolSize, 2> sizes = {
-      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2}, {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * (kFrameBindings - 1)}}};
+      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSets},
+       {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, kSets * (kFrameBindings - 1)}}};
   VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.maxSets = 2;
+  pool.maxSets = kSets;
   pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   pool.pPoolSizes = sizes.data();
   must(vkCreateDescriptorPool(device.handle(), &pool, nullptr, &pool_), "vkCreateDescriptorPool");
-  const std::array set_layouts = {layouts.frame(), layouts.frame()};
+  const std::array<VkDescriptorSetLayout, kSets> set_layouts = {layouts.frame(), layouts.frame(), layouts.frame()};
   VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocate.descriptorPool = pool_;
-  allocate.descriptorSetCount = 2;
+  allocate.descriptorSetCount = kSets;
   allocate.pSetLayouts = set_layouts.data();
   must(vkAllocateDescriptorSets(device.handle(), &allocate, sets_.data()), "vkAllocateDescriptorSets");
 }
@@ -79,17 +87,20 @@ void FrameSet::write(const FrameUniforms& uniforms, const FrameTargets& targets,
     // Without a prepass no shader reads depth. The set then must not contain the depth attachment: the view of the
     // missing normals takes its place.
     const std::array<Target, kTargetBindings> bound = {prepass ? Target::depth : Target::normals, Target::normals,
-                                                       s == 0 ? Target::ao : Target::half_blurred_ao, Target::color};
-    const VkImageView shadow = s == 0 ? targets.view(Target::shadow) : targets.nothing();
-    const std::array<VkDescriptorImageInfo, 8> others = {
+                                                       s != 1 ? Target::ao : Target::half_blurred_ao, Target::color};
+    const VkImageView shadow = s != 1 ? targets.view(Target::shadow) : targets.nothing();
+    const auto behind = [&](Target target) { return s == 2 ? targets.view(target) : targets.nothing(); };
+    const std::array<VkDescriptorImageInfo, 10> others = {
         environment.environment(),
         environment.split_sum(),
         {nearest_, shadow, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
         {nearest_, targets.view(Target::unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
-        {nearest_, targets.view(s == 0 ? Target::exposure : Target::light_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {nearest_, targets.view(s != 1 ? Target::exposure : Target::light_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
         {nearest_, targets.view(Target::weighted_sums), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
         {nearest_, targets.view(Target::weighted_coverage), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
-        {nearest_, targets.view(Target::weighted_unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
+        {nearest_, targets.view(Target::weighted_unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {linear_, behind(Target::behind), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL},
+        {linear_, behind(Target::behind_unlit), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL}};
     std::array<VkDescriptorImageInfo, kFrameBindings - 1> images{};
     std::array<VkWriteDescriptorSet, kFrameBindings> writes{};
     for (std::uint32_t i = 0; i < kFrameBindings; ++i) {

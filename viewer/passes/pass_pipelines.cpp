@@ -68,9 +68,21 @@ Blending blending_of(Through step) noexcept {
     case Through::nothing: return Blending::over;
     case Through::filter:
     case Through::filter_drawn: return Blending::filter;
-    case Through::light: return Blending::add;
-    default: return Blending::uncovered;
+    case Through::blurred_backdrop:
+    case Through::sharp_backdrop: return Blending::uncovered;
+    case Through::erase: return Blending::erase;
+    default: return Blending::add;
   }
+}
+
+/// A step that shows what is opaque behind a rough surface.
+bool is_frosted(Through step) noexcept {
+  return step == Through::frosted || step == Through::frosted_blurred || step == Through::frosted_sharp;
+}
+
+/// The step in which the surface's own light is drawn.
+bool adds_light(Through step) noexcept {
+  return step == Through::nothing || step == Through::light || is_frosted(step);
 }
 
 /// The key without features that the shaders of the pass do not use, so that draws share pipelines.
@@ -111,7 +123,7 @@ MeshPipelineKey without_unused_features(MeshPipelineKey key) {
     surface.material.layers = {};
   }
   if (key.through == Through::nothing) surface.material.layers.transmission = false;
-  if (key.through != Through::nothing && key.through != Through::light) {
+  if (!adds_light(key.through)) {
     key.frame.ambient = false;
     key.frame.light_count = 0;
     key.frame.shadow_lights = 0;
@@ -190,6 +202,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.constants[id_show_level] = key.frame.shows_level;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;
+  shape.constants[id_unlit_image] = key.frame.unlit_image;
   shape.constants[id_shadow_map] = key.pass == Pass::shadow ? key.shadow_map + 1 : 0;
   shape.constants[id_vertex_access] = key.frame.vertex_access;
   shape.constants[id_shadow_lights] = key.frame.shadow_lights;
@@ -198,7 +211,7 @@ VkPipeline PassPipelines::mesh(const MeshPipelineKey& given) {
   shape.blend = blended;
   shape.blending = weighted ? Blending::weighted : blending_of(key.through);
   shape.colors = (weighted ? 2 : 1) + (key.frame.unlit_image ? 1 : 0);
-  shape.adds_second = key.surface.material.unlit || key.frame.gooch;
+  shape.adds_second = key.surface.material.unlit || key.frame.gooch || is_frosted(key.through);
   return pipeline = make_pipeline(device_, layouts_.pipeline(), shape);
 }
 

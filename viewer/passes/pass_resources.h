@@ -26,10 +26,11 @@ class PassLayouts {
   VkPipelineLayout pipeline() const noexcept { return pipeline_; }
   VkDescriptorSetLayout frame() const noexcept { return frame_; }
   VkSampler nearest() const noexcept { return nearest_; }
+  VkSampler linear() const noexcept { return linear_; }
 
  private:
   const Device& device_;
-  VkSampler nearest_ = VK_NULL_HANDLE;
+  VkSampler nearest_ = VK_NULL_HANDLE, linear_ = VK_NULL_HANDLE;
   VkDescriptorSetLayout frame_ = VK_NULL_HANDLE, material_ = VK_NULL_HANDLE;
   VkPipelineLayout pipeline_ = VK_NULL_HANDLE;
 };
@@ -52,15 +53,17 @@ class FrameSet {
   VkDescriptorSet between_blurs() const noexcept { return sets_[1]; }
   /// Its exposure_image holds the sums.
   VkDescriptorSet before_exposure() const noexcept { return sets_[1]; }
+  /// Has behind_image and behind_unlit_image, which are a black texel in the others.
+  VkDescriptorSet with_behind() const noexcept { return sets_[2]; }
   /// Its shadow_image is black: for the pass that draws the shadow map.
   VkDescriptorSet without_shadow() const noexcept { return sets_[1]; }
 
  private:
   const Device& device_;
-  VkSampler nearest_;
+  VkSampler nearest_, linear_;
   Buffer uniforms_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
-  std::array<VkDescriptorSet, 2> sets_{};
+  std::array<VkDescriptorSet, 3> sets_{};
 };
 
 /// What a frame has that shaders are compiled for. Each combination has its own pipelines, with the features as
@@ -95,7 +98,11 @@ enum class Through : std::uint8_t {
   filter_drawn,      ///< first step before an environment, which is no part of the image yet
   blurred_backdrop,  ///< second step then: the environment through the surface, where nothing is drawn behind it
   sharp_backdrop,
-  light  ///< last step
+  light,            ///< last step
+  erase,            ///< first step of a rough surface: nothing is seen directly through it
+  frosted,          ///< last step then: its own light, and what is opaque behind it, blurred
+  frosted_blurred,  ///< the same with the environment, where nothing is drawn behind it
+  frosted_sharp
 };
 
 /// The properties of a pipeline that draws meshes.

@@ -68,6 +68,10 @@ std::string_view why(Pass pass, const FrameNeeds& needs, bool runs) {
       if (!needs.ground) return "no ground is asked for, or the eye is below it";
       return picture ? needs.gooch ? "the grid alone" : "darkens what is behind, by shadows and contact"
                      : "the picture shows a buffer instead";
+    case Pass::behind:
+      if (!needs.frosted) return "nothing rough is in view that lets light through";
+      if (needs.gooch) return "Gooch shading lets no light through";
+      return picture ? "rough surfaces blur what is behind them" : "the picture shows a buffer instead";
     case Pass::overlay: return runs ? "lines over the picture" : "no lines are asked for";
     case Pass::show: return runs ? "the picture is one of the buffers" : "the picture is the lit scene";
     case Pass::opaque:
@@ -97,6 +101,7 @@ std::uint64_t count_of(Pass pass, const PassWork& work) {
     case Pass::blur_horizontal:
     case Pass::blur_vertical: return std::uint64_t{work.ao_extent.width} * work.ao_extent.height;
     case Pass::outline:
+    case Pass::behind:
     case Pass::exposure:
     case Pass::tonemap:
     case Pass::show: return width * height;

@@ -23,10 +23,16 @@ std::span<const Through> steps_of(const FrameFeatures& frame, const Draw& draw, 
   static constexpr std::array plain = {Through::filter, Through::light};
   static constexpr std::array blurred = {Through::filter_drawn, Through::blurred_backdrop, Through::light};
   static constexpr std::array sharp = {Through::filter_drawn, Through::sharp_backdrop, Through::light};
+  static constexpr std::array frosted = {Through::erase, Through::frosted};
+  static constexpr std::array frosted_blurred = {Through::erase, Through::frosted_blurred};
+  static constexpr std::array frosted_sharp = {Through::erase, Through::frosted_sharp};
   if (pass != Pass::transparent || !draw.transmits || frame.gooch) return at_once;
-  if (frame.transparent_background || frame.backdrop == Backdrop::plain) return plain;
-  if (frame.backdrop == Backdrop::sharp) return sharp;
-  return blurred;
+  const auto step = [&](std::span<const Through> clear, std::span<const Through> rough) {
+    return draw.frosted ? rough : clear;
+  };
+  if (frame.transparent_background || frame.backdrop == Backdrop::plain) return step(plain, frosted);
+  if (frame.backdrop == Backdrop::sharp) return step(sharp, frosted_sharp);
+  return step(blurred, frosted_blurred);
 }
 
 void bind_draw(const PassContext& context, const Draw& draw) {
@@ -43,7 +49,9 @@ void bind_draw(const PassContext& context, const Draw& draw) {
 /// Draws meshes; each draw completes `key` with its topology, alpha test, surface and step.
 void draw_meshes(const PassContext& context, std::span<const Draw> draws, MeshPipelineKey key) {
   const VkCommandBuffer commands = context.commands;
-  const VkDescriptorSet frame_set = key.pass == Pass::shadow ? context.set.without_shadow() : context.set.set();
+  const VkDescriptorSet frame_set = key.pass == Pass::shadow        ? context.set.without_shadow()
+                                    : key.pass == Pass::transparent ? context.set.with_behind()
+                                                                    : context.set.set();
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 0, 1, &frame_set, 0, nullptr);
   key.frame = context.features;
   VkPipeline bound = VK_NULL_HANDLE;
@@ -171,11 +179,11 @@ void attach(const PassContext& context, Target drawn, Target resolved, bool reso
 /// in   keep  false = the contents are discarded
 void attach_colors(const PassContext& context, Pass pass, bool keep, Attachments& attachments) {
   const SceneTargets scene(context.graph);
-  const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent
-                    : context.graph.has(Pass::ground)    ? Pass::ground
-                    : context.graph.has(Pass::outline)   ? Pass::outline
-                                                         : Pass::opaque;
-  const bool resolves = scene.sampled && pass == last;
+  const Pass last_opaque = context.graph.has(Pass::ground)    ? Pass::ground
+                           : context.graph.has(Pass::outline) ? Pass::outline
+                                                              : Pass::opaque;
+  const Pass last = context.graph.has(Pass::transparent) ? Pass::transparent : last_opaque;
+  const bool resolves = scene.sampled && (pass == last || (pass == last_opaque && context.graph.has(Pass::behind)));
   attachments.load = keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
   attach(context, scene.color, Target::color, resolves, keep, attachments.color, attachments.resolve);
   if (context.graph.unlit_image)
@@ -225,6 +233,14 @@ void record_outline(const PassContext& context) {
 void record_ground(const PassContext& context) {
   const Rendering rendering(context.commands, over_opaque(context, Pass::ground));
   draw_ground(context, Pass::ground);
+}
+
+void record_behind(const PassContext& context) {
+  context.targets.copy_into_levels(context.commands, Target::color, Target::behind);
+  context.targets.next_use(context.commands, Target::behind, kReadInShader);
+  if (!context.graph.unlit_image) return;
+  context.targets.copy_into_levels(context.commands, Target::unlit, Target::behind_unlit);
+  context.targets.next_use(context.commands, Target::behind_unlit, kReadInShader);
 }
 
 void record_transparent(const PassContext& context) {
@@ -322,6 +338,7 @@ void record_pass(Pass pass, const PassContext& context) {
     case Pass::opaque: return record_opaque(context);
     case Pass::outline: return record_outline(context);
     case Pass::ground: return record_ground(context);
+    case Pass::behind: return record_behind(context);
     case Pass::transparent: return record_transparent(context);
     case Pass::weighted: return record_weighted(context);
     case Pass::exposure: return record_exposure(context);

@@ -60,3 +60,5 @@ layout(set = 0, binding = 9) uniform sampler2D exposure_image;        // automat
 layout(set = 0, binding = 10) uniform sampler2D weighted_image;       // sums over blended surfaces: weight * coverage * colour, weight * coverage
 layout(set = 0, binding = 11) uniform sampler2D weighted_coverage_image;   // of all of them together
 layout(set = 0, binding = 12) uniform sampler2D weighted_unlit_image;      // the sums of unlit surfaces alone
+layout(set = 0, binding = 13) uniform sampler2D behind_image;              // color_image of what is opaque, with mip levels
+layout(set = 0, binding = 14) uniform sampler2D behind_unlit_image;        // the same of unlit_image

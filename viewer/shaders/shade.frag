@@ -28,7 +28,11 @@ layout(location = 5) centroid in float vertex_access;
 
 // How a surface lets light through: the step of it that is drawn (enum Through in viewer/passes/pass_resources.h).
 const int kOpaque = 0, kFilter = 1, kFilterDrawn = 2, kBlurredBackdrop = 3, kSharpBackdrop = 4, kLightAlone = 5;
+const int kErase = 6, kFrosted = 7, kFrostedBlurred = 8, kFrostedSharp = 9;
 layout(constant_id = 27) const int kThrough = kOpaque;
+
+const bool kShowsFrosted = kThrough == kFrosted || kThrough == kFrostedBlurred || kThrough == kFrostedSharp;
+const bool kOwnLight = kThrough == kOpaque || kThrough == kLightAlone || kShowsFrosted;
 
 #include "layers.glsl"
 
@@ -37,6 +41,9 @@ layout(constant_id = 1) const bool kBlended = false;     // coverage from alpha;
 layout(constant_id = 13) const int kLightCount = 1;
 layout(constant_id = 20) const bool kVertexAccess = false;   // vertices bring their ambient access
 layout(constant_id = 15) const bool kAmbient = true;     // there is an environment
+layout(constant_id = 18) const bool kUnlitImage = false; // there is an image for colours that no tone curve changes
+
+#include "frosted.glsl"
 
 const bool kHidden = kOccluded || kVertexAccess || kOcclusionSet != 0;   // not all ambient light arrives
 
@@ -47,8 +54,8 @@ layout(location = 1) out vec4 unlit;   // the same of unlit surfaces alone, for 
 #include "weighted_output.glsl"
 
 // out  through  share of what the surface emits that its layers let through
-//      behind   share of the light behind that the surface lets through
-vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behind) {
+//      behind   share of the light behind that the surface lets through;   frost  how rough it is
+vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behind, out float frost) {
   Surface s;
   s.base_color = base_color;
   s.metallic = material.metallic;
@@ -58,7 +65,8 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
     s.metallic *= texel.b;
     s.roughness *= texel.g;
   }
-  s.roughness = clamp(s.roughness, kLeastRoughness, 1.0);
+  frost = clamp(s.roughness, 0.0, 1.0);
+  s.roughness = max(frost, kLeastRoughness);
   set_specular(s);
   set_transmission(s);
   s.n = with_normal_map(geometry_normal);
@@ -77,10 +85,8 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
   through = 1.0 - coat.share;
   behind = vec3(0.0);
   vec3 sum = vec3(0.0);
-  if (kThrough != kOpaque && kThrough != kLightAlone) {
-    behind = transmitted(s) * left_by_sheen(sheen) * through;
-    return sum;
-  }
+  if (kThrough != kOpaque && kThrough != kLightAlone) behind = transmitted(s) * left_by_sheen(sheen) * through;
+  if (!kOwnLight) return sum;
   if (kAmbient) {
     vec3 scattered = kHidden ? scattered_access(access, s.base_color * (1.0 - s.metallic)) : vec3(1.0);
     float mirrored = mirrored_access(open, bend, s.n, s.to_viewer, s.roughness);
@@ -101,11 +107,18 @@ vec3 lit(vec3 base_color, vec3 geometry_normal, out float through, out vec3 behi
 }
 
 // A step of a surface that lets light through. The blending of each step is in viewer/device/pipeline.h.
-// in   behind  share of the light behind;   light  of the surface;   coverage  by its alpha
-void show_through(vec3 behind, vec3 light, float coverage) {
+// in   behind  share of the light behind;   frost  of lit();   light  of the surface;   coverage  by its alpha
+void show_through(vec3 behind, float frost, vec3 light, float coverage) {
   unlit = vec4(0.0);
   if (kThrough == kLightAlone) {
     color = vec4(min(light, vec3(kMostLight)) * coverage, 0.0);
+  } else if (kThrough == kErase) {
+    color = unlit = vec4(vec3(0.0), coverage);
+  } else if (kShowsFrosted) {
+    vec4 seen = frosted_light(frost), seen_unlit = frosted_unlit(frost);
+    float most = greatest(behind);
+    color = vec4(min(light + behind * seen.rgb, vec3(kMostLight)), 1.0 - most * (1.0 - seen.a)) * coverage;
+    unlit = vec4(behind * seen_unlit.rgb, most * seen_unlit.a) * coverage;
   } else if (kThrough == kFilter || kThrough == kFilterDrawn) {
     vec3 filtered = 1.0 - coverage + coverage * behind;
     float hidden = 1.0 - greatest(filtered);
@@ -123,11 +136,12 @@ void main() {
   vec4 base = base_color_at(texcoords, vertex_color);
   vec3 n = surface_normal(view_normal, view_position);
   vec3 light = base.rgb, behind = vec3(0.0);
+  float frost = 0.0;
   if (!kUnlit) {
     float through = 1.0;
     if (kNormals != 0) {
       float share;
-      vec3 passed, shaded = lit(base.rgb, n, share, passed);
+      vec3 passed, shaded = lit(base.rgb, n, share, passed, frost);
       if (n != vec3(0.0)) {
         light = shaded;
         through = share;
@@ -141,7 +155,7 @@ void main() {
   }
   float coverage = kBlended ? clamp(base.a, 0.0, 1.0) : 1.0;
   if (kThrough != kOpaque) {
-    show_through(behind, light, coverage);
+    show_through(behind, frost, light, coverage);
   } else if (kUnlit) {
     unlit = vec4(clamp(light, 0.0, 1.0) * coverage, coverage);
     color = vec4(vec3(0.0), coverage);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What is seen through a rough surface: the picture of what is opaque, blurred. Its mip levels are as wide as common
+// viewers have them, at roughness 1 as high as the picture: how far things are behind the surface does not count.
+
+// A texel of a mip level, smoothed by a cubic B-spline in four bilinear look-ups, so that its texels do not show.
+vec4 smooth_texel(sampler2D image, vec2 uv, int level) {
+  vec2 size = vec2(textureSize(image, level)), p = uv * size - 0.5, f = fract(p), g = 1.0 - f;
+  vec2 first = g * g * g / 6.0, last = f * f * f / 6.0;
+  vec2 second = (4.0 - 6.0 * f * f + 3.0 * f * f * f) / 6.0, third = 1.0 - first - second - last;
+  vec2 near = first + second, far = third + last;
+  vec2 from = (floor(p) - 0.5 + second / near) / size, to = (floor(p) + 1.5 + last / far) / size;
+  float at = float(level);
+  return near.y * (near.x * textureLod(image, from, at) + far.x * textureLod(image, vec2(to.x, from.y), at)) +
+         far.y * (near.x * textureLod(image, vec2(from.x, to.y), at) + far.x * textureLod(image, to, at));
+}
+
+vec4 frosted_texel(sampler2D image, float frost) {
+  ivec2 size = textureSize(image, 0);
+  int last = textureQueryLevels(image) - 1;
+  float level = min(frost * log2(float(size.y)), float(last));
+  int below = int(level), above = min(below + 1, last);
+  vec2 uv = gl_FragCoord.xy / vec2(size);
+  vec4 fine = below == 0 ? texelFetch(image, ivec2(gl_FragCoord.xy), 0) : smooth_texel(image, uv, below);
+  return mix(fine, smooth_texel(image, uv, above), fract(level));
+}
+
+vec4 frosted_unlit(float frost) { return kUnlitImage ? frosted_texel(behind_unlit_image, frost) : vec4(0.0); }
+
+// Light and coverage. Where the environment is seen behind the scene, it is seen through the surface, too, and covers.
+vec4 frosted_light(float frost) {
+  vec4 seen = frosted_texel(behind_image, frost);
+  if (kThrough == kFrosted) return seen;
+  float last = float(textureQueryLevels(environment_image) - 1);
+  float level = max(frost * last, kThrough == kFrostedBlurred ? kBlurredLevel : 0.0);
+  vec3 direction = frame.environment_from_view * -towards_viewer(view_position);
+  vec3 arriving_light = textureLod(environment_image, direction, level).rgb * frame.environment_intensity;
+  return vec4(seen.rgb + (1.0 - seen.a) * arriving_light, 1.0);
+}
