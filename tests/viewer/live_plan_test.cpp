@@ -39,8 +39,8 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   std::vector<std::string> stages;
   for (const PlanRow& row : live.rows()) stages.push_back(row.stage);
   EXPECT_THAT(stages, ElementsAre("sample", "morph", "upload", "collect", "shadow", "normal_depth", "ssao",
-                                  "blur_horizontal", "blur_vertical", "opaque", "outline", "ground", "transparent",
-                                  "weighted", "exposure", "tonemap", "show", "overlay"));
+                                  "blur_horizontal", "blur_vertical", "opaque", "outline", "ground", "behind",
+                                  "transparent", "weighted", "exposure", "tonemap", "show", "overlay"));
   EXPECT_TRUE(row(live, "sample").runs);
   EXPECT_EQ(row(live, "sample").reason, "a clip plays");
   EXPECT_EQ(row(live, "sample").count, 12u);
