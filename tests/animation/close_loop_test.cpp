@@ -153,6 +153,34 @@ TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_changes_sides_with_its_
   EXPECT_EQ(closed.values[5], speed);   // the last key leaves as it was arrived at
 }
 
+TEST(close_loop, G05_the_closing_key_of_a_cubic_rotation_stays_on_its_side_where_that_is_nearer) {
+  Animation open;
+  open.duration_s = 1.0;
+  open.bones.resize(1);
+  const glm::quat none(0, 0, 0, 0), first = about_y(0.1), last = about_y(0.5), speed(0.01f, 0.02f, 0.03f, 0.04f);
+  open.bones[0].rotation = {Interpolation::cubic_spline, {0, 1}, {none, first, speed, speed, last, none}};
+  const QuatTrack closed = close_loop(open, 1.0).value().bones[0].rotation;
+  ASSERT_EQ(closed.values.size(), 9u);
+  EXPECT_EQ(closed.values[7], first);
+  EXPECT_EQ(closed.values[6], speed);
+}
+
+TEST(close_loop, G12_every_track_of_a_bone_closes) {
+  Animation open;
+  open.duration_s = 1.0;
+  open.bones.resize(1);
+  open.bones[0].translation = test::track_of<glm::vec3>(Interpolation::linear, {0, 1}, {{1, 2, 3}, {3, 4, 5}});
+  open.bones[0].rotation = test::track_of<glm::quat>(Interpolation::linear, {0, 1}, {about_y(0.1), about_y(0.5)});
+  open.bones[0].scale = test::track_of<glm::vec3>(Interpolation::linear, {0, 1}, {{1, 1, 2}, {3, 5, 4}});
+  const Animation closed = close_loop(open, 1.0).value();
+  const Transformd middle = pose_at(closed, 1.5), end = pose_at(closed, 2.0);
+  EXPECT_EQ(middle.translation, glm::dvec3(2, 3, 4));
+  EXPECT_LT(test::angle_between(middle.rotation, about_y(0.3)), 1e-7);
+  EXPECT_EQ(middle.scale, glm::dvec3(2, 3, 3));
+  EXPECT_EQ(end.translation, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(end.scale, glm::dvec3(1, 1, 2));
+}
+
 PropertyTrack color_of_light(Interpolation kind, std::initializer_list<float> times_s,
                              std::initializer_list<float> values) {
   return {{PropertyKind::light_color, 0}, {kind, times_s, values, 3}};

@@ -289,6 +289,18 @@ TEST_F(c_bad_calls_of_a_plan, sockets_need_joints) {
   sinew_plan_destroy(other);
 }
 
+TEST_F(c_bad_calls_of_a_plan, held_inputs_that_are_asleep_stay_so) {
+  sinew_held_input* held = nullptr;
+  ASSERT_EQ(sinew_held_input_create(plan, &held), SINEW_OK);
+  sinew_frame_input now = sinew_default_input(), next = sinew_default_input();
+  for (const std::uint32_t asleep : {1u, 0u, 1u}) {
+    now.asleep = asleep;
+    ASSERT_EQ(sinew_held_input_next(held, &now, SINEW_UPDATE_EVERY, 0, 0, &next), SINEW_OK);
+    EXPECT_EQ(next.asleep, asleep);
+  }
+  sinew_held_input_destroy(held);
+}
+
 TEST_F(c_bad_calls_of_a_plan, levels_that_do_not_exist_are_refused) {
   sinew_held_input* held = nullptr;
   ASSERT_EQ(sinew_held_input_create(plan, &held), SINEW_OK);

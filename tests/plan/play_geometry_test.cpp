@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "runtime/plan/run_plan.h"
@@ -113,6 +114,21 @@ TEST_F(play_geometry, between_the_weights_pose_and_source_are_blended_in_world_s
     EXPECT_TRUE(same_bits(shown.instances[shape.instance].world_from_mesh, Affine{}));
   }
   EXPECT_EQ(shown.work.vertices_blended, shown.work.vertices_from_cache);
+}
+
+TEST_F(play_geometry, frames_have_room_for_each_attribute_of_the_largest_source) {
+  std::size_t largest = 0;
+  for (const Mesh& mesh : scene_.meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      if (!primitive.tangents.empty()) largest = std::max(largest, primitive.vertex_count());
+  ASSERT_GT(largest, 0u);
+  const auto bytes_of_tangents = [&](bool plays) {
+    Needs with = needs_, without = needs_;
+    if (!plays) with.cached_instances = without.cached_instances = {};
+    without.tangents = false;
+    return compile_plan(scene_, with).frame_bytes() - compile_plan(scene_, without).frame_bytes();
+  };
+  EXPECT_GE(bytes_of_tangents(true), bytes_of_tangents(false) + largest * sizeof(glm::vec4));
 }
 
 TEST_F(play_geometry, the_same_time_and_weight_again_run_no_stage) {

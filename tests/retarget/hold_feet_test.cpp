@@ -245,6 +245,41 @@ TEST(hold_feet, the_ground_is_where_the_feet_of_a_clip_are_lowest) {
   EXPECT_NEAR(find_ground(b.feet, dips, b.source), 0.7, 1e-4) << "for a moment";
 }
 
+TEST(hold_feet, hips_are_the_first_of_the_map_that_lie_above_all_legs) {
+  Bodies b;
+  EXPECT_EQ(b.feet.hips, static_cast<std::uint32_t>(hips));
+  SkeletonMap map = b.map;
+  map.joints.insert(map.joints.begin(), {left_toes, left_toes, kNone, kNone});
+  map.joints.insert(map.joints.begin(), {left_foot, left_foot, hips, hips});
+  EXPECT_EQ(make_feet_map(map, b.source, b.target).hips, static_cast<std::uint32_t>(hips));
+  std::erase_if(map.joints, [](const MappedJoint& joint) { return joint.target == hips; });
+  EXPECT_EQ(make_feet_map(map, b.source, b.target).hips, kNone) << "toes lie above no leg";
+}
+
+TEST(hold_feet, hips_with_a_fixed_matrix_do_not_come_down) {
+  Bodies b;
+  Skeleton target = b.target;
+  target.fixed_matrices.emplace_back();
+  target.fixed_matrix_of[hips] = 0;
+  const FeetMap feet = make_feet_map(b.map, b.source, target);
+  EXPECT_EQ(feet.legs.size(), 2u);
+  EXPECT_EQ(feet.hips, kNone);
+}
+
+TEST(hold_feet, joints_below_another_of_the_map_are_not_the_hips) {
+  const Bodies b;
+  const Skeleton source = below_a_root(b.source);
+  Skeleton target = below_a_root(b.target);
+  target.fixed_matrices.emplace_back();
+  target.fixed_matrix_of[0] = 0;
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t j = 0; j < 10; ++j) pairs.push_back({j, j});
+  const SkeletonMap map = make_skeleton_map(source, target, {.pairs = pairs});
+  const FeetMap feet = make_feet_map(map, source, target);
+  ASSERT_EQ(feet.legs.size(), 2u);
+  EXPECT_EQ(feet.hips, kNone) << "the root is above them, and fixed";
+}
+
 TEST(hold_feet, legs_that_are_not_whole_are_left_out_and_others_may_be_named) {
   Bodies b;
   SkeletonMap map = b.map;
