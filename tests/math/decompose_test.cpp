@@ -98,10 +98,14 @@ TEST(decompose, N16_noise_does_not_choose_the_rotation_that_a_rank_of_one_leaves
 }
 
 TEST(decompose, N16_polar_of_not_finite_input_is_the_identity_with_a_status) {
-  Mat3<float> m(1.f);
-  m[1][1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(decompose_polar(m).status, DecomposeStatus::not_finite);
-  EXPECT_EQ(decompose_polar(m).quat, quat_identity<float>());
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        Mat3<float> m(1.0f);
+        m[column][row] = wrong;
+        EXPECT_EQ(decompose_polar(m).status, DecomposeStatus::not_finite) << column << ' ' << row;
+        EXPECT_EQ(decompose_polar(m).quat, quat_identity<float>());
+      }
 }
 
 TEST(decompose, N15_trs_holds_at_every_size_of_scale) {

@@ -48,6 +48,13 @@ TEST(playback_clock, loop_runs_backwards_through_the_seam) {
   EXPECT_EQ(clock.rounds(), -1);
 }
 
+TEST(playback_clock, a_whole_round_backwards_ends_at_zero_without_a_sign) {
+  PlaybackClock clock(2.0, PlayMode::loop, -1.0);
+  clock.advance(2.0);
+  EXPECT_EQ(clock.time_s(), 0.0);
+  EXPECT_FALSE(std::signbit(clock.time_s()));
+}
+
 TEST(playback_clock, a_hair_before_the_seam_stays_inside_the_clip) {
   PlaybackClock clock(1.0, PlayMode::loop, -1.0);
   clock.advance(1e-20);
