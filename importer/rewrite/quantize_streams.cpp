@@ -73,7 +73,7 @@ class Quantizer {
       if (sum > 0.0) *std::max_element(first, last) += 255.0 - sum;
     }
     store<std::uint8_t>(bytes, 4, 4, stream);
-    set_type(accessor, "VEC4", kUnsignedByte, true);
+    set_normalized(accessor, kUnsignedByte);
   }
 
   /// in   interpolated   by anything but CUBICSPLINE, whose tangents have no unit length
@@ -91,7 +91,7 @@ class Quantizer {
     } else {
       store<std::int16_t>(scaled(values, 32767.0), 4, 8, stream);
     }
-    set_type(accessor, "VEC4", kShort, true);
+    set_normalized(accessor, kShort);
   }
 
  private:
@@ -117,7 +117,7 @@ class Quantizer {
       if (!unit) return;
       store<std::int8_t>(scaled(values, 127.0), n, 4, stream);
     }
-    set_type(accessor, n == 3 ? "VEC3" : "VEC4", kByte, true);
+    set_normalized(accessor, kByte);
     declare(draft_, "KHR_mesh_quantization", true);
   }
 
@@ -129,7 +129,7 @@ class Quantizer {
   /// Displacements of directions.
   void small_vectors(Stream& stream, Json& accessor) {
     store<std::int8_t>(scaled(floats_of(stream, 3), 127.0), 3, 4, stream);
-    set_type(accessor, "VEC3", kByte, true);
+    set_normalized(accessor, kByte);
     declare(draft_, "KHR_mesh_quantization", true);
   }
 
@@ -140,14 +140,14 @@ class Quantizer {
     std::vector<double> shorts = scaled(values, steps);
     for (double& value : shorts) value = std::round(value / steps * 65535.0);
     store<std::uint16_t>(shorts, 2, 4, stream);
-    set_type(accessor, "VEC2", kUnsignedShort, true);
+    set_normalized(accessor, kUnsignedShort);
   }
 
   void colors(Stream& stream, Json& accessor, std::size_t n) {
     const std::vector<float> values = floats_of(stream, n);
     if (!within_unit(values)) return;
     store<std::uint8_t>(scaled(values, 255.0), n, 4, stream);
-    set_type(accessor, n == 3 ? "VEC3" : "VEC4", kUnsignedByte, true);
+    set_normalized(accessor, kUnsignedByte);
   }
 
   void joints(Stream& stream, Json& accessor) {

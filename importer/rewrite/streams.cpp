@@ -151,11 +151,9 @@ std::vector<double> stored_values(const Stream& stream, const Json& accessor) {
   return out;
 }
 
-void set_type(Json& accessor, const char* type, int component_type, bool normalized) {
-  accessor["type"] = type;
+void set_normalized(Json& accessor, int component_type) {
   accessor["componentType"] = component_type;
-  accessor.erase("normalized");
-  if (normalized) accessor["normalized"] = true;
+  accessor["normalized"] = true;
 }
 
 Streams take_streams(const gltf::Document& document, Draft& draft, bool dense) {

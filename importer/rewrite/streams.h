@@ -44,8 +44,8 @@ Streams take_streams(const gltf::Document& document, Draft& draft, bool dense);
 /// in    compress   views become EXT_meshopt_compression streams where that is smaller
 void put_streams(const Streams& streams, bool compress, Draft& draft);
 
-/// Describes the elements of an accessor anew.
-void set_type(Json& accessor, const char* type, int component_type, bool normalized);
+/// Says that the elements of an accessor are integers of this type, which stand for floats.
+void set_normalized(Json& accessor, int component_type);
 
 std::size_t component_count(const Json& accessor);
 

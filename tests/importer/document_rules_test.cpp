@@ -2,7 +2,10 @@
 // For each rule about the document itself: a file of a few lines breaks it, and the import reports rule and pointer.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "importer/rules.h"
 #include "tests/importer/tiny_gltf.h"
@@ -29,6 +32,38 @@ TEST(document_rules, json_errors_name_the_place_in_the_text) {
   EXPECT_EQ(import_text(""), "json-syntax at ");
   EXPECT_EQ(import_text("[]"), "json-type at ");
   EXPECT_EQ(import_text("{\"asset\":{\"version\":\"\xff\"}}"), "json-syntax at ") << "not UTF-8";
+}
+
+TEST(document_rules, numbers_that_are_none_in_accessors_that_nothing_uses_are_warned_of) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto warnings = [](const TinyGltf& file) {
+    std::vector<std::string> told;
+    const std::string text = file.text();
+    const auto result = import_gltf(bytes_of(text), "x.gltf", {.thorough = true});
+    EXPECT_TRUE(result);
+    if (result)
+      for (const ImportIssue& issue : result->warnings)
+        if (issue.rule == "not-finite") told.push_back(issue.json_pointer + ' ' + issue.detail);
+    return told;
+  };
+  const std::vector<std::string> second{"/accessors/0 element 1 holds NaN or infinity; nothing uses the accessor"};
+  TinyGltf dense;
+  dense.vec3({1, 2, 3, 4, nan, 6});
+  EXPECT_EQ(warnings(dense), second);
+  TinyGltf sparse;
+  const std::size_t indices = sparse.add_view(std::vector<std::uint16_t>{1}),
+                    values = sparse.add_view(std::vector{nan});
+  sparse.root["accessors"] = Json::array({{{"componentType", 5126},
+                                           {"count", 4},
+                                           {"type", "SCALAR"},
+                                           {"sparse",
+                                            {{"count", 1},
+                                             {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                             {"values", {{"bufferView", values}}}}}}});
+  EXPECT_EQ(warnings(sparse), second);
+  TinyGltf finite;
+  finite.vec3({1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(warnings(finite), std::vector<std::string>{});
 }
 
 TEST(document_rules, deep_nesting_is_refused_before_anything_recurses) {

@@ -64,6 +64,9 @@ TEST(wrapped_text, flows_words_and_keeps_lines_that_begin_with_a_space) {
   const std::string word(30, 'x');
   EXPECT_EQ(tool::wrapped(word + ' ' + word + ' ' + word + ' ' + word, 4, 10),
             word + ' ' + word + '\n' + "    " + word + ' ' + word);
+  EXPECT_EQ(tool::wrapped("a\n\n" + word + ' ' + word + ' ' + word + ' ' + word, 4, 70),
+            "a\n\n    " + word + ' ' + word + ' ' + word + '\n' + "    " + word)
+      << "where a paragraph begins does not count for the next";
   const std::string endless(150, 'x');
   EXPECT_EQ(tool::wrapped("a " + endless, 0, 0), "a\n" + endless);
 }
