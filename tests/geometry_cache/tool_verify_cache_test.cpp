@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/geometry_cache/geometry_cache.h"
+#include "runtime/geometry_cache/geometry_decoder.h"
 #include "tests/geometry_cache/point_cache_files.h"
 #include "tests/importer/tool_model.h"
 
@@ -96,6 +97,31 @@ TEST(verify_cache_command, a_source_that_moved_farther_than_was_asked_is_told) {
   const CommandOutcome moved = run_tool(verify);
   EXPECT_EQ(moved.status, 1);
   EXPECT_THAT(moved.out, HasSubstr("NOT kept"));
+}
+
+TEST(verify_cache_command, a_thousandth_more_than_was_asked_is_rounding_and_two_are_not) {
+  const ToolModelFile model;
+  const std::string obj = model.beside("mesh.obj"), points = model.beside("points.mdd"), out = model.beside("out.sgeo");
+  write_file(obj, kObj);
+  const std::vector<float> times_s = {0.0f, 0.1f, 0.2f};
+  write_file(points, mdd_file(rising_frames(3), times_s));
+  ASSERT_EQ(run_tool({"bake", obj, "--points", points, "--up", "y", "--budget", "1mm", "-o", out}).status, 0);
+  const std::vector<std::byte> bytes = read_file(out);
+  const auto cache = GeometryCache::open(bytes);
+  ASSERT_TRUE(cache);
+  MappedFrames frames{*cache, bytes};
+  GeometryDecoder decoder(*cache);
+  std::vector<std::vector<glm::vec3>> decoded(3, std::vector<glm::vec3>(4));
+  for (std::uint32_t f = 0; f < 3; ++f) {
+    ASSERT_EQ(decoder.decode(f, frames), GeometryStatus::ok);
+    ASSERT_EQ(decoder.write_vertices(0, decoded[f]), GeometryStatus::ok);
+  }
+  for (const auto& [times, status] : {std::pair{1.0005f, 0}, {1.0015f, 1}}) {
+    auto moved = decoded;
+    moved[2][0].x += 0.001f * times;
+    write_file(points, mdd_file(moved, times_s));
+    EXPECT_EQ(run_tool({"verify", out, "--against", obj, "--points", points, "--up", "y"}).status, status) << times;
+  }
 }
 
 TEST(verify_cache_command, arguments_that_make_no_sense) {

@@ -206,6 +206,15 @@ TEST(attribute_stream, refuses_what_is_cut_longer_or_unknown) {
   EXPECT_FALSE(decode_attribute_stream(stream, 0, out));
 }
 
+TEST(attribute_stream, refuses_a_stream_without_its_last_block) {
+  const Blob values(300 * 4, std::byte{3});  // as the element before the first: all differences are zero
+  Blob stream = Encoder(4, {0}).encode(values, 2), out(values.size());
+  ASSERT_EQ(stream.size(), 1u + 2 + 24) << "two blocks of one byte each";
+  EXPECT_TRUE(decode_attribute_stream(stream, 4, out));
+  stream.erase(stream.begin() + 2);
+  EXPECT_FALSE(decode_attribute_stream(stream, 4, out));
+}
+
 TEST(attribute_stream, survives_any_byte_changed) {
   test::FixedRandom random(5);
   const Blob stream = Encoder(12, {0, 1, 0x32}).encode(some_values(50, 12), 0);

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "importer/geometry_cache/encode_geometry_cache.h"
+#include "importer/tool/bake/bake_scene.h"
 #include "importer/tool/cost/limb.h"
 #include "importer/tool/cost/occlusion_group.h"
 #include "importer/tool/cost/true_pose.h"
@@ -269,12 +271,31 @@ TEST(cost_findings, of_geometry_caches_the_budget_follows_models_of_another_size
   EXPECT_EQ(budget_of(1e-3), "sinew 0.1 um *");
 }
 
+TEST(cost_findings, a_geometry_cache_is_as_large_as_its_file_without_the_faces) {
+  const Scene scene = arm();
+  auto bent = tool::bake_scene(scene, 0, 30.0, {}, 16);
+  ASSERT_TRUE(bent);
+  bent->take.meshes[0].between.clear();
+  bent->take.meshes[0].streams.resize(1);
+  bent->take.meshes[0].streams[0].budget = 1e-4;
+  bent->take.meshes[0].streams[0].frames.resize(16);
+  const auto file = encode_geometry_cache(bent->take, {.keep_triangles = false});
+  ASSERT_TRUE(file);
+  const Group group = cost::study_geometry(Subject(scene, 0, Effort::quick())).group;
+  EXPECT_DOUBLE_EQ(*group.points.at(0).size, static_cast<double>(file->size()) / (16 * 4));
+}
+
 TEST(cost_findings, of_arithmetic) {
   const Scene scene = arm();
   const Study study = cost::study_arithmetic(Subject(scene, 0, Effort::quick()));
   const auto own =
       std::find_if(study.group.points.begin(), study.group.points.end(), [](const Point& p) { return p.is_default; });
   ASSERT_NE(own, study.group.points.end());
+  for (const Point& point : study.group.points) {
+    const bool is_double = point.name == "plain double";
+    EXPECT_GT(point.error, is_double ? -1.0 : 0.01) << point.name << ": points of a bent arm are no whole floats";
+    EXPECT_LT(point.error, is_double ? 0.51 : 8.0) << point.name;
+  }
   EXPECT_THAT(said(study, {{own->name, {0.5, 2.0}}, {"plain float", {0.5, 9.0}}, {"plain double", {0.0, 11.0}}}),
               ElementsAre("The widest lanes of this machine, " + own->name +
                               ", take 2.00 ns a vertex and are off by 0.500 steps of float in the last place.",

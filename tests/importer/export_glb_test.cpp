@@ -111,6 +111,22 @@ Scene rich_scene() {
   return scene;
 }
 
+TEST(export_glb, positions_have_bounds_those_of_morph_targets_too) {
+  Scene scene = std::move(showcase::showcase()[1].scene);
+  Primitive& primitive = scene.meshes[0].primitives[0];
+  primitive.morphs.targets.resize(1);
+  primitive.morphs.targets[0].positions = {{0, 2}, {glm::vec3(1, -2, 0), glm::vec3(0.5f, 0, -3)}};
+  finish_scene(scene);
+  const auto bytes = export_glb(scene);
+  ASSERT_TRUE(bytes);
+  const Json file = split_glb(*bytes).json;
+  const Json& written = file["meshes"][0]["primitives"][0];
+  const Json& moved = file["accessors"][written["targets"][0]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(moved["min"], Json::array({0.0, -2.0, -3.0}));
+  EXPECT_EQ(moved["max"], Json::array({1.0, 0.0, 0.0}));
+  EXPECT_TRUE(file["accessors"][written["attributes"]["POSITION"].get<std::size_t>()].contains("max"));
+}
+
 TEST(export_glb, keeps_materials_images_cameras_and_lights) {
   const Scene before = rich_scene();
   const ImportedFile after = round_trip(before);

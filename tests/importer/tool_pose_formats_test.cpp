@@ -186,6 +186,26 @@ TEST(pose_formats, texts_are_arrays_of_code_points) {
   EXPECT_THAT(points, ElementsAre('a', 'r', 'm', 0, 0, 0, 0xe9, 0x1f9b4, 0, 0xfffd, 0, 0));
 }
 
+TEST(pose_formats, npz_names_clips_and_nodes_whole) {
+  const ToolModelFile model;
+  const auto [poses, zip] = sampled(model, "poses.npz");
+  const auto files = files_of_zip(zip);
+  const auto texts = [&](const char* array, std::size_t width) {
+    std::vector<std::string> out;
+    const std::vector<std::uint32_t> points = Npy(files.at(array)).numbers<std::uint32_t>();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i % width == 0) out.emplace_back();
+      if (points[i] != 0) out.back() += static_cast<char>(points[i]);
+    }
+    return out;
+  };
+  std::vector<std::string> clips;
+  for (const json& clip : poses["clips"])
+    clips.insert(clips.end(), clip["samples"].size(), clip["clip"].is_null() ? "" : clip["name"].get<std::string>());
+  EXPECT_EQ(texts("clip_name.npy", 4), clips) << "bend and talk have four letters";
+  EXPECT_THAT(texts("node_name.npy", 5), ElementsAre("strip", "root", "tip", "face"));
+}
+
 TEST(pose_formats, headers_of_any_length_end_where_the_data_are_aligned) {
   for (std::size_t length = 1; length < 300; ++length) {
     const std::string type(length, 'x'), file = tool::npy_head({"", type, {3}}) + "data";
