@@ -112,14 +112,11 @@ void lay_out_front(CompiledPlan& plan, std::size_t pose_bytes, std::size_t numbe
   plan.layout.hidden_at = block.take_array<bool>(plan.hide ? scene.skeleton.joint_count() : 0);
   plan.layout.palette_wanted_at = block.take_array<bool>(scene.skins.size());
   plan.layout.model_at = block.take_array<Affine>(plan.local_to_model ? plan.assets.joint_count() : 0);
-  std::size_t largest_palette = 0;
   for (std::size_t s = 0; s < scene.skins.size(); ++s) {
     const std::size_t joints = scene.skins[s].joints.size();
     plan.layout.palette_at.push_back(block.take_array<JointMatrix>(plan.palette[s] ? matrix_count(plan, s) : 0));
     plan.layout.split_at.push_back(block.take_array<RigidStretch>(plan.split[s] ? joints : 0));
-    if (plan.palette[s]) largest_palette = std::max(largest_palette, joints);
   }
-  plan.layout.new_palette_at = block.take_array<JointMatrix>(largest_palette);
   plan.layout.stretch_at = block.take_array<bool>(scene.skins.size());
   plan.layout.front_bytes = block.size();
 }

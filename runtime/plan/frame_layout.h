@@ -44,13 +44,12 @@ struct FrameLayout {
   std::size_t palette_wanted_at = 0;              ///< bool[skins]: an instance that is seen needs the skin
   std::size_t model_at = 0;                       ///< Affine[joints of poses]
   std::vector<std::size_t> palette_at, split_at;  ///< [skins]; combinations follow the joints of a palette
-  std::size_t new_palette_at = 0;           ///< of the skin at hand, until it is known to differ from the frame before
-  std::size_t stretch_at = 0;               ///< bool[skins]: the split found stretch
-  std::vector<PrimitiveLayout> primitives;  ///< as CompiledPlan::primitives
-  PrimitiveLayout morphed;                  ///< of the primitive at hand, between morph and skin
-  std::size_t scratch_at = 0;               ///< of the morph stage
-  PrimitiveLayout cached;                   ///< of the primitive at hand, before it is blended with its pose
-  std::size_t surface_sums_at = 0;          ///< of the geometry_cache stage
+  std::size_t stretch_at = 0;                     ///< bool[skins]: the split found stretch
+  std::vector<PrimitiveLayout> primitives;        ///< as CompiledPlan::primitives
+  PrimitiveLayout morphed;                        ///< of the primitive at hand, between morph and skin
+  std::size_t scratch_at = 0;                     ///< of the morph stage
+  PrimitiveLayout cached;                         ///< of the primitive at hand, before it is blended with its pose
+  std::size_t surface_sums_at = 0;                ///< of the geometry_cache stage
   TableLayout tables;
   std::size_t front_bytes = 0;  ///< from the start of the block on: what frames of one clip touch before vertices
   std::size_t frame_bytes = 0;  ///< size of the block, a multiple of 64

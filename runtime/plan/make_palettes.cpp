@@ -39,43 +39,52 @@ void combine(const CompiledPlan& plan, std::size_t skin, std::span<const JointMa
   }
 }
 
-/// Palette of a skin from the model matrices, in memory that all skins share.
-std::span<const JointMatrix> compute(const CompiledPlan& plan, const Skin& skin, std::span<const Affine> model,
-                                     FrameMemory memory, FrameWork& work) noexcept {
-  const std::span<JointMatrix> made = memory.array<JointMatrix>(plan.layout.new_palette_at, skin.joints.size());
-  const JointPaletteJob job{.skin = &skin, .model = model, .palette = made};
-  assert(check(job) == ErrorCode::ok);
-  run(job);
-  work.palette_entries += made.size();
-  work.spent_on(Stage::palette);
-  return made;
+/// The palette of the frame before; empty when it had none.
+std::span<const JointMatrix> palette_before(const CompiledPlan& plan, std::size_t s, const FrameStep& step) noexcept {
+  const bool has_one = step.tables_before.palettes[s].since_frame != 0;
+  return step.memory_before.array<const JointMatrix>(plan.layout.palette_at[s],
+                                                     has_one ? plan.assets.skins[s]->joints.size() : 0);
 }
 
-/// The frame since which a palette holds: that of the frame before, where the bits are the same.
-std::uint64_t since_of(const CompiledPlan& plan, std::size_t s, std::span<const JointMatrix> palette,
-                       const FrameStep& step) noexcept {
-  const std::uint64_t since_before = step.tables_before.palettes[s].since_frame;
-  if (since_before == 0) return step.number;
-  const bool unchanged = step.changes.nothing_since_before ||
-                         same_bits<JointMatrix>(palette, step.memory_before.array<const JointMatrix>(
-                                                             plan.layout.palette_at[s], palette.size()));
-  return unchanged ? since_before : step.number;
+/// Palette of a skin from the model matrices. Returns whether it is that of the frame before.
+bool compute(const CompiledPlan& plan, std::size_t s, std::span<const Affine> model, std::span<JointMatrix> palette,
+             const FrameStep& step, FrameWork& work) noexcept {
+  bool unchanged = false;
+  const JointPaletteJob job{.skin = plan.assets.skins[s],
+                            .model = model,
+                            .palette = palette,
+                            .before = palette_before(plan, s, step),
+                            .unchanged = &unchanged};
+  assert(check(job) == ErrorCode::ok);
+  run(job);
+  work.palette_entries += palette.size();
+  work.spent_on(Stage::palette);
+  return unchanged;
+}
+
+/// Whether a palette that is there already is that of the frame before.
+bool is_as_before(const CompiledPlan& plan, std::size_t s, std::span<const JointMatrix> palette,
+                  const FrameStep& step) noexcept {
+  const std::span<const JointMatrix> before = palette_before(plan, s, step);
+  return !before.empty() && (step.changes.nothing_since_before || same_bits(palette, before));
+}
+
+/// The frame since which a palette holds.
+std::uint64_t since_of(std::size_t s, bool as_before, const FrameStep& step) noexcept {
+  return as_before ? step.tables_before.palettes[s].since_frame : step.number;
 }
 
 void make_palette(const CompiledPlan& plan, std::size_t s, std::span<const Affine> model, const FrameStep& step,
                   FrameWork& work) noexcept {
-  const Skin& skin = *plan.assets.skins[s];
-  const std::size_t count = skin.joints.size();
+  const std::size_t count = plan.assets.skins[s]->joints.size();
   const std::span<JointMatrix> palette = step.memory.array<JointMatrix>(plan.layout.palette_at[s], count);
   SkinPalette& kept = step.tables.palettes[s];
   const bool is_there = step.changes.current_matrices == CurrentMatrices::all && kept.since_frame != 0;
-  const std::span<const JointMatrix> made = is_there ? palette : compute(plan, skin, model, step.memory, work);
-
-  const std::uint64_t since = since_of(plan, s, made, step);
+  const bool as_before = is_there ? is_as_before(plan, s, palette, step) : compute(plan, s, model, palette, step, work);
+  const std::uint64_t since = since_of(s, as_before, step);
   const bool is_current = is_there || since == kept.since_frame;
   kept = {palette, since};
   if (is_current) return;
-  std::copy(made.begin(), made.end(), palette.begin());
   if (plan.split[s]) split(plan, s, palette, step.memory, work);
   combine(plan, s, palette, step.memory, work);
 }
@@ -96,7 +105,7 @@ void make_palettes(const CompiledPlan& plan, std::span<const Affine> model, std:
 void number_kept_palettes(const CompiledPlan& plan, const FrameStep& step) noexcept {
   for (std::size_t s = 0; s < plan.palette.size(); ++s) {
     SkinPalette& kept = step.tables.palettes[s];
-    if (kept.since_frame != 0) kept.since_frame = since_of(plan, s, kept.matrices, step);
+    if (kept.since_frame != 0) kept.since_frame = since_of(s, is_as_before(plan, s, kept.matrices, step), step);
   }
 }
 

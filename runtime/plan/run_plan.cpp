@@ -238,23 +238,25 @@ ErrorCode run_plan(const Plan& plan, const FrameInput& input, FrameBuffer& frame
   const FrameBuffer& before = other != nullptr && other->result_.since_frame != 0 ? *other : frame;
   const FrameMemory memory{frame.block_.get()}, memory_before{before.block_.get()};
   const FrameTables tables(*compiled, memory);
-  const FrameTables tables_before = &before == &frame ? tables : FrameTables(*compiled, memory_before);
-  const FrameChanges changes = find_changes(*compiled, input, {frame.last_, tables}, {before.last_, tables_before});
-  const FrameStep step{
-      memory, tables, memory_before, tables_before, frame.result_.frame + 1, changes, frame.past_caches_};
-  frame.result_.since_frame = changes.nothing_since_before ? before.result_.since_frame : step.number;
-  frame.result_.frame = step.number;
+  const auto run_after = [&](const FrameTables& tables_before) noexcept {
+    const FrameChanges changes = find_changes(*compiled, input, {frame.last_, tables}, {before.last_, tables_before});
+    const FrameStep step{
+        memory, tables, memory_before, tables_before, frame.result_.frame + 1, changes, frame.past_caches_};
+    frame.result_.since_frame = changes.nothing_since_before ? before.result_.since_frame : step.number;
+    frame.result_.frame = step.number;
 
-  // 3. Run the stages.
-  if (changes.nothing) {
-    keep_result(*compiled, step, &before != &frame, frame.result_);
-    return ErrorCode::ok;
-  }
-  if (input.asleep)
-    sleep(*compiled, tables, frame.result_);
+    // 3. Run the stages.
+    if (changes.nothing) return keep_result(*compiled, step, &before != &frame, frame.result_);
+    if (input.asleep)
+      sleep(*compiled, tables, frame.result_);
+    else
+      run_stages(*compiled, input, step, frame.result_);
+    remember(input, tables, frame.last_);
+  };
+  if (&before == &frame)
+    run_after(tables);
   else
-    run_stages(*compiled, input, step, frame.result_);
-  remember(input, tables, frame.last_);
+    run_after(FrameTables(*compiled, memory_before));
   return ErrorCode::ok;
 }
 

@@ -10,6 +10,7 @@
 #define HWY_TARGET_INCLUDE "runtime/pose/joint_palette.cpp"
 #include <hwy/foreach_target.h>
 
+#include "runtime/base/same_bits.h"
 #include "runtime/math/decompose.h"
 #include "runtime/pose/simd/affine_lanes-inl.h"
 #include "runtime/pose/simd/dispatch.h"
@@ -61,10 +62,48 @@ HWY_INLINE void store_columns(const Rows& m, JointMatrix& out) {
 #endif
 }
 
-void skinning_matrices(const JointPaletteJob& job) {
+#if HWY_MAX_BYTES == 32 && HWY_TARGET != HWY_SCALAR
+
+/// Two skinning matrices at once, one a block.
+HWY_INLINE void store_two_products(const Affine& model0, const Affine& bind0, const Affine& model1, const Affine& bind1,
+                                   JointMatrix* out) {
+  const TwoRowsTag d;
+  const RowTag half;
+  alignas(32) static constexpr float kLastRows[8] = {0, 0, 0, 1, 0, 0, 0, 1};
+  const auto both = [&](const glm::vec4& first, const glm::vec4& second)
+                        HWY_ATTR { return hn::Combine(d, hn::LoadU(half, &second.x), hn::LoadU(half, &first.x)); };
+  const RightRows<hn::Vec<TwoRowsTag>> bind{both(bind0.row[0], bind1.row[0]), both(bind0.row[1], bind1.row[1]),
+                                            both(bind0.row[2], bind1.row[2])};
+  const auto row = [&](int r) HWY_ATTR { return product_rows(d, both(model0.row[r], model1.row[r]), bind); };
+  const auto columns = transpose_blocks(d, row(0), row(1), row(2), hn::Load(d, kLastRows));
+  hn::Store(hn::ConcatLowerLower(d, columns.y, columns.x), d, &out[0].column[0].x);
+  hn::Store(hn::ConcatLowerLower(d, columns.w, columns.z), d, &out[0].column[2].x);
+  hn::Store(hn::ConcatUpperUpper(d, columns.y, columns.x), d, &out[1].column[0].x);
+  hn::Store(hn::ConcatUpperUpper(d, columns.w, columns.z), d, &out[1].column[2].x);
+}
+
+#endif
+
+/// Returns whether all are as before.
+bool skinning_matrices(const JointPaletteJob& job) {
   const std::span<const std::uint32_t> joints = job.skin->joints;
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    store_columns(product(job.model[joints[i]], rows_at(job.skin->inverse_bind[i])), job.palette[i]);
+  const auto matrix = [&](std::size_t i)
+                          HWY_ATTR { return product(job.model[joints[i]], rows_at(job.skin->inverse_bind[i])); };
+  bool unchanged = !job.before.empty();
+  std::size_t i = 0;
+  for (; i < joints.size() && unchanged; ++i) {
+    JointMatrix made;
+    store_columns(matrix(i), made);
+    unchanged = same_bits(made, job.before[i]);
+    job.palette[i] = made;
+  }
+#if HWY_MAX_BYTES == 32 && HWY_TARGET != HWY_SCALAR
+  const std::span<const Affine> bind = job.skin->inverse_bind;
+  for (; i + 2 <= joints.size(); i += 2)
+    store_two_products(job.model[joints[i]], bind[i], job.model[joints[i + 1]], bind[i + 1], &job.palette[i]);
+#endif
+  for (; i < joints.size(); ++i) store_columns(matrix(i), job.palette[i]);
+  return unchanged;
 }
 
 /// Matrices and their parts as planes: one float of each joint in a row.
@@ -249,6 +288,7 @@ bool split_any_matrix(const JointMatrix& palette_entry, RigidStretch& out) noexc
   return is_stretched(out.stretch);
 }
 
+HWY_EXPORT(skinning_matrices);
 HWY_EXPORT(split_palette);
 
 }  // namespace
@@ -257,12 +297,16 @@ ErrorCode check(const JointPaletteJob& job) noexcept {
   if (!job.skin) return ErrorCode::size_mismatch;
   const std::size_t count = job.skin->joints.size();
   if (job.skin->inverse_bind.size() != count || job.palette.size() < count) return ErrorCode::size_mismatch;
+  if (!job.before.empty() && job.before.size() < count) return ErrorCode::size_mismatch;
   for (const std::uint32_t joint : job.skin->joints)
     if (joint >= job.model.size()) return ErrorCode::index_out_of_range;
   return ErrorCode::ok;
 }
 
-SINEW_DISPATCH_RUN(JointPaletteJob, skinning_matrices)
+void run(const JointPaletteJob& job) noexcept {
+  const bool unchanged = HWY_DYNAMIC_DISPATCH(skinning_matrices)(job);
+  if (job.unchanged) *job.unchanged = unchanged;
+}
 
 ErrorCode check(const SplitPaletteJob& job) noexcept {
   const std::size_t count = job.palette.size();

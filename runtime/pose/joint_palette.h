@@ -11,13 +11,16 @@ namespace sinew {
 
 /// Skinning matrices of one skin.
 /// eq   palette[i] = model[joints[i]] * inverse_bind[i]   (glTF 2.0, "Skins")
-/// in   model[J]   all joints of the skeleton
-/// out  palette[N] N = skin->joints.size()
-/// err  size_mismatch, index_out_of_range     cost O(N), no allocation
+/// in   model[J]   all joints of the skeleton;   before[N]  a palette to compare with, perhaps `palette` as it is before
+///      the run; empty = none
+/// out  palette[N] N = skin->joints.size();   unchanged  null, or whether every bit is as in `before`; false without it
+/// err  size_mismatch, index_out_of_range     cost O(N), no allocation; nothing is compared after the first difference
 struct JointPaletteJob {
   const Skin* skin = nullptr;
   std::span<const Affine> model;
   std::span<JointMatrix> palette;
+  std::span<const JointMatrix> before;
+  bool* unchanged = nullptr;
 };
 
 ErrorCode check(const JointPaletteJob& job) noexcept;

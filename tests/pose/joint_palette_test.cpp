@@ -29,6 +29,8 @@ TEST(joint_palette, rejects_wrong_sizes_and_joints_out_of_range) {
   EXPECT_EQ(check(JointPaletteJob{nullptr, model, palette}), ErrorCode::size_mismatch);
   EXPECT_EQ(check(JointPaletteJob{&skin, model, std::span(palette).first(1)}), ErrorCode::size_mismatch);
   EXPECT_EQ(check(JointPaletteJob{&skin, std::span(model).first(2), palette}), ErrorCode::index_out_of_range);
+  EXPECT_EQ(check(JointPaletteJob{&skin, model, palette, palette}), ErrorCode::ok);
+  EXPECT_EQ(check(JointPaletteJob{&skin, model, palette, std::span(palette).first(1)}), ErrorCode::size_mismatch);
   skin.inverse_bind.resize(1);
   EXPECT_EQ(check(JointPaletteJob{&skin, model, palette}), ErrorCode::size_mismatch);
 }
@@ -72,6 +74,37 @@ TEST(joint_palette, N27_N28_every_instruction_set_gives_the_bits_of_the_plain_pr
       EXPECT_TRUE(same_bits(palette[i], plain) || skin.joints[i] == 3) << i << ' ' << test::simd_name(target);
       for (int c = 0; c < 4; ++c)
         EXPECT_EQ(palette[i].column[c].w, c == 3 ? 1.0f : 0.0f) << i << ' ' << test::simd_name(target);
+    }
+  }
+}
+
+TEST(joint_palette, tells_whether_every_bit_is_as_before_in_place_and_beside_another_palette) {
+  test::FixedRandom random(7);
+  constexpr std::uint32_t kCount = 5;
+  Skin skin;
+  std::vector<Affine> model;
+  for (std::uint32_t j = 0; j < kCount; ++j) {
+    model.push_back(affine_from_transform(random.transform()));
+    skin.joints.push_back(j);
+    skin.inverse_bind.push_back(affine_from_transform(random.transform()));
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::OnlyTarget only(target);
+    std::vector<JointMatrix> made(kCount);
+    bool unchanged = true;
+    run(JointPaletteJob{&skin, model, made, {}, &unchanged});
+    EXPECT_FALSE(unchanged) << "there was nothing before";
+    for (std::uint32_t changed = 0; changed <= kCount; ++changed) {
+      SCOPED_TRACE(testing::Message() << changed << ' ' << test::simd_name(target));
+      std::vector<JointMatrix> before = made, beside(kCount);
+      if (changed < kCount) before[changed].column[3].z = std::nextafter(before[changed].column[3].z, 9.0f);
+      run(JointPaletteJob{&skin, model, beside, before, &unchanged});
+      EXPECT_EQ(unchanged, changed == kCount);
+      EXPECT_TRUE(same_bits<JointMatrix>(beside, made));
+      unchanged = changed != kCount;
+      run(JointPaletteJob{&skin, model, before, before, &unchanged});
+      EXPECT_EQ(unchanged, changed == kCount);
+      EXPECT_TRUE(same_bits<JointMatrix>(before, made));
     }
   }
 }

@@ -51,15 +51,27 @@ HWY_INLINE V spread(D d, V rows) {
 #endif
 }
 
+/// The three rows of a right factor, of one or another matrix in each block.
+template <class V>
+struct RightRows {
+  V x, y, z;
+};
+
+/// Rows of products from rows of left factors, one row a block.
+template <class D, class V = hn::Vec<D> >
+HWY_INLINE V product_rows(D d, V a, const RightRows<V>& b) {
+  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const V x = hn::Mul(spread<0>(d, a), b.x);
+  const V y = hn::Mul(spread<1>(d, a), b.y);
+  const V z = hn::Mul(spread<2>(d, a), b.z);
+  const V linear = hn::Add(hn::Add(x, y), z);
+  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, a), linear);
+}
+
 /// Rows of a product from the same rows of the left factor, one row a block.
 template <class D, class V = hn::Vec<D> >
 HWY_INLINE V product_rows(D d, V a, const RowsAt& b) {
-  alignas(64) static constexpr float kTranslations[16] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const V x = hn::Mul(spread<0>(d, a), hn::LoadDup128(d, b.x));
-  const V y = hn::Mul(spread<1>(d, a), hn::LoadDup128(d, b.y));
-  const V z = hn::Mul(spread<2>(d, a), hn::LoadDup128(d, b.z));
-  const V linear = hn::Add(hn::Add(x, y), z);
-  return hn::IfThenElse(hn::Ne(hn::Load(d, kTranslations), hn::Zero(d)), hn::Add(linear, a), linear);
+  return product_rows(d, a, RightRows<V>{hn::LoadDup128(d, b.x), hn::LoadDup128(d, b.y), hn::LoadDup128(d, b.z)});
 }
 
 #if HWY_MAX_BYTES >= 64
