@@ -166,6 +166,7 @@ void blend_lanes(const BlendPosesJob& job, std::size_t j) {
 class EqualTerms {
  public:
   static constexpr std::size_t kMost = 16;
+  static constexpr bool kFew = false;
 
   explicit EqualTerms(const BlendPosesJob& job) {
     float largest = 0.0f, sum = 0.0f;
@@ -178,8 +179,9 @@ class EqualTerms {
       sum += layer.weight;
       put(layer.pose.planes, layer.weight);
     }
-    const float rest_weight = std::max(1.0f - sum, 0.0f);
-    total_ = sum + rest_weight;
+    const float rest_weight = std::max(1.0f - sum, 0.0f), total = sum + rest_weight;
+    sums_to_one_ = total == 1.0f;
+    by_total_ = 1.0f / total;
     if (rest_weight > largest) pivot_ = count_;
     if (rest_weight > 0.0f) put(job.rest.planes, rest_weight);
     if (count_ != 2 || pivot_ == 0) return;
@@ -191,10 +193,10 @@ class EqualTerms {
   std::size_t count() const { return count_; }
   const float* planes(std::size_t i) const { return planes_[i]; }
   HWY_INLINE Lanes weight(std::size_t i) const { return hn::Set(Floats(), weights_[i]); }
+  std::size_t pivot() const { return pivot_; }
   bool is_pivot(std::size_t i) const { return i == pivot_; }
-  const float* pivot() const { return planes_[pivot_]; }
-  bool sums_to_one() const { return total_ == 1.0f; }
-  HWY_INLINE Lanes by_total() const { return hn::Div(hn::Set(Floats(), 1.0f), hn::Set(Floats(), total_)); }
+  bool sums_to_one() const { return sums_to_one_; }
+  HWY_INLINE Lanes by_total() const { return hn::Set(Floats(), by_total_); }
 
  private:
   void put(const float* planes, float weight) {
@@ -203,15 +205,20 @@ class EqualTerms {
   }
 
   const float* planes_[kMost];
-  float weights_[kMost], total_;
+  float weights_[kMost], by_total_;
+  bool sums_to_one_;
   std::size_t count_ = 0, pivot_ = 0;
 };
 
-/// The same of a known number of poses: loops over them are unrolled, and what they need stays in registers.
-template <std::size_t kCount>
+/// The same of a known number of poses, and which of them is the pivot: loops over them are unrolled, and what they
+/// need stays in registers.
+template <std::size_t kCount, std::size_t kPivot>
 class CountedTerms {
  public:
-  HWY_INLINE explicit CountedTerms(const EqualTerms& terms) : all_(terms) {
+  static constexpr bool kFew = kCount < 4;
+
+  HWY_INLINE explicit CountedTerms(const EqualTerms& terms)
+      : sums_to_one_(terms.sums_to_one()), by_total_(terms.by_total()) {
     for (std::size_t i = 0; i < kCount; ++i) {
       planes_[i] = terms.planes(i);
       weights_[i] = terms.weight(i);
@@ -221,43 +228,77 @@ class CountedTerms {
   static constexpr std::size_t count() { return kCount; }
   const float* planes(std::size_t i) const { return planes_[i]; }
   HWY_INLINE Lanes weight(std::size_t i) const { return weights_[i]; }
-  bool is_pivot(std::size_t i) const { return kCount == 2 ? i == 0 : all_.is_pivot(i); }
-  const float* pivot() const { return kCount == 2 ? planes_[0] : all_.pivot(); }
-  bool sums_to_one() const { return all_.sums_to_one(); }
-  HWY_INLINE Lanes by_total() const { return all_.by_total(); }
+  static constexpr std::size_t pivot() { return kPivot; }
+  static constexpr bool is_pivot(std::size_t i) { return i == kPivot; }
+  bool sums_to_one() const { return sums_to_one_; }
+  HWY_INLINE Lanes by_total() const { return by_total_; }
 
  private:
-  const EqualTerms& all_;
   const float* planes_[kCount];
-  Lanes weights_[kCount];
+  bool sums_to_one_;
+  Lanes weights_[kCount], by_total_;
 };
+
+/// The mean of the floats from `begin` to `end` of each pose; short vectors go in pairs.
+template <class Terms>
+HWY_INLINE void blend_floats(const Terms& terms, std::size_t begin, std::size_t end, float* out) {
+  const Floats d;
+  constexpr std::size_t kLanes = hn::MaxLanes(d), kAtOnce = kLanes > 4 ? 1 : 2;
+  const auto weighted = [&](std::size_t i, std::size_t at)
+                            HWY_ATTR { return hn::Mul(hn::LoadU(d, terms.planes(i) + at), terms.weight(i)); };
+  for (std::size_t first = begin; first < end; first += kAtOnce * kLanes) {
+    HWY_UNROLL(2)
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      const std::size_t at = first + k * kLanes;
+      Lanes sum = weighted(0, at);
+      for (std::size_t i = 1; i < terms.count(); ++i) sum = hn::Add(sum, weighted(i, at));
+      hn::StoreU(terms.sums_to_one() ? sum : hn::Mul(sum, terms.by_total()), d, out + at);
+    }
+  }
+}
+
+/// The means of all translations and scales. Each plane of each pose takes an address: for few poses all planes are
+/// done in one loop; of four and more their addresses would be more than there are registers, so planes follow one
+/// another.
+template <class Terms>
+HWY_INLINE void blend_vectors(const Terms& terms, float* out, std::size_t stride, std::size_t joints) {
+  using P = PoseSpan;
+  if constexpr (Terms::kFew) {
+    for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats())) store(mean_vectors(terms, stride, j), out, stride, j);
+  } else {
+    for (const std::size_t plane : {P::tx, P::ty, P::tz, P::sx, P::sy, P::sz})
+      blend_floats(terms, plane * stride, plane * stride + joints, out);
+  }
+}
 
 template <class Terms>
 HWY_INLINE void blend_equally(const BlendPosesJob& job, const Terms& terms) {
   const std::size_t stride = job.pose.stride, joints = job.pose.joint_count;
   float* planes = job.pose.planes;
-  const float* pivot = terms.pivot();
+  const float* pivot = terms.planes(terms.pivot());
   for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats()))
     store(mean_rotation(terms, load_rotations(pivot, stride, j), stride, j), planes, stride, j);
-  for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats()))
-    store(mean_vectors(terms, stride, j), planes, stride, j);
+  blend_vectors(terms, planes, stride, joints);
 }
 
-template <std::size_t kCount>
+template <std::size_t kCount, std::size_t kPivot>
 HWY_NOINLINE void blend_counted(const BlendPosesJob& job, const EqualTerms& terms) {
-  blend_equally(job, CountedTerms<kCount>(terms));
+  blend_equally(job, CountedTerms<kCount, kPivot>(terms));
 }
 
 /// The same means as blend_lanes, reading each pose once.
 void blend_without_masks(const BlendPosesJob& job) {
+  using Blend = void (*)(const BlendPosesJob&, const EqualTerms&);
+  constexpr Blend three[] = {blend_counted<3, 0>, blend_counted<3, 1>, blend_counted<3, 2>},
+                  four[] = {blend_counted<4, 0>, blend_counted<4, 1>, blend_counted<4, 2>, blend_counted<4, 3>};
   const EqualTerms terms(job);
   switch (terms.count()) {
     case 1:
-      std::memmove(job.pose.planes, terms.pivot(), PoseSpan::plane_count * job.pose.stride * sizeof(float));
+      std::memmove(job.pose.planes, terms.planes(0), PoseSpan::plane_count * job.pose.stride * sizeof(float));
       break;
-    case 2: blend_counted<2>(job, terms); break;
-    case 3: blend_counted<3>(job, terms); break;
-    case 4: blend_counted<4>(job, terms); break;
+    case 2: blend_counted<2, 0>(job, terms); break;
+    case 3: three[terms.pivot()](job, terms); break;
+    case 4: four[terms.pivot()](job, terms); break;
     default: blend_equally(job, terms); break;
   }
 }
