@@ -7,11 +7,11 @@ import dataclasses
 import hashlib
 import json
 import os
-import re
 import subprocess
 import sys
 import time
 
+import changes
 import places_glsl
 import report
 from build_tree import Tree
@@ -26,12 +26,13 @@ SOURCES = ('.cpp', '.h', '.glsl', '.frag', '.vert')
 def arguments():
     parser = argparse.ArgumentParser(prog='./run mutate', description=__doc__)
     parser.add_argument('files', nargs='*', help='files or folders (default: runtime importer viewer)')
-    parser.add_argument('--changed', action='store_true', help='only lines that the last commit wrote')
+    parser.add_argument('--changed', action='store_true', help='only lines that the last commit wrote, or the newest ones before it')
     parser.add_argument('--sample', type=int, metavar='N', help='an even sample of N mutants')
     parser.add_argument('--clusters', type=int, metavar='K', help='take the sample from about K files, which are compiled sooner')
     parser.add_argument('--seed', type=int, default=1, help='which sample (default: 1)')
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--alone', action='store_true', help='build every mutant by itself, without switches')
+    parser.add_argument('--constants', action='store_true', help='only numbers that are constexpr, which are built by themselves')
     parser.add_argument('--again', action='store_true', help='try survivors again, after tests were added')
     parser.add_argument('--listed', action='store_true', help='only those that survivors.txt lists')
     parser.add_argument('--fresh', action='store_true', help='forget earlier verdicts')
@@ -45,29 +46,21 @@ def arguments():
     return parser.parse_args()
 
 
-def changed_lines(root):
-    """File -> the lines that the last commit wrote; nothing where there is no commit before it."""
-    diff = subprocess.run(['git', 'diff', '--unified=0', '--no-color', '--no-renames', 'HEAD~1', 'HEAD'], cwd=root, capture_output=True, text=True)
-    lines, file = {}, ''
-    for text in diff.stdout.splitlines():
-        if text.startswith('+++ '):
-            file = text[6:]
-        elif found := re.match(r'@@ -\S+ \+(\d+)(?:,(\d+))? @@', text):
-            first, count = int(found[1]), int(found[2] or 1)
-            lines.setdefault(file, set()).update(range(first, first + count))
-    return lines
-
-
-def wanted_files(root, tree, options, changed):
+def wanted_files(root, tree, options, changed=None):
     listed = subprocess.run(['git', 'ls-files', *(options.files or ['runtime', 'importer', 'viewer'])], cwd=root, check=True, capture_output=True,
                             text=True).stdout.split()
     header = lambda f: f.endswith('.h')
-    if options.changed:  # headers that half of the project includes take too long for every commit
+    if changed is not None:  # headers that half of the project includes take too long for every commit
         listed = [f for f in listed if f in changed and (not header(f) or len(tree.users[f]) <= 25)]
     if options.listed:
         listed = [f for f in listed if f in report.listed_files()]
     keep = {'with': lambda f: True, 'without': lambda f: not header(f), 'only': header}[options.headers]
     return sorted(f for f in listed if f.endswith(SOURCES) and keep(f))
+
+
+def is_computed_before(mutant):
+    """Whether the compiler has to know it, so that no switch can choose it."""
+    return not mutant.before and not is_shader(mutant.file)
 
 
 def parse(job):
@@ -152,7 +145,7 @@ class Session:
         todo = [m for m in mutants if not self.is_known(m) and m.key not in skipped]
         if not todo:
             return
-        if self.options.alone:
+        if self.options.alone or self.options.constants:
             for done, m in enumerate(todo, 1):
                 self.alone(m)
                 report.progress(f'{done} of {len(todo)} alone')
@@ -213,12 +206,13 @@ def main():
     state = f'{root}/{options.state}'
     os.makedirs(state, exist_ok=True)
     tree = Tree(root, f'{root}/{options.build}')
-    changed = changed_lines(root) if options.changed else {}
-    files = wanted_files(root, tree, options, changed)
-    mutants = in_sample_order(find_places(tree, files, state, options.jobs), options.seed)
-    if options.changed:
-        mutants = [m for m in mutants if m.line in changed[m.file]]
-    report.note(f'{len(mutants)} mutants can be set in {len(files)} files')
+
+    def mutants_of(changed):
+        found = find_places(tree, wanted_files(root, tree, options, changed), state, options.jobs)
+        return [m for m in found if is_computed_before(m) == options.constants]
+
+    mutants = in_sample_order(changes.newest(root, mutants_of) if options.changed else mutants_of(None), options.seed)
+    report.note(f'{len(mutants)} mutants can be set in {len({m.file for m in mutants})} files')
     if options.listed:
         mutants = [m for m in mutants if m.key in report.listed(f'{HERE}/survivors.txt')]
     chosen = mutants if options.sample is None else mutants[:options.sample]

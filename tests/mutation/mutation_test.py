@@ -13,6 +13,7 @@ except ImportError:
     print('skipped: python3-clang is not installed')
     sys.exit(77)
 
+import changes
 import mutant as mutants_of
 import places_cpp
 import places_glsl
@@ -35,8 +36,10 @@ class MutationTest(unittest.TestCase):
         object_ = cls.tree.product_object(SOURCE)
         found, errors = places_cpp.places(f'{EXAMPLE}/{SOURCE}', [SOURCE, HEADER], cls.tree.commands[object_], EXAMPLE)
         assert not errors, errors
-        cls.mutants = found[SOURCE] + found[HEADER]
-        mutants_of.give_keys(cls.mutants)
+        everything = found[SOURCE] + found[HEADER]
+        mutants_of.give_keys(everything)
+        cls.mutants = [m for m in everything if m.before]
+        cls.constants = [m for m in everything if not m.before]
 
     @classmethod
     def tearDownClass(cls):
@@ -48,7 +51,7 @@ class MutationTest(unittest.TestCase):
             ('two', 'arithmetic', 'x + 2', 'x - 2'), ('two', 'constant', '2', '3'),
             ('clamped', 'condition', 'value < low', '!(value < low)'), ('clamped', 'condition', 'value < low', 'false'),
             ('clamped', 'condition', 'value < low', 'true'), ('clamped', 'comparison', 'value < low', 'value <= low'),
-            ('clamped', 'arithmetic', 'std::min(value, high) + kLocal - kLocal', 'std::min(value, high) + kLocal + kLocal'),
+            ('clamped', 'arithmetic', 'std::min(value, high) + kLocal - kFour', 'std::min(value, high) + kLocal + kFour'),
             ('clamped', 'arithmetic', 'std::min(value, high) + kLocal', 'std::min(value, high) - kLocal'),
             ('clamped', 'call', 'std::min(value, high)', 'std::max(value, high)'),
             ('tripled', 'arithmetic', '3 * x', '3 / x'), ('tripled', 'constant', '3', '4'),
@@ -62,6 +65,14 @@ class MutationTest(unittest.TestCase):
             ('twice_apart', 'constant', '2', '3'), ('twice_apart', 'condition', 'a < b', '!(a < b)'),
             ('twice_apart', 'comparison', 'a < b', 'a <= b'), ('twice_apart', 'arithmetic', 'b - a', 'b + a'),
             ('twice_apart', 'arithmetic', 'a - b', 'a + b')})
+
+    def test_constants_are_built_alone(self):
+        self.assertEqual({(m.function, m.original, m.mutated) for m in self.constants},
+                         {('kFour', '3 + 1', '3 - 1'), ('kFour', '3', '4'), ('kFour', '1', '2'), ('clamped', '4', '5'), ('kUnread', '0.5', '1.0')})
+        for m in [m for m in self.constants if m.original in ('3 + 1', '0.5')]:
+            build = MutatedBuild(self.tree, f'{self.folder.name}/constant', {1: m}, 2, switched=False)
+            expected = 'killed' if m.function == 'kFour' else 'survived'
+            self.assertEqual(Programs(build, corpus=True).verdict_alone(m)[0], expected, str(m))
 
     def test_verdicts_are_known_and_the_same_with_switches_and_alone(self):
         switched = MutatedBuild(self.tree, f'{self.folder.name}/switched', dict(enumerate(self.mutants, 1)), 2)
@@ -109,7 +120,7 @@ class MutationTest(unittest.TestCase):
         command = self.tree.commands[self.tree.product_object(SOURCE)]
         found, _ = places_cpp.places(path, [SOURCE], command, self.folder.name)
         mutants_of.give_keys(found[SOURCE])
-        before = {m.key for m in self.mutants if m.file == SOURCE}
+        before = {m.key for m in self.mutants + self.constants if m.file == SOURCE}
         self.assertEqual({m.key for m in found[SOURCE] if m.function != 'other'}, before)
 
     def test_shaders(self):
@@ -126,6 +137,56 @@ class MutationTest(unittest.TestCase):
             for line in file:
                 if line.strip() and not line.startswith('#'):
                     self.assertIn(' # ', line)
+
+
+class ChangesTest(unittest.TestCase):
+    """On a history of its own: each commit is a text of `a.cpp` or `notes.md`, and every line `a..` is a mutant."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = folder.name
+        changes.git(self.root, 'init', '--quiet')
+        self.commit('a.cpp', 'a1\na2\na3\n')
+
+    def commit(self, name, text):
+        with open(f'{self.root}/{name}', 'w', encoding='utf-8') as file:
+            file.write(text)
+        changes.git(self.root, 'add', '.')
+        changes.git(self.root, '-c', 'user.name=a', '-c', 'user.email=a@b', 'commit', '--quiet', '-m', 'a')
+
+    def newest(self):
+        return [m.original for m in changes.newest(self.root, self.mutants_of)]
+
+    def mutants_of(self, files):
+        found = []
+        for name in sorted(files & {'a.cpp'}):
+            with open(f'{self.root}/{name}', encoding='utf-8') as file:
+                found += [mutants_of.Mutant(name, line, 0, 0, 'constant', '', text, '', '', '', '')
+                          for line, text in enumerate(file.read().splitlines(), 1) if text.startswith('a')]
+        return found
+
+    def test_lines_of_the_last_commit_alone(self):
+        self.commit('a.cpp', 'a1\nb2\na3\na4\n')
+        self.commit('a.cpp', 'a1\na2 again\na3\na4\na5\n')
+        self.assertEqual(self.newest(), ['a2 again', 'a5'])
+
+    def test_commits_without_mutants_lead_back_to_the_newest_with_some(self):
+        self.commit('a.cpp', 'a0\na1\na2\na3\n')
+        self.commit('a.cpp', 'a0\na1 other\na2\na3\n')
+        self.commit('a.cpp', '// moved down\na0\na1 other\na2\n')  # a comment, and a line less
+        self.commit('notes.md', 'a line\n')
+        self.assertEqual([m.line for m in changes.newest(self.root, self.mutants_of)], [3])
+        self.assertEqual(self.newest(), ['a1 other'])
+
+    def test_a_commit_that_has_none_before_it_fails(self):
+        with self.assertRaisesRegex(SystemExit, 'no commit before the last one'):
+            self.newest()
+
+    def test_a_history_without_mutants_fails(self):
+        self.commit('notes.md', 'a line\n')
+        with self.assertRaisesRegex(SystemExit, 'in which a mutant can be set'):
+            self.newest()
 
 
 if __name__ == '__main__':

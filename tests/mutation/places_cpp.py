@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Places of a C++ file where a mutant can be set, found in clang's AST. Only code that runs: bodies of functions, no
-declarations, constants, contracts or messages."""
+declarations, contracts or messages; and numbers that the compiler computes, whose mutants no switch can choose."""
 import bisect
 import re
 import shlex
@@ -65,6 +65,7 @@ class Finder:
 
     def __init__(self, unit, cursors, path, name):
         self.path, self.name, self.mutants, self.function = path, name, [], ''
+        self.is_computed_before = False  # inside a `constexpr` variable
         with open(path, encoding='utf-8') as file:
             self.text = file.read().encode()
         whole = unit.get_extent(path, (0, len(self.text)))
@@ -111,7 +112,9 @@ class Finder:
         """`before` and `after` stand around the text as it was written; without them the whole is chosen by `?:`."""
         if not self.clean(start, end):
             return
-        if before is None:
+        if self.is_computed_before:
+            before = after = ''
+        elif before is None:
             before = '(mutation_is({n}) ? (' + mutated.replace('{', '{{').replace('}', '}}') + ') : ('
         line = self.text.count(b'\n', 0, start) + 1
         self.mutants.append(Mutant(self.name, line, start, end, kind, self.function, self.flat(start, end), mutated,
@@ -131,6 +134,10 @@ class Finder:
                 if child.kind == K.COMPOUND_STMT or (cursor.kind == K.CONSTRUCTOR and child.kind.is_expression()):
                     self.visit(child, cursor)
             self.function = outer
+        elif cursor.kind == K.VAR_DECL:
+            outer, self.function = self.function, cursor.spelling
+            self.constant(cursor)
+            self.function = outer
         elif cursor.kind in (K.NAMESPACE, K.STRUCT_DECL, K.CLASS_DECL, K.CLASS_TEMPLATE, K.UNEXPOSED_DECL, K.LINKAGE_SPEC,
                              K.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION):
             for child in cursor.get_children():
@@ -145,6 +152,7 @@ class Finder:
             self.declarations(cursor)
             return
         if kind == K.VAR_DECL and (self.is_constant(cursor) or self.is_constant_statement(parent)):
+            self.constant(cursor)
             return
         children = list(cursor.get_children())
         if kind == K.CALL_EXPR and cursor.spelling in SILENT_CALLS:
@@ -161,6 +169,18 @@ class Finder:
             if kind in (K.COMPOUND_STMT, K.IF_STMT, K.FOR_STMT, K.WHILE_STMT, K.CXX_FOR_RANGE_STMT, K.CASE_STMT, K.DEFAULT_STMT):
                 self.drop_statement(child, cursor, children)
             self.visit(child, cursor)
+
+    def constant(self, variable):
+        """A number that is `constexpr`. Tables are left out: they have too many numbers beside the code that reads them."""
+        if variable.type.get_canonical().kind in NUMBERS and self.is_constexpr(variable):
+            self.is_computed_before = True
+            for child in variable.get_children():
+                self.visit(child, variable)
+            self.is_computed_before = False
+
+    def is_constexpr(self, variable):
+        at = bisect.bisect_left(self.starts, self.range_of(variable)[0])
+        return 'constexpr' in [t[2] for t in self.tokens[at:at + 3]]
 
     def is_part_of_type(self, child, variable):
         """Arguments of templates and sizes of arrays, which the compiler has to know."""

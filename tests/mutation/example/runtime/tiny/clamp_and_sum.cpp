@@ -8,6 +8,8 @@
 
 namespace {
 constexpr int kTable[] = {1, 2, 3};
+constexpr int kFour = 3 + 1;
+[[maybe_unused]] constexpr double kUnread = 0.5;
 constexpr int two(int x) { return x + 2; }
 static_assert(sizeof(kTable) == 3 * sizeof(int));
 }  // namespace
@@ -16,7 +18,7 @@ int clamped(int value, int low, int high) {
   CONTRACT(low <= high);
   constexpr int kLocal = 4;
   if (value < low) return low;
-  return std::min(value, high) + kLocal - kLocal;
+  return std::min(value, high) + kLocal - kFour;
 }
 
 int tripled(int x) { return 3 * x; }
