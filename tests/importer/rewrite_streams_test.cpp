@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "importer/rewrite/streams.h"
 #include "tests/importer/rewritten.h"
 #include "tests/support/corpus.h"
 #include "tests/support/fixed_random.h"
@@ -293,6 +294,28 @@ TEST(rewrite_streams, G15_bounds_are_those_of_the_rounded_positions) {
   const auto again = import_gltf(rewrite(grid(), how(true, true))->file, "again.glb", careful);
   ASSERT_TRUE(again);
   for (const ImportIssue& warning : again->warnings) EXPECT_NE(warning.rule, "accessor-bounds") << warning.detail;
+}
+
+TEST(rewrite_streams, accessors_have_a_stream_where_their_view_holds_all_elements) {
+  const std::vector<std::byte> bytes(24);
+  const auto has_stream = [&](std::size_t view_bytes, std::size_t offset, std::size_t count) {
+    rewrite::Draft draft;
+    draft.json = {
+        {"accessors",
+         {{{"bufferView", 0}, {"byteOffset", offset}, {"componentType", 5126}, {"count", count}, {"type", "SCALAR"}},
+          {{"componentType", 5126}, {"count", count}, {"type", "SCALAR"}}}},
+        {"bufferViews", {{{"buffer", 0}}}},
+        {"animations", {{{"samplers", {{{"input", 0}, {"output", 1}}}}}}}};
+    draft.blocks = {bytes};
+    draft.parts = {{0, 0, view_bytes}};
+    return rewrite::take_streams({}, draft, false).contains(0);
+  };
+  EXPECT_TRUE(has_stream(8, 0, 2));
+  EXPECT_TRUE(has_stream(24, 8, 4));
+  EXPECT_FALSE(has_stream(7, 0, 2));
+  EXPECT_FALSE(has_stream(23, 8, 4));
+  EXPECT_FALSE(has_stream(0, 0, 1));
+  EXPECT_FALSE(has_stream(8, 0, 0));
 }
 
 TEST(rewrite_streams, streams_too_short_to_compress_are_plain_floats) {
