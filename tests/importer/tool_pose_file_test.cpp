@@ -132,31 +132,34 @@ struct Refused {
   const char* text;
   const char* rule;
   const char* pointer;
+  const char* detail;
 };
 
-TEST(pose_input, names_the_place_of_what_it_refuses) {
+TEST(pose_input, names_the_place_of_what_it_refuses_and_says_why) {
   const std::string head = R"({"clips": [{"clip": 0, "samples": [{"time": 0, "weights": [], )";
   const Refused cases[] = {
-      {"{", "pose-file", ""},
-      {"[]", "pose-format", ""},
-      {"{}", "pose-format", "/clips"},
-      {R"({"extent": "big", "clips": []})", "pose-format", "/extent"},
-      {R"({"clips": [{}]})", "pose-format", "/clips/0/clip"},
-      {R"({"clips": [{"clip": -1, "samples": []}]})", "pose-format", "/clips/0/clip"},
-      {R"({"clips": [{"clip": null}]})", "pose-format", "/clips/0/samples"},
-      {R"({"clips": [{"clip": null, "samples": [{"nodes": []}]}]})", "pose-format", "/clips/0/samples/0/time"},
+      {"{", "pose-file", "", "is not JSON"},
+      {"[]", "pose-format", "", "a pose file is an object"},
+      {"{}", "pose-format", "/clips", "an array is missing here"},
+      {R"({"extent": "big", "clips": []})", "pose-format", "/extent", "is not a finite number of single precision"},
+      {R"({"clips": [{}]})", "pose-format", "/clips/0/clip", "an index or null is missing here"},
+      {R"({"clips": [{"clip": -1, "samples": []}]})", "pose-format", "/clips/0/clip", "is not an index"},
+      {R"({"clips": [{"clip": null}]})", "pose-format", "/clips/0/samples", "an array is missing here"},
+      {R"({"clips": [{"clip": null, "samples": [{"nodes": []}]}]})", "pose-format", "/clips/0/samples/0/time",
+       "a time is missing here"},
       {R"("nodes": [{"node": 0, "world": [1, 2]}], "skinned": []}]}]})", "pose-format",
-       "/clips/0/samples/0/nodes/0/world"},
+       "/clips/0/samples/0/nodes/0/world", "is not a matrix of 16 numbers"},
       {R"("nodes": [], "skinned": [{"node": 0, "primitive": 0, "vertices": [0], "positions": [[1, 2]]}]}]}]})",
-       "pose-format", "/clips/0/samples/0/skinned/0/positions/0"},
+       "pose-format", "/clips/0/samples/0/skinned/0/positions/0", "is not a vector of 3 numbers"},
       {R"("nodes": [], "skinned": [{"node": 0, "primitive": 0, "vertices": [0, 1], "normals": [[1, 2, 3]]}]}]}]})",
-       "pose-format", "/clips/0/samples/0/skinned/0/normals"},
+       "pose-format", "/clips/0/samples/0/skinned/0/normals", "does not have one entry for each of the 2 vertices"},
   };
-  for (const auto& [text, rule, pointer] : cases) {
+  for (const auto& [text, rule, pointer, detail] : cases) {
     const auto read = parse_poses(*text == '"' ? head + text : text);
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().rule, rule) << text;
     EXPECT_EQ(read.error().json_pointer, pointer) << text;
+    EXPECT_EQ(read.error().detail, detail) << text;
   }
 }
 
@@ -196,7 +199,7 @@ TEST(pose_input, refuses_a_compressed_file_that_is_cut_short_or_missing) {
 TEST(pose_text, values_that_leave_open_what_holds_are_refused) {
   const auto complaint = [](const std::string& sample) {
     const auto read = parse_poses(R"({"clips": [{"clip": 0, "samples": [)" + sample + "]}]}");
-    return read ? std::string("taken") : read.error().json_pointer;
+    return read ? "taken" : read.error().json_pointer + ": " + read.error().detail;
   };
   const std::string node = R"({"node": 1, "weights": [0.5]})", none = R"("nodes": [], "weights": [], "skinned": [])";
   const auto skinned = [](const std::string& vertices) {
@@ -204,13 +207,25 @@ TEST(pose_text, values_that_leave_open_what_holds_are_refused) {
            vertices + "}]}";
   };
   EXPECT_EQ(complaint(R"({"time": 0, "nonUnit": 0.1, )" + none + "}"), "taken");
-  EXPECT_EQ(complaint(R"({"time": 0, "nonUnit": -0.1, )" + none + "}"), "/clips/0/samples/0/nonUnit");
-  EXPECT_EQ(complaint(R"({"time": 1e39, )" + none + "}"), "/clips/0/samples/0/time");
+  EXPECT_EQ(complaint(R"({"time": 0, "nonUnit": -0.1, )" + none + "}"), "/clips/0/samples/0/nonUnit: is negative");
+  EXPECT_EQ(complaint(R"({"time": 1e39, )" + none + "}"),
+            "/clips/0/samples/0/time: is not a finite number of single precision");
   EXPECT_EQ(complaint(R"({"time": 0, "nodes": [], "weights": [)" + node + "," + node + R"(], "skinned": []})"),
-            "/clips/0/samples/0/weights/1");
+            "/clips/0/samples/0/weights/1: repeats what an earlier entry names");
   EXPECT_EQ(complaint(skinned("[0, 2, 5]")), "taken");
-  EXPECT_EQ(complaint(skinned("[0, 5, 2]")), "/clips/0/samples/0/skinned/0/vertices");
-  EXPECT_EQ(complaint(skinned("[0, 0]")), "/clips/0/samples/0/skinned/0/vertices");
+  EXPECT_EQ(complaint(skinned("[0, 5, 2]")), "/clips/0/samples/0/skinned/0/vertices: do not increase");
+  EXPECT_EQ(complaint(skinned("[0, 0]")), "/clips/0/samples/0/skinned/0/vertices: do not increase");
+}
+
+TEST(pose_text, what_nobody_reads_may_be_nested_a_thousand_levels_deep) {
+  const auto nested = [](std::size_t levels) {
+    return parse_poses(R"({"clips": [], "more": )" + std::string(levels, '[') + std::string(levels, ']') + "}");
+  };
+  EXPECT_TRUE(nested(1000));
+  const auto deeper = nested(1001);
+  ASSERT_FALSE(deeper);
+  EXPECT_EQ(deeper.error().json_pointer, "/more");
+  EXPECT_EQ(deeper.error().detail, "is nested more than 1000 deep");
 }
 
 }  // namespace
