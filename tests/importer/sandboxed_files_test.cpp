@@ -59,6 +59,29 @@ TEST_F(sandboxed_files, G63_percent_spaces_and_utf8_name_the_same_file) {
   EXPECT_EQ(read("50%2525.bin"), "percent") << "decoded once, not twice";
 }
 
+TEST(percent_decode, every_byte_has_two_digits_of_either_case_and_nothing_else_is_one) {
+  const std::string digits = "0123456789abcdef", others = "0123456789ABCDEF";
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    const std::string expected(1, static_cast<char>(byte)), character(1, static_cast<char>(byte));
+    for (const std::string& d : {digits, others})
+      EXPECT_EQ(percent_decode(std::string{'%', d[byte / 16], d[byte % 16]}), expected) << byte;
+    const bool is_digit = (digits + others).find(character) != std::string::npos;
+    EXPECT_EQ(percent_decode("%" + character + "0").has_value(), is_digit) << byte;
+    EXPECT_EQ(percent_decode("%0" + character).has_value(), is_digit) << byte;
+  }
+  EXPECT_EQ(percent_decode("a%20b%"), std::nullopt);
+  EXPECT_EQ(percent_decode("a%20b%2"), std::nullopt);
+  EXPECT_EQ(percent_decode("a%20b%21"), "a b!");
+}
+
+/// RFC 3986: a letter, then letters, digits, "+", "-" and ".".
+TEST_F(sandboxed_files, G64_a_scheme_is_what_the_standard_says) {
+  for (const char* uri : {"a:b", "Z:b", "a9:b", "a+:b", "a-:b", "a.:b", "z1+-.Z:", "a%3Ab"})
+    EXPECT_EQ(read(uri), "<forbidden>") << uri;
+  for (const char* uri : {":b", "1a:b", "+a:b", "a_b:c", "a b:c", "sub/a:b", "a~:b"})
+    EXPECT_EQ(read(uri), "<missing>") << uri;
+}
+
 TEST_F(sandboxed_files, G64_T9_nothing_leaves_the_folder) {
   for (const char* uri : {"../secret.bin", "sub/../../secret.bin", "%2e%2e/secret.bin", "..%2Fsecret.bin",
                           "/etc/passwd", "%2Fetc%2Fpasswd", "file:///etc/passwd", "http://example.com/a.bin",

@@ -87,6 +87,7 @@ TEST(bake_ao, carries_all_else_and_gives_the_same_bytes_twice) {
   const std::string in = write_flap(folder), out = folder.beside("out.glb"), plain = folder.beside("plain.glb");
   const CommandOutcome outcome = run_tool({"bake-ao", in, "-o", out});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("8 vertices of 2 primitives: mean access 1.000, darkest 1.000"));
   const std::string first = content_of(out);
   ASSERT_EQ(run_tool({"bake-ao", in, "-o", out}).status, 0);
@@ -133,6 +134,8 @@ TEST(bake_ao, says_what_is_wrong_with_its_options_and_files) {
   says({"--distance", "0"}, 2, "--distance: \"0\" is not above 0");
   says({"--distance", "far"}, 2, "--distance: ");
   says({"--rays", "0"}, 2, "--rays");
+  says({"--rays", "1048577"}, 2, "--rays");
+  says({in}, 2, "");
   std::ofstream(folder.beside("empty.gltf")) << R"({"asset": {"version": "2.0"}, "nodes": [{}]})";
   const CommandOutcome empty = run_tool({"bake-ao", folder.beside("empty.gltf"), "-o", out});
   EXPECT_EQ(empty.status, 1);

@@ -30,7 +30,6 @@ TEST(tool_limits, numbers_are_taken_up_to_their_limits_and_not_beyond) {
        {"45deg", "45", "0.001deg"},
        {"45.01deg", "0deg", "-1deg", "1degg", "1 rad", "inf", "nan", "deg"}},
       {{"bake", missing, "-o", out}, "--colors", {"1e-9", "2"}, {"0", "-0.1", "inf", "0.1deg", "x"}},
-      {{"bake-ao", missing, "-o", out + ".glb"}, "--rays", {"1", "1048576"}, {"0", "1048577"}},
       {{"compile", missing, "-o", out}, "--page", {"0.1", "3600"}, {"0.09", "3601"}},
       {{"compile", missing, "-o", out}, "--zstd", {"1", "19"}, {"0", "20"}},
       {{"convert", missing, out + ".glb"}, "--fps", {"0.001", "1000000"}, {"0.0009", "1000001"}},
@@ -63,8 +62,6 @@ TEST(tool_limits, commands_take_as_many_arguments_as_they_name) {
   EXPECT_EQ(run_tool({"verify", missing, out}).status, 4);
   EXPECT_EQ(run_tool({"bake", missing, missing, "-o", out}).status, 2);
   EXPECT_EQ(run_tool({"bake", missing}).status, 2);
-  EXPECT_EQ(run_tool({"bake-ao", missing, missing, "-o", out}).status, 2);
-  EXPECT_EQ(run_tool({"bake-ao", missing}).status, 2);
 }
 
 }  // namespace

@@ -150,12 +150,33 @@ TEST_F(ToolRefusals, of_sample_and_plan) {
          "(of the model)\n");
 }
 
-TEST_F(ToolRefusals, of_cost_take_no_measuring) {
-  expect(2, {"cost", "-o", "@costs", "--clip", "0"}, "sinew: --clip: names a clip of FILE, and there is no FILE\n");
-  expect(0, {"bake", "@model.gltf", "--clip", "talk", "-o", "@talk.sgeo"},
-         "sinew: model.gltf: left out: points or lines of mesh \"strip\"\n");
-  expect(2, {"cost", "@talk.sgeo", "-o", "@costs", "--clip", "0"},
-         "sinew: --clip: names a clip of a glTF file, and FILE is none\n");
+/// The model's "strip" has points, which a cache cannot hold; its face is all that is drawn here.
+TEST_F(ToolRefusals, are_all_that_stands_on_stderr) {
+  nlohmann::json face = nlohmann::json::parse(tool_model());
+  for (auto& primitive : face["meshes"][0]["primitives"]) primitive["mode"] = 4;
+  face["meshes"][0]["primitives"][0]["indices"] = face["accessors"].size();
+  face["accessors"].push_back(
+      {{"bufferView", face["bufferViews"].size()}, {"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}});
+  face["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 3}});  // the first bytes are those of zeros
+  write("face.gltf", face.dump());
+  for (const Words& command :
+       std::vector<Words>{{"info", "@face.gltf"},
+                          {"check", "@face.gltf"},
+                          {"plan", "@face.gltf", "--clip", "0"},
+                          {"sample", "@face.gltf", "-o", "@poses.json"},
+                          {"verify", "@face.gltf", "@poses.json", "--exact"},
+                          {"convert", "@face.gltf", "@again.glb"},
+                          {"convert", "@face.gltf", "@fewer.glb", "--budget", "1mm"},
+                          {"convert", "@face.gltf", "@small.glb", "--quantize", "--meshopt"},
+                          {"compile", "@face.gltf", "-o", "@face.sinew"},
+                          {"info", "@face.sinew"},
+                          {"check", "@face.sinew"},
+                          {"bake", "@face.gltf", "--clip", "1", "-o", "@face.sgeo"},
+                          {"info", "@face.sgeo"},
+                          {"verify", "@face.sgeo"},
+                          {"verify", "@face.sgeo", "--against", "@face.gltf", "--clip", "1"},
+                          {"retarget", "@face.gltf", "--onto", "@face.gltf", "-o", "@moved.glb"}})
+    expect(0, command, "");
 }
 
 }  // namespace
