@@ -160,6 +160,58 @@ TEST(document_rules, T1_every_index_is_checked) {
   EXPECT_EQ(import_json(R"("images":[{"bufferView":0}])"), "reference at /images/0/bufferView");
 }
 
+/// A document with two entries in each list, of which the second refers to the second entry of others.
+const char* const kTwoOfEach = R"({"asset": {"version": "2.0"}, "scene": 1, "scenes": [{}, {"nodes": [0, 1]}],
+  "nodes": [{}, {"mesh": 1, "skin": 1, "camera": 1, "children": [0]}],
+  "meshes": [{"primitives": [{"attributes": {}}]}, {"primitives": [{"attributes": {}},
+    {"attributes": {"POSITION": 1, "NORMAL": 1}, "indices": 1, "material": 1, "targets": [{}, {"POSITION": 1, "NORMAL": 1}]}]}],
+  "skins": [{"joints": [0]}, {"joints": [0, 1], "skeleton": 1, "inverseBindMatrices": 1}],
+  "animations": [{"samplers": [], "channels": []}, {"samplers": [{"input": 0, "output": 0}, {"input": 1, "output": 1}],
+    "channels": [{"sampler": 0, "target": {"path": "scale"}}, {"sampler": 1, "target": {"node": 1, "path": "scale"}}]}],
+  "materials": [{}, {"pbrMetallicRoughness": {"baseColorTexture": {"index": 1}, "metallicRoughnessTexture": {"index": 1}},
+    "normalTexture": {"index": 1}, "occlusionTexture": {"index": 1}, "emissiveTexture": {"index": 1}}],
+  "textures": [{}, {"source": 1, "sampler": 1}], "samplers": [{}, {}], "images": [{"uri": "a"}, {"bufferView": 1}],
+  "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}, {"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}],
+  "accessors": [{"componentType": 5126, "count": 1, "type": "SCALAR"}, {"bufferView": 1, "componentType": 5126, "count": 1,
+    "type": "SCALAR", "sparse": {"count": 1, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 1}}}],
+  "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 1, "byteLength": 4}],
+  "buffers": [{"byteLength": 4}, {"byteLength": 4}]})";
+
+/// "pointer: detail" of every reference that leads nowhere.
+std::vector<std::string> broken_references(const Json& document) {
+  const std::string text = document.dump();
+  const auto result = import_gltf(bytes_of(text), "x");
+  std::vector<std::string> found;
+  if (result) return found;
+  std::vector<ImportIssue> all{result.error().issue};
+  all.insert(all.end(), result.error().more_errors.begin(), result.error().more_errors.end());
+  for (const ImportIssue& issue : all)
+    if (issue.rule == "reference") found.push_back(issue.json_pointer + ": " + issue.detail);
+  return found;
+}
+
+TEST(document_rules, T1_every_index_of_every_entry_is_less_than_the_length_of_its_list) {
+  const Json document = Json::parse(kTwoOfEach);
+  EXPECT_EQ(broken_references(document), std::vector<std::string>());
+  std::size_t count = 0;
+  const Json flat = document.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    const std::string name = pointer.substr(pointer.rfind('/') + 1), list = pointer.substr(1, pointer.find('/', 1) - 1);
+    const bool in_list = pointer.find("/nodes/") != std::string::npos ||
+                         pointer.find("/children/") != std::string::npos ||
+                         pointer.find("/joints/") != std::string::npos;
+    const bool is_reference = value == 1 && (in_list || list == "scene" || list == "meshes" || list == "materials" ||
+                                             list == "textures" || list == "images" || list == "skins" ||
+                                             list == "animations" || name == "bufferView" || name == "buffer");
+    if (!is_reference) continue;
+    Json broken = document;
+    broken[Json::json_pointer(pointer)] = 2;
+    EXPECT_EQ(broken_references(broken), std::vector{pointer + ": index 2 of 2 entries"});
+    ++count;
+  }
+  EXPECT_EQ(count, 30u);
+}
+
 TEST(document_rules, all_errors_of_a_step_are_reported_together) {
   const auto result = import_gltf(bytes_of(R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0},{"skin":0}]})"), "x");
   ASSERT_FALSE(result);
