@@ -66,9 +66,11 @@ inline bool same_geometry(const GeometryInput& a, const GeometryInput& b) noexce
 /// of weight 0 is as good as absent. Layers that add follow in their order.
 struct FrameInput {
   std::span<const ClipLayer> layers;
-  std::span<const float> weights;               ///< [W] replaces all morph weights; empty = from the clips, else rest.
-                                                ///< Correctives add to either
-  Affine root;                                  ///< placed above all root joints
+  std::span<const float> weights;  ///< [W] replaces all morph weights; empty = from the clips, else rest.
+                                   ///< Correctives add to either
+  /// Placed above all root joints. Results are float: 16 km out they lie on a grid of 2 mm, and vertices are off by
+  /// some steps of it. Keep it near, relative to the camera or a local origin, and place results in double.
+  Affine root;
   std::span<const ClipLayer> next_layers = {};  ///< layers of a later time; ignored while `interpolation_factor` is 0
   /// [0, 1] part of the way from the pose of `layers` to the pose of `next_layers`. Each of the two is evaluated once
   /// as long as its layers stay the same. Other values than 0 need Needs::between_updates.
