@@ -130,7 +130,7 @@ inline constexpr HardCase kHardCases[] = {
     {"P01", "nodes that nothing moves are placed once"},
     {"P02", "constant channels are folded away"},
     {"P03", "keys are searched once per shared time line, at the same small cost after a jump"},
-    {"P04", "linear rotations are exact slerp; cheaper curves are measured, not played"},
+    {"P04", "near keys take fewer terms of slerp, which stays exact; nlerp is measured, not played"},
     {"P05", "cubic and squad paths run only when a sampler asks"},
     {"P06", "one full layer is no blend"},
     {"P07", "scale is propagated only where there is scale"},

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "runtime/clip/clip_layout.h"
 #include "runtime/clip/slerp_series.h"
@@ -110,7 +111,7 @@ TEST(packed_rows, sixteen_bytes_of_a_row_hold_a_slot_of_four_lanes) {
   }
 }
 
-TEST(packed_rows, N01_each_key_knows_how_far_its_rotations_turn) {
+TEST(packed_rows, N01_P04_each_key_knows_how_far_its_rotations_turn) {
   test::FixedRandom random(6);
   for (const double step_rad : {0.01, 0.5, 3.0}) {
     std::vector<PackedTrack> tracks;
@@ -130,7 +131,16 @@ TEST(packed_rows, N01_each_key_knows_how_far_its_rotations_turn) {
   }
 }
 
-TEST(packed_rows, N01_the_series_of_slerp_is_within_half_a_step_of_float) {
+TEST(packed_rows, P04_the_terms_of_slerp_grow_with_the_arc_between_keys) {
+  const auto terms = [](double turn_deg) { return slerp_power(1.0 - std::cos(turn_deg * std::numbers::pi / 360.0)); };
+  EXPECT_EQ(terms(0.0), kUsualSlerpPower);
+  EXPECT_EQ(terms(30.0), kUsualSlerpPower);
+  EXPECT_EQ(terms(90.0), 7u);
+  EXPECT_EQ(terms(180.0), kMostSlerpPower);
+  for (int degrees = 1; degrees <= 180; ++degrees) EXPECT_GE(terms(degrees), terms(degrees - 1));
+}
+
+TEST(packed_rows, N01_P04_the_series_of_slerp_is_within_half_a_step_of_float) {
   for (int i = 0; i <= 1000; ++i) {
     const double x = std::pow(i / 1000.0, 3.0), a = std::acos(1.0 - x);
     const std::size_t power = slerp_power(x);

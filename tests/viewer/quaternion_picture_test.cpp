@@ -136,7 +136,7 @@ TEST_F(quaternion_picture, normals_between_three_corners_are_those_of_hast) {
   EXPECT_GT(apart(normals_of(built, straight_view(), NormalInterpolation::interpolated), expected).most, 3.0);
 }
 
-TEST_F(quaternion_picture, a_sphere_has_the_same_normals_as_interpolated_outside_and_inside) {
+TEST_F(quaternion_picture, N35_a_sphere_has_the_same_normals_as_interpolated_outside_and_inside) {
   BuiltScene built;
   Material material = plain();
   material.double_sided = true;
@@ -151,7 +151,7 @@ TEST_F(quaternion_picture, a_sphere_has_the_same_normals_as_interpolated_outside
   }
 }
 
-TEST_F(quaternion_picture, frames_keep_to_one_sign_within_a_triangle) {
+TEST_F(quaternion_picture, N35_frames_keep_to_one_sign_within_a_triangle) {
   Affine turned;
   turned.row[0].x = turned.row[2].z = -1.0f;
   for (const Affine& place : {Affine{}, turned})

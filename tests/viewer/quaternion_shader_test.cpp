@@ -76,7 +76,18 @@ TEST_F(quaternion_shader, normals_between_are_those_of_double_precision_and_of_u
   }
 }
 
-TEST_F(quaternion_shader, frames_are_orthonormal_and_have_their_normal_and_tangent) {
+TEST_F(quaternion_shader, N35_at_and_near_the_pole_a_normal_has_a_half_way_vector_and_comes_back_from_it) {
+  for (const float x : {0.0f, 1e-30f, 1e-20f, 1e-10f, 1e-4f, 0.01f})
+    for (const glm::vec2& side : {glm::vec2(1.0f, 0.0f), glm::vec2(-0.6f, 0.8f)}) {
+      const glm::vec4 n(x * side, -std::sqrt(1.0f - x * x), 0.5f);
+      const Answer got = answer_to({n, n});
+      EXPECT_NEAR(glm::length(glm::vec3(got.h0)), 1.0f, 1e-6f) << x;
+      EXPECT_LT(glm::length(glm::vec3(got.n) - glm::vec3(n)), 1e-6f) << x;
+      EXPECT_TRUE(x == 0.0f || glm::length(glm::vec3(got.h0) - glm::vec3(side, 0.0f)) < 0.6f * x + 1e-6f) << x;
+    }
+}
+
+TEST_F(quaternion_shader, N35_frames_are_orthonormal_and_have_their_normal_and_tangent) {
   test::FixedRandom random(5);
   for (int i = 0; i < 80; ++i) {
     glm::vec3 n = random.direction();
