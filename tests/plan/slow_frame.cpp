@@ -20,15 +20,11 @@ Transformd to_double(const Transform& t) {
   return {Vec3d(t.translation), quat_cast<double>(t.rotation), Vec3d(t.scale)};
 }
 
-/// By the reference, but for squad: that is the product's own, which tests/numeric holds.
 Transformd sampled(const BoneAnimation& bone, double time_s, const Transformd& rest) {
   Transformd out = rest;
   if (!bone.translation.empty()) out.translation = reference::vec3_of(reference::sample(bone.translation, time_s));
   if (!bone.scale.empty()) out.scale = reference::vec3_of(reference::sample(bone.scale, time_s));
-  if (bone.rotation.empty()) return out;
-  out.rotation = bone.rotation.interpolation == Interpolation::squad
-                     ? bone.interpolate<double>(time_s, rest).rotation
-                     : reference::quat_of(reference::sample(bone.rotation, time_s));
+  if (!bone.rotation.empty()) out.rotation = reference::quat_of(reference::sample(bone.rotation, time_s));
   return out;
 }
 

@@ -58,6 +58,52 @@ inline Numbers cubic(const Numbers& v0, const Numbers& out0, const Numbers& in1,
              mix(v1, -2 * t3 + 3 * t2, in1, td * (t3 - t2)), 1);
 }
 
+/// eq   Hamilton's product of x y z w
+inline Numbers product(const Numbers& a, const Numbers& b) {
+  return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+          a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+}
+
+/// eq   log(conj(from) to) of unit quaternions: half the turn from one to the other about its axis
+inline Numbers log_between(const Numbers& from, const Numbers& to) {
+  const Numbers q = product({-from[0], -from[1], -from[2], from[3]}, to), v{q[0], q[1], q[2]};
+  const Real sine = std::sqrt(inner_product(v, v));
+  return mix(v, sine > 0 ? std::atan2(sine, q[3]) / sine : 1 / q[3], v, 0);
+}
+
+/// eq   q exp(v) = q (v sin|v| / |v|, cos|v|)
+inline Numbers turned(const Numbers& q, const Numbers& v) {
+  const Real a = std::sqrt(inner_product(v, v)), ratio = a > 0 ? std::sin(a) / a : 1;
+  return product(q, {v[0] * ratio, v[1] * ratio, v[2] * ratio, std::cos(a)});
+}
+
+/// Squad from key k to key k + 1 of a rotation track.
+/// eq   slerp(slerp(q0, q1, s), slerp(a0, a1, s), 2 s (1 - s)), arcs as given   (Shoemake 1987; Real-Time Rendering,
+///      eq. 4.55). With l- and l+ the logarithms from a key to its neighbours, h- and h+ seconds away, the parabola
+///      through the three has the slope v = (l+ h- / h+ - l- h+ / h-) / (h- + h+) at the key, and squad has it on both
+///      sides for a0 = q0 exp((v h+ - l+) / 2), a1 = q1 exp((-l- - v h-) / 2); a key without a neighbour is its own a
+inline Numbers squad(const QuatTrack& track, std::size_t k, Real s) {
+  const auto seconds = [&](std::size_t i) { return Real(track.times_s[i + 1]) - Real(track.times_s[i]); };
+  const auto near = [&](const Numbers& to, std::size_t i) {
+    const Numbers q = unit(numbers(track.values[i]));
+    return mix(q, inner_product(to, q) < 0 ? -1 : 1, q, 0);
+  };
+  const auto slope = [](const Numbers& back, const Numbers& ahead, Real before, Real after) {
+    return mix(ahead, before / after / (before + after), back, -after / before / (before + after));
+  };
+  const Numbers q0 = unit(numbers(track.values[k])), q1 = near(q0, k + 1);
+  Numbers a0 = q0, a1 = q1;
+  if (k > 0 && seconds(k - 1) > 0) {
+    const Numbers back = log_between(q0, near(q0, k - 1)), ahead = log_between(q0, q1);
+    a0 = turned(q0, mix(slope(back, ahead, seconds(k - 1), seconds(k)), seconds(k) / 2, ahead, Real(-0.5)));
+  }
+  if (k + 2 < track.times_s.size() && seconds(k + 1) > 0) {
+    const Numbers back = log_between(q1, q0), ahead = log_between(q1, near(q1, k + 2));
+    a1 = turned(q1, mix(back, Real(-0.5), slope(back, ahead, seconds(k), seconds(k + 1)), -seconds(k) / 2));
+  }
+  return slerp(slerp(q0, q1, s), slerp(a0, a1, s), 2 * s * (1 - s));
+}
+
 /// The last key at or before `time_s`, by a linear scan; clamps at both ends.
 inline std::size_t key_before(std::span<const float> times_s, double time_s) {
   std::size_t key = 0;
@@ -65,7 +111,7 @@ inline std::size_t key_before(std::span<const float> times_s, double time_s) {
   return key;
 }
 
-/// Value of a vector or rotation track at `time_s`; squad is not covered here.
+/// Value of a vector or rotation track at `time_s`.
 template <class V>
 Numbers sample(const Track<V>& track, double time_s) {
   const std::size_t k = key_before(track.times_s, time_s);
@@ -80,6 +126,8 @@ Numbers sample(const Track<V>& track, double time_s) {
     const Numbers sum = cubic(v0, value(3 * k + 2), value(3 * k + 3), value(3 * k + 4), s, td);
     return rotation ? unit(sum) : sum;
   }
+  if constexpr (rotation)
+    if (track.interpolation == Interpolation::squad) return squad(track, k, s);
   return rotation ? slerp_short(v0, value(k + 1), s) : mix(v0, 1 - s, value(k + 1), s);
 }
 
