@@ -18,8 +18,6 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
   f.require_finite(s.rest);
   f.require_unit(s.rest);
   f.require_finite(s.fixed_matrices);
-  for (std::size_t j = 0; j < joints; ++j)
-    f.require(s.parents[j] == kNone || s.parents[j] < j, ErrorCode::parents_not_first);
   for (const std::uint32_t i : s.fixed_matrix_of) f.require_optional_index(i, s.fixed_matrices.size());
   f.require_indices(s.node_of_joint, joints);
   f.require_indices(s.joint_of_node, joints);
@@ -28,7 +26,7 @@ void check_skeleton(const Skeleton& s, Findings& f) noexcept {
     f.require(s.joint_of_node[s.node_of_joint[j]] == j, ErrorCode::index_out_of_range);
 }
 
-/// Levels are contiguous, and each joint's parent lies one level up.
+/// Levels are contiguous, and each joint's parent lies one level up: no joint is above itself.
 void check_levels(const Skeleton& s, Findings& f) noexcept {
   const auto& begin = s.level_begin;
   if (begin.empty() && s.joint_count() == 0) return;

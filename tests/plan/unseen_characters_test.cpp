@@ -185,6 +185,38 @@ TEST(unseen_characters, a_pose_from_before_the_sleep_is_not_taken_for_the_restin
   EXPECT_TRUE(same_shape(frame.result().primitives[0], fresh.result().primitives[0]));
 }
 
+TEST(unseen_characters, a_paused_one_that_comes_back_into_view_is_there_again_in_one_buffer_or_in_turns) {
+  const Scene scene = arm_scene();
+  const Plan plan = compile_plan(scene, all_needs());
+  const ClipLayer paused{0, 0.7};
+  const std::uint8_t away[] = {1};
+  FrameInput seen{.layers = {&paused, 1}, .weights = {}, .root = {}}, unseen = seen;
+  unseen.out_of_view = away;
+  FrameBuffer fresh(plan);
+  ASSERT_EQ(run_plan(plan, seen, fresh), ErrorCode::ok);
+  ASSERT_EQ(fresh.result().primitives[0].positions.size(), 4u);
+  for (const std::size_t buffer_count : {1u, 2u, 3u}) {
+    std::vector<FrameBuffer> buffers;
+    for (std::size_t b = 0; b < buffer_count; ++b) buffers.emplace_back(plan);
+    std::uint64_t number = 0, back_since = 0;
+    for (const FrameInput& input : {seen, seen, unseen, unseen, unseen, seen, seen, seen, unseen, seen}) {
+      FrameBuffer& frame = buffers[number % buffer_count];
+      frame.count_from(number);
+      if (number > 0) frame.follow(buffers[(number - 1) % buffer_count]);
+      ASSERT_EQ(run_plan(plan, input, frame), ErrorCode::ok);
+      ++number;
+      const DeformedPrimitive& shape = frame.result().primitives[0];
+      const bool is_seen = input.out_of_view.empty();
+      EXPECT_EQ(frame.result().instances[0].visible, is_seen) << number;
+      EXPECT_TRUE(is_seen ? same_shape(shape, fresh.result().primitives[0]) : is_nothing(shape)) << number;
+      EXPECT_EQ(same_bits(frame.result().instances[0].bounds, fresh.result().instances[0].bounds), is_seen) << number;
+      if (number == 6) back_since = shape.since_frame;
+      EXPECT_TRUE(number < 7 || number > 8 || shape.since_frame == back_since) << "uploaded once";
+    }
+    EXPECT_EQ(back_since, 6u);
+  }
+}
+
 TEST(unseen_characters, the_job_thread_passes_on_who_is_seen) {
   const Scene scene = arm_scene();
   const Plan plan = compile_plan(scene, {});
