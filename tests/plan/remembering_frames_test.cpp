@@ -5,14 +5,15 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <limits>
 #include <map>
 #include <optional>
 
-#include "runtime/lod/update_rate.h"
 #include "runtime/plan/run_plan.h"
 #include "tests/plan/frame_equality.h"
-#include "tests/scenes/random_inputs.h"
+#include "tests/plan/held_by_the_book.h"
 
 namespace sinew::test {
 namespace {
@@ -22,20 +23,56 @@ using Steps = std::vector<std::uint32_t>;
 
 rc::Gen<Steps> some_steps() { return rc::gen::resize(200, rc::gen::arbitrary<Steps>()); }
 
+/// A hash of what the vertices of an instance are made of: joints, morph weights, winding and what plays in their
+/// place. 0 where it is not known: the plan gives no joints or weights, or the source has nothing yet.
+std::uint64_t causes_of(const Plan& plan, const FrameResult& result, std::uint32_t i, const FrameInput& input) {
+  const Scene& scene = plan.scene();
+  const std::uint32_t skin = scene.instances[i].skin, first = scene.first_weight[i];
+  const bool known = (skin == kNone || plan.needs().palettes) && plan.needs().weights && plan.needs().joints;
+  if (!known || result.instances[i].late) return 0;
+  const std::array<std::uint32_t, 1> winding = {result.instances[i].mirrored};
+  BitHash hash;
+  hash.add(std::span(winding)).add(result.weights.subspan(first, scene.first_weight[i + 1] - first));
+  if (skin != kNone) hash.add(result.palettes[skin].matrices);
+  const std::vector<std::uint32_t>& cached = plan.needs().cached_instances;
+  const auto slot = static_cast<std::size_t>(std::ranges::find(cached, i) - cached.begin());
+  if (slot == cached.size() || input.geometry.empty() || !input.geometry[slot].plays()) return hash.value();
+  const GeometryInput& geometry = input.geometry[slot];
+  const std::array<std::uint64_t, 4> played = {geometry.source.content, std::uint64_t(geometry.source.space),
+                                               std::bit_cast<std::uint64_t>(geometry.time_s),
+                                               std::bit_cast<std::uint32_t>(geometry.weight)};
+  return hash.add(std::span(played)).add(result.model).add(std::span(&input.root, 1)).value();
+}
+
 /// The numbers of frames since which results hold, beside the results of all frames that gave any.
 class StampHistory {
  public:
-  explicit StampHistory(const Plan& plan) : hash_of_frame_(plan.primitives().size()) {}
+  explicit StampHistory(const Plan& plan) : plan_(plan), row_(plan.primitives().size()), hash_of_frame_(row_.size()) {}
 
   /// in   same_input   the frame before of the character had this input
-  void check(const FrameResult& now, bool same_input) {
+  void check(const FrameResult& now, const FrameInput& input, bool same_input) {
     RC_ASSERT(now.since_frame == (same_input ? last_since_ : now.frame));
     last_since_ = now.since_frame;
-    for (std::size_t p = 0; p < now.primitives.size(); ++p) check_shape(p, now.primitives[p], now.frame, same_input);
+    for (std::size_t p = 0; p < now.primitives.size(); ++p) {
+      check_shape(p, now.primitives[p], now.frame, same_input);
+      check_row(row_[p], now, now.primitives[p], input);
+    }
     for (std::size_t s = 0; s < now.palettes.size(); ++s) check_palette(s, now.palettes[s], now.frame);
   }
 
  private:
+  /// The unbroken row of frames that showed a primitive made of the same.
+  struct Row {
+    std::uint64_t causes = 0, first_frame = 0;
+  };
+
+  /// No vertices are new that are made of what those of the frame before were made of.
+  void check_row(Row& row, const FrameResult& now, const DeformedPrimitive& shape, const FrameInput& input) const {
+    const std::uint64_t causes = shape.since_frame == 0 ? 0 : causes_of(plan_, now, shape.instance, input);
+    if (causes == 0 || causes != row.causes) row = {causes, now.frame};
+    RC_ASSERT(shape.since_frame <= row.first_frame);
+  }
+
   struct Palette {
     std::vector<JointMatrix> matrices;
     std::uint64_t since_frame = 0;
@@ -62,6 +99,8 @@ class StampHistory {
     last = {{palette.matrices.begin(), palette.matrices.end()}, palette.since_frame};
   }
 
+  Plan plan_;
+  std::vector<Row> row_;                                               // [primitives]
   std::vector<std::map<std::uint64_t, std::uint64_t>> hash_of_frame_;  // [primitives]
   std::map<std::size_t, std::uint64_t> since_of_shape_;
   std::map<std::size_t, Palette> palettes_;
@@ -148,10 +187,11 @@ class Character {
     const FrameInput input = inputs_->view();
     RC_ASSERT(run_plan(plan_, input, frame) == ErrorCode::ok);
     FrameBuffer fresh(plan_);
-    RC_ASSERT(run_plan(plan_, input, fresh) == ErrorCode::ok);
+    RC_ASSERT(run_plan(plan_, inputs_->without_pages().view(), fresh) == ErrorCode::ok);
     RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
     RC_ASSERT(holds_result_of(frame, input) == (is_remembered(input) && !is_late(frame.result())));
-    stamps_->check(frame.result(), last_inputs_ && is_remembered(input) && means_the_same(*last_inputs_, *inputs_));
+    stamps_->check(frame.result(), input,
+                   last_inputs_ && is_remembered(input) && means_the_same(*last_inputs_, *inputs_));
     last_inputs_ = inputs_;
     if (is_late(frame.result())) last_inputs_.reset();  // whatever comes next may show more
   }
@@ -190,44 +230,59 @@ RC_GTEST_PROP(remembering_frames, P19_plans_that_take_turns_in_one_memory_rememb
   for (const std::uint32_t step : steps) character.step(step);
 }
 
-/// What HeldInput is to hold, as its header says it.
-class HeldByTheBook {
+/// A character whose inputs are held between updates, in buffers that take turns, by one of two plans.
+class HeldCharacter {
  public:
-  explicit HeldByTheBook(const RandomInputs& inputs) : held_(inputs) {}
+  explicit HeldCharacter(std::uint64_t seed) : scene_(busy_scene(seed)), phase_(static_cast<std::uint32_t>(seed % 5)) {
+    for (const std::uint64_t other : {seed, seed + 1})
+      plans_.push_back(compile_plan(scene_, busy_needs(other, scene_)));
+    take_plan(0);
+  }
 
-  FrameInput next(const RandomInputs& now, UpdateLevel level, std::uint64_t frame, std::uint32_t phase) {
-    const bool is_due = (frame + phase) % (1u << static_cast<unsigned>(level)) == 0;
-    if (is_due || woke_) held_ = now;
-    woke_ = now.view().asleep;
-    FrameInput input = held_.view();
-    input.out_of_view = now.view().out_of_view;
-    input.asleep = now.view().asleep;
-    return input;
+  void step(std::uint32_t seed) {
+    if (seed % 13 == 0) take_plan(seed / 13 % 2);
+    if (seed % 7 == 0) level_ = static_cast<UpdateLevel>(seed / 7 % 3);
+    inputs_->step(seed);
+    FrameBuffer& frame = buffers_[number_ % 2];
+    frame.count_from(number_);
+    if (has_run_) frame.follow(buffers_[(number_ + 1) % 2]);
+    has_run_ = true;
+    RC_ASSERT(run_plan(*plan_, held_->next(inputs_->view(), level_, number_, phase_), frame) == ErrorCode::ok);
+    by_the_book_->next(*inputs_, level_, number_, phase_);
+    FrameBuffer fresh(*plan_);
+    RC_ASSERT(run_plan(*plan_, by_the_book_->view(), fresh) == ErrorCode::ok);
+    RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
+    ++number_;
   }
 
  private:
-  RandomInputs held_;
-  bool woke_ = true;
+  void take_plan(std::size_t index) {
+    plan_ = &plans_[index];
+    buffers_.clear();
+    for (int b = 0; b < 2; ++b) buffers_.emplace_back(*plan_);
+    inputs_.emplace(*plan_);
+    held_.emplace(*plan_);
+    by_the_book_.emplace(*inputs_);
+    has_run_ = false;
+  }
+
+  Scene scene_;
+  std::vector<Plan> plans_;
+  const Plan* plan_ = nullptr;
+  std::vector<FrameBuffer> buffers_;
+  std::optional<RandomInputs> inputs_;
+  std::optional<HeldInput> held_;
+  std::optional<HeldByTheBook> by_the_book_;
+  UpdateLevel level_ = UpdateLevel::every;
+  std::uint32_t phase_ = 0;
+  std::uint64_t number_ = 0;
+  bool has_run_ = false;
 };
 
 RC_GTEST_PROP(remembering_frames, held_inputs_show_the_pose_of_the_last_update, (std::uint64_t seed)) {
   const Steps steps = *some_steps();
-  const Scene scene = busy_scene(seed);
-  const Plan plan = compile_plan(scene, busy_needs(seed, scene));
-  const auto phase = static_cast<std::uint32_t>(seed % 5);
-  RandomInputs inputs(plan);
-  HeldInput held(plan);
-  HeldByTheBook by_the_book(inputs);
-  FrameBuffer frame(plan);
-  UpdateLevel level = UpdateLevel::every;
-  for (std::size_t number = 0; number < steps.size(); ++number) {
-    inputs.step(steps[number]);
-    if (steps[number] % 7 == 0) level = static_cast<UpdateLevel>(steps[number] / 7 % 3);
-    RC_ASSERT(run_plan(plan, held.next(inputs.view(), level, number, phase), frame) == ErrorCode::ok);
-    FrameBuffer fresh(plan);
-    RC_ASSERT(run_plan(plan, by_the_book.next(inputs, level, number, phase), fresh) == ErrorCode::ok);
-    RC_ASSERT(first_difference(frame.result(), fresh.result()) == "");
-  }
+  HeldCharacter character(seed);
+  for (const std::uint32_t step : steps) character.step(step);
 }
 
 }  // namespace

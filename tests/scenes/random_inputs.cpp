@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "runtime/base/same_bits.h"
+#include "runtime/paging/cut_clip.h"
+#include "runtime/paging/page_table.h"
 #include "tests/scenes/random_scene.h"
 
 namespace sinew::test {
@@ -42,6 +44,20 @@ void animate_properties(Scene& scene, FixedRandom& random) {
                {{PropertyKind::node_visible, joint}, {Interpolation::step, {0.0f, 0.6f}, {0.0f, 1.0f}, 1}});
 }
 
+constexpr double kPage_s = 0.4;
+
+/// Pages of all clips; none for plans whose clips have fewer joints than the scene's.
+std::vector<std::vector<Clip>> cut_pages(const Plan& plan) {
+  std::vector<std::vector<Clip>> pages;
+  if (!plan.needs().skeleton_lod.kept.empty()) return pages;
+  for (const Clip& clip : plan.scene().clips) {
+    std::vector<Clip>& of_clip = pages.emplace_back();
+    const std::size_t count = page_count_of(clip.duration_s(), kPage_s);
+    for (std::size_t page = 0; page < count; ++page) of_clip.push_back(cut_page(clip, kPage_s, page));
+  }
+  return pages;
+}
+
 bool is_out_of_view(const std::vector<std::uint8_t>& flags, std::size_t instance) {
   return !flags.empty() && flags[instance] != 0;
 }
@@ -50,6 +66,7 @@ bool is_out_of_view(const std::vector<std::uint8_t>& flags, std::size_t instance
 
 RandomInputs::RandomInputs(const Plan& plan)
     : plan_(plan),
+      pages_(std::make_shared<const std::vector<std::vector<Clip>>>(cut_pages(plan))),
       sources_(std::make_shared<Sources>(Sources{WavingVertices(plan.scene(), 11), WavingVertices(plan.scene(), 12),
                                                  WavingVertices(plan.scene(), 11)})),
       playing_(plan.needs().cached_instances.size()) {
@@ -166,7 +183,8 @@ bool RandomInputs::is_seen_playing(std::size_t slot) const {
 }
 
 void RandomInputs::change_one_part(FixedRandom& random) {
-  switch (random.below(13)) {
+  switch (random.below(14)) {
+    case 13: paged_ = !paged_ && !pages_->empty(); break;
     case 10:
     case 11:
     case 12: change_geometry(random); break;
@@ -204,7 +222,25 @@ void RandomInputs::step(std::uint32_t seed) {
   for (std::uint32_t changes = random.below(4); changes > 0; --changes) change_one_part(random);
   make_valid(layers_);
   make_valid(next_layers_);
+  set_pages(layers_);
+  set_pages(next_layers_);
   set_geometry();
+}
+
+void RandomInputs::set_pages(Layers& layers) const {
+  for (ClipLayer& layer : layers) {
+    layer.page = nullptr;
+    if (!paged_) continue;
+    const std::vector<Clip>& pages = (*pages_)[layer.clip];
+    layer.page = &pages[page_at(layer.time_s, kPage_s, pages.size())];
+  }
+}
+
+RandomInputs RandomInputs::without_pages() const {
+  RandomInputs whole = *this;
+  for (Layers* layers : {&whole.layers_, &whole.next_layers_})
+    for (ClipLayer& layer : *layers) layer.page = nullptr;
+  return whole;
 }
 
 FrameInput RandomInputs::view() const {
@@ -247,6 +283,8 @@ Scene busy_scene(std::uint64_t seed) {
   Scene scene = random_scene(seed, options);
   if (random.below(3) == 0) move_few_joints(scene);
   if (random.below(2) == 0) animate_properties(scene, random);
+  if (random.below(4) == 0)
+    scene.hidden_joints = {random.below(static_cast<std::uint32_t>(scene.skeleton.joint_count()))};
   scene.clips.clear();
   finish_scene(scene);
   return scene;
@@ -283,6 +321,13 @@ Needs busy_needs(std::uint64_t seed, const Scene& scene) {
     std::vector<float>& mask = needs.masks.emplace_back(scene.skeleton.joint_count());
     for (float& weight : mask) weight = 0.5f * static_cast<float>(random.below(3));
   }
+  needs.joints = random.below(6) > 0;
+  needs.tangents = random.below(4) > 0;
+  needs.tangents_of_all = random.below(4) == 0;
+  needs.weights = random.below(4) > 0;
+  needs.properties = random.below(4) > 0;
+  for (std::size_t i = random.below(3) == 0 ? scene.instances.size() : 0; i > 0; --i)
+    needs.instance_skinning.push_back(static_cast<Skinning>(random.below(3)));
   if (seed % 2 == 0) needs.mirror = std::make_shared<const MirrorMap>(some_mirror(scene));
   if (random.below(2) == 0) return needs;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)

@@ -25,6 +25,9 @@ class RandomInputs {
   /// Views of this object, valid until the next step.
   FrameInput view() const;
 
+  /// The same with every layer from its whole clip instead of a page of it.
+  RandomInputs without_pages() const;
+
   /// Whether frames cannot tell the inputs apart: numbers by their bits, a character asleep is asleep, layers that
   /// are not reached do not count, an empty list of what is out of view says that all is in view, and what is out of
   /// view plays nothing.
@@ -34,6 +37,7 @@ class RandomInputs {
   using Layers = std::vector<ClipLayer>;
 
   void change_one_part(FixedRandom& random);
+  void set_pages(Layers& layers) const;
   void change_layers(Layers& layers, FixedRandom& random);
   void change_layer(ClipLayer& layer, FixedRandom& random);
   void move_between_updates(FixedRandom& random);
@@ -54,6 +58,7 @@ class RandomInputs {
   bool is_seen_playing(std::size_t slot) const;
 
   Plan plan_;
+  std::shared_ptr<const std::vector<std::vector<Clip>>> pages_;  ///< [clips][pages]; empty where pages may not play
   std::shared_ptr<Sources> sources_;  ///< copies of the inputs share them, as characters do
   std::array<double, 3> source_times_{};
   std::vector<Playing> playing_;  ///< [cached instances]
@@ -63,7 +68,7 @@ class RandomInputs {
   std::vector<std::uint8_t> out_of_view_;
   Affine root_;
   float interpolation_factor_ = 0.0f;
-  bool asleep_ = false;
+  bool asleep_ = false, paged_ = false;
 };
 
 /// A scene of every kind of data that frames evaluate: joints, some of which no clip moves, morph targets, materials

@@ -5,11 +5,11 @@
 
 #include <deque>
 #include <map>
-#include <optional>
+#include <vector>
 
 #include "runtime/threads/job_thread.h"
 #include "tests/plan/frame_equality.h"
-#include "tests/scenes/random_inputs.h"
+#include "tests/plan/held_by_the_book.h"
 #include "tests/threads/crowd.h"
 
 namespace sinew::test {
@@ -17,49 +17,91 @@ namespace {
 
 constexpr std::size_t kCharacters = 3;
 
-/// Some characters on a job thread, each with a scene and a plan of its own.
+/// One character with a plan of its own, whose inputs are held between updates.
+struct Driven {
+  Plan plan;
+  RandomInputs inputs{plan};
+  HeldInput held{plan};
+  HeldByTheBook by_the_book{inputs};
+  UpdateLevel level = UpdateLevel::every;
+  bool is_gone = false;                                                      ///< another took its place: it sleeps
+  std::map<std::size_t, std::map<std::uint64_t, std::uint64_t>> hash_since;  ///< [primitives]
+};
+
+/// Some characters on a job thread. Now and then one goes over to another plan of its scene, as an engine does it: with
+/// a new character.
 class Drive {
  public:
   Drive(std::uint64_t seed, JobThreadOptions options) : jobs_(std::move(options)) {
-    for (std::size_t c = 0; c < kCharacters; ++c) {
-      const Scene& scene = scenes_.emplace_back(busy_scene(seed + c));
-      plans_.push_back(compile_plan(scene, busy_needs(seed + c, scene)));
-      inputs_.emplace_back(plans_.back());
-      jobs_.add_character(plans_.back());
-    }
-    hash_since_.resize(kCharacters);
+    for (std::size_t c = 0; c < kCharacters; ++c) add(scenes_.emplace_back(busy_scene(seed + c)), seed + c);
   }
 
   /// Two frames may be on their way at once, and some results are never looked at.
   void step(std::uint32_t seed) {
     FixedRandom random(seed);
+    if (random.below(64) == 0 && driven_.size() < 2 * kCharacters) go_over(random);
     std::vector<FrameInput> views;
-    for (std::size_t c = 0; c < kCharacters; ++c) {
-      inputs_[c].step(seed + static_cast<std::uint32_t>(c));
-      views.push_back(inputs_[c].view());
-    }
-    if (const Result<Ticket> ticket = jobs_.submit(views)) submitted_ = {*ticket, inputs_};
+    for (std::size_t c = 0; c < driven_.size(); ++c)
+      views.push_back(next_input(c, seed + static_cast<std::uint32_t>(c)));
+    ++number_;
+    if (const Result<Ticket> ticket = jobs_.submit(views)) submitted_ = {*ticket, shown_now()};
     if (submitted_.ticket == 0 || random.below(3) == 0) return;
     jobs_.wait(submitted_.ticket);
     RC_ASSERT(jobs_.last_error() == ErrorCode::ok);
-    for (std::size_t c = 0; c < kCharacters; ++c)
+    for (std::size_t c = 0; c < submitted_.shown.size(); ++c)
       if (random.below(4) > 0) look_at(c);
   }
 
  private:
+  struct Shown {
+    HeldByTheBook input;
+    bool is_gone;
+  };
   struct Submitted {
     Ticket ticket = 0;
-    std::vector<RandomInputs> inputs;
+    std::vector<Shown> shown;
   };
+
+  void add(const Scene& scene, std::uint64_t seed) {
+    const Driven& added = driven_.emplace_back(Driven{.plan = compile_plan(scene, busy_needs(seed, scene))});
+    jobs_.add_character(added.plan);
+  }
+
+  void go_over(FixedRandom& random) {
+    Driven& one = driven_[random.below(static_cast<std::uint32_t>(driven_.size()))];
+    if (one.is_gone) return;
+    one.is_gone = true;
+    add(one.plan.scene(), random.below(1000));
+  }
+
+  FrameInput next_input(std::size_t c, std::uint32_t seed) {
+    Driven& one = driven_[c];
+    one.inputs.step(seed);
+    if (seed % 7 == 0) one.level = static_cast<UpdateLevel>(seed / 7 % 3);
+    const auto phase = static_cast<std::uint32_t>(c);
+    one.by_the_book.next(one.inputs, one.level, number_, phase);
+    FrameInput input = one.held.next(one.inputs.view(), one.level, number_, phase);
+    input.asleep |= one.is_gone;
+    return input;
+  }
+
+  std::vector<Shown> shown_now() const {
+    std::vector<Shown> shown;
+    for (const Driven& one : driven_) shown.push_back({one.by_the_book, one.is_gone});
+    return shown;
+  }
 
   void look_at(std::size_t c) {
     const FrameResult* result = jobs_.latest(static_cast<JobThread::Character>(c));
     RC_ASSERT(result != nullptr);
-    FrameBuffer fresh(plans_[c]);
-    RC_ASSERT(run_plan(plans_[c], submitted_.inputs[c].view(), fresh) == ErrorCode::ok);
+    FrameBuffer fresh(driven_[c].plan);
+    FrameInput input = submitted_.shown[c].input.view();
+    input.asleep |= submitted_.shown[c].is_gone;
+    RC_ASSERT(run_plan(driven_[c].plan, input, fresh) == ErrorCode::ok);
     RC_ASSERT(first_difference(*result, fresh.result()) == "");
     RC_ASSERT(result->frame <= submitted_.ticket);
-    for (std::size_t p = 0; p < result->primitives.size(); ++p) check_stamp(hash_since_[c][p], result->primitives[p]);
+    for (std::size_t p = 0; p < result->primitives.size(); ++p)
+      check_stamp(driven_[c].hash_since[p], result->primitives[p]);
   }
 
   /// A number of a frame stands for one set of vertices.
@@ -69,11 +111,10 @@ class Drive {
   }
 
   std::deque<Scene> scenes_;
-  std::vector<Plan> plans_;
-  std::vector<RandomInputs> inputs_;
+  std::deque<Driven> driven_;
   JobThread jobs_;  // ends before what it shows
   Submitted submitted_;
-  std::vector<std::map<std::size_t, std::map<std::uint64_t, std::uint64_t>>> hash_since_;  // [characters][primitives]
+  std::uint64_t number_ = 0;
 };
 
 void drive(std::uint64_t seed, JobThreadOptions options) {
