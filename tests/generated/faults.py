@@ -32,7 +32,7 @@ def simple(code, pointer, value, at=None):
 simple('ACCESSOR_TOO_LONG', '/accessors/0/count', 100000, '/accessors/0')
 simple('ACCESSOR_TOO_LONG', '/accessors/0/byteOffset', 4096, '/accessors/0')
 simple('BUFFER_VIEW_TOO_LONG', '/bufferViews/1/byteLength', 1 << 20)
-simple('INVALID_JSON', '/asset/version', '3.0', '')
+simple('UNKNOWN_ASSET_MAJOR_VERSION', '/asset/version', '3.0')
 simple('TYPE_MISMATCH', '/nodes/1/translation', 'up')
 simple('TYPE_MISMATCH', '/accessors/1/count', 'three')
 simple('TYPE_MISMATCH', '/meshes/0/primitives', {})
