@@ -202,6 +202,33 @@ TEST(build_meshes, tangents_without_normals_are_not_those_of_the_file) {
   EXPECT_THAT(only(result).tangents, IsEmpty());
 }
 
+TEST(build_meshes, P13_tangents_are_made_only_for_a_normal_map_that_has_its_coordinates) {
+  const auto tangents = [](const char* material, bool allowed = true) {
+    TinyGltf file;
+    Json& primitive = file.add_triangle();
+    primitive["attributes"]["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    primitive["attributes"]["TEXCOORD_0"] = file.add(std::vector<float>{0, 0, 1, 0, 0, 1}, "VEC2", 5126, 2);
+    file.root["images"] = Json::parse(R"([{"uri":"data:image/png;base64,AAAA"}])");
+    file.root["textures"] = Json::parse(R"([{"source":0}])");
+    if (material != nullptr) {
+      primitive["material"] = 0;
+      file.root["materials"] = Json::array({Json::parse(material)});
+    }
+    ImportOptions options;
+    options.make_tangents = allowed;
+    const auto result = file.import(options);
+    return only(result).tangents.size();
+  };
+  EXPECT_EQ(tangents(nullptr), 0u);
+  EXPECT_EQ(tangents(R"({})"), 0u);
+  EXPECT_EQ(tangents(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"occlusionTexture":{"index":0},)"
+                     R"("emissiveTexture":{"index":0}})"),
+            0u);
+  EXPECT_EQ(tangents(R"({"normalTexture":{"index":0,"texCoord":1}})"), 0u) << "which the mesh does not have";
+  EXPECT_EQ(tangents(R"({"normalTexture":{"index":0}})"), 3u);
+  EXPECT_EQ(tangents(R"({"normalTexture":{"index":0}})", false), 0u);
+}
+
 TEST(build_meshes, attribute_formats_and_counts_are_checked) {
   const auto rule = [](const char* name, auto add) {
     TinyGltf file;

@@ -15,7 +15,7 @@ namespace {
 
 std::string import_text(const std::string& text) { return outcome(import_gltf(bytes_of(text), "x.gltf")); }
 
-std::string import_json(const char* rest) {
+std::string import_json(const std::string& rest) {
   return import_text(std::string(R"({"asset":{"version":"2.0"},)") + rest + "}");
 }
 
@@ -210,6 +210,21 @@ TEST(document_rules, T1_every_index_of_every_entry_is_less_than_the_length_of_it
     ++count;
   }
   EXPECT_EQ(count, 30u);
+}
+
+TEST(document_rules, T9_no_number_as_the_index_of_a_primitive_leads_out_of_the_lists) {
+  for (const char* number : {"1", "2147483647", "2147483648", "4294967294", "4294967295", "4294967296",
+                             "18446744073709551615", "18446744073709551616", "-1", "-2147483648", "1e300", "0.5"})
+    for (const char* property : {"indices", "material", "POSITION"}) {
+      const std::string primitive = property == std::string("POSITION")
+                                        ? R"("attributes":{"POSITION":)" + std::string(number) + "}"
+                                        : R"("attributes":{},")" + std::string(property) + "\":" + number;
+      const std::string place =
+          "/meshes/0/primitives/0/" + std::string(property == std::string("POSITION") ? "attributes/" : "") + property;
+      EXPECT_THAT(import_json(R"("meshes":[{"primitives":[{)" + primitive + "}]}]"),
+                  testing::AnyOf("reference at " + place, "json-type at " + place))
+          << number;
+    }
 }
 
 TEST(document_rules, all_errors_of_a_step_are_reported_together) {

@@ -329,10 +329,12 @@ TEST(evaluated_file, G53_channels_find_their_nodes_by_index_whatever_the_names_a
   }
 }
 
-/// A skinned triangle whose positions are 16-bit fractions of 100 m; the bind matrix of its joint undoes that.
+/// A skinned triangle whose positions are 16-bit fractions of 100 m; the bind matrices of its two joints, which move
+/// together, undo that.
 TinyGltf quantised_triangle() {
   TinyGltf file;
-  Json& primitive = file.add_skinned_triangle(kAllOnSlot0, kFull);
+  Json& primitive =
+      file.add_skinned_triangle({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {.5f, .5f, 0, 0, .5f, .5f, 0, 0, .5f, .5f, 0, 0});
   primitive["attributes"]["POSITION"] =
       file.add(std::vector<std::int16_t>{32767, 0, 0, 0, 0, -32767, 0, 0, 0, 16384, 0, 0}, "VEC3", 5122, 4, true);
   Json& view = file.root["bufferViews"].back();
@@ -356,15 +358,19 @@ TinyGltf quantised_triangle() {
 
 TEST(evaluated_file,
      G59_quantised_positions_and_displacements_are_scaled_by_the_bind_matrix_in_every_kind_of_skinning) {
-  const auto file = quantised_triangle().import();
+  auto file = quantised_triangle().import();
   ASSERT_EQ(outcome(file), "ok");
-  for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion}) {
+  file->scene.meshes[0].primitives[0].centers_of_rotation = {{0.5f, 0, 0}, {0, 0.2f, 0.1f}, {0, 0, 0.25f}};
+  for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion, Skinning::center_of_rotation}) {
+    SCOPED_TRACE(static_cast<int>(skinning));
     Needs needs;
     needs.skinning = skinning;
     needs.bounds = true;
     const Plan plan = compile_plan(file->scene, needs);
     FrameBuffer frame(plan);
     ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+    EXPECT_EQ(frame.result().work.vertices_skinned_center_of_rotation,
+              skinning == Skinning::center_of_rotation ? 3u : 0u);
     const auto positions = frame.result().primitives[0].positions;
     const double half = 100.0 * 16384.0 / 32767.0;
     EXPECT_TRUE(is_near(Vec3<double>(positions[0]), Vec3<double>(-50, 100, 0), 1e-4));
@@ -374,6 +380,33 @@ TEST(evaluated_file,
     EXPECT_TRUE(is_near(Vec3<double>(box.lower), Vec3<double>(-half, 0, -50), 1e-4));
     EXPECT_TRUE(is_near(Vec3<double>(box.upper), Vec3<double>(100, 100, 0), 1e-4));
   }
+}
+
+TEST(evaluated_file, G59_quantised_positions_of_an_unskinned_mesh_are_scaled_by_its_node_in_vertices_and_box) {
+  TinyGltf file;
+  Json& primitive = file.add_triangle();
+  primitive["attributes"]["POSITION"] =
+      file.add(std::vector<std::int16_t>{32767, 0, 0, 0, 0, -32767, 0, 0, 0, 0, 16384, 0}, "VEC3", 5122, 4, true);
+  file.root["bufferViews"].back()["byteStride"] = 8;
+  file.root["accessors"].back()["count"] = 3;
+  file.root["nodes"] = Json::parse(
+      R"([{"mesh":0,"scale":[100,100,50],"translation":[1000,0,0],"rotation":[0,0,0.70710678,0.70710678]}])");
+  file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const auto read = file.import();
+  ASSERT_EQ(outcome(read), "ok");
+  Needs needs;
+  needs.bounds = true;
+  const Plan plan = compile_plan(read->scene, needs);
+  FrameBuffer frame(plan);
+  ASSERT_EQ(run_plan(plan, {}, frame), ErrorCode::ok);
+  const double half = 50.0 * 16384.0 / 32767.0;
+  const Vec3<double> expected[] = {{1000, 100, 0}, {1100, 0, 0}, {1000, 0, half}};
+  const InstanceResult& instance = frame.result().instances[0];
+  const auto& stored = read->scene.meshes[0].primitives[0].positions;
+  for (std::size_t v = 0; v < 3; ++v)
+    EXPECT_TRUE(is_near(Vec3<double>(transform_point(instance.world_from_mesh, stored[v])), expected[v], 1e-4)) << v;
+  EXPECT_TRUE(is_near(Vec3<double>(instance.bounds.lower), Vec3<double>(1000, 0, 0), 1e-4));
+  EXPECT_TRUE(is_near(Vec3<double>(instance.bounds.upper), Vec3<double>(1100, 100, half), 1e-4));
 }
 
 TEST(evaluated_file, N23_weights_that_sum_to_less_than_one_do_not_pull_a_vertex_towards_the_origin) {

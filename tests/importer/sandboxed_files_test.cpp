@@ -98,6 +98,24 @@ TEST_F(sandboxed_files, G64_links_that_lead_out_are_refused) {
   EXPECT_EQ(read("inside.bin"), "abcd");
 }
 
+TEST_F(sandboxed_files, T9_what_a_shell_would_run_is_a_name_like_others) {
+  const fs::path harm = root_ / "asset" / "harm.bin";
+  for (const std::string name :
+       {"$(touch harm.bin)", "`touch harm.bin`", "a.bin; touch harm.bin", "a.bin|touch harm.bin",
+        "a.bin && touch harm.bin", "$HOME", "~", "*.bin", "a.b?n", "{a,b}.bin", "'a.bin'"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(read(name), "<missing>") << "nothing is expanded or matched";
+    write(root_ / "asset" / name, "named");
+    EXPECT_EQ(read(name), "named");
+    const Json document = {{"asset", {{"version", "2.0"}}}, {"buffers", {{{"byteLength", 5}, {"uri", name}}}}};
+    write(root_ / "asset" / "x.gltf", document.dump());
+    const auto file = import_gltf(root_ / "asset" / "x.gltf");
+    EXPECT_EQ(outcome(file), "ok");
+    EXPECT_TRUE(file && file->warnings.empty());
+    EXPECT_FALSE(fs::exists(harm) || fs::exists("harm.bin"));
+  }
+}
+
 TEST_F(sandboxed_files, G64_T9_pipes_and_devices_are_not_opened_and_do_not_block) {
   ASSERT_EQ(::mkfifo((root_ / "asset" / "pipe.bin").c_str(), 0600), 0);
   fs::create_symlink("/dev/zero", root_ / "asset" / "zero.bin");
