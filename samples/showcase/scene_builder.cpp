@@ -58,6 +58,11 @@ void SceneBuilder::add_instance(std::uint32_t joint, std::uint32_t mesh, std::ui
   scene_.instances.push_back({joint, mesh, skin, scene_.meshes[mesh].default_weights});
 }
 
+void SceneBuilder::add_light(Light light, const Transform& rest) {
+  light.joint = add_joint(light.name, kNone, rest);
+  scene_.lights.push_back(std::move(light));
+}
+
 void SceneBuilder::add_animation(Animation animation) { scene_.animations.push_back(std::move(animation)); }
 
 std::uint32_t SceneBuilder::add_prop(const std::string& name, Primitive primitive, std::uint32_t material,

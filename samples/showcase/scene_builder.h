@@ -16,6 +16,8 @@ class SceneBuilder {
   std::uint32_t add_skin(Skin skin);
   std::uint32_t add_mesh(Mesh mesh);
   void add_instance(std::uint32_t joint, std::uint32_t mesh, std::uint32_t skin = kNone);
+  /// Adds a light on its own root joint. It shines along -z of that.
+  void add_light(Light light, const Transform& rest);
   void add_animation(Animation animation);
 
   /// Adds a static mesh of one primitive on its own root joint. Returns the joint.

@@ -21,8 +21,8 @@ struct ShowcaseScene {
   float fov_y_rad = 0.7f;
 };
 
-/// A stylised skull flies over a floor with a box and rows of columns with spheres. Shows contact shadows by ambient
-/// occlusion. One BoneAnimation of five keyframes moves the skull.
+/// A skull flies between rows of columns with copper spheres, past a ball of lacquer and one of gold. Shows shadows,
+/// reflections and ambient occlusion. One BoneAnimation of five keyframes moves the skull.
 ShowcaseScene skull_flight();
 
 /// The same arm three times, twisted by 0 to 180 degrees: linear blend skinning collapses, dual quaternions and centers

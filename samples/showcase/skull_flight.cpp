@@ -3,69 +3,58 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 #include "runtime/base/contract.h"
+#include "runtime/math/rotation_between.h"
+#include "samples/showcase/polygonise.h"
 #include "samples/showcase/scene_builder.h"
 #include "samples/showcase/shapes.h"
 #include "samples/showcase/showcase.h"
+#include "samples/showcase/skull_bones.h"
+#include "samples/showcase/skull_teeth.h"
 
 namespace sinew::showcase {
 namespace {
 
-constexpr float kSkullRadius = 4.0f;
+using Bone = float (*)(const glm::vec3&);
+
 constexpr float kFloorY = -3.0f;
 
-/// A bump on the unit sphere: 1 at `centre`, nearly 0 at a distance of three `width`s.
-float bump(const glm::vec3& direction, const glm::vec3& centre, float width) {
-  const glm::vec3 d = direction - glm::normalize(centre);
-  return std::exp(-glm::dot(d, d) / (width * width));
+/// Bones in centimetres become a mesh around the middle of the head, 8 units high.
+Primitive to_scene(Primitive part, std::uint32_t material) {
+  part.bounds = {};
+  for (glm::vec3& p : part.positions) {
+    p = 0.36f * (p - glm::vec3(0.0f, 0.5f, 0.5f));
+    part.bounds.add(p);
+  }
+  part.material = material;
+  return part;
 }
 
-/// Maps the unit sphere to a skull that looks along +Z, by moving points along their radius.
-glm::vec3 skull_surface(const glm::vec3& direction) {
-  const glm::vec3 mirrored(std::abs(direction.x), direction.y, direction.z);
-  float radius = 1.0f;
-  radius -= 0.34f * bump(mirrored, {0.40f, 0.02f, 0.90f}, 0.20f);   // eye sockets
-  radius += 0.06f * bump(mirrored, {0.38f, 0.34f, 0.86f}, 0.17f);   // brows
-  radius -= 0.17f * bump(mirrored, {0.06f, -0.30f, 0.95f}, 0.10f);  // nose
-  radius += 0.10f * bump(mirrored, {0.66f, -0.24f, 0.72f}, 0.17f);  // cheekbones
-  radius -= 0.22f * bump(mirrored, {0.74f, -0.62f, 0.42f}, 0.28f);  // hollow cheeks
-  radius += 0.12f * bump(mirrored, {0.0f, -0.80f, 0.62f}, 0.34f);   // chin
-  glm::vec3 p = radius * direction;
-  const float lower = glm::smoothstep(0.05f, -0.9f, p.y);
-  p.x *= 0.82f * (1.0f - 0.34f * lower);
-  p.z *= p.z < 0.0f ? 1.08f - 0.55f * lower : 1.0f;
-  return p;
+/// Bone is darker where it is hollow, and a little stained everywhere.
+glm::vec4 patina(Bone bone, const glm::vec3& p, const glm::vec3& normal) {
+  float open = 1.0f;
+  for (const float ahead : {0.7f, 2.4f}) open *= glm::smoothstep(-0.15f, 1.0f, bone(p + ahead * normal) / ahead);
+  const float stain =
+      std::sin(0.9f * p.x + 1.7f * std::sin(0.6f * p.y)) * std::sin(0.8f * p.y - 1.3f * std::sin(0.7f * p.z));
+  const glm::vec3 clean = glm::vec3(1.0f, 0.97f, 0.92f) - 0.07f * stain, hollow(0.30f, 0.20f, 0.13f);
+  return {glm::mix(hollow, clean, 0.15f + 0.85f * open), 1.0f};
 }
 
-/// Two rows of boxes that sit on the surface of the jaw.
-Primitive teeth() {
-  Primitive all;
-  for (const float y : {-0.50f, -0.62f})
-    for (int i = -3; i <= 3; ++i) {
-      const float angle = 0.14f * static_cast<float>(i);
-      const glm::vec3 on_jaw = skull_surface(glm::normalize(glm::vec3(std::sin(angle), y, std::cos(angle))));
-      append(all, box(kSkullRadius * on_jaw, kSkullRadius * glm::vec3(0.040f, 0.050f, 0.035f)));
-    }
-  return all;
+Primitive surface(Bone bone, const Aabb& bounds) {
+  Primitive out = polygonise(bone, bounds, 0.34f);
+  for (std::size_t v = 0; v < out.positions.size(); ++v)
+    out.colors.push_back(patina(bone, out.positions[v], out.normals[v]));
+  return out;
 }
 
-Mesh skull_mesh(std::uint32_t bone, std::uint32_t enamel, std::uint32_t dark) {
+Mesh skull_mesh(std::uint32_t bone, std::uint32_t enamel) {
+  Primitive bones = surface(cranium, kCranium);
+  append(bones, surface(mandible, kMandible));
   Mesh mesh;
   mesh.name = "skull";
-  const Primitive ball = sphere(glm::vec3(0.0f), 1.0f, 128, 96);
-  Primitive cranium = ball;
-  for (auto& p : cranium.positions) p = kSkullRadius * skull_surface(glm::normalize(p));
-  cranium.normals = smooth_normals(cranium, cranium.positions);
-  cranium.bounds = {};
-  for (const auto& p : cranium.positions) cranium.bounds.add(p);
-  cranium.material = bone;
-  Primitive grin = teeth();
-  grin.material = enamel;
-  Primitive eyes = sphere(kSkullRadius * glm::vec3(0.28f, 0.02f, 0.58f), 0.11f * kSkullRadius);
-  append(eyes, sphere(kSkullRadius * glm::vec3(-0.28f, 0.02f, 0.58f), 0.11f * kSkullRadius));
-  eyes.material = dark;
-  mesh.primitives = {std::move(cranium), std::move(grin), std::move(eyes)};
+  mesh.primitives = {to_scene(std::move(bones), bone), to_scene(skull_teeth(), enamel)};
   return mesh;
 }
 
@@ -76,7 +65,7 @@ Keyframe key(double time_s, const glm::vec3& translation, float scale, const glm
 BoneAnimation flight(std::uint32_t joint) {
   const Keyframe keys[] = {
       key(0.0, {-7.0f, 0.0f, 0.0f}, 0.25f, {0.0f, 1.0f, 0.0f}, 30.0f),
-      key(2.0, {0.0f, 2.0f, 10.0f}, 0.50f, {1.0f, 1.0f, 2.0f}, 45.0f),
+      key(2.0, {-0.6f, 1.4f, 10.0f}, 0.8f, {0.5f, -0.4f, 0.8f}, 11.0f),
       key(4.0, {7.0f, 0.0f, 0.0f}, 0.25f, {0.0f, 1.0f, 0.0f}, -30.0f),
       key(6.0, {0.0f, 1.0f, -10.0f}, 0.50f, {1.0f, 0.0f, 0.0f}, 70.0f),
       key(8.0, {-7.0f, 0.0f, 0.0f}, 0.25f, {0.0f, 1.0f, 0.0f}, 30.0f),
@@ -84,6 +73,19 @@ BoneAnimation flight(std::uint32_t joint) {
   auto animation = BoneAnimation::from_keyframes(joint, keys);
   CONTRACT(animation.has_value());
   return *std::move(animation);
+}
+
+/// A floor that turns up into a wall behind the scene.
+Primitive cove() {
+  constexpr float kBend = 9.0f, kWall = 14.0f, kFloor = 44.0f, kQuarter = 0.5f * std::numbers::pi_v<float> * kBend;
+  return grid(
+      [=](float u, float v) {
+        const float along = v * (kFloor + kQuarter + kWall), up = std::max(along - kFloor - kQuarter, 0.0f);
+        const float angle = glm::clamp((along - kFloor) / kBend, 0.0f, kQuarter / kBend);
+        return glm::vec3(90.0f * (u - 0.5f), kFloorY + kBend * (1.0f - std::cos(angle)) + up,
+                         28.0f - std::min(along, kFloor) - kBend * std::sin(angle));
+      },
+      1, 64);
 }
 
 Primitive columns() {
@@ -109,22 +111,27 @@ Primitive spheres_on_columns() {
 
 ShowcaseScene skull_flight() {
   SceneBuilder builder;
-  const std::uint32_t stone = builder.add_material("stone", {0.62f, 0.60f, 0.56f}, 0.9f);
-  const std::uint32_t marble = builder.add_material("marble", {0.78f, 0.76f, 0.72f}, 0.6f);
-  const std::uint32_t copper = builder.add_material("copper", {0.72f, 0.36f, 0.22f}, 0.35f);
-  const std::uint32_t wood = builder.add_material("wood", {0.45f, 0.30f, 0.18f}, 0.8f);
+  const std::uint32_t stone = builder.add_material("stone", {0.10f, 0.13f, 0.16f}, 0.5f);
+  const std::uint32_t marble = builder.add_material("marble", {0.66f, 0.64f, 0.60f}, 0.6f);
+  const std::uint32_t copper = builder.add_material("copper", {0.95f, 0.60f, 0.42f}, 0.3f, 1.0f);
+  const std::uint32_t gold = builder.add_material("gold", {1.0f, 0.77f, 0.34f}, 0.18f, 1.0f);
+  Material red = {.name = "lacquer", .base_color = {0.45f, 0.03f, 0.03f, 1.0f}, .metallic = 0.0f, .roughness = 0.6f};
+  red.clearcoat = {.factor = 1.0f, .roughness = 0.05f};
+  const std::uint32_t lacquer = builder.add_material(std::move(red));
   const std::uint32_t bone = builder.add_material("bone", {0.86f, 0.80f, 0.66f}, 0.7f);
-  const std::uint32_t enamel = builder.add_material("enamel", {0.93f, 0.91f, 0.84f}, 0.3f);
-  const std::uint32_t dark = builder.add_material("eyes", {0.10f, 0.02f, 0.02f}, 0.2f);
+  const std::uint32_t enamel = builder.add_material("enamel", {0.90f, 0.86f, 0.75f}, 0.3f);
 
-  builder.add_prop(
-      "floor", grid([](float u, float v) { return glm::vec3(40.0f * (u - 0.5f), kFloorY, 40.0f * (0.5f - v)); }, 8, 8),
-      stone);
-  builder.add_prop("box", box({0.0f, kFloorY + 1.25f, 0.0f}, glm::vec3(1.6f, 1.25f, 1.6f)), wood);
+  builder.add_prop("cove", cove(), stone);
+  builder.add_prop("large ball", sphere({4.2f, kFloorY + 1.5f, 1.0f}, 1.5f, 64, 32), lacquer);
+  builder.add_prop("small ball", sphere({6.4f, kFloorY + 0.8f, 3.2f}, 0.8f, 48, 24), gold);
   builder.add_prop("columns", columns(), marble);
   builder.add_prop("spheres", spheres_on_columns(), copper);
   const std::uint32_t skull = builder.add_joint("skull", kNone, Transform{});
-  builder.add_instance(skull, builder.add_mesh(skull_mesh(bone, enamel, dark)));
+  builder.add_light({.name = "sun", .kind = Light::Kind::directional, .color = {1.0f, 0.93f, 0.82f}, .intensity = 2.6f},
+                    {.rotation = rotation_between(glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(-0.65f, 0.9f, 0.4f))});
+  builder.add_light({.name = "rim", .kind = Light::Kind::point, .color = {0.55f, 0.75f, 1.0f}, .intensity = 110.0f},
+                    {.translation = {7.0f, 6.0f, 3.0f}});
+  builder.add_instance(skull, builder.add_mesh(skull_mesh(bone, enamel)));
 
   Animation animation;
   animation.name = "flight";
@@ -135,11 +142,12 @@ ShowcaseScene skull_flight() {
   ShowcaseScene out;
   out.name = "skull flight";
   out.what_to_look_at =
-      "Five keyframes carry the skull; ambient occlusion grounds the columns, the box and the eye sockets.";
+      "Five keyframes carry the skull; ambient occlusion grounds the columns and the balls, and darkens the eye "
+      "sockets.";
   out.scene = builder.finish();
-  out.eye = {15.0f, 8.0f, 24.0f};
-  out.target = {0.0f, -1.0f, 0.0f};
-  out.fov_y_rad = 0.66f;
+  out.eye = {5.0f, 2.2f, 24.0f};
+  out.target = {0.8f, 0.8f, 0.0f};
+  out.fov_y_rad = 0.6f;
   return out;
 }
 

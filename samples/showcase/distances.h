@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sinew::showcase {
+
+// Signed distances to solids: negative inside, and at most about as steep as the distance itself. Solids are joined
+// with rounded seams by Quilez' polynomial minimum.
+
+/// Near the surface; exact for a sphere.
+inline float ellipsoid(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& radii) {
+  const glm::vec3 q = (p - centre) / radii;
+  const float gradient = glm::length(q / radii);
+  return gradient > 0.0f ? glm::length(q) * (glm::length(q) - 1.0f) / gradient : -std::min({radii.x, radii.y, radii.z});
+}
+
+/// A rod from `a` to `b` whose radius goes from `at_a` to `at_b`.
+inline float rod(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, float at_a, float at_b) {
+  const glm::vec3 along = b - a;
+  const float t = glm::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0f, 1.0f);
+  return glm::distance(p, a + t * along) - glm::mix(at_a, at_b, t);
+}
+
+/// A wall of `height` and twice `radius` thick, with a round top and bottom, along half an ellipse of `radii` around
+/// the origin that opens towards -Z and goes on straight there.
+inline float arch(const glm::vec3& p, const glm::vec2& radii, float height, float radius) {
+  const glm::vec2 q = glm::vec2(p.x, std::max(p.z, 0.0f)) / radii;
+  const float from_origin = glm::length(q), gradient = std::max(glm::length(q / radii), 1e-6f);
+  const float across = from_origin * (from_origin - 1.0f) / gradient;
+  const float above = std::max(std::abs(p.y) - 0.5f * height + radius, 0.0f);
+  return glm::length(glm::vec2(across, above)) - radius;
+}
+
+/// Both solids; the seam is rounded over `blend`.
+inline float joined(float a, float b, float blend) {
+  const float h = std::max(blend - std::abs(a - b), 0.0f) / blend;
+  return std::min(a, b) - 0.25f * h * h * blend;
+}
+
+/// The solid without the hole; the rim is rounded over `blend`.
+inline float carved(float solid, float hole, float blend) { return -joined(-solid, hole, blend); }
+
+}  // namespace sinew::showcase
