@@ -6,16 +6,19 @@ speed     the table of `./run bench` in tests/bench/README.md, and its few rows 
 budgets   what `sinew compile --budget 0.1mm` says of the clips of a few models, in runtime/compress/README.md
 caches    sizes and speed of geometry caches, in runtime/geometry_cache/README.md
 cost      the first chart of `sinew cost`, as importer/tool/cost/report.png (needs Chromium)
-showcase  showcase.png and flag.png in samples/showcase, and one_motion.png in samples/one_motion
+showcase  showcase.png, flag.png, ambient_light.png and normals.png in samples/showcase, and one_motion.png in samples/one_motion
 
 A table goes between the lines `<!-- figures: NAME -->` and `<!-- end -->` of its file. Models come from CORPUS; without it,
 figures that need them stay as they are. Leave the machine alone meanwhile.
 """
+import base64
 import json
+import math
 import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -211,11 +214,75 @@ def cost(build, corpus):
         subprocess.run(["convert", picture, "-colors", "128", picture], check=True)
 
 
+def with_lamps_off(source, target):
+    """The .glb with lights of no intensity: without any, the viewer would bring a key light."""
+    file = source.read_bytes()
+    length = struct.unpack_from("<I", file, 12)[0]
+    document = json.loads(file[20:20 + length])
+    for light in document["extensions"]["KHR_lights_punctual"]["lights"]:
+        light["intensity"] = 0
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = file[20 + length:]
+    target.write_bytes(struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest)
+
+
+def ambient_light(build):
+    """The skull in ambient light alone: without ambient occlusion, and with rays from its vertices."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        subprocess.run([build / "bin/sinew-showcase", folder], stdout=subprocess.DEVNULL, check=True)
+        with_lamps_off(folder / "skull-flight.glb", folder / "skull.glb")
+        ways = {"without": ["--no-ao"], "rays": ["--ao", "rays", "--key-poses", "5"]}  # a key pose is at 2 s
+        for way, options in ways.items():
+            subprocess.run([build / "bin/sinew-viewer", folder / "skull.glb", "--headless", folder / f"{way}.png", "--time", "2", "--size", "360x400",
+                            "--eye", "5,2,24", "--target", "-0.6,1.2,10", "--fov", "29", "--environment", "plain", "--exposure", "0.8", "--ground", "none", *options], check=True)
+        if shutil.which("convert"):
+            subprocess.run(["convert", *(folder / f"{way}.png" for way in ways), "+append", "-depth", "8", ROOT / "samples/showcase/ambient_light.png"], check=True)
+
+
+def coarse_ball(columns, rows):
+    """A glTF ball of few quads with smooth normals."""
+    angles = [(2 * math.pi * c / columns, math.pi * (r / rows - 0.5)) for r in range(rows + 1) for c in range(columns + 1)]
+    points = [(math.cos(lat) * math.sin(lon), math.sin(lat), math.cos(lat) * math.cos(lon)) for lon, lat in angles]
+    below = [r * (columns + 1) + c for r in range(rows) for c in range(columns)]
+    indices = [i + step for i in below for step in (0, 1, columns + 2, 0, columns + 2, columns + 1)]
+    vectors = b"".join(struct.pack("<3f", *p) for p in points)
+    data = vectors + struct.pack(f"<{len(indices)}H", *indices)
+    vec3 = {"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]}
+    primitive = {"attributes": {"POSITION": 0, "NORMAL": 0}, "indices": 1, "material": 0}
+    look = {"baseColorFactor": [0.3, 0.4, 0.7, 1], "metallicFactor": 0, "roughnessFactor": 0.25}
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [primitive]}], "materials": [{"pbrMetallicRoughness": look}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(vectors)},
+                        {"buffer": 0, "byteOffset": len(vectors), "byteLength": len(data) - len(vectors)}],
+        "accessors": [vec3, {"bufferView": 1, "componentType": 5123, "count": len(indices), "type": "SCALAR"}]})
+
+
+def normals(build):
+    """A coarse ball with both interpolations of normals, and how far they are apart, eightfold."""
+    if not shutil.which("convert"):
+        return
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "ball.gltf").write_text(coarse_ball(6, 4))
+        pictures = [folder / f"{way}.png" for way in ("interpolated", "quaternion")]
+        for picture in pictures:
+            subprocess.run([build / "bin/sinew-viewer", folder / "ball.gltf", "--headless", picture, "--size", "240x240", "--normals", picture.stem,
+                            "--ground", "none", "--no-ao"], check=True)
+        subprocess.run(["convert", *pictures, "(", *pictures, "-compose", "difference", "-composite", "-evaluate", "multiply", "8", ")",
+                        "-alpha", "off", "+append", "-depth", "8", ROOT / "samples/showcase/normals.png"], check=True)
+
+
 def showcase(build, corpus):
     no_display = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     subprocess.run([ROOT / "run", "--preset", build.name, "demo"], env=no_display, check=True)
     for name in ("showcase.png", "flag.png"):
         shutil.copy(ROOT / "build/demo" / name, ROOT / "samples/showcase" / name)
+    ambient_light(build)
+    normals(build)
     bodies, picture = ROOT / "build/demo/one_motion.glb", ROOT / "samples/one_motion/one_motion.png"
     subprocess.run([build / "bin/one_motion", bodies], check=True)
     subprocess.run([build / "bin/sinew-viewer", bodies, "--headless", picture, "--time", "0.25", "--size", "960x400", "--eye",
