@@ -47,7 +47,8 @@ std::pair<double, double> outermost_and_nearest(const View& view, double aspect,
   return {outermost, nearest};
 }
 
-TEST(orbit_camera, framing_shows_all_corners_and_could_not_be_nearer) {
+TEST(orbit_camera, framing_fills_80_percent_of_the_picture) {
+  const double side = std::sqrt(0.8);  // of the side that limits the size
   const Aabb boxes[] = {box({-1, -1, -1}, {1, 1, 1}), box({100, 0, -3}, {130, 0.1f, 5}),
                         box({-1e-3f, 0, 0}, {1e-3f, 4e-3f, 1e-3f}), box({-70, 0, -155}, {70, 79, 5}),
                         box({0, -5, 0}, {0, 5, 0})};
@@ -61,12 +62,27 @@ TEST(orbit_camera, framing_shows_all_corners_and_could_not_be_nearer) {
           camera.frame(bounds, aspect);
           const View view = camera.view(bounds);
           const auto [outermost, nearest] = outermost_and_nearest(view, aspect, bounds);
-          EXPECT_LE(outermost, 1.0);
+          if (fov < 1.0)
+            EXPECT_NEAR(outermost, side, 1e-6);
+          else
+            EXPECT_LT(outermost, side + 1e-6) << "the nearest corner keeps away from the eye";
           EXPECT_GT(nearest, view.near_m);
-          camera.distance_m /= 1.1;  // more than the margin
-          const auto [outside, in_front] = outermost_and_nearest(camera.view(bounds), aspect, bounds);
-          EXPECT_TRUE(outside > 1.0 || in_front <= 0.0);
         }
+}
+
+/// Of points in the picture.
+struct Extent {
+  double left = 2.0, right = -2.0, bottom = 2.0, top = -2.0;
+};
+
+Extent extent_of(const View& view, double aspect, std::span<const glm::vec3> points) {
+  Extent extent;
+  for (const glm::dvec3 p : points) {
+    const glm::dvec3 seen = picture_of(view, aspect, p);
+    extent = {std::min(extent.left, seen.x), std::max(extent.right, seen.x), std::min(extent.bottom, seen.y),
+              std::max(extent.top, seen.y)};
+  }
+  return extent;
 }
 
 TEST(orbit_camera, framing_puts_points_in_the_middle) {
@@ -74,18 +90,33 @@ TEST(orbit_camera, framing_puts_points_in_the_middle) {
   OrbitCamera camera;
   camera.yaw_rad = 0.8;
   camera.frame(points, 1.2);
-  camera.distance_m /= 1.08;  // without the margin
-  double right = -2, left = -2, top = -2, bottom = -2;
-  for (const glm::dvec3 p : points) {
-    const glm::dvec3 seen = picture_of(camera.view({}), 1.2, p);
-    right = std::max(right, seen.x);
-    left = std::max(left, -seen.x);
-    top = std::max(top, seen.y);
-    bottom = std::max(bottom, -seen.y);
+  const Extent seen = extent_of(camera.view({}), 1.2, points);
+  // The points are as far from both sides of one pair of edges, and none is nearer to any.
+  const double side = std::sqrt(0.8);
+  EXPECT_NEAR(std::max(std::min(seen.right, -seen.left), std::min(seen.top, -seen.bottom)), side, 1e-9);
+  EXPECT_LT(std::max({seen.right, -seen.left, seen.top, -seen.bottom}), side + 1e-9);
+}
+
+TEST(orbit_camera, framing_fills_80_percent_of_what_a_panel_leaves_free) {
+  const glm::vec3 wide[] = {{-3, 0, 0}, {3, 1, 0}, {0, 0.5f, 2}}, high[] = {{0, 0, 0}, {0.2f, 2, 0}, {0.1f, 1, 1}};
+  for (const FreeWidth free : {FreeWidth{-0.4, 1.0}, FreeWidth{-1.0, 0.3}}) {
+    OrbitCamera camera;
+    camera.frame(wide, 1.6, free);
+    const double half = 0.5 * std::sqrt(0.8) * (free.right - free.left), middle = 0.5 * (free.right + free.left);
+    Extent seen = extent_of(camera.view({}), 1.6, wide);
+    EXPECT_NEAR(seen.left, middle - half, 1e-9);
+    EXPECT_NEAR(seen.right, middle + half, 1e-9);
+    camera.frame(high, 1.6, free);
+    seen = extent_of(camera.view({}), 1.6, high);
+    EXPECT_NEAR(seen.top - seen.bottom, 2.0 * std::sqrt(0.8), 1e-9);
+    EXPECT_LT(std::max(seen.right - middle, middle - seen.left), half);
+    EXPECT_NEAR(picture_of(camera.view({}), 1.6, camera.target).x, middle, 1e-9);
+    camera.orbit(200.0, 40.0, 600.0);
+    camera.zoom(2.0);
+    EXPECT_NEAR(picture_of(camera.view({}), 1.6, camera.target).x, middle, 1e-9) << "turns around what is framed";
+    camera.place({0, 0, 5}, {0, 0, 0});
+    EXPECT_NEAR(picture_of(camera.view({}), 1.6, {0, 0, 0}).x, 0.0, 1e-9) << "placed cameras look at their target";
   }
-  // The points touch both sides of one pair of edges, and none is outside.
-  EXPECT_NEAR(std::max(std::min(right, left), std::min(top, bottom)), 1.0, 1e-9);
-  EXPECT_LT(std::max({right, left, top, bottom}), 1.0 + 1e-9);
 }
 
 TEST(orbit_camera, framing_keeps_the_direction_and_survives_boxes_without_extent) {

@@ -98,6 +98,26 @@ class PanelTest : public ImguiTest {
   Settings settings_;
 };
 
+TEST_F(PanelTest, leaves_free_what_is_beside_the_panel) {
+  Playback playback(scene_);
+  frame(playback);
+  const float room = ImGui::GetIO().DisplaySize.x, unit = ImGui::GetFontSize();
+  const FreeWidth free = frame(playback).free;
+  EXPECT_NEAR(free.left, 2.0 * static_cast<double>(27.0f * unit / room) - 1.0, 1e-6) << "26 units, one from the left";
+  EXPECT_EQ(free.right, 1.0);
+  ImGui::SetWindowPos("sinew (h hides this)", {room - 20.0f * unit, unit});
+  EXPECT_NEAR(frame(playback).free.right, 1.0 - 2.0 * static_cast<double>(20.0f * unit / room), 1e-6) << "on the right";
+  ImGui::SetWindowCollapsed("sinew (h hides this)", true);
+  EXPECT_EQ(frame(playback).free, FreeWidth{});
+  ImGui::GetIO().DisplaySize.x = 30.0f * unit;
+  ImGui::SetWindowPos("sinew (h hides this)", {unit, unit});
+  ImGui::SetWindowCollapsed("sinew (h hides this)", false);
+  frame(playback);
+  EXPECT_EQ(frame(playback).free, FreeWidth{}) << "too little is left";
+  settings_.panel = false;
+  EXPECT_EQ(frame(playback).free, FreeWidth{});
+}
+
 TEST_F(PanelTest, draws_something_only_while_it_is_shown) {
   Playback playback(scene_);
   frame(playback);

@@ -14,11 +14,12 @@ Framed framed_now(Framing framing, ShownScene& shown) {
 
 }  // namespace
 
-void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect) {
+void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect, const FreeWidth& free) {
   followed_.reset();
-  if (framing == Framing::clip) return orbit.frame(shown.bounds().outline.points(), aspect);
+  free_ = free;
+  if (framing == Framing::clip) return orbit.frame(shown.bounds().outline.points(), aspect, free);
   Framed what = framed_now(framing, shown);
-  orbit.frame(what.outline.points(), aspect);
+  orbit.frame(what.outline.points(), aspect, free);
   if (framing != Framing::follow) return;
   place_ = glm::dvec3(0.0);
   go_along(std::move(what), shown.playback());
@@ -27,7 +28,7 @@ void FramedCamera::frame(Framing framing, ShownScene& shown, double aspect) {
 void FramedCamera::follow(ShownScene& shown, double aspect) {
   if (!followed_) return;
   const Playback& playback = shown.playback();
-  if (followed_clip_ != playback.clip()) return frame(Framing::follow, shown, aspect);
+  if (followed_clip_ != playback.clip()) return frame(Framing::follow, shown, aspect, free_);
   move_to(followed_->place_at(playback.time_s()));
 }
 

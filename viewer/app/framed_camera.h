@@ -14,9 +14,9 @@ class FramedCamera {
  public:
   OrbitCamera orbit;
 
-  /// Moves without turning so that the picture is filled.
+  /// Moves without turning so that what is free of the picture is filled.
   /// cost as framed()
-  void frame(Framing framing, ShownScene& shown, double aspect);
+  void frame(Framing framing, ShownScene& shown, double aspect, const FreeWidth& free = {});
 
   /// Goes along with the pose after frame() of Framing::follow. Another clip is framed anew.
   void follow(ShownScene& shown, double aspect);
@@ -31,6 +31,7 @@ class FramedCamera {
 
   std::optional<Framed> followed_;  ///< set while the camera goes along
   std::uint32_t followed_clip_ = kNone;
+  FreeWidth free_;         ///< of the last frame()
   glm::dvec3 place_{0.0};  ///< where it has gone
 };
 

@@ -11,7 +11,10 @@
 namespace sinew::viewer {
 namespace {
 
-constexpr double kZoomPerStep = 0.9, kMargin = 1.08, kZoomRange = 1000.0;
+constexpr double kZoomPerStep = 0.9, kZoomRange = 1000.0;
+constexpr double kFilledSide = 0.894427190999916;  // of each side: 80 % of the area
+constexpr double kNearest = 0.02;                  // of the depth of what is framed: how near it may come to the eye
+constexpr double kRounding = 1e-12;                // of the place of a single point
 
 struct Axes {
   glm::dvec3 right, up, back;  // world space; back points from the target to the eye
@@ -24,7 +27,10 @@ Axes axes_of(double yaw, double pitch) noexcept {
 
 }  // namespace
 
-glm::dvec3 OrbitCamera::eye() const noexcept { return target + distance_m * axes_of(yaw_rad, pitch_rad).back; }
+glm::dvec3 OrbitCamera::eye() const noexcept {
+  const Axes axes = axes_of(yaw_rad, pitch_rad);
+  return target + distance_m * (axes.back - aside * axes.right);
+}
 
 void OrbitCamera::orbit(double dx, double dy, double height) noexcept {
   const double angle_per_pixel = std::numbers::pi / std::max(height, 1.0);
@@ -42,37 +48,42 @@ void OrbitCamera::zoom(double steps) noexcept {
   distance_m = std::clamp(distance_m * std::pow(kZoomPerStep, steps), scale_m_ / kZoomRange, scale_m_ * kZoomRange);
 }
 
-void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect) noexcept {
+void OrbitCamera::frame(std::span<const glm::vec3> points, double aspect, const FreeWidth& free) noexcept {
   const Axes axes = axes_of(yaw_rad, pitch_rad);
   const double slope_y = std::tan(0.5 * fov_y_rad), slope_x = slope_y * std::max(aspect, 1e-3);
+  const double middle_x = 0.5 * (free.right + free.left) * slope_x;
+  const double half_x = kFilledSide * 0.5 * (free.right - free.left) * slope_x, half_y = kFilledSide * slope_y;
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   double right = kNever, left = kNever, top = kNever, bottom = kNever, nearest = kNever, farthest = -kNever;
   for (const glm::dvec3 p : points) {
     const double x = glm::dot(p, axes.right), y = glm::dot(p, axes.up), z = glm::dot(p, axes.back);
-    right = std::max(right, x + slope_x * z);
-    left = std::max(left, -x + slope_x * z);
-    top = std::max(top, y + slope_y * z);
-    bottom = std::max(bottom, -y + slope_y * z);
+    right = std::max(right, x + (middle_x + half_x) * z);
+    left = std::max(left, -x - (middle_x - half_x) * z);
+    top = std::max(top, y + half_y * z);
+    bottom = std::max(bottom, -y + half_y * z);
     nearest = std::max(nearest, z);
     farthest = std::min(farthest, z);
   }
-  const double eye_z = std::max((right + left) / (2.0 * slope_x), (top + bottom) / (2.0 * slope_y));
+  const double fitting = std::max((right + left) / (2.0 * half_x), (top + bottom) / (2.0 * half_y));
+  const double eye_z = std::max(fitting, nearest + kNearest * (nearest - farthest));
   const double middle = 0.5 * (nearest + farthest);
-  if (points.empty() || !(eye_z - middle > 0.0)) {
+  if (points.empty() || !(eye_z - middle > kRounding * (std::abs(eye_z) + std::abs(middle)))) {
     const glm::vec3 at = points.empty() ? glm::vec3(0.0f) : points.front();
-    return frame(Aabb{at - 0.5f, at + 0.5f}, aspect);
+    return frame(Aabb{at - 0.5f, at + 0.5f}, aspect, free);
   }
-  target = 0.5 * (right - left) * axes.right + 0.5 * (top - bottom) * axes.up + middle * axes.back;
-  distance_m = scale_m_ = kMargin * (eye_z - middle);
+  distance_m = scale_m_ = eye_z - middle;
+  aside = middle_x;
+  const double eye_x = 0.5 * (right - left) - middle_x * eye_z;
+  target = (eye_x + aside * distance_m) * axes.right + 0.5 * (top - bottom) * axes.up + middle * axes.back;
 }
 
-void OrbitCamera::frame(const Aabb& bounds, double aspect) noexcept {
-  if (bounds.empty()) return frame(std::span<const glm::vec3>(), aspect);
+void OrbitCamera::frame(const Aabb& bounds, double aspect, const FreeWidth& free) noexcept {
+  if (bounds.empty()) return frame(std::span<const glm::vec3>(), aspect, free);
   glm::vec3 corners[8];
   for (int c = 0; c < 8; ++c)
     corners[c] = {(c & 1 ? bounds.upper : bounds.lower).x, (c & 2 ? bounds.upper : bounds.lower).y,
                   (c & 4 ? bounds.upper : bounds.lower).z};
-  frame(corners, aspect);
+  frame(corners, aspect, free);
 }
 
 void OrbitCamera::place(const glm::dvec3& eye, const glm::dvec3& to) noexcept {
@@ -80,6 +91,7 @@ void OrbitCamera::place(const glm::dvec3& eye, const glm::dvec3& to) noexcept {
   const double length = glm::length(back);
   if (length == 0.0) return;
   target = to;
+  aside = 0.0;
   distance_m = scale_m_ = length;
   pitch_rad = std::clamp(std::atan2(back.y, std::hypot(back.x, back.z)), -kSteepest_rad, kSteepest_rad);
   if (back.x != 0.0 || back.z != 0.0) yaw_rad = std::atan2(back.x, back.z);
@@ -96,7 +108,8 @@ void OrbitCamera::take_over(const View& view, const Aabb& bounds) noexcept {
 }
 
 View OrbitCamera::view(const Aabb& bounds) const {
-  return look_at(eye(), target, fov_y_rad, near_plane_for(eye(), bounds));
+  const glm::dvec3 ahead = target - distance_m * aside * axes_of(yaw_rad, pitch_rad).right;
+  return look_at(eye(), ahead, fov_y_rad, near_plane_for(eye(), bounds));
 }
 
 }  // namespace sinew::viewer

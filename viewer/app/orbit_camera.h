@@ -6,6 +6,13 @@
 
 namespace sinew::viewer {
 
+/// The part of a picture that nothing covers, from its left edge (-1) to its right one (1).
+struct FreeWidth {
+  double left = -1.0, right = 1.0;
+
+  friend bool operator==(const FreeWidth&, const FreeWidth&) = default;
+};
+
 /// A camera that orbits a target point. A drag over the height of the window turns by 180 degrees; while panning, the
 /// point under the mouse stays under it.
 class OrbitCamera {
@@ -17,6 +24,7 @@ class OrbitCamera {
   double yaw_rad = 0.4636;    ///< 0 = from +z, the side that a glTF model faces; positive to the right
   double pitch_rad = 0.3035;  ///< above the horizon
   double fov_y_rad = 0.785398163397448;
+  double aside = 0.0;  ///< where the picture shows the target: tangent of the angle to the right of straight ahead
 
   glm::dvec3 eye() const noexcept;
 
@@ -28,14 +36,14 @@ class OrbitCamera {
   /// thousand times the size of what was framed last.
   void zoom(double steps) noexcept;
 
-  /// Moves without turning so that all points just fit into the picture and are centred. The target lies halfway
-  /// between the nearest and the farthest point. A single point counts as a cube of 1 m around it, no points as one
-  /// around the origin.
-  /// eq   in camera axes x, y, z (z towards the eye), with the slopes s of the picture's edges:
-  ///      a = max(x + s z), b = max(-x + s z):  eye.x = (a - b) / 2,  eye.z = (a + b) / (2 s);  the same for y, and the
-  ///      larger eye.z is used; then 8 percent farther from the target
-  void frame(std::span<const glm::vec3> points, double aspect) noexcept;
-  void frame(const Aabb& bounds, double aspect) noexcept;  ///< frames the corners of the box
+  /// Moves without turning so that all points are in the middle of what is free of the picture and fill 80 % of it: as
+  /// large as its shape allows, less sqrt(0.8) of each side. The target lies halfway between the nearest and the
+  /// farthest point. A single point counts as a cube of 1 m around it, no points as one around the origin.
+  /// eq   in camera axes x, y, z (z towards the eye), with the slopes l < r of the edges that the points may reach:
+  ///      a = max(x + r z), b = max(-x - l z):  eye.z = (a + b) / (r - l);  the same for y, and the larger eye.z is
+  ///      used, at least 2 % of the depth of the points before the nearest;  eye.x = (a - b - (r + l) eye.z) / 2
+  void frame(std::span<const glm::vec3> points, double aspect, const FreeWidth& free = {}) noexcept;
+  void frame(const Aabb& bounds, double aspect, const FreeWidth& free = {}) noexcept;  ///< the corners of the box
 
   /// Moves to `eye` and looks at `to`. Nothing changes when the two are the same point.
   void place(const glm::dvec3& eye, const glm::dvec3& to) noexcept;

@@ -242,6 +242,15 @@ void key_help() {
   ImGui::EndTable();
 }
 
+/// The wider part of the window beside the ImGui window that is laid out.
+FreeWidth free_beside_panel(float room) {
+  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth();
+  const auto place = [room](float x) { return glm::clamp(2.0 * static_cast<double>(x / room) - 1.0, -1.0, 1.0); };
+  const FreeWidth free = left > room - right ? FreeWidth{-1.0, place(left)} : FreeWidth{place(right), 1.0};
+  constexpr double kTooNarrow = 0.5;  // a quarter of the window: then the scene lies behind the panel
+  return free.right - free.left < kTooNarrow ? FreeWidth{} : free;
+}
+
 }  // namespace
 
 PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback& playback) {
@@ -255,6 +264,7 @@ PanelWishes lay_out_panel(const PanelFacts& facts, Settings& settings, Playback&
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(room.y - 2.0f * unit, 4.0f * unit)});
   const ImGuiWindowFlags flags = ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
   if (ImGui::Begin("sinew (h hides this)", nullptr, flags)) {
+    wishes.free = free_beside_panel(room.x);
     ImGui::PushItemWidth(-ImGui::CalcTextSize("backdrop  ").x);
     exhibit_choice(facts, wishes);
     ImGui::Separator();

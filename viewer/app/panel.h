@@ -9,6 +9,7 @@
 #include "runtime/plan/needs.h"
 #include "viewer/app/cache/cache_facts.h"
 #include "viewer/app/live_plan.h"
+#include "viewer/app/orbit_camera.h"
 #include "viewer/app/playback.h"
 #include "viewer/app/settings.h"
 #include "viewer/passes/frame_renderer.h"
@@ -35,6 +36,7 @@ struct PanelFacts {
 struct PanelWishes {
   bool frame_all = false;
   std::optional<std::uint32_t> exhibit;
+  FreeWidth free;  ///< the wider part of the window beside the panel; all of it where that is closed or collapsed
 };
 
 /// Lays out the panel with ImGui calls, and applies what the user changes to settings and playback. An ImGui frame must

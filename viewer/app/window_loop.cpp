@@ -102,6 +102,8 @@ class WindowLoop {
   std::unique_ptr<ShownScene> shown_;
   std::uint32_t exhibit_ = 0;
   FramedCamera camera_;
+  FreeWidth free_;          ///< beside the panel
+  bool as_framed_ = false;  ///< the user has not moved the camera since it framed the scene
   Settings settings_;
   LivePlan live_plan_;
   std::optional<std::uint32_t> wished_exhibit_;
@@ -137,13 +139,17 @@ void WindowLoop::place_camera() {
   const auto placed = options_.camera ? options_.camera : exhibit.camera;
   camera_ = FramedCamera();
   camera_.orbit.fov_y_rad = options_.fov_y_deg ? *options_.fov_y_deg * std::numbers::pi / 180.0 : exhibit.fov_y_rad;
+  as_framed_ = false;
   if (placed && settings_.framing == Framing::clip)
     camera_.orbit.place(placed->eye, placed->target);
   else
     frame_all();
 }
 
-void WindowLoop::frame_all() { camera_.frame(settings_.framing, *shown_, aspect()); }
+void WindowLoop::frame_all() {
+  camera_.frame(settings_.framing, *shown_, aspect(), free_);
+  as_framed_ = true;
+}
 
 // Continues from the view of the file's camera with the user's own camera.
 void WindowLoop::leave_file_camera() {
@@ -175,7 +181,10 @@ void WindowLoop::react(const Input& input) {
       if (const auto action = action_of_key(key)) act(*action);
   if (panel_.wants_mouse()) return;
   const double height = swapchain_.extent().height;
-  if (input.turn_held || input.move_held || input.wheel != 0.0) leave_file_camera();
+  if (input.turn_held || input.move_held || input.wheel != 0.0) {
+    leave_file_camera();
+    as_framed_ = false;
+  }
   if (input.turn_held) camera_.orbit.orbit(input.moved_x, input.moved_y, height);
   if (input.move_held) camera_.orbit.pan(input.moved_x, input.moved_y, height);
   if (input.wheel != 0.0) camera_.orbit.zoom(input.wheel);
@@ -257,6 +266,9 @@ void WindowLoop::draw() {
   const RenderOptions look = render_options(settings_, shown_->exhibit().environment, bounds, eye_of(view));
   const bool drawn = frame_.draw(*shown_, view, look, settings_, [&] {
     const PanelWishes wishes = lay_out_panel(facts(), settings_, shown_->playback());
+    const bool room_changed = wishes.free != free_;
+    free_ = wishes.free;
+    if (room_changed && as_framed_) frame_all();
     if (wishes.frame_all) act_on_look(Action::frame_all);
     if (wishes.exhibit) wished_exhibit_ = wishes.exhibit;
   });
