@@ -47,6 +47,18 @@ TEST(live_plan, has_a_row_for_every_stage_in_the_order_of_the_work) {
   EXPECT_FALSE(row(live, "morph").runs);
 }
 
+TEST(live_plan, tells_the_modes_of_the_picture_before_its_passes) {
+  LivePlan live;
+  live.drawn({}, {.modes = describe_modes({.opaque = true, .smooth_edges = true}, {}, {})}, {});
+  std::vector<std::string> modes;
+  for (const PlanRow& row : live.rows())
+    if (row.part == PlanPart::modes) modes.push_back(row.stage);
+  EXPECT_THAT(modes, ElementsAre("samples", "texture filter", "quaternion normals", "tone curve", "backdrop"));
+  EXPECT_TRUE(row(live, "samples").runs);
+  EXPECT_EQ(row(live, "samples").count, 4u);
+  EXPECT_LT(plan_text(live.rows()).find("modes of the picture"), plan_text(live.rows()).find("passes, on the GPU"));
+}
+
 TEST(live_plan, tells_what_a_frame_took_from_a_geometry_cache) {
   LivePlan live;
   const CacheFacts facts{.frames_there = 5, .window_frames = 40, .ns_per_vertex = 3.0, .late = 1};

@@ -10,6 +10,7 @@ for tool in convert identify; do
 done
 export MAGICK_THREAD_LIMIT=1
 unset DISPLAY WAYLAND_DISPLAY
+readme=$(cd "$(dirname "$0")/../../viewer" && pwd)/README.md
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -46,6 +47,9 @@ printf '{"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"translation":[0,1
 
 ends 0 '' --help
 grep -q -- '--headless' out || complain "--help is on standard output"
+for option in $(grep -oE -- '--[a-z][a-z-]+' out | sort -u | grep -vE '^--(help|version)$'); do
+  grep -qF -- "$option" "$readme" || complain "viewer/README.md does not name $option"
+done
 ends 0 '' --version
 ends 2 --bogus --bogus
 ends 2 'built-in scenes' --scene 99 --headless a.png

@@ -10,6 +10,7 @@ std::string_view title_of(PlanPart part) noexcept {
   switch (part) {
     case PlanPart::evaluation: return "evaluation, on the CPU";
     case PlanPart::drawing: return "drawing, on the CPU";
+    case PlanPart::modes: return "modes of the picture";
     case PlanPart::passes: break;
   }
   return "passes, on the GPU";
@@ -86,6 +87,8 @@ void LivePlan::drawn(const UploadCounts& upload, const FrameReport& report, std:
   if (upload.written > 0) time(PlanPart::drawing, "upload", upload.time_us);
   tell(PlanPart::drawing, "collect", true, why_collect(report), report.drawn);
   time(PlanPart::drawing, "collect", report.collect_us);
+  for (const PictureMode& mode : report.modes)
+    if (!mode.mode.empty()) tell(PlanPart::modes, mode.mode, mode.runs, mode.reason, mode.count);
   for (const PassStage& stage : report.passes)
     tell(PlanPart::passes, name_of(stage.pass), stage.runs, stage.reason, stage.count);
   for (const PassTime& pass : passes) time(PlanPart::passes, pass.pass, 1e3 * pass.milliseconds);

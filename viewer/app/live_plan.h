@@ -13,10 +13,10 @@
 namespace sinew::viewer {
 
 /// The part of a frame that a row belongs to.
-enum class PlanPart { evaluation, drawing, passes };
+enum class PlanPart { evaluation, drawing, modes, passes };
 
-/// One stage between clip and picture: a stage of the runtime's plan, work of the viewer on the CPU, or a pass on the
-/// GPU.
+/// One stage between clip and picture: a stage of the runtime's plan, work of the viewer on the CPU, a choice of how
+/// the picture is made, or a pass on the GPU.
 struct PlanRow {
   PlanPart part = PlanPart::evaluation;
   std::string stage;

@@ -106,7 +106,13 @@ FrameReport report_of(const DrawList& draws, const FrameNeeds& needs, const Fram
                       .lines = static_cast<std::uint32_t>(inputs.lines.size() / 2),
                       .extent = targets.extent(),
                       .ao_extent = targets.ao_extent()};
-  return {describe_passes(needs, work), opaque + blended + weighted, draws.out_of_view(), draws.hidden(), collect_us};
+  const TextureFilter filter = inputs.scenes.empty() ? TextureFilter{} : inputs.scenes.front().scene->filter();
+  return {describe_passes(needs, work),
+          describe_modes(needs, inputs.options, filter),
+          opaque + blended + weighted,
+          draws.out_of_view(),
+          draws.hidden(),
+          collect_us};
 }
 
 bool is_gooch(const FrameInputs& inputs) { return inputs.options.shading == Shading::gooch; }

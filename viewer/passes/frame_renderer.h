@@ -8,6 +8,7 @@
 #include "viewer/device/device.h"
 #include "viewer/passes/occlusion_shape.h"
 #include "viewer/passes/pass_stages.h"
+#include "viewer/passes/picture_modes.h"
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/upload/frame_upload.h"
@@ -58,6 +59,7 @@ struct PassTime {
 /// What a frame drew and what it left out, for the live plan.
 struct FrameReport {
   std::array<PassStage, kPassCount> passes{};
+  std::array<PictureMode, kModeCount> modes{};
   std::uint32_t drawn = 0, out_of_view = 0;  ///< primitives, counted for each copy
   std::uint32_t hidden = 0;                  ///< mesh instances on hidden nodes
   double collect_us = 0.0;                   ///< time to collect the draws

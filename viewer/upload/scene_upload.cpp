@@ -9,7 +9,10 @@ SceneUpload::SceneUpload(Device& device, const Scene& scene, std::uint32_t slot_
 
 SceneUpload::SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count,
                          const VertexAccess* access, const TextureFilter& filter)
-    : scene_(scene), meshes_(device, scene, access, staging), materials_(device, scene, staging, slot_count, filter) {
+    : scene_(scene),
+      meshes_(device, scene, access, staging),
+      materials_(device, scene, staging, slot_count, filter),
+      filter_(filter) {
   staging.send();
 }
 

@@ -26,6 +26,7 @@ class SceneUpload {
   const Scene& scene() const noexcept { return scene_; }
   const MeshSet& meshes() const noexcept { return meshes_; }
   const MaterialSet& materials() const noexcept { return materials_; }
+  const TextureFilter& filter() const noexcept { return filter_; }
 
  private:
   SceneUpload(Device& device, const Scene& scene, Staging staging, std::uint32_t slot_count, const VertexAccess* access,
@@ -34,6 +35,7 @@ class SceneUpload {
   const Scene& scene_;
   MeshSet meshes_;
   MaterialSet materials_;
+  TextureFilter filter_;
 };
 
 }  // namespace sinew::viewer
