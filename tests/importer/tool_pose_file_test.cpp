@@ -185,6 +185,26 @@ TEST(pose_input, refuses_a_compressed_file_whose_checksum_is_cut_off_or_wrong) {
   std::filesystem::remove(file);
 }
 
+/// Writes a pose file without poses and with many spaces, which take a thousandth of their room.
+void write_spaces(const std::string& file, std::size_t spaces) {
+  StreamedFile stream(file);
+  stream.write("{\"clips\": []" + std::string(spaces, ' ') + "}");
+  ASSERT_TRUE(stream.finish());
+}
+
+TEST(pose_input, a_compressed_file_may_unpack_to_a_megabyte_and_256_times_its_size) {
+  const std::string file = temporary("spaces.json.gz");
+  write_spaces(file, 900'000);
+  ASSERT_GT(900'000u, 256 * std::filesystem::file_size(file)) << "the megabyte is needed";
+  EXPECT_TRUE(read_poses(file));
+  write_spaces(file, 4'000'000);
+  const auto read = read_poses(file);
+  std::filesystem::remove(file);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().rule, "pose-file");
+  EXPECT_EQ(read.error().detail, "unpacks to more than 256 times its size");
+}
+
 TEST(pose_input, refuses_a_compressed_file_that_is_cut_short_or_missing) {
   const std::string file = temporary("cut.json.gz");
   write(file, pose_with_odd_numbers());

@@ -84,6 +84,59 @@ TEST(joint_scales, P09_signs_may_change_where_keys_have_several_or_tracks_may_le
   EXPECT_FALSE(scale_of(arm_scene(), 2, true).may_change);
 }
 
+/// (1, 1, 1) with another number on one axis.
+glm::vec3 ones_but(int axis, float number) {
+  glm::vec3 scale(1.0f);
+  scale[axis] = number;
+  return scale;
+}
+
+TEST(joint_scales, P07_P09_look_at_every_axis_of_rest_constants_and_keys) {
+  for (int axis = 0; axis < 3; ++axis) {
+    SCOPED_TRACE(axis);
+    for (const auto& [number, sign] : {std::pair(2.0f, 1), {-1.0f, -1}, {0.0f, 0}}) {
+      const glm::vec3 scale = ones_but(axis, number);
+      Scene rest = arm_scene();
+      rest.skeleton.rest[0].scale = scale;
+      finish_scene(rest);
+      expect_scale(scale_of(rest, 2), ScaleKind::uneven, sign, false);
+      const Scene folded = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {scale, scale}}),
+                  keyed = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), scale}});
+      expect_scale(scale_of(folded, 2), ScaleKind::uneven, 1, sign != 1);  // the rest pose has another sign
+      expect_scale(scale_of(keyed, 2), ScaleKind::uneven, 1, sign != 1);
+    }
+  }
+}
+
+/// Two joints that are each other's mirror image, with these scales at rest.
+JointScale mirrored_scale(const glm::vec3& own, const glm::vec3& of_partner, bool copies) {
+  Scene scene = arm_scene();
+  scene.skeleton.rest[0].scale = own;
+  scene.skeleton.rest[1].scale = of_partner;
+  scene.clips.clear();
+  scene.animations.clear();
+  auto map = std::make_shared<MirrorMap>();
+  map->joints.resize(3);
+  map->joints[0].source = 1;
+  map->joints[1].source = 0;
+  map->joints[2].source = 2;
+  if (!copies) map->joints[0].scale[0] = {0.5, 0.5, 0.0};
+  return joint_scales(make_assets(scene, scene.clips, {}, map), false)[0];
+}
+
+TEST(joint_scales, P07_mirrored_layers_bring_those_of_the_partner) {
+  const glm::vec3 one(1), two(2), flipped(-2), uneven(1, 2, 1);
+  expect_scale(mirrored_scale(one, one, true), ScaleKind::none, 1, false);
+  expect_scale(mirrored_scale(one, two, true), ScaleKind::even, 1, false);
+  expect_scale(mirrored_scale(two, one, true), ScaleKind::even, 1, false);
+  expect_scale(mirrored_scale(two, flipped, true), ScaleKind::even, 1, true);
+  expect_scale(mirrored_scale(one, uneven, true), ScaleKind::uneven, 1, true);
+  expect_scale(mirrored_scale(uneven, one, true), ScaleKind::uneven, 1, true);
+  expect_scale(mirrored_scale(one, one, false), ScaleKind::none, 1, false);  // whatever is a sum of ones
+  expect_scale(mirrored_scale(one, two, false), ScaleKind::uneven, 1, true);
+  expect_scale(mirrored_scale(two, two, false), ScaleKind::uneven, 1, true);
+}
+
 TEST(joint_scales, of_a_matrix_allow_for_rounding) {
   EXPECT_EQ(scale_kind(Affine{}), ScaleKind::none);
   const glm::quat turn = glm::normalize(glm::quat(0.3f, 0.5f, -0.7f, 0.2f));

@@ -235,6 +235,27 @@ TEST(hold_feet, straight_knees_go_where_they_are_bent_at_rest_else_where_the_toe
   EXPECT_TRUE(test::is_near(bend_at_rest({.knee_back = 0.1}), Vec3d(0, 0, -1), 1e-6)) << "as birds have them";
 }
 
+/// The bend of a leg of five joints, hips to toes, whose joints lie at these places below each other.
+Vec3d bend_of_leg(const glm::vec3& knee, const glm::vec3& ankle, const glm::vec3& toes, bool has_toes) {
+  Skeleton skeleton = test::chain_skeleton(5);
+  const glm::vec3 places[] = {{0, 1, 0}, {0.1f, 0, 0}, knee, ankle, toes};
+  for (std::size_t j = 0; j < 5; ++j) skeleton.rest[j].translation = places[j];
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t j = 0; j < 5; ++j) pairs.push_back({j, j});
+  const SkeletonMap map = make_skeleton_map(skeleton, skeleton, {.pairs = pairs});
+  return make_feet_map(map, skeleton, skeleton, {{1, 2, 3, has_toes ? 4 : kNone}}).legs.at(0).bend;
+}
+
+TEST(hold_feet, knees_of_legs_that_are_straight_and_have_no_toes_go_forward) {
+  const glm::vec3 down(0, -0.5f, 0), right(0.25f, 0, 0);
+  EXPECT_TRUE(test::is_near(bend_of_leg(down, down, right, false), Vec3d(0, 0, 1), 1e-9));
+  EXPECT_TRUE(test::is_near(bend_of_leg(down, down, right, true), Vec3d(1, 0, 0), 1e-9)) << "where the toes point";
+  const glm::vec3 to_side(-0.1f, -0.5f, 0), back(0.1f, -0.5f, 0);
+  EXPECT_TRUE(test::is_near(bend_of_leg(to_side, back, right, true), Vec3d(-1, 0, 0), 1e-6)) << "as it is bent";
+  EXPECT_TRUE(test::is_near(bend_of_leg(glm::vec3(0), glm::vec3(0), right, false), Vec3d(0, 0, 1), 1e-9))
+      << "a leg without length";
+}
+
 TEST(hold_feet, the_ground_is_where_the_feet_of_a_clip_are_lowest) {
   Bodies b;
   const Animation animation = squat(b.source, {}, 0.7);
