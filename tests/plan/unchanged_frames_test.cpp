@@ -298,5 +298,28 @@ TEST(unchanged_frames, a_frame_buffer_knows_its_plan_from_another_of_the_same_si
   EXPECT_EQ(run_plan(other, {}, frame), ErrorCode::size_mismatch);
 }
 
+TEST(unchanged_frames, a_clip_that_moves_no_joint_and_plays_alone_leaves_matrices_as_they_are) {
+  Scene scene = arm_scene();
+  scene.animations.push_back({"still", 1.0, {}, {}});
+  finish_scene(scene);
+  const Plan plan = compile_plan(scene, Needs{});
+  FrameBuffer frame(plan);
+  const auto composed = [&](std::vector<ClipLayer> layers) {
+    EXPECT_EQ(run_plan(plan, {.layers = layers, .weights = {}, .root = {}}, frame), ErrorCode::ok);
+    return frame.result().work.joints_composed;
+  };
+  const std::size_t joints = scene.skeleton.joint_count();
+  EXPECT_EQ(composed({{1, 0.1}}), joints);
+  EXPECT_EQ(composed({{1, 0.2}}), 0u);
+  EXPECT_EQ(composed({{1, 0.3}, {0, 0.3, 0.0f}}), 0u) << "what has no weight does not play";
+  EXPECT_EQ(composed({{0, 0.3, 0.0f}, {1, 0.4}}), 0u);
+  EXPECT_EQ(composed({}), 0u) << "nor does anything";
+  EXPECT_GT(composed({{0, 0.5}}), 0u);
+  EXPECT_GT(composed({{1, 0.6}}), 0u) << "the clip before moved a joint";
+  EXPECT_EQ(composed({{1, 0.7}}), 0u);
+  EXPECT_GT(composed({{1, 0.8}, {1, 0.9}}), 0u) << "sums of two are rounded";
+  EXPECT_GT(composed({{1, 0.8, 0.5f}}), 0u);
+}
+
 }  // namespace
 }  // namespace sinew::test
