@@ -24,6 +24,12 @@ TEST(frame_graph, runs_every_pass_in_order_when_everything_is_needed) {
                           Pass::transparent, Pass::tonemap, Pass::overlay));
 }
 
+TEST(frame_graph, P15_has_no_pass_for_lines_that_nobody_asks_for) {
+  const FrameNeeds shown{.opaque = true, .occlusion = false};
+  EXPECT_THAT(passes(shown), ElementsAre(Pass::opaque, Pass::tonemap));
+  EXPECT_EQ(describe_passes(shown, {})[static_cast<std::size_t>(Pass::overlay)].reason, "no lines are asked for");
+}
+
 TEST(frame_graph, P17_has_no_occlusion_passes_or_images_when_occlusion_is_off_or_there_is_no_ambient_light) {
   for (const FrameNeeds& needs :
        {FrameNeeds{.opaque = true, .occlusion = false}, FrameNeeds{.opaque = true, .ambient = false}}) {

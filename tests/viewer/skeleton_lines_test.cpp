@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/support/allocation_counter.h"
+
 namespace sinew::viewer {
 namespace {
 
@@ -47,6 +49,20 @@ TEST(skeleton_lines, without_a_skin_joins_every_joint_to_its_parent) {
   const auto made = lines.make(model, 0.5f);
   ASSERT_EQ(made.size(), SkeletonLines::kVerticesPerBone * 4 + 6u * 5);
   expect_bone(made.subspan(2 * SkeletonLines::kVerticesPerBone), {0, 2, 0}, {0, 2, 5});  // third bone: 2 -> 3
+}
+
+TEST(skeleton_lines, P15_take_memory_only_when_they_are_made_and_then_once) {
+  const std::vector<Affine> model = {at(0, 0, 0), at(0, 1, 0), at(0, 2, 0), at(0, 2, 5), at(7, 0, 0)};
+  const Scene scene = chain();
+  const test::PeakMemory peak;
+  SkeletonLines lines(scene);
+  EXPECT_LT(peak.bytes(), 500u);
+  const std::size_t bytes = lines.make(model, 0.5f).size_bytes();
+  EXPECT_GT(bytes, 1000u);
+  EXPECT_GE(peak.bytes(), bytes);
+  const test::AllocationCounter counter;
+  EXPECT_EQ(lines.make(model, 0.5f).size_bytes(), bytes);
+  EXPECT_EQ(counter.count(), 0u);
 }
 
 TEST(skeleton_lines, the_outline_is_a_square_around_the_bone_near_the_parent_joined_to_both_ends) {

@@ -58,11 +58,11 @@ SkeletonLines::SkeletonLines(const Scene& scene) : alone_(scene.instances.empty(
     joints_.push_back(j);
     if (parents[j] != kNone && shown[parents[j]]) bones_.push_back({parents[j], j});
   }
-  lines_.reserve(kVerticesPerBone * bones_.size() + 6 * joints_.size());
 }
 
 std::span<const LineVertex> SkeletonLines::make(std::span<const Affine> model, float axis_m) {
   lines_.clear();
+  lines_.reserve(kVerticesPerBone * bones_.size() + 6 * joints_.size());
   for (const auto [parent, joint] : bones_)
     add_bone(lines_, translation_of(model[parent]), translation_of(model[joint]));
   for (const auto joint : joints_) {

@@ -35,7 +35,7 @@ class SkeletonLines {
   bool alone_ = false;  ///< the scene has no meshes
   std::vector<Bone> bones_;
   std::vector<std::uint32_t> joints_;
-  std::vector<LineVertex> lines_;  ///< reused, so that frames do not allocate
+  std::vector<LineVertex> lines_;  ///< empty until the first call of make(), then reused: frames do not allocate
 };
 
 /// Box of the positions of the joints, for scenes without meshes.
