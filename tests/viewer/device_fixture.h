@@ -7,7 +7,7 @@
 namespace sinew::viewer {
 
 /// Base of tests that draw. They are skipped, with the reason, without a Vulkan device, and fail if a validation
-/// message occurs.
+/// message occurs. Without the validation layer none does: tests that claim silence skip then.
 class DeviceTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -167,6 +167,7 @@ TEST_F(vertex_access, is_silent_under_validation_in_every_mode_and_size) {
                                                   options, {}, {}, &access, {1, 2, 0.5f});
         EXPECT_TRUE(std::isfinite(picture.at(0, 0).r));
       }
+  if (!test_device()->validation_active()) GTEST_SKIP() << "silent, but the validation layer is not installed";
 }
 
 }  // namespace
