@@ -59,6 +59,9 @@ glm::dvec4 texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv
 
 namespace {
 
+/// In which one texel is left along a side of so many.
+double last_level(std::uint32_t size) { return std::floor(std::log2(static_cast<double>(size))); }
+
 /// Mean of the texels of the image that one texel of a level stands for.
 glm::dvec4 level_texel(const Image& image, const glm::ivec2& level, long x, long y, bool srgb) {
   const long columns = 1L << level.x, rows = 1L << level.y;
@@ -87,10 +90,25 @@ glm::dvec4 level_at(const Scene& scene, const TextureUse& use, const glm::ivec2&
 
 }  // namespace
 
+double mip_level(const Scene& scene, const TextureUse& use, double texels) {
+  const Image& image = scene.images[scene.textures[use.texture].image];
+  return std::clamp(std::log2(std::max(texels, 1.0)), 0.0, last_level(std::max(image.width, image.height)));
+}
+
+glm::dvec4 mip_texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, double level, bool srgb) {
+  const Image& image = scene.images[scene.textures[use.texture].image];
+  const auto at = [&](double whole) {
+    const glm::dvec2 along(std::min(whole, last_level(image.width)), std::min(whole, last_level(image.height)));
+    return level_at(scene, use, glm::ivec2(along), uv, srgb);
+  };
+  const double whole = std::floor(level), part = level - whole;
+  return part == 0.0 ? at(whole) : at(whole) * (1.0 - part) + at(whole + 1.0) * part;
+}
+
 glm::dvec2 rip_levels(const Scene& scene, const TextureUse& use, const glm::dvec2& texels) {
   const Image& image = scene.images[scene.textures[use.texture].image];
   const auto level = [](double side, std::uint32_t size) {
-    return std::clamp(std::log2(std::max(side, 1.0)), 0.0, std::floor(std::log2(static_cast<double>(size))));
+    return std::clamp(std::log2(std::max(side, 1.0)), 0.0, last_level(size));
   };
   return {level(texels.x, image.width), level(texels.y, image.height)};
 }

@@ -11,10 +11,19 @@ namespace sinew::reference {
 ///      image is seen, with v pointing down.
 glm::dvec2 transformed(const TextureUse& use, const glm::dvec2& uv);
 
-/// What a texture holds at transformed coordinates, 0 to 1 per channel, from the full image: textures that use mipmaps
-/// are not known here. The filter is that of magnification.
+/// What a texture holds at transformed coordinates, 0 to 1 per channel, from the full image, by the filter of
+/// magnification: where a footprint is larger than a texel, this is what a sampler without mipmaps shows.
 /// in   srgb  colours are decoded, each texel before the filter
 glm::dvec4 texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, bool srgb);
+
+/// The level of a mipmap that a footprint asks for.
+/// eq   log2 of the texels from one pixel to the next, along the row or the column of pixels where they are more; 0 for
+///      less than a texel, at most floor(log2 of the larger side of the image)
+double mip_level(const Scene& scene, const TextureUse& use, double texels);
+
+/// What a mipmap of the texture holds at a level: a texel of level i is the mean of 2^i x 2^i texels of the image,
+/// along a side that has fewer of all, four of them are mixed, and two levels by the fraction of the level.
+glm::dvec4 mip_texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, double level, bool srgb);
 
 /// Levels of a rip map along u and v that a footprint asks for.
 /// eq   log2 of its side, in texels; 0 for less than a texel, at most floor(log2 of the texels of the image)

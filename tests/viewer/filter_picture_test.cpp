@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a tilted wall through each texture filter. The projection is parallel, so that the footprint of a pixel
 // on the texture is the same everywhere, and exact.
+#include <algorithm>
 #include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "tests/reference/picture.h"
 #include "tests/reference/shade.h"
@@ -53,6 +57,7 @@ BuiltScene noisy_wall(std::uint32_t width, std::uint32_t height, Wrap wrap_u, Wr
 /// Transformed texture coordinates where the middle of a pixel shows the wall.
 struct Seen {
   glm::dvec2 uv, texels;  ///< sides of the footprint
+  double to_next;         ///< texels to the next pixel, in the row or in the column
 };
 
 Seen look(const BuiltScene& built, const View& view, int x, int y) {
@@ -66,8 +71,11 @@ Seen look(const BuiltScene& built, const View& view, int x, int y) {
   };
   const glm::dvec2 uv = uv_at(x + 0.5, y + 0.5), dx = uv_at(x + 0.75, y + 0.5) - uv_at(x + 0.25, y + 0.5),
                    dy = uv_at(x + 0.5, y + 0.75) - uv_at(x + 0.5, y + 0.25);
-  const Image& image = built.scene.images[0];
-  return {uv, {2.0 * std::hypot(dx.x, dy.x) * image.width, 2.0 * std::hypot(dx.y, dy.y) * image.height}};
+  const glm::dvec2 size(built.scene.images[0].width, built.scene.images[0].height);
+  const glm::dvec2 along = 2.0 * dx * size, down = 2.0 * dy * size;
+  return {.uv = uv,
+          .texels = {std::hypot(along.x, down.x), std::hypot(along.y, down.y)},
+          .to_next = std::max(glm::length(along), glm::length(down))};
 }
 
 void expect_rip_map(const BuiltScene& built, const View& view) {
@@ -105,6 +113,40 @@ TEST_F(filter_picture, rip_maps_of_odd_sizes_and_single_rows) {
     expect_rip_map(noisy_wall(width, height, Wrap::repeat, Wrap::mirrored_repeat), view_from({1.6, 0.6, 0.5}));
 }
 
+/// How far a driver's level may be off.
+constexpr double kLevelBound = 0.1;
+
+TEST_F(filter_picture, mipmaps_mix_two_levels_by_the_texels_to_the_next_pixel) {
+  for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.0, 2.0), {2.0, 0.0, 0.5}, {0.1, 2.0, 0.3}, {1.5, 1.1, 0.4}})
+    for (const auto& [width, height] : {std::pair(64u, 64u), {16u, 64u}}) {
+      const BuiltScene built = noisy_wall(width, height, Wrap::repeat, Wrap::mirrored_repeat, 0.5f);
+      const View view = view_from(eye);
+      const FloatPicture drawn = render_float(built, kWidth, kHeight, view, options_of(Show::color), {}, {}, nullptr,
+                                              {}, {FilterKind::trilinear});
+      const TextureUse& use = built.scene.materials[0].base_color_texture;
+      int compared = 0;
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+          const Seen seen = look(built, view, x, y);
+          if (!(std::abs(seen.texels.x + seen.texels.y) < 1e9)) continue;
+          ++compared;
+          glm::dvec3 least(1.0), most(0.0);
+          for (const double off : {-kLevelBound, 0.0, kLevelBound}) {
+            const double level = reference::mip_level(built.scene, use, seen.to_next * std::exp2(off));
+            const glm::dvec3 texel(reference::mip_texel(built.scene, use, seen.uv, level, true));
+            least = glm::min(least, texel);
+            most = glm::max(most, texel);
+          }
+          for (int c = 0; c < 3; ++c) {
+            const auto shown = static_cast<double>(drawn.at(x, y)[c]);
+            ASSERT_GT(shown, reference::srgb_encoded(least[c]) - kDecodedBound) << "pixel " << x << ' ' << y;
+            ASSERT_LT(shown, reference::srgb_encoded(most[c]) + kDecodedBound) << "pixel " << x << ' ' << y;
+          }
+        }
+      EXPECT_GT(compared, kWidth * kHeight / 4);
+    }
+}
+
 TEST_F(filter_picture, the_level_is_that_of_the_larger_side_of_the_footprint_or_of_each_side_in_rip_maps) {
   const BuiltScene built = noisy_wall(64, 64, Wrap::repeat, Wrap::repeat);
   const View view = view_from({0.1, 2.0, 0.3});
@@ -119,12 +161,38 @@ TEST_F(filter_picture, the_level_is_that_of_the_larger_side_of_the_footprint_or_
   const glm::dvec3 rip = level_of({FilterKind::rip_map}), mip = level_of({FilterKind::trilinear});
   EXPECT_NEAR(rip.x, std::max(sides.x, 0.0), 0.01);
   EXPECT_NEAR(rip.y, sides.y, 0.01);
-  EXPECT_NEAR(mip.x, sides.y, 0.1);  // drivers may be that far off
+  EXPECT_NEAR(mip.x, sides.y, kLevelBound);
   EXPECT_EQ(mip.x, mip.y);
   EXPECT_EQ(rip.z + mip.z, 0.0);
   EXPECT_EQ(level_of({FilterKind::bilinear}), glm::dvec3(0.0));
   const double many = level_of({FilterKind::anisotropic, 16}).x;
   EXPECT_TRUE(test_device()->max_anisotropy() < 16.0f || many < sides.y - 1.0) << many;
+}
+
+TEST_F(filter_picture, the_level_shown_is_that_of_every_pixel) {
+  const auto drawn = [](const BuiltScene& built, const View& view, FilterKind kind) {
+    return render_float(built, kWidth, kHeight, view, options_of(Show::level), {}, {}, nullptr, {}, {kind});
+  };
+  for (const glm::dvec3& eye : {glm::dvec3(0.1, 0.0, 2.0), {0.1, 2.0, 0.3}, {1.5, 1.1, 0.4}})
+    for (const auto& [width, height] : {std::pair(64u, 64u), {16u, 128u}}) {
+      const BuiltScene built = noisy_wall(width, height, Wrap::repeat, Wrap::repeat, 0.4f);
+      const View view = view_from(eye);
+      const FloatPicture rip = drawn(built, view, FilterKind::rip_map), mip = drawn(built, view, FilterKind::trilinear);
+      const TextureUse& use = built.scene.materials[0].base_color_texture;
+      double largest = 0.0;
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+          const Seen seen = look(built, view, x, y);
+          if (!(std::abs(seen.texels.x + seen.texels.y) < 1e9)) continue;
+          const glm::dvec2 levels = reference::rip_levels(built.scene, use, seen.texels);
+          const double level = reference::mip_level(built.scene, use, seen.to_next);
+          const glm::dvec3 shown = glm::dvec3(rip.at(x, y)) * 10.0, shown_mip = glm::dvec3(mip.at(x, y)) * 10.0;
+          ASSERT_LT(glm::length(shown - glm::dvec3(levels, 0.0)), 0.02) << "pixel " << x << ' ' << y;
+          ASSERT_NEAR(shown_mip.x, level, kLevelBound) << "pixel " << x << ' ' << y;
+          largest = std::max(largest, level);
+        }
+      EXPECT_GT(largest, 0.5) << "some levels are seen";
+    }
 }
 
 TEST_F(filter_picture, samplers_of_files_are_anisotropic_on_graphics_cards_alone) {
