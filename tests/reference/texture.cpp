@@ -105,6 +105,35 @@ glm::dvec4 mip_texel(const Scene& scene, const TextureUse& use, const glm::dvec2
   return part == 0.0 ? at(whole) : at(whole) * (1.0 - part) + at(whole + 1.0) * part;
 }
 
+glm::dvec4 covered_mean(std::span<const glm::dvec4> texels) {
+  glm::dvec3 covered(0.0), all(0.0);
+  double coverage = 0.0;
+  for (const glm::dvec4& t : texels) {
+    covered += glm::dvec3(t) * t.a;
+    all += glm::dvec3(t);
+    coverage += t.a;
+  }
+  const auto count = static_cast<double>(texels.size());
+  return {coverage > 0.0 ? covered / coverage : all / count, coverage / count};
+}
+
+double kept_share(std::span<const std::uint8_t> rgba, int width, int height, double cutoff) {
+  const auto alpha = [&](int x, int y) {
+    const int at = std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1);
+    return static_cast<double>(rgba[static_cast<std::size_t>(4 * at + 3)]);
+  };
+  int kept = 0;
+  for (int j = 0; j < 2 * height; ++j)
+    for (int i = 0; i < 2 * width; ++i) {
+      const double x = 0.5 * i - 0.25, y = 0.5 * j - 0.25, fx = x - std::floor(x), fy = y - std::floor(y);
+      const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
+      kept += (1.0 - fy) * ((1.0 - fx) * alpha(left, top) + fx * alpha(left + 1, top)) +
+                  fy * ((1.0 - fx) * alpha(left, top + 1) + fx * alpha(left + 1, top + 1)) >=
+              cutoff;
+    }
+  return kept / (4.0 * width * height);
+}
+
 glm::dvec2 rip_levels(const Scene& scene, const TextureUse& use, const glm::dvec2& texels) {
   const Image& image = scene.images[scene.textures[use.texture].image];
   const auto level = [](double side, std::uint32_t size) {

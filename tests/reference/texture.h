@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+#include <span>
+
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -24,6 +27,14 @@ double mip_level(const Scene& scene, const TextureUse& use, double texels);
 /// What a mipmap of the texture holds at a level: a texel of level i is the mean of 2^i x 2^i texels of the image,
 /// along a side that has fewer of all, four of them are mixed, and two levels by the fraction of the level.
 glm::dvec4 mip_texel(const Scene& scene, const TextureUse& use, const glm::dvec2& uv, double level, bool srgb);
+
+/// Mean of texels whose alpha is coverage: colours count by it; where nothing covers, all alike.
+glm::dvec4 covered_mean(std::span<const glm::dvec4> texels);
+
+/// Share of an image that an alpha test keeps: of four points a texel, a quarter of a texel from its middle, mixed from
+/// four texels; edges are clamped.
+/// in   rgba[4 * width * height];   cutoff  least alpha that is kept, 0 to 255
+double kept_share(std::span<const std::uint8_t> rgba, int width, int height, double cutoff);
 
 /// Levels of a rip map along u and v that a footprint asks for.
 /// eq   log2 of its side, in texels; 0 for less than a texel, at most floor(log2 of the texels of the image)

@@ -216,5 +216,54 @@ TEST_F(filter_picture, the_level_is_blue_where_there_is_no_texture_and_grey_besi
   EXPECT_EQ(glm::vec3(drawn.at(0, 4)), glm::vec3(0.5f));
 }
 
+/// A wall of green leaves, which cover a third of it, between transparent magenta.
+BuiltScene leaves(AlphaMode mode) {
+  BuiltScene built;
+  Material material;
+  material.unlit = material.double_sided = true;
+  material.alpha_mode = mode;
+  material.base_color_texture.texture = add_noise_texture(built, {});
+  material.base_color_texture.scale = {5.0f, 5.0f};
+  Image& image = built.scene.images.back();
+  image.width = image.height = 64;
+  image.rgba.clear();
+  for (int i = 0; i < 64 * 64; ++i) {
+    const int x = i % 64 % 8, y = i / 64 % 8, across = (i / 8 * 5 + i / 512 * 3) % 4;
+    const bool leaf = (x - 4) * (x - 4) + (y - 4) * (y - 4) < 4 + 3 * across;
+    for (const int code : {leaf ? 30 : 255, leaf ? 160 : 0, leaf ? 20 : 255, leaf ? 255 : 0})
+      image.rgba.push_back(static_cast<std::uint8_t>(code));
+  }
+  Primitive p = wall();
+  built.add(p, built.add_material(material));
+  return built;
+}
+
+TEST_F(filter_picture, distant_leaves_cover_as_much_as_near_ones_and_have_no_colour_of_what_is_transparent) {
+  const auto drawn = [](const BuiltScene& built, double half_height_m, bool smooth, const TextureFilter& filter) {
+    View view = look_at({0, 0, 3}, {0, 0, 0}, 0.8, 0.1);
+    view.half_height_m = half_height_m;
+    view.far_m = 9.0;
+    RenderOptions options = options_of(Show::color);
+    options.transparent_background = true;
+    options.smooth_edges = smooth;
+    const FloatPicture picture = render_float(built, kWidth, kHeight, view, options, {}, {}, nullptr, {}, filter);
+    glm::dvec4 sum(0.0);  // premultiplied, linear
+    for (const glm::vec4& pixel : picture.pixels)
+      for (int c = 0; c < 4; ++c)
+        sum[c] += static_cast<double>(pixel.a) *
+                  (c < 3 ? reference::srgb_decoded(static_cast<double>(pixel[c])) : 1.0 / (kWidth * kHeight));
+    return sum;
+  };
+  for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend})
+    for (const bool smooth : {false, true})
+      for (const FilterKind kind : {FilterKind::trilinear, FilterKind::rip_map}) {
+        const BuiltScene built = leaves(mode);
+        const glm::dvec4 near = drawn(built, 0.08, smooth, {kind}), far = drawn(built, 0.35, smooth, {kind});
+        EXPECT_NEAR(far.a, near.a, 0.1) << "smooth " << smooth;
+        EXPECT_GT(far.a, 0.2);
+        EXPECT_LT(far.r, 0.05 * far.g) << "magenta shows";
+      }
+}
+
 }  // namespace
 }  // namespace sinew::viewer

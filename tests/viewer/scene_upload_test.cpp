@@ -67,7 +67,7 @@ TEST_F(staging, levels_of_images_count_as_well) {
                                         {64, 32},
                                         mip_count(64, 32),
                                         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-  const std::vector<MipLevel> levels = mip_chain(std::vector<std::uint8_t>(4 * 64 * 32, 9), 64, 32, false);
+  const std::vector<MipLevel> levels = mip_chain(std::vector<std::uint8_t>(4 * 64 * 32, 9), 64, 32, {});
   copies.copy(image, levels);
   std::size_t bytes = 0;
   for (const MipLevel& level : levels) bytes += level.rgba.size();
@@ -102,17 +102,20 @@ TEST_F(textures, every_kind_of_sampler_is_made_once) {
   Staging copies(*test_device());
   TextureSet set(*test_device());
   std::set<VkSampler> samplers;
-  for (std::uint32_t t = 0; t < scene.textures.size(); ++t) samplers.insert(set.use(scene, t, true, copies).sampler);
+  for (std::uint32_t t = 0; t < scene.textures.size(); ++t)
+    samplers.insert(set.bind(scene, t, {.srgb = true}, copies).sampler);
   EXPECT_EQ(samplers.size(), scene.textures.size());
   for (std::uint32_t t = 0; t < scene.textures.size(); ++t)
-    EXPECT_EQ(samplers.count(set.use(scene, t, false, copies).sampler), 1u);
+    EXPECT_EQ(samplers.count(set.bind(scene, t, {}, copies).sampler), 1u);
   copies.send();
 }
 
 TEST_F(textures, an_image_is_uploaded_once_for_colour_and_once_for_data) {
   Staging copies(*test_device());
   TextureSet set(*test_device());
-  const auto view = [&](std::uint32_t texture, bool srgb) { return set.use(scene, texture, srgb, copies).imageView; };
+  const auto view = [&](std::uint32_t texture, bool srgb) {
+    return set.bind(scene, texture, {.srgb = srgb}, copies).imageView;
+  };
   const VkImageView color = view(0, true), data = view(0, false);
   const auto waiting = copies.waiting_bytes();
   EXPECT_EQ(waiting, 2 * (8u + 4u)) << "with a level of one texel";
@@ -124,10 +127,23 @@ TEST_F(textures, an_image_is_uploaded_once_for_colour_and_once_for_data) {
   copies.send();
 }
 
+TEST_F(textures, an_image_is_uploaded_for_each_use_of_its_alpha_unless_all_of_it_covers) {
+  for (const int alpha : {254, 255}) {
+    scene.images[0].rgba.assign(8, static_cast<std::uint8_t>(alpha));
+    Staging copies(*test_device());
+    TextureSet set(*test_device());
+    std::set<VkImageView> views;
+    for (const TexelUse& use : {TexelUse{true}, {true, true}, {true, true, 128}, {true, true, 64}})
+      views.insert(set.bind(scene, 0, use, copies).imageView);
+    EXPECT_EQ(views.size(), alpha == 255 ? 1u : 4u);
+    copies.send();
+  }
+}
+
 TEST_F(textures, G66_unreadable_images_share_one_board_and_no_texture_is_white) {
   Staging copies(*test_device());
   TextureSet set(*test_device());
-  const auto view = [&](std::uint32_t texture) { return set.use(scene, texture, true, copies).imageView; };
+  const auto view = [&](std::uint32_t texture) { return set.bind(scene, texture, {.srgb = true}, copies).imageView; };
   const VkImageView board = view(2), white = view(kNone);
   EXPECT_EQ(view(3), board) << "missing";
   EXPECT_EQ(view(4), board) << "without pixels";
@@ -273,6 +289,27 @@ TEST_F(material_set, G66_features_leave_out_data_that_cannot_be_read_but_not_col
   EXPECT_EQ(set.features_of(kNone).texcoord_sets, (Sets{}));
 }
 
+TEST(texel_use, base_colours_cover_where_alpha_counts_and_the_cutoff_is_the_least_code_that_an_alpha_test_keeps) {
+  Material m;
+  EXPECT_EQ(base_color_use(m), (TexelUse{true, false, 0}));
+  m.alpha_mode = AlphaMode::blend;
+  EXPECT_EQ(base_color_use(m), (TexelUse{true, true, 0}));
+  m.alpha_mode = AlphaMode::mask;
+  const auto cutoff = [&](float alpha_cutoff, float factor) {
+    m.alpha_cutoff = alpha_cutoff;
+    m.base_color.a = factor;
+    return int{base_color_use(m).cutoff};
+  };
+  EXPECT_EQ(cutoff(0.5f, 1.0f), 128);
+  EXPECT_EQ(cutoff(0.25f, 0.5f), 128) << "of alpha times the factor";
+  EXPECT_EQ(cutoff(1.0f, 1.0f), 255);
+  EXPECT_EQ(cutoff(0.001f, 1.0f), 1);
+  EXPECT_EQ(cutoff(0.0f, 1.0f), 0) << "keeps all";
+  EXPECT_EQ(cutoff(1.1f, 1.0f), 0) << "keeps nothing";
+  EXPECT_EQ(cutoff(0.5f, 0.0f), 0);
+  for (int code = 1; code < 256; ++code) EXPECT_EQ(cutoff(static_cast<float>(code) / 255.0f, 1.0f), code);
+}
+
 TEST(material_places, textures_of_layers_take_free_places_or_share_one) {
   Material m;
   for (TextureUse* use : texture_uses(m)) *use = {9, 0};
@@ -283,11 +320,13 @@ TEST(material_places, textures_of_layers_take_free_places_or_share_one) {
   EXPECT_EQ(material_features(m).layers.textures[0], 1 + 2 * 2) << "the place of the normal map is free";
   EXPECT_EQ(material_features(m).layers.textures[1], 1 + 2 * 5) << "as sRGB it is another image";
   EXPECT_EQ(texture_places(m)[2].texture, 9u);
-  EXPECT_TRUE(texture_places(m)[5].srgb);
+  EXPECT_TRUE(texture_places(m)[5].use.srgb);
   m.specular.texture = {2, 1};
   EXPECT_EQ(material_features(m).layers.textures[0], 1 + 2 * 1 + 1) << "shares with metallic-roughness, TEXCOORD_1";
   m.specular.texture = {1, 0};
   EXPECT_EQ(material_features(m).layers.textures[0], 1) << "alpha is the same in sRGB";
+  m.alpha_mode = AlphaMode::mask;
+  EXPECT_EQ(material_features(m).layers.textures[0], 1 + 2 * 2) << "but not where levels keep coverage";
   EXPECT_TRUE(shows_all_textures(m));
   m.unlit = true;
   EXPECT_EQ(material_features(m).layers, LayerFeatures{});

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "viewer/upload/texel_use.h"
+
 namespace sinew::viewer {
 
 struct MipLevel {
@@ -16,10 +18,11 @@ std::uint32_t mip_count(std::uint32_t width, std::uint32_t height) noexcept;
 
 /// All mip levels of an image; level 0 is the image itself. Each texel is the mean of 2 x 2 texels of the level before;
 /// the last row or column of an odd size is averaged with itself. sRGB colours are averaged in linear light, alpha as
-/// it is.
+/// it is. Where alpha covers, colours are weighted by it, so that no edge shows what transparent texels hold; where an
+/// alpha test cuts, each level keeps the coverage of the image (alpha_coverage.h).
 /// in   rgba[4 * width * height], width and height at least 1
 /// cost O(pixels)
 std::vector<MipLevel> mip_chain(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,
-                                bool srgb);
+                                const TexelUse& use);
 
 }  // namespace sinew::viewer

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "viewer/upload/alpha_coverage.h"
 #include "viewer/upload/srgb_codes.h"
 
 namespace sinew::viewer {
 
 namespace {
 
-/// Colours in linear light.
+/// Colours in linear light, times their weight where alpha covers.
 struct Level {
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgba;
@@ -22,11 +23,14 @@ Level level_of(std::uint32_t width, std::uint32_t height) {
   return {width, height, std::vector<float>(std::size_t{4} * width * height)};
 }
 
-Level decoded(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, bool srgb) {
+Level decoded(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, const TexelUse& use) {
   const SrgbCodes& codes = srgb_codes();
   Level level = level_of(width, height);
-  for (std::size_t i = 0; i < level.rgba.size(); ++i)
-    level.rgba[i] = srgb && i % 4 < 3 ? codes.decode(rgba[i]) : static_cast<float>(rgba[i]) / 255.0f;
+  for (std::size_t i = 0; i < level.rgba.size(); ++i) {
+    const bool color = i % 4 < 3;
+    level.rgba[i] = use.srgb && color ? codes.decode(rgba[i]) : static_cast<float>(rgba[i]) / 255.0f;
+    if (use.alpha_covers && color) level.rgba[i] *= covered_weight(static_cast<float>(rgba[i | 3]) / 255.0f);
+  }
   return level;
 }
 
@@ -46,27 +50,40 @@ Level half_as_high(const Level& from) {
   return to;
 }
 
-/// Writes the level into the image from texel (x0, y0) on.
-void store(const Level& level, std::uint32_t x0, std::uint32_t y0, bool srgb, MipLevel& image) {
+MipLevel encoded(const Level& level, const TexelUse& use) {
   const SrgbCodes& codes = srgb_codes();
+  MipLevel out{level.width, level.height, std::vector<std::uint8_t>(level.rgba.size())};
+  for (std::size_t i = 0; i < out.rgba.size(); ++i) {
+    const bool color = i % 4 < 3;
+    float value = level.rgba[i];
+    if (use.alpha_covers && color) value /= covered_weight(level.rgba[i | 3]);
+    out.rgba[i] = use.srgb && color ? codes.encode(value) : static_cast<std::uint8_t>(value * 255.0f + 0.5f);
+  }
+  return out;
+}
+
+/// Writes a level into the image from texel (x0, y0) on.
+void store(const MipLevel& level, std::uint32_t x0, std::uint32_t y0, MipLevel& image) {
   for (std::size_t y = 0; y < level.height; ++y)
-    for (std::size_t x = 0; x < level.width; ++x)
-      for (std::size_t c = 0; c < 4; ++c) {
-        const float value = level.at(x, y, c);
-        image.rgba[4 * ((y0 + y) * image.width + x0 + x) + c] =
-            srgb && c < 3 ? codes.encode(value) : static_cast<std::uint8_t>(value * 255.0f + 0.5f);
-      }
+    std::copy_n(level.rgba.begin() + static_cast<std::ptrdiff_t>(4 * level.width * y), 4 * level.width,
+                image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * ((y0 + y) * image.width + x0)));
 }
 
 }  // namespace
 
-MipLevel rip_map(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, bool srgb) {
+MipLevel rip_map(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, const TexelUse& use) {
   MipLevel image{2 * width, 2 * height, std::vector<std::uint8_t>(std::size_t{16} * width * height)};
-  Level full_width = decoded(rgba, width, height, srgb);
+  MipLevel whole;
+  Level full_width = decoded(rgba, width, height, use);
   for (std::uint32_t y = 0;; full_width = half_as_high(full_width)) {
     Level level = full_width;
     for (std::uint32_t x = 0;; level = half_as_wide(level)) {
-      store(level, x, y, srgb, image);
+      MipLevel texels = encoded(level, use);
+      if (x + y == 0)
+        whole = texels;
+      else if (use.cutoff > 0)
+        keep_coverage(whole, use.cutoff, texels);
+      store(texels, x, y, image);
       if (level.width == 1) break;
       x = 2 * width - 2 * (level.width / 2);
     }

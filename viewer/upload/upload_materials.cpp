@@ -50,24 +50,25 @@ Places places_of(const Material& m) noexcept {
   const auto uses = texture_uses(m);
   const auto shown = layers_shown(m);
   Places places;
-  for (std::size_t i = 0; i < kMaterialTextures; ++i) places.held[i] = {uses[i]->texture, i == 0 || i == 4};
+  for (std::size_t i = 0; i < kMaterialTextures; ++i) places.held[i] = {uses[i]->texture, {.srgb = i == 4}};
+  places.held[0].use = base_color_use(m);
   places.of_layer.fill(kTexturePlaces);
   for (std::size_t i = 0; i < kLayerTextures; ++i) {
     const std::uint32_t texture = uses[kMaterialTextures + i]->texture;
     if (!shown[i] || texture == kNone) continue;
-    const bool srgb = kReadings[i] == Reading::color;
+    const TexelUse use{.srgb = kReadings[i] == Reading::color};
     const auto find = [&](const auto& fits) {
       return static_cast<std::size_t>(std::find_if(places.held.begin(), places.held.end(), fits) - places.held.begin());
     };
     std::size_t place = find([&](const TexturePlace& p) {
-      return p.texture == texture && (p.srgb == srgb || kReadings[i] == Reading::alpha);
+      return p.texture == texture && (p.use == use || (kReadings[i] == Reading::alpha && p.use.cutoff == 0));
     });
     if (place == kTexturePlaces) place = find([](const TexturePlace& p) { return p.texture == kNone; });
     if (place == kTexturePlaces) {
       places.complete = false;
       continue;
     }
-    if (places.held[place].texture == kNone) places.held[place] = {texture, srgb};
+    if (places.held[place].texture == kNone) places.held[place] = {texture, use};
     places.of_layer[i] = place;
   }
   return places;
@@ -222,7 +223,7 @@ void MaterialSet::write_set(std::size_t set, const Material& given, Staging& sta
   std::array<VkDescriptorImageInfo, kTexturePlaces> images{};
   const auto places = texture_places(material);
   for (std::size_t i = 0; i < places.size(); ++i)
-    images[i] = textures_.use(scene_, places[i].texture, places[i].srgb, staging);
+    images[i] = textures_.bind(scene_, places[i].texture, places[i].use, staging);
   std::array<VkWriteDescriptorSet, 1 + kTexturePlaces> writes{};
   for (std::uint32_t i = 0; i < writes.size(); ++i) {
     writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;

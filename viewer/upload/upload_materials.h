@@ -64,7 +64,7 @@ struct MaterialFeatures {
 /// What each place for a texture holds.
 struct TexturePlace {
   std::uint32_t texture = kNone;
-  bool srgb = false;
+  TexelUse use;
 };
 
 /// Surfaces that show what is behind them, by alpha or by transmission, are drawn from far to near.

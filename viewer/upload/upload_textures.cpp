@@ -33,6 +33,13 @@ bool readable(const Image& image) noexcept {
          image.rgba.size() == std::size_t{4} * image.width * image.height;
 }
 
+/// No texel is transparent, so that alpha changes no mean.
+bool covers_all(const Image& image) noexcept {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] != 255) return false;
+  return true;
+}
+
 }  // namespace
 
 bool readable(const Scene& scene, const TextureUse& use) noexcept {
@@ -87,41 +94,43 @@ VkSampler TextureSet::sampler(const Sampler& wanted) {
 }
 
 std::vector<MipLevel> TextureSet::levels_of(std::span<const std::uint8_t> rgba, std::uint32_t width,
-                                            std::uint32_t height, bool srgb) const {
+                                            std::uint32_t height, const TexelUse& use) const {
   if (filter_.kind == FilterKind::nearest || filter_.kind == FilterKind::bilinear)
     return {{width, height, {rgba.begin(), rgba.end()}}};
-  std::vector<MipLevel> levels = mip_chain(rgba, width, height, srgb);
+  std::vector<MipLevel> levels = mip_chain(rgba, width, height, use);
   if (filter_.kind != FilterKind::rip_map) return levels;
   const std::uint32_t limit = device_.limits().maxImageDimension2D;
   // An image that is too large for twice its size on the device loses its finest levels.
   const auto fits = std::find_if(levels.begin(), levels.end(), [limit](const MipLevel& level) {
     return std::max(level.width, level.height) <= limit / 2;
   });
-  return {rip_map(fits->rgba, fits->width, fits->height, srgb)};
+  return {rip_map(fits->rgba, fits->width, fits->height, use)};
 }
 
-const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, bool srgb, Staging& staging) {
+const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, const TexelUse& given, Staging& staging) {
   const bool special = index == kWhite || index == kPlaceholder;
   const std::uint32_t limit = device_.limits().maxImageDimension2D;
   if (!special) {
     const Image& source = scene.images[index];
     if (!readable(source) || std::max(source.width, source.height) > limit)
-      return image(scene, kPlaceholder, srgb, staging);
+      return image(scene, kPlaceholder, given, staging);
   }
-  GpuImage& gpu = images_[{index, srgb}];
+  TexelUse use = given;
+  if (given.alpha_covers && (special || covers_all(scene.images[index]))) use = {.srgb = given.srgb};
+  GpuImage& gpu = images_[{index, use}];
   if (gpu) return gpu;
   std::vector<MipLevel> levels;
   if (index == kWhite) {
     constexpr std::array<std::uint8_t, 4> white = {255, 255, 255, 255};
-    levels = levels_of(white, 1, 1, srgb);
+    levels = levels_of(white, 1, 1, use);
   } else if (index == kPlaceholder) {
     const MipLevel board = placeholder_image();
-    levels = levels_of(board.rgba, board.width, board.height, srgb);
+    levels = levels_of(board.rgba, board.width, board.height, use);
   } else {
     const Image& source = scene.images[index];
-    levels = levels_of(source.rgba, source.width, source.height, srgb);
+    levels = levels_of(source.rgba, source.width, source.height, use);
   }
-  gpu = GpuImage(device_, {srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+  gpu = GpuImage(device_, {use.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
                            {levels[0].width, levels[0].height},
                            static_cast<std::uint32_t>(levels.size()),
                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
@@ -130,12 +139,13 @@ const GpuImage& TextureSet::image(const Scene& scene, std::uint32_t index, bool 
   return gpu;
 }
 
-VkDescriptorImageInfo TextureSet::use(const Scene& scene, std::uint32_t texture, bool srgb, Staging& staging) {
+VkDescriptorImageInfo TextureSet::bind(const Scene& scene, std::uint32_t texture, const TexelUse& use,
+                                       Staging& staging) {
   const bool none = texture == kNone;
   std::uint32_t index = none ? kWhite : scene.textures[texture].image;
   if (index == kNone) index = kPlaceholder;  // a texture without source
   const Sampler wanted = none ? Sampler{} : scene.textures[texture].sampler;
-  return {sampler(wanted), image(scene, index, srgb, staging).view(), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+  return {sampler(wanted), image(scene, index, use, staging).view(), VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
 }
 
 }  // namespace sinew::viewer

@@ -12,7 +12,7 @@
 
 namespace sinew::viewer {
 
-/// The images and samplers of a scene. An image that is used both as colour (sRGB) and as data is uploaded twice. Rip
+/// The images and samplers of a scene. An image is uploaded once for each use of its texels, as colour and as data. Rip
 /// maps take the place of images with mip levels when the filter asks for them.
 class TextureSet {
  public:
@@ -23,21 +23,21 @@ class TextureSet {
 
   /// The image and sampler to bind for a texture: the placeholder if its image is missing, white for kNone. The image
   /// is uploaded at its first use.
-  VkDescriptorImageInfo use(const Scene& scene, std::uint32_t texture, bool srgb, Staging& staging);
+  VkDescriptorImageInfo bind(const Scene& scene, std::uint32_t texture, const TexelUse& use, Staging& staging);
 
   /// Bytes of all texels of all levels.
   std::uint64_t texel_bytes() const noexcept { return texel_bytes_; }
 
  private:
   std::vector<MipLevel> levels_of(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height,
-                                  bool srgb) const;
-  const GpuImage& image(const Scene& scene, std::uint32_t image, bool srgb, Staging& staging);
+                                  const TexelUse& use) const;
+  const GpuImage& image(const Scene& scene, std::uint32_t image, const TexelUse& use, Staging& staging);
   VkSampler sampler(const Sampler& wanted);
 
   Device& device_;
   TextureFilter filter_;
   std::uint64_t texel_bytes_ = 0;
-  std::map<std::pair<std::uint32_t, bool>, GpuImage> images_;  // by image index and sRGB
+  std::map<std::pair<std::uint32_t, TexelUse>, GpuImage> images_;
   std::map<std::uint32_t, VkSampler> samplers_;
 };
 
