@@ -49,6 +49,9 @@ View view_of_wall();
 /// Bound for pictures of sRGB textures: Mesa's software driver decodes them by a polynomial.
 inline constexpr double kDecodedBound = 0.006;
 
+/// White surfaces in white light return all of it within this share of it, in linear light.
+inline constexpr float kFurnaceBound = 0.01f;
+
 /// Adds an image of 8 x 8 random colours and alphas, and a texture that shows it without filter. Returns the texture.
 std::uint32_t add_noise_texture(BuiltScene& built,
                                 const Sampler& sampler = {
