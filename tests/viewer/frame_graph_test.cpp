@@ -118,6 +118,10 @@ TEST(frame_graph, has_an_image_for_unlit_colors_only_where_some_are_in_the_pictu
   EXPECT_FALSE(FrameGraph({.opaque = true}).unlit_image);
   EXPECT_TRUE(FrameGraph({.opaque = true, .unlit = true}).unlit_image);
   EXPECT_FALSE(FrameGraph({.opaque = true, .unlit = true, .show = Show::normals}).unlit_image);
+  EXPECT_TRUE(FrameGraph({.opaque = true, .auto_exposure = true, .ground = true, .grid = true}).unlit_image)
+      << "for lines that no exposure changes";
+  EXPECT_FALSE(FrameGraph({.opaque = true, .ground = true, .grid = true}).unlit_image) << "it is known beforehand";
+  EXPECT_FALSE(FrameGraph({.opaque = true, .auto_exposure = true, .ground = true}).unlit_image);
 }
 
 TEST(frame_graph, looks_for_the_exposure_only_where_it_is_automatic_and_something_is_in_view) {

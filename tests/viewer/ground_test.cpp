@@ -217,6 +217,34 @@ TEST_F(ground, grid_lines_are_at_multiples_of_the_step) {
     }
 }
 
+TEST_F(ground, grid_lines_are_as_bright_whatever_the_exposure_and_the_light) {
+  const BuiltScene built = box_and_ball();
+  const auto drawn = [&](float light, bool automatic, float exposure) {
+    RenderOptions options = options_for(GroundLook::grid);
+    options.transparent_background = false;
+    options.backdrop = Backdrop::plain;
+    options.ground.grid_step_m = 1.0f;
+    options.shadows.on = false;
+    options.lighting.key *= light;
+    options.lighting.environment_intensity = light;
+    options.lighting.auto_exposure = automatic;
+    options.lighting.exposure = exposure;
+    return render_float(built, kWidth, kHeight, from_above(), options);
+  };
+  const FloatPicture given = drawn(1.0f, false, 1.0f);
+  for (const FloatPicture& other :
+       {drawn(1.0f, false, 4.0f), drawn(1.0f, true, 1.0f), drawn(400.0f, true, 1.0f), drawn(0.01f, true, 2.0f)}) {
+    int lines = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (!ground_at(built, from_above(), options_for(GroundLook::grid).ground, x, y)) continue;
+        lines += given.at(x, y).r > 0.2f;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(other.at(x, y)[c], given.at(x, y)[c], 0.002) << x << ' ' << y;
+      }
+    EXPECT_GT(lines, 50);
+  }
+}
+
 TEST_F(ground, cannot_be_seen_from_below_and_is_in_no_buffer) {
   const BuiltScene built = box_and_ball();
   Headless pictures(*test_device(), built.scene, kWidth, kHeight);

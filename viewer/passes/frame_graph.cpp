@@ -49,7 +49,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   behind_image = has(Pass::behind);
   weighted_images = has(Pass::weighted);
   exposure_image = has(Pass::exposure);
-  unlit_image = picture && needs.unlit;
+  unlit_image = picture && (needs.unlit || (needs.grid && exposure_image));
   shadow_maps = needs.shadowed() ? needs.shadows : 0;
   ao_image = occlusion;
   bent_normals = needs.bent();

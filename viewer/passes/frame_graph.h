@@ -47,6 +47,7 @@ struct FrameNeeds {
   bool blur = true;
   bool auto_exposure = false;
   bool ground = false;        ///< it is switched on and seen from above
+  bool grid = false;          ///< with lines, which are as bright whatever the exposure
   bool smooth_edges = false;  ///< 4 samples a pixel
   Show show = Show::color;
 

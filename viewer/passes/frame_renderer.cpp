@@ -152,7 +152,8 @@ glm::vec2 weighted_range(const DepthRange& range) {
 FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const ShadowLights& shadows) {
   const bool gooch = is_gooch(inputs),
              visible = !draws.opaque().empty() || !draws.blended().empty() || !draws.weighted().empty();
-  const bool ground = !gooch || inputs.options.ground.look == GroundLook::grid;
+  const bool grid = inputs.options.ground.look == GroundLook::grid,
+             ground = (grid || !gooch) && ground_is_seen(inputs.view, inputs.options.ground);
   return {.opaque = !draws.opaque().empty(),
           .blended = !draws.blended().empty(),
           .frosted = std::ranges::any_of(draws.blended(), &Draw::frosted),
@@ -167,7 +168,8 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .baked = inputs.options.ao.at_vertices(),
           .blur = inputs.options.ao.blur,
           .auto_exposure = inputs.options.lighting.auto_exposure && !gooch,
-          .ground = ground && ground_is_seen(inputs.view, inputs.options.ground),
+          .ground = ground,
+          .grid = ground && grid,
           .smooth_edges = inputs.options.smooth_edges,
           .show = inputs.options.show};
 }

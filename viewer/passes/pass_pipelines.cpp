@@ -228,6 +228,7 @@ void shape_ground(const ScreenPipelineKey& key, PipelineShape& shape) {
   shape.depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   shape.blend = !prepass;
   shape.colors = !prepass && key.frame.unlit_image ? 2 : 1;
+  shape.adds_second = true;
   shape.constants[0] = key.grid;
   shape.constants[id_light_count] = key.frame.light_count;
   shape.constants[id_ambient] = key.frame.ambient;

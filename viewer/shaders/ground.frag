@@ -12,21 +12,23 @@
 #include "lighting.glsl"
 #include "shadow.glsl"
 #include "luminance.glsl"
+#include "tone_curve.glsl"
 
 layout(constant_id = 0) const bool kGrid = false;
 layout(constant_id = 13) const int kLightCount = 1;
 layout(constant_id = 15) const bool kAmbient = true;   // there is an environment
+layout(constant_id = 18) const bool kUnlitImage = false;   // the frame has unlit colours
 
 const float kFadeStart = 0.6;       // part of the radius
 const float kLineCoverage = 0.3;
-const float kLineLight = 0.4;       // as displayed without a tone curve
+const float kLineLight = 0.4;       // before the tone curve
 
 layout(location = 0) in vec3 view_position;
 layout(location = 1) in vec2 from_middle;
 layout(location = 2) flat in vec3 normal;   // a uniform would be branched on (surface_features.glsl)
 
 layout(location = 0) out vec4 color;   // premultiplied
-layout(location = 1) out vec4 unlit;   // covers unlit colours, too
+layout(location = 1) out vec4 unlit;   // as displayed
 
 // Share of a pixel that grid lines cover: each is a pixel wide on either side. Lines that come too close fade out.
 float grid_coverage() {
@@ -57,6 +59,8 @@ void main() {
   float fade = 1.0 - smoothstep(kFadeStart, 1.0, length(from_middle) / frame.ground_radius_m);
   float line = kGrid ? kLineCoverage * grid_coverage() * fade : 0.0;
   float dark = shadow_coverage() * fade;
-  color = vec4(vec3(kLineLight / frame.exposure * line), line + dark * (1.0 - line));
-  unlit = vec4(vec3(0.0), color.a);
+  float covered = line + dark * (1.0 - line);
+  // Lines are as bright whatever the exposure. An automatic one is not known yet: its frames have unlit colours.
+  color = vec4(kUnlitImage ? vec3(0.0) : vec3(kLineLight / frame.exposure * line), covered);
+  unlit = vec4(tone_mapped(vec3(kLineLight)) * line, covered);
 }
