@@ -355,8 +355,8 @@ TEST_F(drawing, overlay_lines_lie_over_the_picture_and_the_hook_runs_inside_the_
   const FloatPicture picture = render_float(built, kSize, kSize, front_view(), {}, extras);
   EXPECT_EQ(called, 1);
   const auto green = std::count_if(picture.pixels.begin(), picture.pixels.end(),
-                                   [](const glm::vec4& p) { return p.g == 1.0f && p.r == 0.0f; });
-  EXPECT_GT(green, 8);
+                                   [](const glm::vec4& p) { return p.g > 0.3f && p.r == 0.0f; });
+  EXPECT_GT(green, 8) << "behind the square it is fainter";
 }
 
 TEST_F(drawing, every_combination_of_modes_is_silent_under_validation) {

@@ -142,6 +142,17 @@ TEST(frame_graph, draws_the_ground_over_what_is_opaque_and_before_it_for_occlusi
   EXPECT_TRUE(FrameGraph({.shadows = true, .ground = true}).has(Pass::shadow)) << "the caster may be out of view";
 }
 
+TEST(frame_graph, draws_depth_alone_beforehand_for_lines_that_surfaces_may_hide) {
+  const FrameNeeds needs{.opaque = true, .overlay = true, .lines = true, .occlusion = false, .baked = true};
+  EXPECT_THAT(passes(needs), ElementsAre(Pass::normal_depth, Pass::opaque, Pass::tonemap, Pass::overlay));
+  EXPECT_TRUE(FrameGraph(needs).depth_image);
+  EXPECT_FALSE(FrameGraph(needs).normal_image);
+  EXPECT_EQ(describe_passes(needs, {})[static_cast<std::size_t>(Pass::normal_depth)].reason,
+            "depth only: lines are fainter behind surfaces");
+  EXPECT_FALSE(FrameGraph({.opaque = true, .overlay = true, .occlusion = false}).has(Pass::normal_depth)) << "a panel";
+  EXPECT_FALSE(FrameGraph({.blended = true, .overlay = true, .lines = true}).has(Pass::normal_depth));
+}
+
 TEST(frame_graph, leaves_the_blur_and_its_image_out_when_it_is_off) {
   const FrameGraph graph({.opaque = true, .blur = false});
   EXPECT_TRUE(graph.has(Pass::ssao) && graph.ao_image);

@@ -16,7 +16,7 @@ FrameGraph::FrameGraph(const FrameNeeds& needs) noexcept {
   const bool picture = needs.show == Show::color;
   const bool occlusion = needs.occluded();
   const bool outlined = needs.outlined();
-  const bool prepass = occlusion || outlined || !picture;
+  const bool prepass = occlusion || outlined || !picture || needs.hides_lines();
   if (needs.shadowed()) add(Pass::shadow);
   if (prepass) add(Pass::normal_depth);
   if (occlusion) {

@@ -37,6 +37,7 @@ struct FrameNeeds {
   bool frosted = false;   ///< some of it is rough and lets light through
   bool weighted = false;  ///< something is visible that blends in any order
   bool overlay = false;   ///< lines or a panel
+  bool lines = false;
   bool unlit = false;  ///< something is visible whose colours are shown as the file has them, or as Gooch shades them
   bool gooch = false;  ///< Gooch shading: no light is counted, so shadows, ambient light and occlusion are left out
   std::uint32_t shadows = 0;  ///< lights that cast them
@@ -61,6 +62,9 @@ struct FrameNeeds {
 
   /// Some pass reads normals and depth to draw lines.
   bool outlined() const noexcept { return opaque && gooch && show == Show::color; }
+
+  /// Lines are fainter behind surfaces: they read depth.
+  bool hides_lines() const noexcept { return lines && opaque; }
 
   /// Some pass reads ambient access.
   bool occluded() const noexcept {

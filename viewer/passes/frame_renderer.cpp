@@ -159,6 +159,7 @@ FrameNeeds needs_of(const DrawList& draws, const FrameInputs& inputs, const Shad
           .frosted = std::ranges::any_of(draws.blended(), &Draw::frosted),
           .weighted = !draws.weighted().empty(),
           .overlay = !inputs.lines.empty() || inputs.overlay,
+          .lines = !inputs.lines.empty(),
           .unlit = draws.unlit() || (gooch && visible),
           .gooch = gooch,
           .shadows = draws.casters().empty() ? 0 : shadows.count(),

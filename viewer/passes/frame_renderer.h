@@ -34,7 +34,8 @@ struct DrawnScene {
   AccessBlend access = {};        ///< of ambient access at the vertices
 };
 
-/// End point of a line that is drawn over the picture without a depth test. Two vertices per line.
+/// End point of a line that is drawn over the picture, fainter behind surfaces and far away. Two vertices a line, which
+/// has the colour of the first.
 struct LineVertex {
   glm::vec3 position;                ///< world space
   std::uint32_t rgba = 0xffffffffu;  ///< 8 bits each, red lowest, sRGB

@@ -265,9 +265,11 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
   shape.constants[id_weighted] = key.frame.weighted;
   shape.constants[id_vertex_access] = key.frame.vertex_access;
   shape.constants[id_transparent_background] = key.frame.transparent_background;
-  constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 16, VK_VERTEX_INPUT_RATE_VERTEX}}};
-  constexpr std::array<VkVertexInputAttributeDescription, 2> line_attributes = {
-      {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12}}};
+  constexpr std::array<VkVertexInputBindingDescription, 1> line_bindings = {{{0, 32, VK_VERTEX_INPUT_RATE_INSTANCE}}};
+  constexpr std::array<VkVertexInputAttributeDescription, 3> line_attributes = {
+      {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
+       {1, 0, VK_FORMAT_R8G8B8A8_UNORM, 12},
+       {2, 0, VK_FORMAT_R32G32B32_SFLOAT, 16}}};
   switch (key.pass) {
     case Pass::ssao:
       shape.fragment = key.occlusion == OcclusionMethod::ssao ? Shader::ssao_frag : Shader::gtao_frag;
@@ -294,7 +296,6 @@ VkPipeline PassPipelines::screen(const ScreenPipelineKey& key) {
     case Pass::overlay:
       shape.vertex = Shader::line_vert;
       shape.fragment = Shader::line_frag;
-      shape.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
       shape.bindings = line_bindings;
       shape.attributes = line_attributes;
       shape.blend = true;

@@ -17,8 +17,9 @@ std::string_view why_not_occluded(const FrameNeeds& needs) {
 std::string_view why_normal_depth(const FrameNeeds& needs, bool runs) {
   if (!runs) return why_not_occluded(needs);
   if (needs.occluded()) return "ambient occlusion reads normals and depth";
-  if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
   if (needs.outlined()) return "outlines read normals and depth";
+  if (needs.show == Show::color) return "depth only: lines are fainter behind surfaces";
+  if (needs.reads_baked()) return "ambient access of the vertices goes beside the normals";
   if (needs.show == Show::level) return "the picture shows the levels of textures";
   return needs.show == Show::normals ? "the picture shows normals" : "depth only: the picture asks for no normals";
 }

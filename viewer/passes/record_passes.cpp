@@ -321,7 +321,7 @@ void record_overlay(const PassContext& context) {
     vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       context.pipelines.screen({.pass = Pass::overlay, .frame = context.features}));
     vkCmdBindVertexBuffers(context.commands, 0, 1, &context.lines, &offset);
-    vkCmdDraw(context.commands, context.line_vertices, 1, 0, 0);
+    vkCmdDraw(context.commands, 6, context.line_vertices / 2, 0, 0);
   }
   if (context.inputs.overlay) context.inputs.overlay(context.commands);
 }

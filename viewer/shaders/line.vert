@@ -1,16 +1,38 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Lines over the picture. The vertices are in view space.
+// Lines over the picture, as rectangles along them: few devices draw smooth lines. One instance a line, in view space.
 #include "frame_uniforms.glsl"
 #include "projection.glsl"
+#include "line.glsl"
 
-layout(location = 0) in vec3 view_position;
+layout(location = 0) in vec3 from;
 layout(location = 1) in vec4 rgba;
+layout(location = 2) in vec3 to;
 
-layout(location = 0) out vec4 line_color;
+layout(location = 0) flat out vec4 line_color;
+layout(location = 1) noperspective out float across;   // pixels from the middle of the line
+
+const int kCorners[6] = int[](0, 1, 2, 2, 1, 3);   // of two triangles; odd ones are on the right, 2 and 3 at the end
+
+// The point p of a line, moved to the near plane where it is behind that.
+vec3 in_front(vec3 p, vec3 other) {
+  float behind = p.z + frame.near_m;
+  return behind <= 0.0 ? p : mix(p, other, behind / (p.z - other.z));
+}
 
 void main() {
-  gl_Position = clip_from_view(view_position);
   line_color = rgba;
+  int corner = kCorners[gl_VertexIndex];
+  if (min(from.z, to.z) >= -frame.near_m) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);   // the whole line is behind the near plane
+    return;
+  }
+  vec4 a = clip_from_view(in_front(from, to)), b = clip_from_view(in_front(to, from));
+  vec2 pixels = frame.pixels_per_metre / frame.projection.xy;   // half the picture
+  vec2 along = (b.xy / b.w - a.xy / a.w) * pixels;
+  vec2 right = vec2(-along.y, along.x) / max(length(along), 1e-6);
+  across = kLineReach * ((corner & 1) == 0 ? -1.0 : 1.0);
+  gl_Position = corner < 2 ? a : b;
+  gl_Position.xy += across * right / pixels * gl_Position.w;
 }
