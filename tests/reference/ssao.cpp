@@ -29,9 +29,10 @@ Texel texel_at(const DepthAndNormals& image, int step, int x, int y) {
 
 double pixels_per_metre(const DepthAndNormals& image) { return 0.5 * image.cot_y * image.height; }
 
-bool same_surface(const SsaoSettings& s, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& q,
-                  const glm::dvec3& other_n, double screen_m) {
-  return glm::dot(n, other_n) >= 0.8 && std::abs(glm::dot(n, q - p)) <= s.epsilon + 0.25 * screen_m;
+double same_surface(const SsaoSettings& s, const glm::dvec3& p, const glm::dvec3& n, const glm::dvec3& q,
+                    const glm::dvec3& other_n, double screen_m) {
+  const double off = glm::dot(n, q - p) / (s.epsilon + 0.25 * screen_m);
+  return std::pow(std::max(glm::dot(n, other_n), 0.0), 4.0) * std::exp(-0.5 * off * off);
 }
 
 double occlusion_by(const DepthAndNormals& image, const SsaoSettings& s, const glm::dvec3& q, const glm::dvec3& p,
@@ -86,11 +87,10 @@ HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& s, const Ha
         if (at_x < 0 || at_y < 0 || at_x >= half.width || at_y >= half.height) continue;
         const Texel other = texel_at(image, s.step, at_x, at_y);
         const double screen_m = std::abs(k) * static_cast<double>(s.step) * middle.distance / pixels_per_metre(image);
-        const bool joins =
-            middle.usable && other.usable &&
-            (!s.keep_edges || same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m));
-        if (k != 0 && !joins) continue;
-        const double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
+        if (k != 0 && !(middle.usable && other.usable)) continue;
+        double weight = std::abs(k) == s.reach ? 0.5 : 1.0;
+        if (k != 0 && s.keep_edges)
+          weight *= same_surface(s, middle.point, middle.normal, other.point, other.normal, screen_m);
         sum += weight * half.access[index(half.width, at_x, at_y)];
         if (!half.bend.empty()) bend += weight * half.bend[index(half.width, at_x, at_y)];
         weights += weight;
@@ -124,14 +124,15 @@ PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& s, const
             nearest = half.access[at];
             nearest_bend = bent;
           }
-          if (!same_surface(s, p, n, other.point, other.normal, image.distance[i] / pixels_per_metre(image))) continue;
-          sum += half.access[at];
-          bend += bent;
-          weights += 1.0;
+          const double weight =
+              same_surface(s, p, n, other.point, other.normal, image.distance[i] / pixels_per_metre(image));
+          sum += weight * half.access[at];
+          bend += weight * bent;
+          weights += weight;
         }
       const bool drawn = image.distance[i] > 0.0 && n != glm::dvec3(0.0);
-      full.access.push_back(!drawn ? 1.0 : weights > 0.0 ? sum / weights : nearest);
-      full.bend.push_back(!drawn ? glm::dvec3(0.0) : weights > 0.0 ? bend / weights : nearest_bend);
+      full.access.push_back(!drawn ? 1.0 : weights > 1e-6 ? sum / weights : nearest);
+      full.bend.push_back(!drawn ? glm::dvec3(0.0) : weights > 1e-6 ? bend / weights : nearest_bend);
     }
   return full;
 }

@@ -48,12 +48,14 @@ struct PixelAccess {
 ///      and flipped into the hemisphere of n
 HalfAccess ssao(const DepthAndNormals& image, const SsaoSettings& settings);
 
-/// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, over texels of the same surface. The
-/// mean bend is that of a unit bent normal again.
+/// One direction of the blur: weights 1/2 1 1 1 1/2, or with more ones between, times how far texels are on the same
+/// surface. The mean bend is that of a unit bent normal again.
+/// eq   (n . other n)^4 * exp(-(distance from the tangent plane / scale)^2 / 2); scale = epsilon + 1/4 of the distance on
+///      screen
 HalfAccess blurred(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half, bool vertical);
 
-/// Access and bend of every pixel, from the half-size texels around it that lie on its surface; 1 and 0 where nothing
-/// was drawn.
+/// Access and bend of every pixel, from the half-size texels around it, weighted likewise; 1 and 0 where nothing was
+/// drawn.
 PixelAccess full_size(const DepthAndNormals& image, const SsaoSettings& settings, const HalfAccess& half);
 
 }  // namespace sinew::reference

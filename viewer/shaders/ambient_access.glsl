@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Ambient access of a full-size pixel: the fraction of ambient light that arrives, from the half-size image. The mean of
-// the neighbouring texels on the same surface; if there is none, the texel nearest in space.
+// the neighbouring texels, weighted as far as they are on the same surface; if none is, the texel nearest in space.
 #include "access_texel.glsl"
+
+const float kLeastWeight = 1e-6;   // less is no surface in common
 
 layout(constant_id = 2) const bool kOccluded = false;   // there is an ambient access image
 
@@ -26,12 +28,12 @@ float ambient_access(ivec2 pixel, vec3 p, vec3 n, out vec2 bend) {
       nearest = stored.r;
       bend = bend_of(stored);
     }
-    if (!same_surface(p, n, other, normal_of(stored), metres_per_pixel)) continue;
-    sum += stored.r;
-    bend_sum += bend_of(stored);
-    weight_sum += 1.0;
+    float weight = same_surface(p, n, other, normal_of(stored), metres_per_pixel);
+    sum += weight * stored.r;
+    bend_sum += weight * bend_of(stored);
+    weight_sum += weight;
   }
-  if (weight_sum == 0.0) return nearest;
+  if (weight_sum < kLeastWeight) return nearest;
   bend = bend_sum / weight_sum;
   return sum / weight_sum;
 }

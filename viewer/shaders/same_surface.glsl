@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A neighbouring sample lies on the same surface, so that ambient access may be averaged: its normal is similar, and it
-// lies near the tangent plane. The tolerance grows with the distance on screen, because surfaces curve.
+// How much a neighbouring sample counts in a mean of ambient access: as far as it may be on the same surface. It falls off
+// smoothly as normals turn and as the sample leaves the tangent plane. The scale of that grows with the distance on
+// screen, because surfaces curve. On a plane it is 1.
+// eq   max(n . other n, 0)^4 * exp(-(n . (other - p) / scale)^2 / 2)
 
-const float kSimilarNormal = 0.8;
 const float kCurve = 0.25;
 
-bool same_surface(vec3 p, vec3 n, vec3 other_p, vec3 other_n, float screen_m) {
-  float off_plane = abs(dot(n, other_p - p));
-  return dot(n, other_n) >= kSimilarNormal && off_plane <= frame.surface_epsilon_m + kCurve * screen_m;
+float same_surface(vec3 p, vec3 n, vec3 other_p, vec3 other_n, float screen_m) {
+  float off = dot(n, other_p - p) / (frame.surface_epsilon_m + kCurve * screen_m);
+  float turned = max(dot(n, other_n), 0.0);
+  return turned * turned * turned * turned * exp(-0.5 * off * off);
 }

@@ -34,8 +34,8 @@ void main() {
     vec4 other = texelFetch(ao_image, at, 0);
     if (other.g == 0.0 || !has_normal(other)) continue;
     vec3 q = view_point(full_pixel(at), other.g);
-    if (kKeepEdges && !same_surface(p, n, q, normal_of(other), float(abs(k)) * metres_per_texel)) continue;
     float weight = abs(k) == kReach ? 0.5 : 1.0;
+    if (kKeepEdges) weight *= same_surface(p, n, q, normal_of(other), float(abs(k)) * metres_per_texel);
     sum += weight * other.r;
     if (kBent) bend += weight * bend_of(other);
     weight_sum += weight;
