@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -13,6 +14,7 @@
 #include "tests/reference/ray_cast.h"
 #include "tests/support/fixed_random.h"
 #include "tests/viewer/device_fixture.h"
+#include "viewer/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {
@@ -182,7 +184,7 @@ TEST_F(occlusion_study, rays_go_through_the_middles_of_the_pixels_that_the_devic
   const View view = look_at({1.5, 3.2, 3.0}, {0.3, 0.4, 0.2}, 0.8, 0.05);
   const auto image = gpu_depth_and_normals(built, kWidth, kHeight, view, {});
   const RayCaster rays(built.scene, built.frame());
-  const std::vector<double> access = true_access(rays, view, kWidth, kHeight, 0.5, 1);
+  const std::vector<double> access = true_access(rays, seen_pixels(rays, view, kWidth, kHeight), 0.5, 1);
   int differ = 0;
   for (std::size_t i = 0; i < access.size(); ++i) differ += (access[i] >= 0.0) != (image.distance[i] > 0.0);
   EXPECT_LE(differ, 3) << "but for roundings on an outline";
@@ -202,6 +204,33 @@ BuiltScene floor_and(bool wall) {
   return built;
 }
 
+TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_more) {
+  const BuiltScene built = floor_and(true);
+  const RayCaster rays(built.scene, built.frame());
+  const View view = look_at({2.0, 8.0, 0.0}, {1.0, 0.0, 0.0}, 0.5, 0.05);
+  constexpr int kWidth = 81, kHeight = 61, kReach = 16;  // a metre is 15 pixels
+  const SeenPixels seen = seen_pixels(rays, view, kWidth, kHeight);
+  const std::vector<double> access = exhaustive_access(seen, view, 1.0, 0.0),
+                            thick = exhaustive_access(seen, view, 1.0, 0.2);
+  int compared = 0;
+  double off = 0.0, hidden_more = 0.0;
+  for (int y = kReach; y < kHeight - kReach; ++y)
+    for (int x = kReach; x < kWidth - kReach; ++x) {
+      const auto i = static_cast<std::size_t>(y * kWidth + x);
+      const glm::dvec3 p = seen.pixels[i]->point;
+      if (std::abs(p.y) > 0.01 || p.x < 0.1 || p.x > 0.9) continue;
+      // rays that meet the wall within a metre, weighted by the cosine
+      const double open = 1.0 - (std::acos(p.x) - p.x * std::sqrt(1.0 - p.x * p.x)) / std::numbers::pi;
+      off += std::abs(access[i] - open);
+      hidden_more += access[i] - thick[i];
+      EXPECT_LE(thick[i], access[i]);
+      ++compared;
+    }
+  ASSERT_GT(compared, 100);
+  EXPECT_LT(off / compared, 0.02);
+  EXPECT_GT(hidden_more / compared, 0.01);
+}
+
 TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_open_floor_has_none) {
   const View view = look_at({2.0, 4.0, 0.1}, {1.0, 0.0, 0.0}, 0.5, 0.05);
   AmbientOcclusion settings;
@@ -212,11 +241,14 @@ TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_ope
     const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, settings, effort);
     EXPECT_EQ(study.pixels, 32u * 24u) << "surfaces everywhere";
     double squares = 0.0;
-    for (const double access : true_access(RayCaster(built.scene, built.frame()), view, 32, 24, 2.0, 64))
+    const RayCaster rays(built.scene, built.frame());
+    for (const double access : true_access(rays, seen_pixels(rays, view, 32, 24), 2.0, 64))
       squares += (1.0 - access) * (1.0 - access);
     EXPECT_NEAR(study.error_without, std::sqrt(squares / (32.0 * 24.0)), 1e-12);
     EXPECT_EQ(study.error_without > 0.05, wall);
     EXPECT_EQ(study.radius_m, 2.0);
+    ASSERT_EQ(study.exhaustive.size(), 4u);
+    EXPECT_LT(study.exhaustive[0].error, wall ? study.error_without : 1e-9) << "the picture shows part of the wall";
     for (const OcclusionTrial& trial : study.trials) {
       EXPECT_LT(trial.error, wall ? study.error_without : 0.01) << trial.name;
       EXPECT_TRUE(trial.milliseconds.empty()) << "no repetitions";

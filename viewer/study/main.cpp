@@ -38,6 +38,9 @@ Json json_of(const OcclusionStudy& study) {
          {"default", t.is_default},
          {"error", t.error},
          {"milliseconds", t.milliseconds}});
+  out["exhaustive_horizons"] = Json::array();
+  for (const ExhaustiveTrial& t : study.exhaustive)
+    out["exhaustive_horizons"].push_back({{"thickness", t.thickness}, {"error", t.error}});
   out["at_vertices"] = Json::array();
   for (const VertexTrial& t : study.at_vertices)
     out["at_vertices"].push_back(

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "importer/ambient/access_surfaces.h"
-#include "runtime/base/contract.h"
 #include "viewer/app/headless.h"
+#include "viewer/study/exhaustive_access.h"
 
 namespace sinew::viewer {
 namespace {
@@ -65,6 +65,18 @@ std::vector<OcclusionTrial> trials_of(bool every_way) {
   trials.push_back(other_blur(" plain blur", {.keep_edges = false}, true, "blurred across edges"));
   trials.push_back(other_blur(" wide blur", {.blur_reach = 4}, true, "blurred twice as far on each surface"));
   return trials;
+}
+
+/// Root mean square difference over the pixels that show a surface.
+double root_mean_square(const std::vector<double>& access, const std::vector<double>& truth) {
+  double squares = 0.0;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth[i] < 0.0) continue;
+    squares += (access[i] - truth[i]) * (access[i] - truth[i]);
+    ++pixels;
+  }
+  return pixels > 0 ? std::sqrt(squares / static_cast<double>(pixels)) : 0.0;
 }
 
 /// Renders with one set of options, repeatedly.
@@ -156,22 +168,9 @@ std::vector<VertexTrial> study_vertices(Device& device, const Scene& scene, cons
 
 }  // namespace
 
-std::vector<double> true_access(const RayCaster& rays, const View& view, std::uint32_t width, std::uint32_t height,
-                                double radius_m, int ray_count) {
-  CONTRACT(!view.parallel());
-  const glm::dvec3 eye = eye_of(view);
-  const double slope_y = std::tan(0.5 * view.fov_y_rad), slope_x = slope_y * width / height;
+std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count) {
   std::vector<double> access;
-  access.reserve(std::size_t{width} * height);
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x) {
-      const glm::dvec3 in_view((2.0 * (x + 0.5) / width - 1.0) * slope_x, (1.0 - 2.0 * (y + 0.5) / height) * slope_y,
-                               -1.0);
-      glm::dvec3 direction(0.0);  // the rotation of the view: its inverse is its transpose
-      for (int r = 0; r < 3; ++r) direction += in_view[r] * glm::dvec3(view.view_from_world.row[r]);
-      const auto seen = rays.seen(eye, direction);
-      access.push_back(seen ? rays.open_share(*seen, radius_m, ray_count) : -1.0);
-    }
+  for (const auto& pixel : seen.pixels) access.push_back(pixel ? rays.open_share(*pixel, radius_m, ray_count) : -1.0);
   return access;
 }
 
@@ -184,8 +183,12 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
                        0.0,
                        static_cast<double>(settings.radius_m),
                        trials_of(effort.every_way)};
-  const std::vector<double> truth =
-      true_access(RayCaster(scene, frame), view, effort.width, effort.height, study.radius_m, effort.rays);
+  const RayCaster rays(scene, frame);
+  const SeenPixels seen = seen_pixels(rays, view, effort.width, effort.height);
+  const std::vector<double> truth = true_access(rays, seen, study.radius_m, effort.rays);
+  for (const double thickness : {0.0, 0.1, 0.2, 0.3})
+    study.exhaustive.push_back(
+        {thickness, root_mean_square(exhaustive_access(seen, view, study.radius_m, thickness), truth)});
   std::vector<std::unique_ptr<Drawing>> drawings;
   std::vector<std::size_t> order;
   for (OcclusionTrial& trial : study.trials) {

@@ -8,6 +8,7 @@
 #include "viewer/passes/render_options.h"
 #include "viewer/passes/view.h"
 #include "viewer/study/ray_caster.h"
+#include "viewer/study/seen_pixels.h"
 
 namespace sinew::viewer {
 
@@ -30,6 +31,12 @@ struct VertexTrial {
   double seconds = 0.0;       ///< to bake all vertices once
 };
 
+/// Horizons with nothing overlooked (exhaustive_access()), measured: what remains is what a picture does not show.
+struct ExhaustiveTrial {
+  double thickness = 0.0;  ///< that bodies are taken to have, in radii
+  double error = 0.0;      ///< as OcclusionTrial::error
+};
+
 struct OcclusionStudy {
   std::string device;
   std::uint32_t width = 0, height = 0;
@@ -37,6 +44,7 @@ struct OcclusionStudy {
   double error_without = 0.0;  ///< of a picture without ambient occlusion
   double radius_m = 0.0;
   std::vector<OcclusionTrial> trials;
+  std::vector<ExhaustiveTrial> exhaustive;
   std::vector<VertexTrial> at_vertices;  ///< by rising number of rays; empty for more than 20,000 vertices
 };
 
@@ -57,9 +65,7 @@ struct OcclusionEffort {
 OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameResult& frame, const View& view,
                                const AmbientOcclusion& settings, const OcclusionEffort& effort);
 
-/// Ambient access of every pixel by ray casting, the top row first; negative where nothing is visible.
-/// in   view  a perspective
-std::vector<double> true_access(const RayCaster& rays, const View& view, std::uint32_t width, std::uint32_t height,
-                                double radius_m, int ray_count);
+/// Ambient access of every pixel by ray casting; negative where nothing is visible.
+std::vector<double> true_access(const RayCaster& rays, const SeenPixels& seen, double radius_m, int ray_count);
 
 }  // namespace sinew::viewer
