@@ -103,7 +103,7 @@ nlohmann::ordered_json work_json(const WorkCounters& work) {
 /// Runs the plan once, in the middle of the clip, and returns the work that the frame counted.
 Result<WorkCounters> work_of_one_frame(const Plan& plan, std::uint32_t clip) {
   FrameBuffer frame(plan);
-  ClipLayer layer{clip, 0.0, 1.0f};
+  ClipLayer layer{clip, 0.0};
   if (clip != kNone) layer.time_s = 0.5 * plan.scene().animations[clip].duration_s;
   const FrameInput input{clip == kNone ? std::span<const ClipLayer>{} : std::span<const ClipLayer>(&layer, 1), {}, {}};
   if (const ErrorCode code = run_plan(plan, input, frame); code != ErrorCode::ok) return tl::unexpected(code);

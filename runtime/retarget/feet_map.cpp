@@ -38,7 +38,7 @@ std::optional<LegChain> chain_of(const Skeleton& skeleton, const LegJoints& leg)
     std::reverse(joints.begin(), joints.end());
     return joints;
   };
-  if (leg.upper == kNone || leg.lower == kNone || leg.foot == kNone) return std::nullopt;
+  if (leg.foot == kNone) return std::nullopt;
   LegChain chain{chain_to(leg.foot)};
   chain.foot = chain.joints.size() - 1;
   chain.upper = place_in(chain.joints, leg.upper);

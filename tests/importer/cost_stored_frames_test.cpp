@@ -98,6 +98,9 @@ TEST(cost_stored_frames, take_what_their_numbers_take) {
     EXPECT_GT(bytes[name], kFrames * kPoints * 5) << name << ": noise of 13 bits";
     EXPECT_LT(bytes[name], kFrames * (kPoints * 8 + 64)) << name;
   }
+  const auto of_one = cost::stored_ways({noise(3.0)[0]}, 0x1p-10);
+  EXPECT_EQ(of_one[0].frames->bytes(), kPoints * 12);
+  EXPECT_EQ(of_one[1].frames->bytes(), kPoints * 6);
   PointFrames steady = noise(3.0);
   for (std::size_t f = 1; f < kFrames; ++f)
     for (std::size_t p = 0; p < kPoints; ++p)

@@ -311,7 +311,9 @@ TEST(hold_feet, legs_that_are_not_whole_are_left_out_and_others_may_be_named) {
   EXPECT_EQ(named.legs[0].target.toes, 0u);
   EXPECT_TRUE(make_feet_map(map, b.source, b.target, {{left_thigh, right_shank, left_foot}}).legs.empty())
       << "not one below another";
-  EXPECT_TRUE(make_feet_map(map, b.source, b.target, {{left_thigh, kNone, left_foot}}).legs.empty());
+  for (const LegJoints& part :
+       {LegJoints{kNone, left_shank, left_foot}, {left_thigh, kNone, left_foot}, {left_thigh, left_shank, kNone}})
+    EXPECT_TRUE(make_feet_map(map, b.source, b.target, {part}).legs.empty());
   EXPECT_EQ(
       make_feet_map(map, b.source, b.target, {{left_thigh, left_shank, left_foot, right_foot}}).legs[0].source.toes, 0u)
       << "toes of another foot are none";

@@ -78,7 +78,7 @@ tl::expected<MeshAccess, std::string> bake(const BakeAoOptions& options, const S
   needs.positions = needs.normals = true;
   const Plan plan = compile_plan(scene, needs);
   FrameBuffer frame(plan);
-  const ClipLayer layer{pose->clip, pose->time_s, 1.0f};
+  const ClipLayer layer{pose->clip, pose->time_s};
   FrameInput input;
   if (pose->clip != kNone) input.layers = {&layer, 1};
   if (run_plan(plan, input, frame) != ErrorCode::ok) return tl::unexpected(std::string("the pose cannot be evaluated"));
