@@ -38,6 +38,11 @@ def in_sample_order(mutants, seed):
     return sorted(mutants, key=lambda m: hashlib.sha256(f'{seed} {m.key}'.encode()).digest())
 
 
+def drawn(files, seed, count):
+    """Some files, each as likely as any other."""
+    return sorted(sorted(files, key=lambda f: hashlib.sha256(f'{seed} {f}'.encode()).digest())[:count])
+
+
 def in_clusters(mutants, seed, count, each):
     """Compiling takes longer than running: an even sample from fewer files. `count` places lie evenly along the list of all
     mutants by file, and each brings `each` mutants of its file, so every mutant is as likely as any other and every folder is met."""

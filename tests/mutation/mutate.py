@@ -15,7 +15,7 @@ import changes
 import places_glsl
 import report
 from build_tree import Tree
-from mutant import Mutant, give_keys, in_clusters, in_sample_order
+from mutant import Mutant, drawn, give_keys, in_clusters, in_sample_order
 from mutated_build import MutatedBuild, compile_shaders, is_shader
 from test_runs import Programs
 
@@ -29,6 +29,8 @@ def arguments():
     parser.add_argument('--changed', action='store_true', help='only lines that the last commit wrote, or the newest ones before it')
     parser.add_argument('--sample', type=int, metavar='N', help='an even sample of N mutants')
     parser.add_argument('--clusters', type=int, metavar='K', help='take the sample from about K files, which are compiled sooner')
+    parser.add_argument('--draw', type=int, metavar='N', help='only N files of each top folder, drawn by the seed: sooner read and compiled')
+    parser.add_argument('--own', action='store_true', help="only by the tests of the file's own folder, which others may add to")
     parser.add_argument('--seed', type=int, default=1, help='which sample (default: 1)')
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--alone', action='store_true', help='build every mutant by itself, without switches')
@@ -55,7 +57,11 @@ def wanted_files(root, tree, options, changed=None):
     if options.listed:
         listed = [f for f in listed if f in report.listed_files()]
     keep = {'with': lambda f: True, 'without': lambda f: not header(f), 'only': header}[options.headers]
-    return sorted(f for f in listed if f.endswith(SOURCES) and keep(f))
+    listed = sorted(f for f in listed if f.endswith(SOURCES) and keep(f))
+    if options.draw is None:
+        return listed
+    by_folder = [[f for f in listed if f.split('/')[0] == top] for top in sorted({f.split('/')[0] for f in listed})]
+    return [f for some in by_folder for f in drawn(some, options.seed, options.draw)]
 
 
 def is_computed_before(mutant):
@@ -152,7 +158,7 @@ class Session:
             return
         numbered = dict(enumerate(mutants, 1))  # known ones too, so that a compiler cache finds what it compiled the last time
         build = MutatedBuild(self.tree, f'{self.state}/switched', numbered, self.options.jobs)
-        programs = Programs(build, self.options.corpus)
+        programs = Programs(build, self.options.corpus, self.options.own)
         done = 0
         with concurrent.futures.ThreadPoolExecutor(max(1, self.options.jobs)) as pool:
             tasks = [pool.submit(self.one, programs, number, m) for number, m in numbered.items() if m in todo]
@@ -189,7 +195,7 @@ class Session:
     def alone(self, m):
         started = time.monotonic()
         build = MutatedBuild(self.tree, f'{self.state}/alone', {1: m}, self.options.jobs, switched=False)
-        programs = Programs(build, self.options.corpus)
+        programs = Programs(build, self.options.corpus, self.options.own)
         verdict = 'stillborn', ''
         try:
             verdict = programs.verdict_alone(m)

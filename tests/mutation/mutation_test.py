@@ -89,6 +89,21 @@ class MutationTest(unittest.TestCase):
             alone[m.key] = Programs(build, corpus=True).verdict_alone(m)[0]
         self.assertEqual(alone, {key: 'survived' if together[key] == 'unreached' else together[key] for key in alone})
 
+    def test_others_than_the_tests_of_the_own_folder_are_left_out_where_that_is_asked_for(self):
+        m = next(m for m in self.mutants if m.function == 'tripled')
+        build = MutatedBuild(self.tree, f'{self.folder.name}/own', {1: m}, 2)
+        reaches = lambda test, number: number in test[2]
+        self.assertEqual(self.tree.tests_of_room(m.file), [], 'the program of the example lies beside its sources')
+        for own_only, expected in ((True, 'unreached'), (False, 'killed')):
+            self.assertEqual(Programs(build, True, own_only).verdict(1, m, {'SINEW_MUTANT': '1'}, reaches)[0], expected)
+
+    def test_files_are_drawn_by_the_seed(self):
+        files = [f'f{i}' for i in range(50)]
+        self.assertEqual(mutants_of.drawn(files[::-1], 3, 10), mutants_of.drawn(files, 3, 10))
+        self.assertNotEqual(mutants_of.drawn(files, 4, 10), mutants_of.drawn(files, 3, 10))
+        self.assertEqual(mutants_of.drawn(files, 3, 99), sorted(files))
+        self.assertEqual(len(set(mutants_of.drawn(files, 3, 10))), 10)
+
     def test_what_does_not_end_is_late_and_what_waits_for_others_is_not(self):
         programs = Programs(MutatedBuild(self.tree, f'{self.folder.name}/late', {}, 1), corpus=True)
         self.assertEqual(programs.run('/bin/sh', 0.3, ['-c', 'while :; do :; done'], {}), 'time')

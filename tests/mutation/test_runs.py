@@ -26,8 +26,8 @@ def limits(seconds):
 class Programs:
     """The test programs of one mutated build, and which tests reach which mutant."""
 
-    def __init__(self, build, corpus):
-        self.build, self.tree = build, build.tree
+    def __init__(self, build, corpus, own_only=False):
+        self.build, self.tree, self.own_only = build, build.tree, own_only
         # Files that others may not have do not count: the tests that read them have models of the project.
         self.environment = {} if corpus else {'SINEW_CORPUS': f'{build.folder}/no_corpus'}
         self.records, self.broken, self.lock = {}, [], threading.Lock()
@@ -90,7 +90,7 @@ class Programs:
     def verdict(self, number, mutant, environment, reaches):
         """('killed', by) | ('survived', n tests) | ('unreached', '')"""
         own = self.tree.tests_of_room(mutant.file)
-        others = [name for name in sorted(self.tree.programs) if name not in own]
+        others = [] if self.own_only else [name for name in sorted(self.tree.programs) if name not in own]
         tried = 0
         for names in (own, others):
             for quick in (True, False):
