@@ -115,6 +115,16 @@ TEST(bake_points, a_cache_of_another_mesh_is_told_by_its_number_of_points) {
   EXPECT_EQ(fault_of(bake_points(scene, {file, {}, 30.0})), "points-count: 1 point, and the mesh has 3 vertices");
 }
 
+TEST(bake_points, one_vertex_is_not_several) {
+  const ToolModelFile folder;
+  const std::string obj = folder.beside("dot.obj");
+  for (const auto& [vertices, words] : {std::pair("v 0 0 0\n", "1 vertex"), {"v 0 0 0\nv 1 0 0\n", "2 vertices"}}) {
+    test::write_file(obj, std::string(vertices) + "f 1 1 1\n");
+    EXPECT_EQ(fault_of(bake_points(obj, {rising_points(folder), {}, 30.0})),
+              "points-count: 3 points, and the mesh has " + std::string(words));
+  }
+}
+
 TEST(bake_points, numbered_files_keep_their_digits_and_stop_at_the_first_gap) {
   const ToolModelFile folder;
   for (const char* name : {"cloth_008.obj", "cloth_009.obj", "cloth_010.obj", "cloth_11.obj", "cloth_012.obj"})

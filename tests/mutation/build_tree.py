@@ -66,6 +66,6 @@ class Tree:
         """Programs whose sources lie in the folder of tests that bears the name of the file's folder."""
         parts = path.split('/')
         room = parts[1] if parts[0] == 'runtime' else parts[0]
-        if 'geometry_cache' in path:
+        if ('geometry_cache' in path or '/bake/' in path) and '/cost/' not in path:
             room = 'geometry_cache'
         return [name for name, command in sorted(self.programs.items()) if f' tests/{room}/' in command]
