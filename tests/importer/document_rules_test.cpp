@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For each rule about the document itself: a file of a few lines breaks it, and the import reports rule and pointer.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
