@@ -20,8 +20,8 @@ std::vector<Definition> definitions_of(const std::string& source);
 /// "suite.name" of a test.
 std::string test_name(const Definition& test);
 
-/// Names of everything that may skip a test: GTEST_SKIP, functions and classes that call it or a function that does, and
-/// classes derived from such a class.
+/// Names of everything that may skip a test: GTEST_SKIP, functions and classes that call it or a function that does,
+/// and classes derived from such a class.
 std::set<std::string> skipping_names(const std::vector<Definition>& definitions);
 
 /// Whether a test is disabled, or it, its suite or something that it calls may skip it.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
 #include <vector>
 
 #include "runtime/base/same_bits.h"
@@ -131,20 +130,6 @@ TEST_F(frame_window, two_caches_share_one_reader) {
     }
     expect_shown(one, a);
     expect_shown(other, b);
-  }
-  disk_.deliver(100);
-}
-
-TEST_F(frame_window, reads_may_finish_on_another_thread) {
-  disk_.at_once = false;
-  GeometryDecoder decoder(cache_);
-  FrameWindow window(cache_, disk_.reader(), 4);
-  for (std::uint32_t frame = 0; frame < 20; ++frame) {
-    window.prefetch(decoder.next_for(frame));
-    std::thread io([&] { disk_.deliver(100); });
-    while (decoder.decode(frame, window) == GeometryStatus::not_there) std::this_thread::yield();
-    io.join();
-    expect_shown(decoder, frame);
   }
   disk_.deliver(100);
 }

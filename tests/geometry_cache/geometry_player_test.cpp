@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <glm/geometric.hpp>
 #include <string>
 
 #include "runtime/base/same_bits.h"
 #include "runtime/geometry_cache/scene_of_cache.h"
 #include "runtime/plan/run_plan.h"
-#include "runtime/threads/job_thread.h"
 #include "tests/geometry_cache/disk.h"
 #include "tests/geometry_cache/takes.h"
 
@@ -181,29 +179,6 @@ TEST_F(geometry_player_window, a_damaged_frame_leaves_the_pose_and_the_next_segm
   EXPECT_TRUE(play_from(player, frame, time_of(12)).instances[0].late) << "it follows from the damaged one";
   EXPECT_FALSE(play_from(player, frame, time_of(16)).instances[0].late);
   expect_bits(frame.result(), 16);
-}
-
-TEST_F(geometry_player_window, characters_on_threads_share_one_reader) {
-  constexpr std::uint32_t kCharacters = 4;
-  std::deque<FrameWindow> windows;
-  std::deque<GeometryPlayer> players;
-  JobThread jobs({.inline_below_bytes = 0, .part_bytes = 1});
-  for (std::uint32_t c = 0; c < kCharacters; ++c) {
-    windows.emplace_back(cache_, disk_.reader(), 3);
-    players.emplace_back(cache_, windows.back(), made_.scene, made_.bindings);
-    jobs.add_character(plan_);
-  }
-  for (std::uint32_t shown = 0; shown < 30; ++shown) {
-    std::vector<GeometryInput> geometry;
-    for (std::uint32_t c = 0; c < kCharacters; ++c) geometry.push_back(players[c].at(time_of((shown + 7 * c) % 20)));
-    std::vector<FrameInput> inputs(kCharacters);
-    for (std::uint32_t c = 0; c < kCharacters; ++c) inputs[c].geometry = {&geometry[c], 1};
-    const auto ticket = jobs.submit(inputs);
-    ASSERT_TRUE(ticket.has_value());
-    jobs.wait(*ticket);
-    ASSERT_EQ(jobs.last_error(), ErrorCode::ok);
-    for (std::uint32_t c = 0; c < kCharacters; ++c) expect_bits(*jobs.latest(c), (shown + 7 * c) % 20);
-  }
 }
 
 /// A strip of four triangles, with normals and colours of its own.

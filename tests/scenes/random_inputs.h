@@ -59,7 +59,7 @@ class RandomInputs {
 
   Plan plan_;
   std::shared_ptr<const std::vector<std::vector<Clip>>> pages_;  ///< [clips][pages]; empty where pages may not play
-  std::shared_ptr<Sources> sources_;  ///< copies of the inputs share them, as characters do
+  std::shared_ptr<Sources> sources_;                             ///< copies of the inputs share them, as characters do
   std::array<double, 3> source_times_{};
   std::vector<Playing> playing_;  ///< [cached instances]
   std::vector<GeometryInput> geometry_;
