@@ -17,13 +17,12 @@ layout(constant_id = 19) const bool kAutoExposure = false;   // the exposure fol
 
 layout(location = 0) out vec4 shown;
 
-// The environment behind a pixel.
-vec3 environment_behind(vec2 pixel, float exposure) {
+// Light of the environment behind a pixel.
+vec3 environment_behind(vec2 pixel) {
   vec2 ndc = pixel / vec2(textureSize(color_image, 0)) * 2.0 - 1.0;
   vec3 direction = kParallel ? vec3(0.0, 0.0, -1.0) : vec3(vec2(ndc.x, -ndc.y) / frame.projection.xy, -1.0);
   float level = kBackdrop == 1 ? kBlurredLevel : 0.0;
-  vec3 light = textureLod(environment_image, frame.environment_from_view * direction, level).rgb;
-  return tone_mapped(light * frame.environment_intensity * exposure);
+  return textureLod(environment_image, frame.environment_from_view * direction, level).rgb * frame.environment_intensity;
 }
 
 void main() {
@@ -34,13 +33,22 @@ void main() {
   if (kWeightedSums) lay_over(ivec2(gl_FragCoord.xy), stored, unlit);
   float coverage = clamp(stored.a, 0.0, 1.0);
   float lit = coverage - clamp(unlit.a, 0.0, coverage);
-  vec3 light = lit > 0.0 ? tone_mapped(stored.rgb / lit * exposure) : vec3(0.0);
-  if (kUnlitImage && unlit.a > 0.0) light = (light * lit + unlit.rgb) / coverage;
+  vec3 light = lit > 0.0 ? stored.rgb / lit * exposure : vec3(0.0), behind = frame.background.rgb;
+  if (kBackdrop == 0 || kTransparentBackground) {
+    light = tone_mapped(light);
+  } else {
+    // Most pixels are either light or backdrop, and take the curve once. A loop takes it again at edges alone: drivers that
+    // run on the CPU take both sides of a branch. They read the environment everywhere; a loop for that costs them more.
+    vec3 around = vec3(0.0);
+    if (coverage < 1.0) around = environment_behind(gl_FragCoord.xy) * exposure;
+    behind = tone_mapped(lit > 0.0 ? light : around);
+    light = behind;
+    for (int again = 0; again < int(lit > 0.0 && coverage < 1.0); ++again) behind = tone_mapped(around);
+  }
+  if (kUnlitImage && unlit.a > 0.0) light = ((lit > 0.0 ? light * lit : vec3(0.0)) + unlit.rgb) / coverage;
   if (kTransparentBackground) {
     shown = vec4(displayed(light), coverage);
     return;
   }
-  vec3 behind = frame.background.rgb;
-  if (kBackdrop != 0) behind = environment_behind(gl_FragCoord.xy, exposure);
   shown = vec4(displayed(mix(behind, light, coverage)), 1.0);
 }
