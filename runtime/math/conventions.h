@@ -7,22 +7,23 @@
 /// - Quaternions are stored x y z w; the product `a * b` applies b first. q and -q are the same rotation.
 /// - A local transform is T * R * S (glTF 2.0, "Transformations"): scale first, translation last.
 /// - Normals point to the outside of a solid, also where a matrix M mirrors it: n' = normalise(sign(det M) cof(M) n),
-///   which is the direction of the inverse transpose without its division (N22). The sign is exact
-///   (determinant_sign.h). Unskinned meshes, every kind of skinning and flat faces follow this rule; M n of the linear
-///   rule lies on the same side. Mirroring reverses the winding of triangles instead: InstanceResult::mirrored says so
-///   (G48).
+///   which is the direction of the inverse transpose without its division, so also where M is singular. The
+///   sign is exact (determinant_sign.h). Unskinned meshes, every kind of skinning and flat faces follow this rule; M n
+///   of the linear rule lies on the same side. Mirroring reverses the winding of triangles instead:
+///   InstanceResult::mirrored says so in every frame.
 /// - A tangent follows the surface, t' = normalise(M t), and keeps its handedness w. The bitangent is w cross(n', t'),
 ///   negated where the instance is mirrored.
 /// - An affine matrix is 3x4 and stored as three rows of four: 48 bytes, which load without over-reading and upload to
 ///   a GPU as three vec4. The fourth row is 0 0 0 1 and not stored.
 /// - Every kernel of this folder is a template over float and double: double is the truth that tests hold float to.
-/// - Same input, same bits (N27, N28), for every number of threads. Poses have the same bits on every instruction set.
+/// - Same input, same bits, for every number of threads. Poses have the same bits on every instruction set.
 ///   Deformed vertices have the same bits on every instruction set with fused multiply-add (AVX2, AVX-512, NEON), and
 ///   on every one without it (SSE and the scalar fallback); between these two groups the last digits differ, since the
 ///   latter round each sum twice. (Rounding once without the hardware, through double, took 4 to 8 times as long.) The
 ///   build turns contraction off, so that results do not depend on what a compiler fuses. tests/golden holds the bits.
-/// - GLM supplies types and plain arithmetic. Its quaternion functions are not used where they fail (N02, N07, N11,
-///   N12, N14, N15): this folder has kernels for those.
+/// - GLM supplies types and plain arithmetic. Its quaternion functions are not used where they fail: for opposite
+///   quaternions, keys that hold, axes of tiny rotations, matrices near half turns, nearly opposite vectors, and tiny
+///   or mirroring scales. This folder has kernels for those.
 /// - GLM options that change the layout of its types are refused below: a program compiled with other layouts than the
 ///   library would link all the same.
 #include <cstddef>

@@ -34,8 +34,8 @@ Mat3<T> matrix_from_quat(const Quat<T>& any) noexcept {
 }
 
 /// Unit quaternion of a rotation matrix.
-/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1
-///      (N12)
+/// eq   Real-Time Rendering, eqs. 4.47-4.51; of the four forms the one with the largest divisor, which is at least 1,
+///      so that half turns lose no digits
 /// in   m  orthonormal with positive determinant up to rounding: take scale and mirroring out first (decompose.h).
 ///      A matrix off by d from a rotation gives a quaternion off by at most about 4 d. The
 ///      zero matrix gives the identity.

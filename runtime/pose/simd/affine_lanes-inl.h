@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Products of affine matrices, a row of four floats a block; included once per SIMD target, so without `#pragma once`.
 // Single multiplications and additions only, never fused, each row summed in the order x, y, z, translation as affine.h
-// does: all targets give the same bits (N27, N28).
+// does: all targets give the same bits.
 #if defined(SINEW_AFFINE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_AFFINE_LANES_INL_H
 #undef SINEW_AFFINE_LANES_INL_H

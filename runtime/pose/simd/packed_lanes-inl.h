@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of blocks of packed tracks, written once over Highway's lanes; included once per SIMD target, so
 // without `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never
-// fused: all targets give the same bits (N27, N28).
+// fused: all targets give the same bits.
 #if defined(SINEW_PACKED_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PACKED_LANES_INL_H
 #undef SINEW_PACKED_LANES_INL_H
@@ -72,9 +72,9 @@ class SlerpSeries {
   std::size_t power_;
 };
 
-/// Slerp along the shorter arc of packed keys (G01). Keys are unit but for the rounding of tracks that leave out no
-/// component, so that only these are normalised.
-/// eq   q0 sin(r a) / sin(a) + q1 sin(s a) / sin(a), by slerp_series.h: no arc is too small (N01)
+/// Slerp along the shorter arc of packed keys, whatever their signs. Keys are unit but for the rounding of tracks
+/// that leave out no component, so that only these are normalised.
+/// eq   q0 sin(r a) / sin(a) + q1 sin(s a) / sin(a), by slerp_series.h: nearly equal keys keep their relative accuracy
 HWY_NOINLINE void slerp_packed(const TrackBlock& block, const PackedKeys& keys, const TrackOutput& out) {
   const SlerpSeries series(keys);
   const PackedRows& rows = block.packed;

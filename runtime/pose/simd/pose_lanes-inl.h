@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Poses over Highway's lanes, one joint per lane; included once per SIMD target, so without `#pragma once`. Single
-// multiplications and additions only, never fused: all targets give the same bits (N27, N28).
+// multiplications and additions only, never fused: all targets give the same bits.
 #if defined(SINEW_POSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_POSE_LANES_INL_H
 #undef SINEW_POSE_LANES_INL_H
@@ -115,7 +115,7 @@ HWY_INLINE Rotations normalised(const Rotations& q) {
   return scaled(q, hn::Div(hn::Set(Floats(), 1.0f), hn::Sqrt(dot4(q, q))));
 }
 
-/// eq   a * b, in single multiplications and additions (N27)
+/// eq   a * b, in single multiplications and additions, never fused
 HWY_INLINE Rotations product(const Rotations& a, const Rotations& b) {
   const auto sum = [](Lanes p, Lanes q, Lanes r, Lanes s) HWY_ATTR { return hn::Add(hn::Add(p, q), hn::Add(r, s)); };
   const auto m = [](Lanes p, Lanes q) HWY_ATTR { return hn::Mul(p, q); };

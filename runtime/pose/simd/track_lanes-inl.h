@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interpolation of blocks of tracks, written once over Highway's lanes; included once per SIMD target, so without
 // `#pragma once`. Every lane computes its own track by the same single multiplications and additions, never fused: all
-// targets give the same bits (N27, N28).
+// targets give the same bits.
 #if defined(SINEW_TRACK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_TRACK_LANES_INL_H
 #undef SINEW_TRACK_LANES_INL_H
