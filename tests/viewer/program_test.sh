@@ -145,7 +145,7 @@ ends 0 '' --headless ao.png --size 320x180 --time 1 --show ao
 [ "$(convert ao.png -colorspace HSL -channel G -separate -format '%[fx:maxima<0.01]' info:)" = 1 ] || complain "--show ao is not grey"
 ends 0 '' --headless flat.png --size 320x180 --time 1 --no-ao
 cmp -s a.png flat.png && complain "--no-ao changes nothing"
-ends 0 '' --headless clear.png --size 320x180 --time 1 --transparent
+ends 0 '' --scene 3 --headless clear.png --size 320x180 --time 1 --transparent
 holds "--transparent leaves the background clear" 'minima.a==0&&maxima.a==1' clear.png
 ends 0 '' --headless sky.png --size 64x64 --transparent --eye 0,50,0 --target 0,60,0
 holds "a camera that looks away sees nothing" 'maxima.a==0' sky.png
