@@ -20,13 +20,6 @@ struct Slice {
   double angle_of(const glm::dvec3& d) const { return std::atan2(glm::dot(d, aside), glm::dot(d, to_viewer)); }
 };
 
-/// Distance from p to the body behind a front that is seen from p in the direction `to_front`: to the nearest of the
-/// points up to `thickness` farther from the viewer.
-double distance_to_body(const glm::dvec3& to_front, const glm::dvec3& to_viewer, double thickness) {
-  const double nearest = std::clamp(glm::dot(to_front, to_viewer), 0.0, thickness);
-  return glm::length(to_front - nearest * to_viewer);
-}
-
 /// Greatest share of the half circle on one side that is covered: the angle of its horizon from the line of sight.
 /// in   free  the angle without anything in the way
 double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int x, int y, const glm::dvec2& way,
@@ -40,10 +33,9 @@ double horizon_angle(const DepthAndNormals& image, const HorizonSettings& s, int
     if (there_x < 0 || there_y < 0 || there_x >= image.width || there_y >= image.height) continue;
     const auto i = static_cast<std::size_t>(there_y * image.width + there_x);
     const glm::dvec3 to_r = image.point(there_x, there_y) - p;
-    const double away = glm::length(to_r), to_body = distance_to_body(to_r, to_viewer, 0.2 * s.radius);
-    if (image.distance[i] == 0.0 || away == 0.0 || to_body >= 1.3 * s.radius || glm::dot(to_r, n) <= 0.02 * away)
-      continue;
-    const double counts = std::clamp((1.3 - to_body / s.radius) / 0.35, 0.0, 1.0);
+    const double away = glm::length(to_r);
+    if (image.distance[i] == 0.0 || away == 0.0 || away >= 1.3 * s.radius || glm::dot(to_r, n) <= 0.02 * away) continue;
+    const double counts = std::clamp((1.3 - away / s.radius) / 0.35, 0.0, 1.0);
     const double cosine = counts * glm::dot(to_r, to_viewer) / away + (1.0 - counts) * std::cos(free);
     least = std::min(least, std::acos(std::clamp(cosine, -1.0, 1.0)));
   }

@@ -25,9 +25,6 @@ const float kLevel = 0.02;
 // Parts of the radius between which surfaces count less and less. A surface that leaves the radius does so between two
 // look-ups; with a sharp end, the one nearer by often misses it, and the pattern of the look-ups shows as stripes.
 const float kFadeStart = 0.95, kFadeEnd = 1.3;
-// Parts of the radius that bodies are thick behind the fronts that are seen: a front beyond the radius hides light when its
-// body reaches into it. Knows no body thinner than that.
-const float kThickness = 0.2;
 
 layout(location = 0) out vec4 access_distance_normal;
 
@@ -35,7 +32,7 @@ layout(location = 0) out vec4 access_distance_normal;
 // in   way  pixels to the radius;   lowest  cosine for a free horizon
 float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float lowest) {
   ivec2 last = textureSize(depth_image, 0) - 1;
-  float highest = lowest, scale = 1.0 / (kFadeEnd - kFadeStart), thickness = kThickness * frame.occlusion_radius_m;
+  float highest = lowest, scale = 1.0 / (kFadeEnd - kFadeStart);
   // view_point() without its divisions
   vec2 half_size = 0.5 * vec2(last + 1), slope = vec2(1.0, -1.0) / (half_size * frame.projection.xy);
   for (int i = 0; i < kSteps; ++i) {
@@ -47,12 +44,10 @@ float horizon(ivec2 pixel, vec2 way, float jitter, vec3 p, vec3 n, vec3 v, float
     vec2 aside = (vec2(there) + 0.5 - half_size) * slope;
     vec3 to_r = vec3(kParallel ? aside : aside * far_r, -far_r) - p;
     float squared = dot(to_r, to_r), inverse = inversesqrt(max(squared, 1e-30));
-    float along = dot(to_r, v), beyond = along - clamp(along, 0.0, thickness);
-    float distance = sqrt(max(squared - along * along + beyond * beyond, 0.0));   // of the nearest point of the body
-    float counts = min(kFadeEnd * scale - distance * (scale / frame.occlusion_radius_m), 1.0);
+    float counts = min(kFadeEnd * scale - squared * inverse * (scale / frame.occlusion_radius_m), 1.0);
     if (far_r == 0.0 || counts <= 0.0) continue;
     vec3 direction = to_r * inverse;
-    if (dot(direction, n) > kLevel) highest = max(highest, mix(lowest, along * inverse, counts));
+    if (dot(direction, n) > kLevel) highest = max(highest, mix(lowest, dot(direction, v), counts));
   }
   return highest;
 }
