@@ -174,6 +174,13 @@ TEST(asset_checks, every_broken_rule_is_found) {
        ErrorCode::size_mismatch},
       {"clip missing", [](Scene& s) { s.clips.clear(); }, ErrorCode::size_mismatch},
       {"weight offsets", [](Scene& s) { s.first_weight.push_back(1); }, ErrorCode::size_mismatch},
+      {"last weight offset",
+       [](Scene& s) {
+         s.animations.clear();  // whose clips have as many weights
+         s.clips.clear();
+         ++s.first_weight.back();
+       },
+       ErrorCode::size_mismatch},
       {"texture index", [](Scene& s) { s.materials[0].normal_texture.texture = 0; }, ErrorCode::index_out_of_range},
       {"texture of a layer", [](Scene& s) { s.materials[0].clearcoat.normal_texture.texture = 0; },
        ErrorCode::index_out_of_range},

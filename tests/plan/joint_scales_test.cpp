@@ -104,6 +104,8 @@ TEST(joint_scales, P07_P09_look_at_every_axis_of_rest_constants_and_keys) {
                   keyed = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {glm::vec3(1), scale}});
       expect_scale(scale_of(folded, 2), ScaleKind::uneven, 1, sign != 1);  // the rest pose has another sign
       expect_scale(scale_of(keyed, 2), ScaleKind::uneven, 1, sign != 1);
+      const Scene first = arm_scaled_by(0, {Interpolation::linear, {0, 1}, {scale, glm::vec3(1)}});
+      expect_scale(scale_of(first, 2), ScaleKind::uneven, 1, sign != 1);
     }
   }
 }
