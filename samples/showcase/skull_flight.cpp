@@ -38,7 +38,7 @@ glm::vec4 patina(Bone bone, const glm::vec3& p, const glm::vec3& normal) {
   for (const float ahead : {0.7f, 2.4f}) open *= glm::smoothstep(-0.15f, 1.0f, bone(p + ahead * normal) / ahead);
   const float stain =
       std::sin(0.9f * p.x + 1.7f * std::sin(0.6f * p.y)) * std::sin(0.8f * p.y - 1.3f * std::sin(0.7f * p.z));
-  const glm::vec3 clean = glm::vec3(1.0f, 0.97f, 0.92f) - 0.07f * stain, hollow(0.30f, 0.20f, 0.13f);
+  const glm::vec3 clean = glm::min(glm::vec3(1.0f, 0.97f, 0.92f) - 0.07f * stain, 1.0f), hollow(0.30f, 0.20f, 0.13f);
   return {glm::mix(hollow, clean, 0.15f + 0.85f * open), 1.0f};
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <glm/glm.hpp>
 
 #include "samples/showcase/polygonise.h"
 #include "samples/showcase/showcase.h"
@@ -64,13 +65,18 @@ TEST(skull_bones, hold_28_teeth_by_the_root) {
   }
 }
 
-TEST(skull_bones, are_a_small_mesh_in_the_showcase) {
+TEST(skull_bones, are_a_small_mesh_of_valid_colours_in_the_showcase) {
   const auto shown = skull_flight();
   const auto skull = std::find_if(shown.scene.meshes.begin(), shown.scene.meshes.end(),
                                   [](const Mesh& mesh) { return mesh.name == "skull"; });
   ASSERT_NE(skull, shown.scene.meshes.end());
   std::size_t vertices = 0;
-  for (const Primitive& primitive : skull->primitives) vertices += primitive.positions.size();
+  for (const Primitive& primitive : skull->primitives) {
+    vertices += primitive.positions.size();
+    for (const glm::vec4& c : primitive.colors)
+      ASSERT_TRUE(glm::all(glm::greaterThanEqual(c, glm::vec4(0.0f))) &&
+                  glm::all(glm::lessThanEqual(c, glm::vec4(1.0f))));
+  }
   EXPECT_LT(vertices, 20000u);
 }
 

@@ -178,7 +178,7 @@ if cmp -s one.png frames/00003.png; then echo "ok: frame 3 at 2 a second is seco
 
 ends 0 '' empty.gltf --headless nothing.png --size 64x64
 ends 0 '' bones.gltf --headless bones.png --size 64x64 --transparent
-holds "a file of bones shows its skeleton" 'maxima.a==1' bones.png
+holds "a file of bones shows its skeleton" 'maxima.a>0.9' bones.png
 ends 0 '' --headless lines.png --size 320x180 --time 1 --skeleton
 cmp -s a.png lines.png && complain "--skeleton draws nothing"
 
