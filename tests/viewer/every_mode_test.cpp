@@ -20,9 +20,12 @@ class every_mode : public DeviceTest {};
 
 constexpr std::uint32_t kWide = 4000;
 
-const char* const kModes[] = {
+constexpr char kDefaults[] =
     "--ao gtao --show color --normals interpolated --transparency sorted --smoothing on --tone neutral "
-    "--backdrop blurred --shading physical --ground shadows --environment studio --exposure 0",
+    "--backdrop blurred --shading physical --ground shadows --environment studio --exposure 0";
+
+const char* const kModes[] = {
+    kDefaults,
     "--ao ssao",
     "--ao rays",
     "--no-ao",
