@@ -206,7 +206,7 @@ TEST_F(ToolInfoJson, meshes) {
   quad["colors"] = true;
   quad["vertices_after_splitting"] = scene_->meshes[1].primitives[0].vertex_count();
   EXPECT_GT(quad["vertices_after_splitting"], 4);
-  EXPECT_EQ(face["primitives"], Json{quad});
+  EXPECT_EQ(face["primitives"], Json::array({quad}));
   EXPECT_EQ(face["morph_targets"][1], (Json{{"name", "blush"}, {"non_zero_deltas", 2}, {"default_weight", 0.0}}));
   EXPECT_EQ(face["morph_targets"][0]["name"], "smile");
   EXPECT_EQ(face["morph_targets"][0]["default_weight"], 0.25);
