@@ -44,10 +44,11 @@ Fit component_fit(const gltf::Accessor& accessor, Attribute attribute, bool disp
     case Attribute::weights: return !is_signed(type) && accessor.normalized ? Fit::core : Fit::no;
     case Attribute::color: return accessor.normalized && (displacement || !is_signed(type)) ? Fit::core : Fit::no;
     case Attribute::texcoord:
-      return accessor.normalized && (displacement || !is_signed(type)) ? Fit::core : Fit::quantized;
-    case Attribute::position: return Fit::quantized;
+      if (accessor.normalized && (displacement || !is_signed(type))) return Fit::core;
+      return is_signed(type) || !displacement ? Fit::quantized : Fit::no;
+    case Attribute::position: return is_signed(type) || !displacement ? Fit::quantized : Fit::no;
     case Attribute::normal:
-    case Attribute::tangent: return is_signed(type) && (accessor.normalized || displacement) ? Fit::quantized : Fit::no;
+    case Attribute::tangent: return is_signed(type) && accessor.normalized ? Fit::quantized : Fit::no;
   }
   return Fit::no;
 }
