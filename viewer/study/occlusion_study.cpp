@@ -186,9 +186,10 @@ OcclusionStudy study_occlusion(Device& device, const Scene& scene, const FrameRe
   const RayCaster rays(scene, frame);
   const SeenPixels seen = seen_pixels(rays, view, effort.width, effort.height);
   const std::vector<double> truth = true_access(rays, seen, study.radius_m, effort.rays);
-  for (const double thickness : {0.0, 0.1, 0.2, 0.3})
-    study.exhaustive.push_back(
-        {thickness, root_mean_square(exhaustive_access(seen, view, study.radius_m, thickness), truth)});
+  if (effort.exhaustive)
+    for (const double thickness : {0.0, 0.1, 0.2, 0.3})
+      study.exhaustive.push_back(
+          {thickness, root_mean_square(exhaustive_access(seen, view, study.radius_m, thickness), truth)});
   std::vector<std::unique_ptr<Drawing>> drawings;
   std::vector<std::size_t> order;
   for (OcclusionTrial& trial : study.trials) {

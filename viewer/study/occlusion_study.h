@@ -44,8 +44,8 @@ struct OcclusionStudy {
   double error_without = 0.0;  ///< of a picture without ambient occlusion
   double radius_m = 0.0;
   std::vector<OcclusionTrial> trials;
-  std::vector<ExhaustiveTrial> exhaustive;
-  std::vector<VertexTrial> at_vertices;  ///< by rising number of rays; empty for more than 20,000 vertices
+  std::vector<ExhaustiveTrial> exhaustive;  ///< empty without OcclusionEffort::exhaustive
+  std::vector<VertexTrial> at_vertices;     ///< by rising number of rays; empty for more than 20,000 vertices
 };
 
 /// Size of the picture and number of repetitions.
@@ -53,9 +53,10 @@ struct OcclusionEffort {
   std::uint32_t width = 640, height = 400;
   int rays = 128;  ///< per pixel of the reference
   int repetitions = 15;
-  bool every_way = true;  ///< false = a short list, because the driver compiles shaders for each
+  bool every_way = true;   ///< false = a short list, because the driver compiles shaders for each
+  bool exhaustive = true;  ///< also horizons with nothing overlooked, which takes seconds
 
-  static OcclusionEffort quick() { return {320, 200, 64, 7, false}; }
+  static OcclusionEffort quick() { return {320, 200, 64, 7, false, false}; }
 };
 
 /// Draws one frame in each way and compares each pixel that shows a surface with ray casting. The repetitions run in
