@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "importer/tool/cost/approximate_slerp.h"
+#include "importer/tool/cost/rotation/approximate_slerp.h"
 #include "runtime/math/decompose.h"
 #include "runtime/math/euler.h"
 #include "runtime/math/interpolate.h"

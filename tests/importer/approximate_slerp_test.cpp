@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/cost/approximate_slerp.h"
+#include "importer/tool/cost/rotation/approximate_slerp.h"
 
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"

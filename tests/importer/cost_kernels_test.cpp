@@ -6,13 +6,13 @@
 
 #include <cmath>
 
-#include "importer/tool/cost/approximate_slerp.h"
 #include "importer/tool/cost/fewer_influences.h"
 #include "importer/tool/cost/instruction_sets.h"
 #include "importer/tool/cost/limb.h"
 #include "importer/tool/cost/measure.h"
-#include "importer/tool/cost/rotation_lanes.h"
-#include "importer/tool/cost/rotation_tracks.h"
+#include "importer/tool/cost/rotation/approximate_slerp.h"
+#include "importer/tool/cost/rotation/rotation_lanes.h"
+#include "importer/tool/cost/rotation/rotation_tracks.h"
 #include "importer/tool/cost/skin_probe.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/animation/track_sample.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "importer/tool/cost/limb.h"
-#include "importer/tool/cost/rotation_tracks.h"
+#include "importer/tool/cost/rotation/rotation_tracks.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/math/quaternion.h"
 

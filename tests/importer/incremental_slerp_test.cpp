@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/cost/incremental_slerp.h"
+#include "importer/tool/cost/rotation/incremental_slerp.h"
 
 #include "tests/support/fixed_random.h"
 #include "tests/support/near.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "importer/tool/cost/approximate_slerp.h"
+#include "importer/tool/cost/rotation/approximate_slerp.h"
 #include "runtime/math/affine.h"
 #include "runtime/math/dual_quaternion.h"
 #include "runtime/math/inverse.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/cost/rotation_lanes.h"
+#include "importer/tool/cost/rotation/rotation_lanes.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "importer/tool/cost/rotation_lanes.cpp"
+#define HWY_TARGET_INCLUDE "importer/tool/cost/rotation/rotation_lanes.cpp"
 #include <hwy/foreach_target.h>
 
 #include "runtime/pose/simd/track_places-inl.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "importer/tool/cost/rotation_lanes.h"
-#include "importer/tool/cost/rotation_tracks.h"
+#include "importer/tool/cost/rotation/rotation_lanes.h"
+#include "importer/tool/cost/rotation/rotation_tracks.h"
 #include "importer/tool/cost/studies.h"
 #include "importer/tool/cost/words.h"
 #include "runtime/math/quaternion.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "importer/tool/cost/rotation_tracks.h"
+#include "importer/tool/cost/rotation/rotation_tracks.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "importer/tool/cost/incremental_slerp.h"
+#include "importer/tool/cost/rotation/incremental_slerp.h"
 #include "runtime/animation/track_sample.h"
 
 namespace sinew::cost {
