@@ -166,7 +166,7 @@ void blend_lanes(const BlendPosesJob& job, std::size_t j) {
 class EqualTerms {
  public:
   static constexpr std::size_t kMost = 16;
-  static constexpr bool kFew = false;
+  static constexpr bool kPlanesAtOnce = false;
 
   explicit EqualTerms(const BlendPosesJob& job) {
     float largest = 0.0f, sum = 0.0f;
@@ -215,7 +215,7 @@ class EqualTerms {
 template <std::size_t kCount, std::size_t kPivot>
 class CountedTerms {
  public:
-  static constexpr bool kFew = kCount < 4;
+  static constexpr bool kPlanesAtOnce = kCount < 4;  ///< their addresses fit into registers
 
   HWY_INLINE explicit CountedTerms(const EqualTerms& terms)
       : sums_to_one_(terms.sums_to_one()), by_total_(terms.by_total()) {
@@ -257,13 +257,12 @@ HWY_INLINE void blend_floats(const Terms& terms, std::size_t begin, std::size_t 
   }
 }
 
-/// The means of all translations and scales. Each plane of each pose takes an address: for few poses all planes are
-/// done in one loop; of four and more their addresses would be more than there are registers, so planes follow one
-/// another.
+/// The means of all translations and scales: all planes in one loop, or plane after plane where each plane of each pose
+/// would take more addresses than there are registers.
 template <class Terms>
 HWY_INLINE void blend_vectors(const Terms& terms, float* out, std::size_t stride, std::size_t joints) {
   using P = PoseSpan;
-  if constexpr (Terms::kFew) {
+  if constexpr (Terms::kPlanesAtOnce) {
     for (std::size_t j = 0; j < joints; j += hn::Lanes(Floats())) store(mean_vectors(terms, stride, j), out, stride, j);
   } else {
     for (const std::size_t plane : {P::tx, P::ty, P::tz, P::sx, P::sy, P::sz})

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "runtime/c/handles.h"
 #include "runtime/sinew.h"
+#include "tests/c/c_frame.h"
 #include "tests/scenes/hand_scenes.h"
 
 namespace sinew::test {
@@ -27,25 +27,16 @@ Scene scene_of_two() {
   return scene;
 }
 
-class CLastIndex : public testing::Test {
- protected:
-  CLastIndex() {
-    sinew_needs needs = sinew_default_needs();
-    needs.flags |= SINEW_NEED_PALETTES;
-    EXPECT_EQ(sinew_plan_create(&scene_, &needs, &plan_), SINEW_OK);
-    EXPECT_EQ(sinew_frame_create(plan_, nullptr, &frame_), SINEW_OK);
-    EXPECT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
-    result_ = sinew_frame_result(frame_);
-  }
-  ~CLastIndex() override {
-    sinew_frame_destroy(frame_);
-    sinew_plan_destroy(plan_);
-  }
+sinew_needs needs_with_palettes() {
+  sinew_needs needs = sinew_default_needs();
+  needs.flags |= SINEW_NEED_PALETTES;
+  return needs;
+}
 
-  sinew_scene scene_{scene_of_two()};
-  sinew_plan* plan_ = nullptr;
-  sinew_frame* frame_ = nullptr;
-  const sinew_result* result_ = nullptr;
+class CLastIndex : public CFrame {
+ protected:
+  CLastIndex() : CLastIndex(needs_with_palettes()) {}
+  explicit CLastIndex(const sinew_needs& needs) : CFrame(scene_of_two(), &needs) {}
 };
 
 TEST_F(CLastIndex, of_lists_of_a_scene) {

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "runtime/c/handles.h"
 #include "runtime/sinew.h"
+#include "tests/c/c_frame.h"
 #include "tests/scenes/hand_scenes.h"
 
 namespace sinew::test {
@@ -44,23 +44,9 @@ void expect_refused(const char* name, sinew_error (*call)(A...), const std::set<
 template <class Handle>
 using Own = std::unique_ptr<Handle, void (*)(Handle*)>;
 
-class CNullArguments : public testing::Test {
+class CNullArguments : public CFrame {
  protected:
-  CNullArguments() {
-    EXPECT_EQ(sinew_plan_create(&scene_, nullptr, &plan_), SINEW_OK);
-    EXPECT_EQ(sinew_frame_create(plan_, nullptr, &frame_), SINEW_OK);
-    EXPECT_EQ(sinew_run(frame_, nullptr), SINEW_OK);
-    result_ = sinew_frame_result(frame_);
-  }
-  ~CNullArguments() override {
-    sinew_frame_destroy(frame_);
-    sinew_plan_destroy(plan_);
-  }
-
-  sinew_scene scene_{arm_scene()};
-  sinew_plan* plan_ = nullptr;
-  sinew_frame* frame_ = nullptr;
-  const sinew_result* result_ = nullptr;
+  CNullArguments() : CFrame(arm_scene()) {}
 };
 
 TEST_F(CNullArguments, of_scenes) {
