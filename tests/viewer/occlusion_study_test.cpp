@@ -231,6 +231,49 @@ TEST(exhaustive_access, is_what_is_open_beside_a_wall_and_thicker_bodies_hide_mo
   EXPECT_GT(hidden_more / compared, 0.01);
 }
 
+/// Root mean square difference where a surface is seen.
+double error_of(const std::vector<double>& access, const std::vector<double>& truth) {
+  double squares = 0.0, pixels = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (truth[i] >= 0.0) {
+      squares += (access[i] - truth[i]) * (access[i] - truth[i]);
+      pixels += 1.0;
+    }
+  return std::sqrt(squares / pixels);
+}
+
+TEST_F(occlusion_study, horizons_are_compared_with_rays_only_where_a_surface_is_seen) {
+  BuiltScene built;
+  const std::uint32_t material = built.add_material(matte({1, 1, 1}));
+  built.add(square(1.0f), material);
+  built.add(showcase::sphere({0, 0.4f, 0}, 0.4f), material);
+  const View view = look_at({1.0, 3.0, 2.0}, {0.0, 0.0, 0.0}, 0.9, 0.05);
+  AmbientOcclusion settings;
+  settings.radius_m = 0.6f;
+  const OcclusionStudy study =
+      study_occlusion(*test_device(), built.scene, built.frame(), view, settings, {32, 24, 64, 0, false});
+  const RayCaster rays(built.scene, built.frame());
+  const SeenPixels seen = seen_pixels(rays, view, 32, 24);
+  const std::vector<double> truth = true_access(rays, seen, 0.6f, 64);
+  EXPECT_GT(std::count(truth.begin(), truth.end(), -1.0), 100) << "much of the picture is empty";
+  ASSERT_EQ(study.exhaustive.size(), 4u);
+  for (const ExhaustiveTrial& trial : study.exhaustive) {
+    EXPECT_NEAR(trial.error, error_of(exhaustive_access(seen, view, 0.6f, trial.thickness), truth), 1e-9);
+    EXPECT_GT(trial.error, 0.001);
+  }
+}
+
+TEST(occlusion_effort, the_quick_one_is_a_quarter_of_the_picture_and_half_of_the_rays) {
+  const OcclusionEffort whole, quick = OcclusionEffort::quick();
+  EXPECT_EQ(2 * quick.width, whole.width);
+  EXPECT_EQ(2 * quick.height, whole.height);
+  EXPECT_EQ(2 * quick.rays, whole.rays);
+  EXPECT_EQ(quick.repetitions % 2, 1) << "so that the median is one of them";
+  EXPECT_LT(2 * quick.repetitions, whole.repetitions);
+  EXPECT_TRUE(whole.every_way && whole.exhaustive);
+  EXPECT_FALSE(quick.every_way || quick.exhaustive);
+}
+
 TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_open_floor_has_none) {
   const View view = look_at({2.0, 4.0, 0.1}, {1.0, 0.0, 0.0}, 0.5, 0.05);
   AmbientOcclusion settings;
@@ -240,15 +283,19 @@ TEST_F(occlusion_study, without_occlusion_the_error_is_what_rays_find_and_an_ope
     const OcclusionEffort effort{32, 24, 64, 0, false};
     const OcclusionStudy study = study_occlusion(*test_device(), built.scene, built.frame(), view, settings, effort);
     EXPECT_EQ(study.pixels, 32u * 24u) << "surfaces everywhere";
-    double squares = 0.0;
     const RayCaster rays(built.scene, built.frame());
-    for (const double access : true_access(rays, seen_pixels(rays, view, 32, 24), 2.0, 64))
-      squares += (1.0 - access) * (1.0 - access);
-    EXPECT_NEAR(study.error_without, std::sqrt(squares / (32.0 * 24.0)), 1e-12);
+    const SeenPixels seen = seen_pixels(rays, view, 32, 24);
+    const std::vector<double> truth = true_access(rays, seen, 2.0, 64), open(truth.size(), 1.0);
+    EXPECT_NEAR(study.error_without, error_of(open, truth), 1e-12);
     EXPECT_EQ(study.error_without > 0.05, wall);
     EXPECT_EQ(study.radius_m, 2.0);
     ASSERT_EQ(study.exhaustive.size(), 4u);
     EXPECT_LT(study.exhaustive[0].error, wall ? study.error_without : 1e-9) << "the picture shows part of the wall";
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double thickness = 0.1 * static_cast<double>(i);
+      EXPECT_NEAR(study.exhaustive[i].thickness, thickness, 1e-15);
+      EXPECT_NEAR(study.exhaustive[i].error, error_of(exhaustive_access(seen, view, 2.0, thickness), truth), 1e-9);
+    }
     for (const OcclusionTrial& trial : study.trials) {
       EXPECT_LT(trial.error, wall ? study.error_without : 0.01) << trial.name;
       EXPECT_TRUE(trial.milliseconds.empty()) << "no repetitions";
